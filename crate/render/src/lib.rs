@@ -17,6 +17,7 @@ pub mod pace;
 pub mod renderer;
 pub mod tissue;
 
+mod backdrop;
 mod counts;
 mod detail;
 mod device;

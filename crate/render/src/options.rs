@@ -6,7 +6,8 @@ pub(crate) const LEVELS: usize = 3;
 /// How much work goes into a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
-    /// What a processor alone draws: light without shadows, colour maps alone, in one pass.
+    /// What a processor alone draws: light without shadows, colour maps alone, in one pass of four
+    /// samples a pixel.
     Lowest,
     /// One sample a pixel with edge smoothing, a small shadow, no fine bumps.
     Low,
@@ -28,7 +29,7 @@ impl Quality {
 
     /// Requested samples a pixel.
     pub(crate) fn samples(self) -> u32 {
-        if self <= Self::Low { 1 } else { 4 }
+        if self == Self::Low { 1 } else { 4 }
     }
 
     /// Side of a light's shadow map, texels.

@@ -69,6 +69,8 @@ impl SharedResources {
 /// Every pipeline of one tier of quality.
 pub(crate) struct Pipelines {
     pub(crate) theatre: RenderPipeline,
+    /// What draws the backdrop as a still, and what lays it down, where that is done.
+    pub(crate) still: Option<[RenderPipeline; 2]>,
     pub(crate) tone_map: RenderPipeline,
     target: TargetKind,
     /// Surfaces are drawn by the shaders of the lowest quality.
@@ -228,17 +230,34 @@ impl Pipelines {
             };
         let theatre_layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
         let tone_map_layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
-        let theatre = full_screen(
-            "theatre",
-            &shared.stage,
-            &theatre_layout,
-            &constants,
-            "vs_theatre",
-            "fs_theatre",
-            target.format,
-            target.samples,
-            Some((CompareFunction::LessEqual, false)),
-        );
+        let behind = Some((CompareFunction::LessEqual, false));
+        let theatre = |samples, depth| {
+            full_screen(
+                "theatre",
+                &shared.stage,
+                &theatre_layout,
+                &constants,
+                "vs_theatre",
+                "fs_theatre",
+                target.format,
+                samples,
+                depth,
+            )
+        };
+        let still = target.is_direct.then(|| {
+            let laid = full_screen(
+                "backdrop",
+                &shared.tone_map,
+                &tone_map_layout,
+                &[],
+                "vs_still",
+                "fs_still",
+                target.format,
+                target.samples,
+                behind,
+            );
+            [theatre(1, None), laid]
+        });
         let tone_map_constants = [
             early,
             ("SMOOTH_EDGES", flag(target.samples == 1)),
@@ -256,7 +275,8 @@ impl Pipelines {
             None,
         );
         Self {
-            theatre,
+            theatre: theatre(target.samples, behind),
+            still,
             tone_map,
             target,
             simple: target.is_direct,

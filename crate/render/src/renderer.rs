@@ -4,6 +4,7 @@ use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
+use crate::backdrop::{Backdrop, Drawn};
 use crate::counts::Counts;
 use crate::detail::{self, Detail};
 use crate::figure::{AlphaMode, MAX_JOINTS, PipelineKey};
@@ -36,6 +37,10 @@ pub struct Renderer {
     targets: Option<Targets>,
     /// What the tone-map pass reads, where there is one.
     tone_map_group: Option<wgpu::BindGroup>,
+    /// The stage as a still, at qualities that draw it so.
+    backdrop: Option<Backdrop>,
+    /// How that of the picture that is made comes about.
+    backdrop_drawn: Drawn,
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
@@ -97,6 +102,8 @@ impl Renderer {
             frame_group,
             targets: None,
             tone_map_group: None,
+            backdrop: None,
+            backdrop_drawn: Drawn::Directly,
             figure: None,
             detail: Detail::new(options.quality, None),
             overlay: None,
@@ -223,6 +230,7 @@ impl Renderer {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut counts = Counts::default();
         self.draw_shadow(&mut encoder, &frame.shown, &mut counts);
+        self.draw_backdrop(&mut encoder, &mut counts);
         self.draw_stage(&mut encoder, view, &frame.shown, &mut counts);
         self.tone_map(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
@@ -267,6 +275,16 @@ impl Renderer {
                 ],
             )
         });
+        self.backdrop = self.tier.pipelines.still.as_ref().map(|_| {
+            Backdrop::new(
+                &self.device,
+                &self.shared.layouts,
+                &self.frame_buffer,
+                &self.picture_sampler,
+                self.tier.target.format,
+                size,
+            )
+        });
         self.targets = Some(targets);
         Ok(())
     }
@@ -285,6 +303,8 @@ impl Renderer {
         }
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
+        let backdrop = self.backdrop.as_mut();
+        self.backdrop_drawn = backdrop.map_or(Drawn::Directly, |b| b.next(&uniform));
         if let Some(figure) = &mut self.figure {
             let place = figure.face(&frame.world_from_joint);
             let near = place.and_then(|p| detail::pixels_per_m(&frame.camera, &view, size.1, p));
@@ -353,6 +373,52 @@ impl Renderer {
         }
     }
 
+    /// Draws the stage as a still, if the picture is the first that needs it.
+    fn draw_backdrop(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
+        let (Drawn::Now, Some(backdrop), Some([theatre, _])) = (
+            self.backdrop_drawn,
+            &self.backdrop,
+            &self.tier.pipelines.still,
+        ) else {
+            return;
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("backdrop"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &backdrop.view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            ..Default::default()
+        });
+        pass.set_bind_group(0, &self.tier.lit_group, &[]);
+        pass.set_pipeline(theatre);
+        pass.draw(0..3, 0..1);
+        counts.add(1);
+    }
+
+    /// Fills what solid surfaces leave with the stage.
+    fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
+        let pipelines = &self.tier.pipelines;
+        match (&self.backdrop, &pipelines.still) {
+            (Some(backdrop), Some([_, laid])) if self.backdrop_drawn != Drawn::Directly => {
+                pass.set_bind_group(0, &backdrop.group, &[]);
+                pass.set_pipeline(laid);
+                pass.draw(0..3, 0..1);
+                pass.set_bind_group(0, &self.tier.lit_group, &[]);
+            }
+            _ => {
+                pass.set_pipeline(&pipelines.theatre);
+                pass.draw(0..3, 0..1);
+            }
+        }
+        counts.add(1);
+    }
+
     fn draw_stage(
         &self,
         encoder: &mut wgpu::CommandEncoder,
@@ -413,9 +479,7 @@ impl Renderer {
                 bare(key).or_else(|| pipelines.material(key))
             });
         }
-        pass.set_pipeline(&pipelines.theatre);
-        pass.draw(0..3, 0..1);
-        counts.add(1);
+        self.fill_with_stage(&mut pass, counts);
         if let Some(figure) = figure {
             if thin {
                 figure.draw(&mut pass, counts, at, opaque, bare);

@@ -19,34 +19,31 @@ impl TargetKind {
     /// For a quality, in front of targets of `output`: the best that the adapter draws, float with
     /// the quality's samples, float with one, or eight bits encoded early; or the target itself.
     pub(crate) fn choose(adapter: &wgpu::Adapter, quality: Quality, output: TextureFormat) -> Self {
+        let samples_of = |format: TextureFormat| {
+            let asked = quality.samples();
+            let flags = adapter.get_texture_format_features(format).flags;
+            let depth = adapter.get_texture_format_features(DEPTH_FORMAT).flags;
+            let can = flags.sample_count_supported(asked)
+                && depth.sample_count_supported(asked)
+                && flags.contains(wgpu::TextureFormatFeatureFlags::MULTISAMPLE_RESOLVE);
+            if can { asked } else { 1 }
+        };
         // A target that encodes by itself would encode twice.
         if quality.is_direct() && !output.is_srgb() {
             return Self {
                 format: output,
-                samples: 1,
+                samples: samples_of(output),
                 is_direct: true,
             };
         }
-        let asked_samples = quality.samples();
         let draws = |format: TextureFormat| {
-            let features = adapter.get_texture_format_features(format);
-            let usable = features
+            let usable = adapter
+                .get_texture_format_features(format)
                 .allowed_usages
                 .contains(TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING);
-            let depth = adapter.get_texture_format_features(DEPTH_FORMAT);
-            let samples = if features.flags.sample_count_supported(asked_samples)
-                && depth.flags.sample_count_supported(asked_samples)
-                && features
-                    .flags
-                    .contains(wgpu::TextureFormatFeatureFlags::MULTISAMPLE_RESOLVE)
-            {
-                asked_samples
-            } else {
-                1
-            };
-            usable.then_some(Self {
+            usable.then(|| Self {
                 format,
-                samples,
+                samples: samples_of(format),
                 is_direct: false,
             })
         };

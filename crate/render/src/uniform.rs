@@ -53,6 +53,25 @@ pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
 }
 
 impl FrameUniform {
+    /// What of it curtain and boards depend on where nothing casts a shadow: soles and the place
+    /// under the figure to a centimetre, as it sways.
+    pub(crate) fn of_backdrop(&self) -> Self {
+        let to_cm = |p: [f32; 4]| p.map(|x| (x * 100.0).round() / 100.0);
+        let [x, y, z, _] = self.eye_in_world;
+        Self {
+            shadow_from_world: [[0.0; 16]; 2],
+            eye_in_world: [x, y, z, 0.0],
+            stand: to_cm(self.stand),
+            feet: self.feet.map(to_cm),
+            shadow: [0.0; 4],
+            ambient: [[0.0; 4]; 9],
+            head_up: [0.0; 4],
+            eyes: [0.0; 4],
+            lids: [[0.0; 4]; 4],
+            ..*self
+        }
+    }
+
     /// `size` is that of the picture, pixels.
     pub(crate) fn new(
         frame: &Frame,

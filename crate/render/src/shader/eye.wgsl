@@ -57,7 +57,7 @@ fn eye_lights(v: VertexOut, n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f
     // Lashes are mirrored dark in the upper part.
     light += mirrored(r) * (f * 0.6 * open);
     let wet = meniscus(v);
-    light += (ambient(frame.head_up.xyz) * 0.7 + frame.key.xyz * (0.30 * share)) * wet;
+    light += (ambient(frame.head_up.xyz) * 0.7 + frame.key.xyz * (0.20 * share)) * wet;
     return light * (0.45 + 0.55 * lid_shade(v));
 }
 

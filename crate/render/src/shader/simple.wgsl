@@ -15,9 +15,14 @@ fn lit_simply(n: vec3<f32>, ao: f32, wrap: f32) -> vec3<f32> {
         + frame.rim.xyz * (d.z * ao * ao * 0.6);
 }
 
+// What shadows take on a face in the mean, less what its shine adds: measured on six figures, whose
+// mean colour is then that of the highest quality.
+const SHADED = vec3<f32>(0.92, 0.925, 0.945);
+
 @fragment
 fn fs_simple_skin(v: VertexOut) -> @location(0) vec4<f32> {
-    return vec4<f32>(encoded_simply(painted(v).rgb * lit_simply(normalize(v.normal), v.color.a, 0.12)), 1.0);
+    let light = lit_simply(normalize(v.normal), v.color.a, 0.12) * SHADED;
+    return vec4<f32>(encoded_simply(painted(v).rgb * light), 1.0);
 }
 
 @fragment
@@ -29,7 +34,8 @@ fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @locatio
 @fragment
 fn fs_simple_hair(v: VertexOut) -> @location(0) vec4<f32> {
     let p = textureSample(strand_map, strand_sampler, v.uv);
-    if p.r < 0.4 {
+    let cover = cut(p.r, fwidth(p.r));
+    if cover < 0.02 {
         discard;
     }
     let hull = normalize(v.normal);
@@ -43,5 +49,5 @@ fn fs_simple_hair(v: VertexOut) -> @location(0) vec4<f32> {
     let facing = vec3<f32>(dot(hull, frame.key_dir.xyz), dot(hull, frame.fill_dir.xyz), dot(hull, frame.rim_dir.xyz));
     let d = saturate((facing + 0.45) / 1.45) * lamps;
     let light = frame.key.xyz * d.x + frame.fill.xyz * d.y + frame.rim.xyz * d.z + room(hull) * (1.5 * open);
-    return vec4<f32>(encoded_simply(tone * light), 1.0);
+    return vec4<f32>(encoded_simply(tone * light), cover);
 }

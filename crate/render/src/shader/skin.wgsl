@@ -163,6 +163,16 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
             albedo *= 1.0 - 0.06 * pores * smoothstep(0.55, 0.9, a.w);
             rough += 0.08 * pores * (b.w - 0.5);
         }
+        // Lips fold across the mouth, a millimetre apart; on their way to the corners the folds fan
+        // out.
+        let folds = lip * (1.0 - smoothstep(0.3, 0.9, footprint * 700.0));
+        if folds > 0.0 {
+            let q = (v.bind - material.face.xyz) / max(material.face.w, 1e-3);
+            let fan = vec3<f32>(v.bind.x * (1.0 - 0.18 * abs(q.y + 1.05)), v.bind.y * 0.12, v.bind.z * 0.12);
+            let fold = noise_gradient(fan * 1500.0);
+            n = bumped(n, vec3<f32>(fold.x, 0.0, 0.0) * (0.20 * folds));
+            albedo *= 1.0 - 0.22 * folds * smoothstep(0.55, 0.25, fold.w);
+        }
         // Fine creases a few millimetres apart hold at medium distance.
         let creases = own * (1.0 - smoothstep(0.25, 0.7, footprint * 280.0));
         if creases > 0.0 {

@@ -14,6 +14,17 @@ fn vs_tone_map(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
     return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
+// The backdrop as it was drawn before, behind everything.
+@vertex
+fn vs_still(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
+    return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 1.0, 1.0);
+}
+
+@fragment
+fn fs_still(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+    return textureLoad(picture, vec2<i32>(at.xy), 0);
+}
+
 fn light_at(uv: vec2<f32>) -> vec3<f32> {
     return textureSampleLevel(picture, picture_sampler, uv, 0.0).rgb;
 }

@@ -42,6 +42,9 @@ pub(super) fn nail_color(base: DVec3, f: usize, across: f64, along: f64) -> DVec
     let u = across.abs();
     // The bed shows through: a little lighter and pinker than the skin.
     let bed = base * DVec3::new(1.14, 1.16, 1.36);
+    // Along its sides, where the plate dives under the fold, it is darker and redder.
+    let fold = curve::smooth((u - 0.55) / 0.45);
+    let bed = bed * (DVec3::ONE - fold * DVec3::new(0.20, 0.36, 0.38));
     let lunula = base * DVec3::new(1.24, 1.47, 1.80);
     let free = base.lerp(DVec3::new(0.78, 0.70, 0.60), 0.7);
     let moon = curve::smooth((0.27 - along - 0.10 * u * u) / 0.05);

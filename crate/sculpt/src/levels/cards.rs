@@ -1,6 +1,8 @@
 //! Coarser levels of hair: fewer cards with fewer spans. A simplifier would leave triangles that
 //! are no strips; which cards can go is known better here: those that least light comes to, as
-//! others hide them.
+//! others hide them, from everywhere on the scalp alike.
+
+use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
 use raconteur_body::figure::Mesh;
@@ -40,18 +42,40 @@ fn cards(mesh: &Mesh) -> Vec<Card> {
         .collect()
 }
 
+/// Side of the cells of the scalp that lose cards alike, metres.
+const CELL_M: f64 = 0.025;
+
+/// The cards in the order in which they are kept: of each cell of the scalp the most lit one, then
+/// of each the next, so that none goes bald.
+fn spread(mesh: &Mesh, cards: &[Card]) -> Vec<usize> {
+    let cell =
+        |c: &Card| mesh.positions[c.first as usize].map(|x| (f64::from(x) / CELL_M).floor() as i32);
+    let mut by_light: Vec<usize> = (0..cards.len()).collect();
+    by_light.sort_by(|&a, &b| cards[b].light.total_cmp(&cards[a].light).then(a.cmp(&b)));
+    let mut taken: BTreeMap<[i32; 3], usize> = BTreeMap::new();
+    let mut ranked: Vec<(usize, usize)> = by_light
+        .into_iter()
+        .map(|i| {
+            let rank = taken.entry(cell(&cards[i])).or_default();
+            *rank += 1;
+            (*rank, i)
+        })
+        .collect();
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().map(|(_, i)| i).collect()
+}
+
 /// The levels after the finest.
 pub(super) fn coarser(mesh: &Mesh) -> Vec<Vec<u32>> {
     let cards = cards(mesh);
-    let mut by_light: Vec<usize> = (0..cards.len()).collect();
-    by_light.sort_by(|&a, &b| cards[b].light.total_cmp(&cards[a].light).then(a.cmp(&b)));
+    let order = spread(mesh, &cards);
     LEVELS
         .iter()
         .map(|&(share, most)| {
             let spans = |c: &Card| ((f64::from(c.rows - 1) * share).round() as u32).max(1);
             let mut room = most as u32;
             let mut kept = vec![false; cards.len()];
-            for &i in &by_light {
+            for &i in &order {
                 let wanted = 2 * spans(&cards[i]);
                 if wanted > room {
                     break;
