@@ -13,8 +13,8 @@ const shared = (text: string, language: string): string => `#say${language === '
 
 /** What goes before a text takes the stage. */
 interface Stage {
-  /** The chosen story has left the stage. */
-  clear(): void;
+  /** The chosen story has left the stage, for this script. */
+  clear(script: string): void;
 }
 
 /** Hands a file to the visitor. */
@@ -48,7 +48,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     }
     script = next;
     keep.disabled = share.disabled = false;
-    clear();
+    clear(next);
     history.replaceState(null, '', shared(field.value, language.value));
     note.textContent = '';
     await voices.bring(language.value);

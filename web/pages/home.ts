@@ -3,11 +3,15 @@
 import './player.js';
 import './home-code.js';
 import { cast } from './home-cast.js';
+import { lines } from './home-lines.js';
 import { say } from './home-say.js';
+import { textsOf } from './home-script.js';
 
 const player = document.querySelector('raconteur-player');
 const script = document.querySelector('#script');
 const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')];
+
+const shown = player === null ? undefined : lines(player);
 
 /** A text of the visitor's own is on the stage. */
 let owned = false;
@@ -28,6 +32,7 @@ function choose(name: string): void {
   player.label = button.dataset['title'] ?? story;
   const src = address(story);
   // A text of the visitor's own may have taken the story's place.
+  if (owned) shown?.tell(undefined);
   if (owned && player.src === src) void player.load();
   owned = false;
   player.src = src;
@@ -66,8 +71,9 @@ function remember(): void {
   history.replaceState(null, '', `#${story}${figure === '' ? '' : `/${figure}`}`);
 }
 
-const clear = (): void => {
+const clear = (script: string): void => {
   owned = true;
+  shown?.tell(textsOf(script));
   for (const b of buttons) b.setAttribute('aria-pressed', 'false');
 };
 const isShared = player !== null && say(player, { clear });

@@ -100,7 +100,7 @@ impl Default for Lighting {
             // orbits. A cool rim frees hair and shoulders from the curtain. Chosen by eye.
             key: lamp([-0.62, 0.66, 0.80], [1.06, 0.92, 0.77]),
             fill: lamp([0.80, 0.12, 0.85], [0.17, 0.19, 0.225]),
-            rim: lamp([0.50, 0.70, -0.95], [0.80, 0.98, 1.22]),
+            rim: lamp([0.55, 0.75, -0.95], [0.74, 0.90, 1.12]),
             sky: [0.165, 0.18, 0.215],
             ground: [0.125, 0.10, 0.082],
             exposure: 1.0,

@@ -29,12 +29,13 @@ fn under_skin(ndl: vec3<f32>, share: f32, lifted: f32, bend: f32) -> vec3<f32> {
 fn lets_through(bind: vec3<f32>) -> f32 {
     let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
     let side = abs(q.x);
-    let ear = smoothstep(1.05, 1.2, side) * smoothstep(-0.6, -0.9, q.z);
+    // Before it is the jaw's angle, behind it the neck.
+    let ear = smoothstep(1.05, 1.2, side) * smoothstep(-0.85, -1.05, q.z) * smoothstep(-2.1, -1.9, q.z);
     let t = vec3<f32>(side - 0.24, q.y + 0.62, q.z - 0.45) / vec3<f32>(0.16, 0.22, 0.35);
     let wing = exp(-dot(t, t));
     // Head and hands are apart by more than a few widths of the eyes.
     let beyond = smoothstep(4.0, 5.0, max(side, abs(q.y)));
-    return select(1.0, max(ear * smoothstep(-1.7, -1.4, q.y), max(wing, beyond)), material.face.w > 0.0);
+    return select(1.0, max(ear * smoothstep(-1.35, -1.15, q.y), max(wing, beyond)), material.face.w > 0.0);
 }
 
 // Light that shines through thin flesh from behind: red, as blood lets it.

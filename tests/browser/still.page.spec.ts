@@ -1,0 +1,79 @@
+/**
+ * What stands on the first page's stage before the first picture is that picture, so that nothing jumps. With `UPDATE`
+ * in the environment the still is taken anew, which a change of the first story's figure, shot or light calls for.
+ */
+
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expect, test } from './stage.js';
+
+const STILL = join(import.meta.dirname, '../../web/pages/still.webp');
+/** Wider than any stage, so that its height alone frames it. */
+const SIZE = { width: 1728, height: 720 } as const;
+/** As portraits are packed. */
+const WEBP_QUALITY = 0.84;
+/** Mean difference of pictures, of 255: packing and another size make 3, arms that hang otherwise 3, another light or shot from 13 on (software drawing). */
+const ALIKE = 8;
+
+/** Waits for the first picture, of a figure that stands still, and takes away what lies over it. */
+async function open(page: Page, width: number, height: number): Promise<void> {
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.goto('/');
+  const drawn = () => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0);
+  await expect.poll(drawn, { timeout: 60_000 }).toBeGreaterThan(0);
+  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
+    for (const over of p.shadowRoot?.querySelectorAll<HTMLElement>('.overlay, .lower, .notes') ?? []) over.style.opacity = '0';
+  });
+}
+
+/** What is on stage, with the canvas or without. */
+async function look(page: Page, opacity: '0' | '1'): Promise<Buffer> {
+  const canvas = page.locator('raconteur-player canvas');
+  await canvas.evaluate((c: HTMLCanvasElement, value) => {
+    c.style.transition = 'none';
+    c.style.opacity = value;
+  }, opacity);
+  return await page.locator('raconteur-player').screenshot({ animations: 'disabled' });
+}
+
+/** Takes the picture on stage as it is packed for the page. */
+async function packed(page: Page): Promise<Buffer> {
+  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer, { width, height }) => {
+    Object.assign(p.style, { position: 'fixed', inset: '0', zIndex: '9', width: `${width}px`, height: `${height}px`, maxHeight: 'none', borderRadius: '0' });
+  }, SIZE);
+  // The larger picture is drawn.
+  await page.waitForTimeout(1500);
+  const png = (await look(page, '1')).toString('base64');
+  const webp = await page.evaluate(
+    async ([source, quality]) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${source}`;
+      await image.decode();
+      const canvas = document.createElement('canvas');
+      [canvas.width, canvas.height] = [image.width, image.height];
+      canvas.getContext('2d')?.drawImage(image, 0, 0);
+      return canvas.toDataURL('image/webp', quality);
+    },
+    [png, WEBP_QUALITY] as const,
+  );
+  return Buffer.from(webp.split(',')[1] ?? '', 'base64');
+}
+
+test('the still before the first picture is the first picture', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  if (process.env['UPDATE'] !== undefined) {
+    await open(page, SIZE.width, SIZE.height);
+    writeFileSync(STILL, await packed(page));
+    return;
+  }
+  for (const [width, height] of [
+    [1440, 900],
+    [390, 844],
+  ] as const) {
+    await open(page, width, height);
+    expect(await stage.difference(await look(page, '1'), await look(page, '0')), `at ${width} × ${height}`).toBeLessThan(ALIKE);
+  }
+});
