@@ -7,7 +7,7 @@ pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Takes a shot."),
     source: super::shown("Extension; GEVH 3.5.4.1"),
     decision: super::shown(
-        "Whoever shows the story chooses the shot until the first one. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
+        "Whoever shows the story chooses the shot until the first one; players begin with a shot of their own, head to waist with the eyes on the upper third, that widens slowly where a gesture or a dance needs it. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
     ),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>",
