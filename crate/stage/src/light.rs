@@ -99,11 +99,11 @@ impl Default for Lighting {
             // Key 38° to the character's right and 33° up, warm: low enough to reach into the
             // orbits. A cool rim frees hair and shoulders from the curtain. Chosen by eye.
             key: lamp([-0.62, 0.66, 0.80], [1.06, 0.92, 0.77]),
-            fill: lamp([0.80, 0.12, 0.85], [0.17, 0.19, 0.225]),
-            rim: lamp([0.55, 0.75, -0.95], [0.74, 0.90, 1.12]),
+            fill: lamp([0.80, 0.12, 0.85], [0.15, 0.17, 0.21]),
+            rim: lamp([0.55, 0.75, -0.95], [1.02, 1.22, 1.48]),
             sky: [0.165, 0.18, 0.215],
             ground: [0.125, 0.10, 0.082],
-            exposure: 1.0,
+            exposure: 1.08,
         }
     }
 }

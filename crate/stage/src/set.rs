@@ -24,7 +24,7 @@ impl Default for Set {
             floor: [0.115, 0.070, 0.046],
             backdrop_low: [0.0165, 0.0085, 0.0105],
             backdrop_high: [0.0065, 0.0050, 0.0085],
-            glow: [0.062, 0.030, 0.020],
+            glow: [0.080, 0.045, 0.032],
             curtain: true,
         }
     }
