@@ -119,6 +119,7 @@ struct PipelineDescription<'a> {
     fragment: Option<&'a str>,
     target: Option<TextureFormat>,
     blend: Option<BlendState>,
+    writes: wgpu::ColorWrites,
     samples: u32,
     coverage: bool,
     cull: Option<Face>,
@@ -137,7 +138,7 @@ impl PipelineDescription<'_> {
         let targets = [self.target.map(|format| wgpu::ColorTargetState {
             format,
             blend: self.blend,
-            write_mask: wgpu::ColorWrites::ALL,
+            write_mask: self.writes,
         })];
         device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
@@ -219,6 +220,7 @@ impl Pipelines {
                     fragment: Some(fragment),
                     target: Some(format),
                     blend: None,
+                    writes: wgpu::ColorWrites::ALL,
                     samples,
                     coverage: false,
                     cull: None,
@@ -334,6 +336,12 @@ impl Pipelines {
             fragment: Some(fragment_entry(key, self.simple)),
             target: Some(self.target.format),
             blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            // Cover that goes to the samples must not make the page see through the picture.
+            writes: if self.simple {
+                wgpu::ColorWrites::COLOR
+            } else {
+                wgpu::ColorWrites::ALL
+            },
             samples: self.target.samples,
             coverage: key.alpha_mode == AlphaMode::Mask && self.target.samples > 1,
             cull: (!key.double_sided).then_some(Face::Back),
@@ -400,6 +408,7 @@ impl Pipelines {
             vertex: figure_entry(bound),
             buffers: &vertex_buffers()[..stream_count(bound)],
             blend: (shown.fill != Fill::Solid).then_some(BlendState::ALPHA_BLENDING),
+            writes: wgpu::ColorWrites::ALL,
             topology: match shown.fill {
                 Fill::Solid => PrimitiveTopology::TriangleList,
                 Fill::Wireframe => PrimitiveTopology::LineList,
@@ -447,6 +456,7 @@ impl Pipelines {
             vertex: "vs_line",
             buffers: &[Some(LineInstance::LAYOUT)],
             blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            writes: wgpu::ColorWrites::ALL,
             topology: PrimitiveTopology::TriangleStrip,
             depth: Some((compare, false)),
             ..self.plainly(
@@ -477,6 +487,7 @@ impl Pipelines {
             fragment: Some(fragment),
             target: Some(self.target.format),
             blend: None,
+            writes: wgpu::ColorWrites::ALL,
             samples: self.target.samples,
             coverage: false,
             cull: None,
@@ -539,6 +550,7 @@ fn make_shadow(
         fragment,
         target: None,
         blend: None,
+        writes: wgpu::ColorWrites::ALL,
         samples: 1,
         coverage: false,
         cull: None,

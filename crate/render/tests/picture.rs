@@ -60,7 +60,7 @@ fn every_quality_draws_the_figure_on_a_stage() {
             "{quality:?}: {stage_mean}"
         );
         assert_eq!(quality == Quality::Low, info.smooths_edges, "{info:?}");
-        assert_eq!(quality <= Quality::Low, info.samples == 1, "{info:?}");
+        assert_eq!(quality == Quality::Low, info.samples == 1, "{info:?}");
         assert!(info.draw_calls >= 10 && info.triangles > 10_000, "{info:?}");
     }
 }
@@ -196,7 +196,7 @@ fn more_exposure_never_darkens_a_pixel() {
     device.set_figure(&figure).expect("a sound figure");
     let mut frame = medium(&figure, &Pose::zero());
     let mut last = vec![0; (SIZE.0 * SIZE.1 * 4) as usize];
-    for step in 0..28 {
+    for step in 0..36 {
         frame.lighting.exposure = 0.002 * ops::pow(1.45, f64::from(step)) as f32;
         let picture = draw(&mut device, &frame);
         assert!(
