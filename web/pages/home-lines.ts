@@ -5,7 +5,7 @@ import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
 import type { FaceCourse, Utterance } from '../element/types.js';
 import { corrected, guessed, matches, scriptOf, scriptOfTexts } from './home-script.js';
 
-/** Where page.css gives the lines a place. */
+/** Where home.css gives the lines a place. */
 const WIDE = '(min-width: 1280px)';
 /** Who scrolls the lines reads elsewhere: they are left alone for a while. */
 const READING_MS = 5000;

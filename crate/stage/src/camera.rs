@@ -3,7 +3,7 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use crate::storyteller::Span;
+use crate::storyteller::{AT_REST, Span};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +33,25 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// The camera that shows a span of a figure at `feet_in_world` from where this one stands.
+    fn narrowed_to(&self, span: Span, feet_in_world: DVec3, stature_m: f64, aspect: f64) -> Self {
+        let [bottom, top] = [span.bottom, span.top].map(|s| feet_in_world.y + s * stature_m);
+        let half_width = 0.5 * (top - bottom) * aspect;
+        // It follows a figure that leaves the middle only as far as it must.
+        let play = half_width - 0.5 * AT_REST * stature_m;
+        let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
+        let eye = self.eye_in_world.with_x(across * feet_in_world.x);
+        let depth = eye.z - FOLLOWED_DEPTH * feet_in_world.z;
+        let [down, up] = [bottom, top].map(|y| ops::atan2(y - eye.y, depth));
+        let pitch = 0.5 * (down + up);
+        Self {
+            eye_in_world: eye,
+            target_in_world: DVec3::new(eye.x, eye.y + depth * ops::tan(pitch), eye.z - depth),
+            fov_y_rad: up - down,
+            ..*self
+        }
+    }
+
     /// The camera a share `s` of the way to another, 0..1.
     #[must_use]
     pub fn towards(self, to: &Self, s: f64) -> Self {
@@ -142,7 +161,7 @@ impl Shot {
     pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
         if self == Self::Storyteller {
             let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
-            return room.span.seen_from(&from, feet_in_world, stature_m, aspect);
+            return from.narrowed_to(room.span, feet_in_world, stature_m, aspect);
         }
         let mut extent = self.extent();
         if matches!(self, Self::Full | Self::Medium) {

@@ -5,16 +5,13 @@
 //! does not depend on what its hands do.
 
 use raconteur_base::curve::{lerp, minimum_jerk};
-use raconteur_base::{DVec3, ops};
-
-use crate::Camera;
-use crate::camera::{FOLLOWED_DEPTH, STAGE_HALF_WIDTH_M};
+use raconteur_base::ops;
 
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
 const EYES: f64 = 0.933;
 /// Height of the picture about the eyes while no gesture needs more, share of stature: a head
 /// takes more than a fifth of it. Designed.
-const AT_REST: f64 = 0.58;
+pub(crate) const AT_REST: f64 = 0.58;
 /// Share of the picture above the eyes.
 const ABOVE: f64 = 1.0 / 3.0;
 /// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
@@ -76,8 +73,8 @@ pub struct Gesture {
 /// What a picture shows of a figure, shares of stature from the floor under it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    bottom: f64,
-    top: f64,
+    pub(crate) bottom: f64,
+    pub(crate) top: f64,
 }
 
 impl Default for Span {
@@ -146,38 +143,14 @@ impl Span {
             shown.and(self.towards(needed, share))
         })
     }
-
-    /// The camera that shows this of a figure at `feet_in_world` from where `from` stands.
-    #[must_use]
-    pub(crate) fn seen_from(
-        self,
-        from: &Camera,
-        feet_in_world: DVec3,
-        stature_m: f64,
-        aspect: f64,
-    ) -> Camera {
-        let [bottom, top] = [self.bottom, self.top].map(|s| feet_in_world.y + s * stature_m);
-        let half_width = 0.5 * (top - bottom) * aspect;
-        // It follows a figure that leaves the middle only as far as it must.
-        let play = half_width - 0.5 * AT_REST * stature_m;
-        let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
-        let eye = from.eye_in_world.with_x(across * feet_in_world.x);
-        let depth = eye.z - FOLLOWED_DEPTH * feet_in_world.z;
-        let [down, up] = [bottom, top].map(|y| ops::atan2(y - eye.y, depth));
-        let pitch = 0.5 * (down + up);
-        let target = DVec3::new(eye.x, eye.y + depth * ops::tan(pitch), eye.z - depth);
-        Camera {
-            eye_in_world: eye,
-            target_in_world: target,
-            fov_y_rad: up - down,
-            ..*from
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use raconteur_base::DVec3;
+
     use super::*;
+    use crate::camera::STAGE_HALF_WIDTH_M;
     use crate::{Room, Shot};
 
     const STATURE_M: f64 = 1.66;

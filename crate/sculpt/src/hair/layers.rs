@@ -205,7 +205,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         width: 0.01188,
         strips: [0, 5],
         spans: 5,
-        lift: 0.35,
+        lift: 0.38,
         gather: 0.2,
         length: 0.9,
         roll: 0.35,
