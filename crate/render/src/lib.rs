@@ -33,6 +33,7 @@ mod overlay;
 mod pipeline;
 mod refusal;
 mod shadow;
+mod sources;
 mod strands;
 mod target;
 mod texture;

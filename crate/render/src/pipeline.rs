@@ -13,32 +13,9 @@ use crate::layouts::Layouts;
 use crate::lines::LineInstance;
 use crate::morph::SHAPE_LAYOUT;
 use crate::overlay::OverlayVertex;
+use crate::sources::{STAGE, TONE_MAP};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::tissue::TissueVertex;
-
-const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
-
-/// The shaders of everything on the stage, one module.
-const STAGE: [&str; 13] = [
-    FRAME,
-    include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/surface.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/skin.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/eye.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/mouth.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/hair.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/lash.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/simple.wgsl")),
-];
-
-const TONE_MAP: [&str; 2] = [
-    FRAME,
-    include_str!(concat!(env!("OUT_DIR"), "/tone_map.wgsl")),
-];
 
 /// What every tier of quality shares: made once for a device.
 pub(crate) struct SharedResources {

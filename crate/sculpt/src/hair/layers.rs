@@ -205,7 +205,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         width: 0.01188,
         strips: [0, 5],
         spans: 5,
-        lift: 0.38,
+        lift: 0.35,
         gather: 0.2,
         length: 0.9,
         roll: 0.35,
@@ -232,7 +232,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         spans: 6,
         lift: 0.85,
         gather: 0.8,
-        length: 1.08,
+        length: 1.04,
         roll: 0.35,
         inside: 0.002,
         ..LAYER
@@ -245,7 +245,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         spans: 6,
         lift: 1.0,
         gather: 0.3,
-        length: 1.2,
+        length: 1.14,
         roll: 0.35,
         inside: 0.001,
         ..LAYER

@@ -455,8 +455,7 @@ fn wind(shell: &mut Shell, field: &Field) {
             continue;
         }
         wound[start] = true;
-        let mut piece = vec![start];
-        let mut next = 0;
+        let (mut piece, mut next) = (vec![start], 0);
         while let Some(&f) = piece.get(next) {
             next += 1;
             let face = shell.faces[f].clone();
