@@ -201,7 +201,7 @@ pub(super) const SHORT: [Layer; 4] = [
 pub(super) const TOUSLED: [Layer; 4] = [
     Layer {
         spacing: 0.0088,
-        offset: 0.0030,
+        offset: 0.0038,
         width: 0.01188,
         strips: [0, 5],
         spans: 5,
@@ -214,7 +214,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
     },
     Layer {
         spacing: 0.0088,
-        offset: 0.0085,
+        offset: 0.0090,
         width: 0.01008,
         strips: [1, 10],
         spans: 6,
@@ -232,7 +232,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         spans: 6,
         lift: 0.85,
         gather: 0.8,
-        length: 1.04,
+        length: 1.08,
         roll: 0.35,
         inside: 0.002,
         ..LAYER
@@ -245,7 +245,7 @@ pub(super) const TOUSLED: [Layer; 4] = [
         spans: 6,
         lift: 1.0,
         gather: 0.3,
-        length: 1.14,
+        length: 1.2,
         roll: 0.35,
         inside: 0.001,
         ..LAYER
