@@ -1,6 +1,8 @@
 //! How fast limbs led by manipulators turn: no snap, whatever their commands.
 
 use core::f64::consts::FRAC_PI_2;
+use core::ops::Range;
+use std::{fs, thread};
 
 use raconteur_actor::kinematics::rotation_of;
 use raconteur_actor::manipulator::path::rotation_from;
@@ -10,7 +12,9 @@ use raconteur_actor::manipulator::{
 };
 use raconteur_actor::{Actor, ArmRig, FaceRig, Manipulators, Performance, Sex};
 use raconteur_base::{DQuat, DVec3, noise};
+use raconteur_body::read::read_figure;
 use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_tier::{FIGURES, sized};
 
 const RATE_HZ: f64 = 480.0;
 const UNIT_M: f64 = 0.0254;
@@ -33,6 +37,12 @@ fn actor(commands: Vec<Command>, seed: u64) -> Actor {
         ..Performance::default()
     };
     Actor::new(&performance, &Skeleton::example())
+}
+
+fn skeleton_of(figure: &str) -> Skeleton {
+    let path = format!("../../assets/figures/{figure}.glb");
+    let bytes = fs::read(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).expect("a figure");
+    read_figure(figure, &bytes).expect("a figure").skeleton
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -279,29 +289,48 @@ fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
     (worst, count)
 }
 
-#[test]
-fn no_random_move_of_any_limb_snaps() {
-    let most: usize = std::env::var("LIMB_MOVES").map_or(75, |n| n.parse().expect("a number"));
-    let from: u64 = std::env::var("LIMB_SEED").map_or(0, |n| n.parse().expect("a number"));
-    let skeleton = Skeleton::example();
-    let (mut moves, mut seed) = (0, from);
+/// The chains among these seeds in which a limb snaps, and how many moves all have.
+fn snaps(skeleton: &Skeleton, seeds: Range<u64>) -> (Vec<(u64, Worst)>, usize) {
     let mut over = Vec::new();
-    while moves < most {
-        let (worst, count) = fastest_in_chain(&skeleton, seed);
+    let mut moves = 0;
+    for seed in seeds {
+        let (worst, count) = fastest_in_chain(skeleton, seed);
         if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
-            let (fastest, bone, secs) = (worst.rad_per_sec, worst.bone, worst.secs);
-            println!("{seed}: {bone:?} turns {fastest:.1} rad/s at {secs:.4} s");
             over.push((seed, worst));
         }
         moves += count;
-        seed += 1;
     }
-    println!(
-        "{moves} moves in {} chains, {} too fast",
-        seed - from,
-        over.len()
-    );
-    assert!(over.is_empty(), "{over:?}");
+    (over, moves)
+}
+
+#[test]
+fn no_random_move_of_any_limb_snaps() {
+    let shipped = FIGURES[0];
+    let skeletons = [
+        ("the example", Skeleton::example()),
+        (shipped, skeleton_of(shipped)),
+    ];
+    // Two to four moves of each of five limbs make about fifteen a chain.
+    let chains: u64 = sized(12, 700);
+    for (name, skeleton) in &skeletons {
+        let workers = thread::available_parallelism().map_or(1, usize::from) as u64;
+        let found = thread::scope(|scope| {
+            let parts: Vec<_> = (0..workers)
+                .map(|k| chains * k / workers..chains * (k + 1) / workers)
+                .map(|seeds| scope.spawn(move || snaps(skeleton, seeds)))
+                .collect();
+            let ended = parts.into_iter().map(|part| part.join().expect("no panic"));
+            ended.collect::<Vec<_>>()
+        });
+        let moves: usize = found.iter().map(|(_, moves)| moves).sum();
+        let over: Vec<_> = found.iter().flat_map(|(over, _)| over).collect();
+        println!(
+            "{name}: {moves} moves in {chains} chains, {} too fast",
+            over.len()
+        );
+        assert!(over.is_empty(), "{name}: {over:?}");
+        assert!(moves >= sized(150, 10_000), "{name}: {moves} moves");
+    }
 }
 
 /// Chains in which a snap once was missed: when a command took a limb on, when a limb at rest let

@@ -17,6 +17,7 @@ pub mod noise;
 pub mod ops;
 pub mod order;
 pub mod panic;
+pub mod printable;
 pub mod profile;
 
 pub use glam;

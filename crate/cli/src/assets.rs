@@ -1,15 +1,15 @@
 //! The asset library: figures, animations and music that stories share.
 //!
-//! It lies in the folder that `--assets` names, or else in a folder `assets` of those above the
-//! story, above the working folder or above the program. What every story needs, the figures
-//! and the animations, is in the program as well, so that it works wherever it is.
+//! What every story needs, the figures and the animations, is in the program, so that it works
+//! wherever it is. The folder that `--assets` names goes before; all else lies in that folder, or
+//! in `assets` beside the program.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context as _, Result, ensure};
 use include_dir::{Dir, include_dir};
 
 use raconteur_voice::files::{input, inside};
@@ -23,7 +23,7 @@ pub(crate) static FIRST_STORY: Dir<'_> =
 /// The largest file that is read, bytes.
 const LARGEST: u64 = 512 << 20;
 
-/// What `--assets` names.
+/// The folder that `--assets` names.
 static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 
 /// Looks into this folder before all others.
@@ -40,47 +40,55 @@ pub(crate) fn look_into(folder: PathBuf) -> Result<()> {
     Ok(())
 }
 
+/// The folder of the library on disk: the one that `--assets` names, else `assets` beside the
+/// program, or above the folder `target` that cargo has built it in. Never one near a story, which
+/// comes from strangers, nor one near the working folder, which may be the story's.
+fn folder() -> Option<PathBuf> {
+    if let Some(named) = FOLDER.get() {
+        return Some(named.clone());
+    }
+    let program = std::env::current_exe().ok()?;
+    let is_target = |folder: &&Path| folder.file_name().is_some_and(|name| name == "target");
+    let built_in = program.ancestors().find(is_target).and_then(Path::parent);
+    let near = [program.parent(), built_in].into_iter().flatten();
+    near.map(|near| near.join("assets"))
+        .find(|folder| folder.is_dir())
+}
+
 /// A file of the library on disk.
 ///
 /// # Errors
 /// When it is not there, or its path leaves the library.
-pub(crate) fn find(path: &str, story: &Path) -> Result<PathBuf> {
-    let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
-    let here = std::env::current_dir().unwrap_or_default();
-    let program = std::env::current_exe().unwrap_or_default();
-    let above = [near.as_path(), &here, &program];
-    let above = above.into_iter().flat_map(Path::ancestors);
-    let folders = FOLDER.get().cloned().into_iter();
-    for folder in folders.chain(above.map(|folder| folder.join("assets"))) {
-        if let Some(found) = inside::find(&folder, path)? {
-            return Ok(found);
-        }
-    }
-    bail!("no {path} in an assets folder; name one with --assets")
+pub(crate) fn find(path: &str) -> Result<PathBuf> {
+    let found = match folder() {
+        Some(folder) => inside::find(&folder, path)?,
+        None => None,
+    };
+    found.with_context(|| format!("no {path} in the library; name its folder with --assets"))
 }
 
-/// What a file of the library holds: on disk, or in the program.
+/// What a file of the library holds: in the folder that `--assets` names, else in the program,
+/// else beside the program.
 ///
 /// # Errors
-/// When it is in neither, or cannot be read.
-pub(crate) fn read(path: &str, story: &Path) -> Result<Cow<'static, [u8]>> {
-    match find(path, story) {
-        Ok(file) => Ok(input::bytes(&file, LARGEST)?.into()),
-        Err(error) => {
-            let inside = match path.split_once('/') {
-                Some(("figures", file)) => FIGURES.get_file(file),
-                Some(("animations", file)) => ANIMATIONS.get_file(file),
-                _ => None,
-            };
-            inside.map(|file| file.contents().into()).ok_or(error)
-        }
+/// When it is in none of them, or cannot be read.
+pub(crate) fn read(path: &str) -> Result<Cow<'static, [u8]>> {
+    let held = match path.split_once('/') {
+        Some(("figures", file)) => FIGURES.get_file(file),
+        Some(("animations", file)) => ANIMATIONS.get_file(file),
+        _ => None,
+    };
+    let named = FOLDER.get().map(|_| find(path));
+    match (named, held) {
+        (Some(Ok(file)), _) => Ok(input::bytes(&file, LARGEST)?.into()),
+        (_, Some(held)) => Ok(held.contents().into()),
+        (_, None) => Ok(input::bytes(&find(path)?, LARGEST)?.into()),
     }
 }
 
-/// The names of the library's figures: those in the program, and those on disk near a story.
-pub(crate) fn figure_names(story: &Path) -> BTreeSet<String> {
-    let on_disk = find("figures/sofia.glb", story).ok();
-    let listed = on_disk.and_then(|file| std::fs::read_dir(file.parent()?).ok());
+/// The names of the library's figures: those in the program, and those of its folder.
+pub(crate) fn figure_names() -> BTreeSet<String> {
+    let listed = folder().and_then(|folder| std::fs::read_dir(folder.join("figures")).ok());
     let listed = listed.into_iter().flatten().flatten().map(|f| f.path());
     let held = FIGURES.files().map(|file| file.path().to_owned());
     let models = held
@@ -97,7 +105,6 @@ mod tests {
 
     #[test]
     fn the_program_holds_what_every_story_needs() {
-        let nowhere = Path::new("/nowhere/story.eml");
         for file in ["figures/sofia.glb", "animations/stand.json"] {
             let (folder, name) = file.split_once('/').unwrap();
             let held = if folder == "figures" {
@@ -106,14 +113,14 @@ mod tests {
                 &ANIMATIONS
             };
             assert_eq!(
-                &*read(file, nowhere).unwrap(),
+                &*read(file).unwrap(),
                 held.get_file(name).unwrap().contents()
             );
         }
         for outside in ["../Cargo.toml", "/etc/passwd", "figures/../../Cargo.toml"] {
-            assert!(read(outside, nowhere).is_err(), "{outside}");
+            assert!(read(outside).is_err(), "{outside}");
         }
-        let told = read("figures/nobody.glb", nowhere).unwrap_err().to_string();
+        let told = read("figures/nobody.glb").unwrap_err().to_string();
         assert!(told.contains("--assets"), "{told}");
     }
 }

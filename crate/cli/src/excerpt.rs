@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use codespan_reporting::files::{Error, Files};
+use raconteur_base::printable::printable;
 use raconteur_eml::{LineIndex, Span};
 
 /// The most characters of a line that are shown, with the marks of what was cut off.
@@ -18,17 +19,20 @@ pub(crate) struct Excerpt<'a> {
     file: &'a str,
     text: String,
     /// In order.
-    lines: Vec<Line>,
+    lines: Vec<Line<'a>>,
 }
 
 /// A line, or the shown part of it.
-struct Line {
+struct Line<'a> {
     /// From 1.
     number: u32,
     /// The whole line in the source, bytes.
     whole: Range<usize>,
     /// What of it is shown.
     shown: Range<usize>,
+    /// That, as the source has it: characters that a terminal obeys are replaced by others, which
+    /// may be longer.
+    source: &'a str,
     /// Characters before that.
     columns_cut: usize,
     /// Where it begins in the excerpt, a mark that something was cut included.
@@ -41,11 +45,11 @@ impl<'a> Excerpt<'a> {
     /// The lines in which a diagnostic and what has to do with it begin, each once.
     pub(crate) fn of(
         file: &'a str,
-        index: &LineIndex<'_>,
+        index: &LineIndex<'a>,
         primary: Span,
         related: impl Iterator<Item = Span>,
     ) -> Self {
-        let mut lines: Vec<Line> = Vec::new();
+        let mut lines: Vec<Line<'a>> = Vec::new();
         for span in [primary].into_iter().chain(related) {
             let number = index.position(span.start).line;
             if lines.iter().all(|line| line.number != number) {
@@ -60,9 +64,7 @@ impl<'a> Excerpt<'a> {
                 text.push(CUT);
             }
             line.mark = text.len() - line.at;
-            let whole = index.line_text(line.number);
-            let start = line.whole.start;
-            text.push_str(&whole[line.shown.start - start..line.shown.end - start]);
+            text.push_str(&printable(line.source));
             if line.shown.end < line.whole.end {
                 text.push(CUT);
             }
@@ -80,20 +82,15 @@ impl<'a> Excerpt<'a> {
         };
         let place = |offset: usize| {
             let inside = offset.clamp(line.shown.start, line.shown.end);
-            line.at + line.mark + (inside - line.shown.start)
+            // An offset inside a character counts as the start of it.
+            let before = line.source.floor_char_boundary(inside - line.shown.start);
+            line.at + line.mark + printable(&line.source[..before]).len()
         };
         let (start, end) = (place(start), place(span.end as usize));
-        // An offset inside a character counts as the start of it.
-        let whole = |mut at: usize| {
-            while !self.text.is_char_boundary(at) {
-                at -= 1;
-            }
-            at
-        };
-        whole(start)..whole(end.max(start))
+        start..end.max(start)
     }
 
-    fn line(&self, index: usize) -> Result<&Line, Error> {
+    fn line(&self, index: usize) -> Result<&Line<'a>, Error> {
         let max = self.lines.len();
         let given = index;
         self.lines
@@ -102,8 +99,8 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-impl Line {
-    fn around(offset: usize, number: u32, index: &LineIndex<'_>) -> Self {
+impl<'a> Line<'a> {
+    fn around(offset: usize, number: u32, index: &LineIndex<'a>) -> Self {
         let text = index.line_text(number);
         let start = index.line_start(number) as usize;
         let mut place = offset.saturating_sub(start).min(text.len());
@@ -123,6 +120,7 @@ impl Line {
             number,
             whole: start..start + text.len(),
             shown: start + from..start + to,
+            source: &text[from..to],
             columns_cut: text[..from].chars().count(),
             at: 0,
             mark: 0,

@@ -10,6 +10,7 @@ use anyhow::{Context as _, Result, bail};
 
 use crate::picture::write_png;
 use crate::soundtrack::Soundtrack;
+use crate::terminal;
 use raconteur_voice::files::disk::PendingFile;
 
 /// Where frames go.
@@ -91,10 +92,10 @@ impl Sink {
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 let folder = path.with_extension("");
-                eprintln!(
+                terminal::tell(format_args!(
                     "ffmpeg is not installed: writing numbered pictures without sound into {}",
                     folder.display()
-                );
+                ));
                 fs::create_dir_all(&folder)
                     .with_context(|| format!("cannot make {}", folder.display()))?;
                 Ok(Self::Folder {

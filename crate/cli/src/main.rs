@@ -15,6 +15,7 @@ mod sheet;
 mod skinning;
 mod soundtrack;
 mod story;
+mod terminal;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,6 +23,7 @@ use std::{env, io};
 
 use anyhow::Result;
 use clap::{Parser, Subcommand, ValueEnum};
+use raconteur_voice::files::on_open;
 
 /// Raconteur, a virtual storyteller.
 #[derive(Parser)]
@@ -29,10 +31,13 @@ use clap::{Parser, Subcommand, ValueEnum};
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// The folder of figures, animations and music. Without it, a folder `assets` above the
-    /// story, the working folder or the program; figures and animations are also in the program.
+    /// The folder of figures, animations and music. Without it, figures and animations are those in
+    /// the program, and all else lies in a folder `assets` beside the program.
     #[arg(long, global = true, value_name = "FOLDER")]
     assets: Option<PathBuf>,
+    /// Tell on the standard error which files are opened.
+    #[arg(long, global = true)]
+    log_files: bool,
 }
 
 /// How a command reports.
@@ -118,6 +123,9 @@ fn calm_device_layer() {
 fn main() -> ExitCode {
     calm_device_layer();
     let arguments = Arguments::parse();
+    if arguments.log_files {
+        on_open(|path| terminal::tell(format_args!("opened {}", path.display())));
+    }
     let outcome = arguments
         .assets
         .map_or(Ok(()), assets::look_into)
@@ -133,7 +141,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            eprintln!("raconteur: {error:#}");
+            terminal::tell(format_args!("raconteur: {error:#}"));
             ExitCode::from(1)
         }
     }

@@ -1,6 +1,6 @@
 //! Diagnostics for people and programs.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 
 use anyhow::Result;
 use codespan_reporting::diagnostic::{Diagnostic as Shown, Label, LabelStyle, Severity as Level};
@@ -8,8 +8,8 @@ use codespan_reporting::term::{self, Config};
 use raconteur_eml::{Diagnostic, LineIndex, Severity};
 use serde::Serialize;
 
-use crate::Outcome;
 use crate::excerpt::Excerpt;
+use crate::{Outcome, terminal};
 
 /// A place in a file. Lines and columns count from 1, columns in characters.
 #[derive(Serialize)]
@@ -81,7 +81,7 @@ pub(crate) fn outcome(diagnostics: &[Diagnostic]) -> Outcome {
 pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Result<()> {
     let index = LineIndex::new(source);
     let config = Config::default();
-    let mut stderr = io::stderr().lock();
+    let mut stderr = terminal::err();
     for diagnostic in diagnostics {
         let spans = diagnostic.related.iter().map(|(span, _)| *span);
         let excerpt = Excerpt::of(file, &index, diagnostic.span, spans);

@@ -7,6 +7,7 @@ use raconteur_player::{MusicCue, Player};
 use tempfile::TempDir;
 
 use crate::assets;
+use crate::terminal;
 use raconteur_voice::bake::program::FFMPEG;
 use raconteur_voice::files::{inside, media};
 
@@ -56,7 +57,7 @@ impl Soundtrack {
                     file,
                     start_secs: u.timed.start_secs - from_secs,
                 }),
-                Err(error) => eprintln!("what is said is not heard: {error:#}"),
+                Err(error) => terminal::tell(format_args!("what is said is not heard: {error:#}")),
             }
         }
         let mut track = Self {
@@ -70,7 +71,10 @@ impl Soundtrack {
                 continue;
             }
             if let Err(error) = track.add_music(&cue, script, from_secs, end_secs) {
-                eprintln!("the music {} is not heard: {error:#}", cue.file);
+                terminal::tell(format_args!(
+                    "the music {} is not heard: {error:#}",
+                    cue.file
+                ));
             }
         }
         track
@@ -79,7 +83,7 @@ impl Soundtrack {
     /// Decodes a piece, sets its level and keeps it for the film.
     fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
         let file = if cue.library {
-            media::Sound::open(&assets::find(&format!("music/{}", cue.file), script)?)?
+            media::Sound::open(&assets::find(&format!("music/{}", cue.file))?)?
         } else {
             sound(script.parent().unwrap_or(Path::new("")), &cue.file)?
         };

@@ -7,13 +7,14 @@ use anyhow::{Context as _, Result};
 use raconteur_avatar as avatar;
 use raconteur_base::encoding;
 use raconteur_body::Figure;
-use raconteur_eml::{Diagnostic, nearest, quoted};
+use raconteur_eml::{Diagnostic, decode, nearest, quoted};
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 use raconteur_stage::Shot;
 
 use raconteur_voice::files::{input, inside};
 
 use crate::assets;
+use crate::terminal;
 
 /// The default performer, as in the element.
 pub(crate) const USUAL_FIGURE: &str = "sofia";
@@ -31,6 +32,8 @@ pub(crate) struct StoryFiles {
     pub(crate) script: PathBuf,
     /// Its text.
     pub(crate) text: String,
+    /// What of its bytes is no text.
+    pub(crate) undecoded: Option<Diagnostic>,
 }
 
 impl StoryFiles {
@@ -42,21 +45,27 @@ impl StoryFiles {
             path.to_owned()
         };
         let bytes = input::bytes(&script, LARGEST_STORY).context("the story")?;
-        // Invalid UTF-8 is replaced: the parser says where it stands.
-        let text = String::from_utf8(bytes)
-            .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned());
-        Ok(Self { script, text })
+        let decoded = decode(bytes);
+        Ok(Self {
+            script,
+            text: decoded.text,
+            undecoded: decoded.problem,
+        })
+    }
+
+    /// The folder of the story.
+    pub(crate) fn folder(&self) -> &Path {
+        self.script.parent().unwrap_or(Path::new(""))
     }
 
     /// The folder of the speech bundle.
     pub(crate) fn voice(&self) -> PathBuf {
-        self.script.parent().unwrap_or(Path::new("")).join("voice")
+        self.folder().join("voice")
     }
 
     /// The bundle's description, if the story has one.
     pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
-        let folder = self.script.parent().unwrap_or(Path::new(""));
-        let path = inside::find(folder, "voice/speech.json").ok()??;
+        let path = told(inside::find(self.folder(), "voice/speech.json"))??;
         told(input::bytes(&path, LARGEST_BUNDLE))
     }
 
@@ -76,6 +85,7 @@ impl StoryFiles {
             }
             script.retime(&library);
         }
+        script.diagnostics.splice(0..0, self.undecoded.clone());
         script
     }
 
@@ -83,21 +93,21 @@ impl StoryFiles {
     /// the usual one; and what is wrong with the story's choice.
     fn figure(&self, asked: Option<&str>) -> Result<(Figure, Option<Diagnostic>)> {
         if let Some(name) = asked {
-            return Ok((find_figure(name, &self.script)?, None));
+            return Ok((find_figure(name)?, None));
         }
         let document = raconteur_eml::parse(&self.text).document;
-        let usual = || find_figure(USUAL_FIGURE, &self.script);
+        let usual = || find_figure(USUAL_FIGURE);
         let Some(name) = document.performer.and_then(|p| p.figure) else {
             return Ok((usual()?, None));
         };
         // A story reaches no file outside its folder.
-        let folder = self.script.parent().unwrap_or(Path::new(""));
+        let folder = self.folder();
         let chosen = if Path::new(&name).extension().is_some() {
             inside::find(folder, &name)
                 .and_then(|path| path.context("there is no such file beside the story"))
-                .and_then(|path| find_figure(&path.to_string_lossy(), &self.script))
+                .and_then(|path| find_figure(&path.to_string_lossy()))
         } else {
-            find_figure(&name, &self.script)
+            find_figure(&name)
         };
         match chosen {
             Ok(figure) => Ok((figure, None)),
@@ -108,7 +118,7 @@ impl StoryFiles {
                 );
                 let span = document.performer_span;
                 let mut warning = Diagnostic::warning("player::no-figure", span, message);
-                let known = assets::figure_names(&self.script);
+                let known = assets::figure_names();
                 if let Some(near) = nearest(&name, known.iter().map(String::as_str)) {
                     warning = warning.hint(format!("did you mean `{near}`?"));
                 }
@@ -130,7 +140,8 @@ impl StoryFiles {
                 ..Options::default()
             },
         });
-        loaded.diagnostics.splice(0..0, trouble);
+        let before = self.undecoded.clone().into_iter().chain(trouble);
+        loaded.diagnostics.splice(0..0, before);
         let found: Vec<(String, Option<String>)> = loaded
             .player
             .needed_animations()
@@ -155,7 +166,7 @@ impl StoryFiles {
 /// What could be read; else why not goes to the standard error, and the story does without.
 fn told<T>(read: Result<T>) -> Option<T> {
     // A closed pipe must not end the program.
-    read.inspect_err(|why| drop(writeln!(std::io::stderr(), "raconteur: {why:#}")))
+    read.inspect_err(|why| drop(writeln!(terminal::err(), "raconteur: {why:#}")))
         .ok()
 }
 
@@ -164,7 +175,7 @@ fn told<T>(read: Result<T>) -> Option<T> {
 /// animations). None where there is no such file.
 fn find_animation(name: &str, story: &Path) -> Option<String> {
     if !name.contains(['/', '.', '\\']) {
-        let bytes = assets::read(&format!("animations/{name}.json"), story).ok()?;
+        let bytes = assets::read(&format!("animations/{name}.json")).ok()?;
         let text = encoding::utf8(&bytes).map(str::to_owned);
         return told(text.with_context(|| format!("the animation {name}")));
     }
@@ -184,7 +195,7 @@ const FIGURE_ENDINGS: [&str; 3] = ["glb", "vrm", "gltf"];
 
 /// A figure by name, from the asset library, or by the path of a `.glb`, `.vrm` or `.gltf` file of any origin. What of a
 /// foreign file could not be kept goes to the standard error.
-pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
+pub(crate) fn find_figure(name: &str) -> Result<Figure> {
     let by_path = Path::new(name);
     let ending = by_path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let bytes = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
@@ -192,7 +203,7 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
             .context("the figure")?
             .into()
     } else {
-        assets::read(&format!("figures/{name}.glb"), near)?
+        assets::read(&format!("figures/{name}.glb"))?
     };
     let stem = by_path.file_stem().unwrap_or_default().to_string_lossy();
     let imported =
@@ -205,7 +216,7 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
         };
         // A closed pipe must not end the program.
         let _ = writeln!(
-            std::io::stderr(),
+            terminal::err(),
             "the figure {name}: {}{hint} [{}]",
             d.message,
             d.code

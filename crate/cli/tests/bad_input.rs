@@ -169,6 +169,81 @@ fn text_that_is_not_utf8_is_named_and_does_not_stop_the_rest() {
 }
 
 #[test]
+fn a_replacement_character_that_somebody_wrote_is_text() {
+    let scratch = Scratch::new("replacement");
+    let line = "<voice-text time='0'>a \u{fffd} quay</voice-text>";
+    let told = |text: &[u8]| {
+        let (mut list, code) = diagnostics(&scratch.story(text));
+        list.retain(|d| d["code"] != "player::no-bundle");
+        (list, code)
+    };
+    assert_eq!(told(wrapped(line).as_bytes()), (Vec::new(), 0));
+    let mut text = wrapped(line).into_bytes();
+    let at = text.iter().position(|b| *b == b'q').expect("a q");
+    text.splice(at..at, [0xe9]);
+    let (list, code) = told(&text);
+    assert_eq!((list.len(), code), (1, 1), "{list:#?}");
+    assert_eq!(list[0]["start"]["offset"], at, "{list:#?}");
+}
+
+/// What acts on a terminal: ANSI's sequences, their one-byte forms, carriage returns, and marks that
+/// turn the direction of a line.
+const ACTING: &str = "\u{1b}]0;owned\u{7}\u{1b}[2J\u{9b}31m\r\u{8}\u{7f}\u{202e}evil\u{2066}";
+
+#[test]
+fn nothing_of_a_story_acts_on_the_terminal() {
+    let acts = |c: char| {
+        c != '\n' && c != '\t' && c.is_control()
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let scratch = Scratch::new("acting");
+    let folder = scratch.0.join(format!("a{ACTING}"));
+    fs::create_dir_all(&folder).expect("a folder");
+    let named = format!("<voice-text time='0' timeId='{ACTING}'>a</voice-text>");
+    for text in [
+        wrapped(&format!("<null time='0' colour{ACTING}='x'/>")),
+        wrapped(&format!("<{ACTING} time='0'/>")),
+        wrapped(&format!("<null time='{ACTING}'/>")),
+        wrapped(&format!(
+            "<body-deterministic-primitive time='0' primitive='push' animationSetName='{ACTING}'/>"
+        )),
+        wrapped(&format!(
+            "<voice-text time='0'><audio src='{ACTING}.wav'/></voice-text>"
+        )),
+        wrapped(&named),
+        format!(
+            "<eml><head><r:performer xmlns:r='urn:raconteur:eml:1' figure='{ACTING}' voice='{ACTING}'/></head><body/></eml>"
+        ),
+        format!("no story {ACTING}"),
+    ] {
+        let file = folder.join("story.eml");
+        fs::write(&file, &text).expect("a story");
+        for arguments in [
+            &["check"][..],
+            &["check", "--format", "json"],
+            &["timeline"],
+            &["timeline", "--format", "json"],
+            &["pose", "--at", "0", "--digest"],
+            &["bake", "--check"],
+            &["bake", "--check", "--format", "json"],
+            &["fmt", "--check"],
+            &["sweep", "--format", "json", "--figure", ACTING],
+            &["check", "--assets", ACTING],
+        ] {
+            let out = raconteur(arguments, &file);
+            let printed = [out.stdout, out.stderr].concat();
+            let printed = String::from_utf8(printed).expect("UTF-8");
+            let found = printed.find(acts);
+            assert!(found.is_none(), "{arguments:?} of {text:?}: {printed:?}");
+            assert!(
+                !printed.is_empty() || arguments[0] == "fmt" || arguments[0] == "check",
+                "{arguments:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn utf16_is_one_error_with_a_hint() {
     let text = wrapped("<voice-text time='0'>Olá</voice-text>");
     for (mark, big) in [(true, false), (true, true), (false, false), (false, true)] {

@@ -13,6 +13,7 @@
 
 mod check;
 mod clauses;
+mod decode;
 mod diagnostic;
 mod document;
 mod durations;
@@ -62,6 +63,7 @@ pub use clauses::speech::{
     Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
     VoiceSay, Volume,
 };
+pub use decode::{Decoded, decode};
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};

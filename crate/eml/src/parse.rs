@@ -43,11 +43,14 @@ pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, true)
 }
 
-/// Reads a script from bytes that should be UTF-8. Other bytes become U+FFFD and are
-/// reported; the spans count in the text with those.
+/// Reads a script from bytes that should be UTF-8, as [`crate::decode`] does; the spans count
+/// in its text.
 #[must_use]
 pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
-    parse_with(&String::from_utf8_lossy(bytes), limits)
+    let decoded = crate::decode(bytes.to_vec());
+    let mut parsed = parse_with(&decoded.text, limits);
+    parsed.diagnostics.splice(0..0, decoded.problem);
+    parsed
 }
 
 fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
@@ -78,7 +81,6 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             diagnostics: sink.finish(),
         };
     }
-    report_undecoded(source, &mut sink);
     report_controls(source, &mut sink);
     let mut taken = Taken::default();
     let mut namespaces = Namespaces::new(source);
@@ -123,7 +125,7 @@ struct Taken {
 }
 
 /// What a text is that need not be read, by its begin.
-fn no_utf8_at_all(source: &str) -> Option<&'static str> {
+pub(crate) fn no_utf8_at_all(source: &str) -> Option<&'static str> {
     if encoding::is_utf16(source.as_bytes()) {
         return Some("UTF-16");
     }
@@ -131,24 +133,6 @@ fn no_utf8_at_all(source: &str) -> Option<&'static str> {
     let is_binary =
         begin.clone().any(|c| c == '\0') && begin.any(|c| c == char::REPLACEMENT_CHARACTER);
     is_binary.then_some("a binary file")
-}
-
-/// Reports the first of the characters that stand for bytes which are not UTF-8, and how many
-/// there are. Up to there, offsets are those of the bytes.
-fn report_undecoded(source: &str, sink: &mut Sink) {
-    let mut places = source.match_indices(char::REPLACEMENT_CHARACTER);
-    let Some((at, found)) = places.next() else {
-        return;
-    };
-    let more = match places.count() {
-        0 => String::new(),
-        1 => ", and at one more place".to_owned(),
-        n => format!(", and at {n} more places"),
-    };
-    let message = format!("byte {at} is not UTF-8 text{more}; what stood there is lost");
-    let span = Span::of(at, at + found.len());
-    let diagnostic = Diagnostic::error("eml::not-utf8", span, message);
-    sink.push(diagnostic.hint(encoding::SAVE_AS_UTF8));
 }
 
 /// Reports the first control character that XML does not allow: a sign of a file

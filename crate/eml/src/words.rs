@@ -12,10 +12,11 @@ use crate::{
 /// Pauses, recordings and events go with the words that they stood between; time markers stay, and
 /// name the end of the clause.
 pub(crate) fn hold(document: &mut Document, limits: &Limits, sink: &mut Sink) {
-    // A word takes a byte and one of white space, so most documents need no counting.
+    // A word takes a byte and one of white space, or the end of its piece: after a pause the next
+    // word begins without one. So most documents need no counting.
     let most = |clause: &Clause| match &clause.kind {
-        ClauseKind::VoiceText(text) => text.pieces.iter().map(bytes_of).sum::<usize>() / 2 + 1,
-        ClauseKind::VoiceSay(say) => say.content.len() / 2 + 1,
+        ClauseKind::VoiceText(text) => text.pieces.iter().map(most_words).sum::<usize>(),
+        ClauseKind::VoiceSay(say) => say.content.len().div_ceil(2),
         _ => 0,
     };
     let all = document.clauses.iter().map(most).sum::<usize>();
@@ -40,9 +41,10 @@ pub(crate) fn hold(document: &mut Document, limits: &Limits, sink: &mut Sink) {
     }
 }
 
-fn bytes_of(piece: &TextSegment) -> usize {
+/// No piece has more words than this.
+fn most_words(piece: &TextSegment) -> usize {
     match piece {
-        TextSegment::Text { text, .. } => text.len(),
+        TextSegment::Text { text, .. } => text.len().div_ceil(2),
         _ => 0,
     }
 }
@@ -208,6 +210,28 @@ mod tests {
             prop_assert_eq!(held, expected);
             prop_assert_eq!(is_held, !told.is_empty());
             prop_assert!(told.iter().filter(|m| m.contains("story")).count() <= 1);
+        }
+    }
+
+    #[test]
+    fn words_parted_by_pauses_alone_are_counted() {
+        for between in [
+            "<break/>",
+            "<emph/>",
+            "<break msec='1'/><audio src='a.wav'/>",
+        ] {
+            let inner = format!("a{between}").repeat(100);
+            let clause = format!("<voice-text time='0'>{inner}</voice-text>");
+            let (whole, none) = said(std::slice::from_ref(&clause), usize::MAX, usize::MAX);
+            assert!(none.is_empty(), "{none:?}");
+            for most in [1, 50, 51, 60, 99] {
+                let spoken = most.min(whole[0]);
+                for (in_clause, in_story) in [(most, usize::MAX), (usize::MAX, most)] {
+                    let (held, told) = said(std::slice::from_ref(&clause), in_clause, in_story);
+                    assert_eq!(held, [spoken], "{between}");
+                    assert_eq!(told.len(), usize::from(spoken < whole[0]), "{between}");
+                }
+            }
         }
     }
 

@@ -1,12 +1,13 @@
 //! `raconteur bake`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::thread;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_base::printable::printable;
 use raconteur_player::Script;
 use raconteur_voice::language;
 use raconteur_voice::text::Lexicon;
@@ -15,7 +16,7 @@ use serde_json::{Value, json};
 use crate::story::StoryFiles;
 use raconteur_voice::files::{input, inside};
 
-use crate::{Format, Outcome, assets, report};
+use crate::{Format, Outcome, assets, report, terminal};
 use raconteur_voice::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
 use raconteur_voice::bake::program::Missing;
 use raconteur_voice::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
@@ -100,11 +101,11 @@ impl Bake {
                     .unwrap_or(1),
                 check: self.check,
             };
-            let baked = bake_with_bar(&files, &script, folder, &bake_options)
+            let baked = bake_with_bar(&script, folder, &bake_options)
                 .with_context(|| format!("baking {name}"))?;
             for file in &baked.absent {
                 writeln!(
-                    io::stderr(),
+                    terminal::err(),
                     "{name}: there is no {}; nothing is said in its place until it is there and \
                      the story is baked again",
                     file.display()
@@ -120,7 +121,7 @@ impl Bake {
             }
         }
         if self.format == Format::Json {
-            writeln!(io::stdout(), "{}", serde_json::to_string(&reports)?)?;
+            writeln!(terminal::out(), "{}", terminal::json(&reports)?)?;
         }
         Ok(worst)
     }
@@ -168,7 +169,7 @@ impl Bake {
 
     /// What another engine than the default one means, or that none could be queried.
     fn tell_of_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
-        let mut err = io::stderr();
+        let mut err = terminal::err();
         if let Some(missing) = &baked.compared_without {
             writeln!(
                 err,
@@ -187,7 +188,7 @@ impl Bake {
     }
 
     fn tell(&self, name: &str, baked: &BakeReport) -> Result<()> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         if self.check {
             for text in &baked.synthesised {
                 writeln!(out, "{name}: not up to date: {text}")?;
@@ -248,15 +249,15 @@ impl Bake {
             }
         }
         if rows.is_empty() && !missing.is_empty() {
-            writeln!(io::stderr(), "there is no voice here: {missing}")?;
+            writeln!(terminal::err(), "there is no voice here: {missing}")?;
         }
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         if self.format == Format::Json {
             let voices: Vec<_> = rows
                 .iter()
                 .map(|(engine, voice)| row(engine, voice))
                 .collect();
-            writeln!(out, "{}", serde_json::to_string(&voices)?)?;
+            writeln!(out, "{}", terminal::json(&voices)?)?;
             return Ok(Outcome::Fine);
         }
         for (engine, voice) in rows {
@@ -281,23 +282,18 @@ fn row(engine: &str, voice: &VoiceInfo) -> Value {
 }
 
 /// Bakes a story, with a bar that shows how far it is.
-fn bake_with_bar(
-    files: &StoryFiles,
-    script: &Script,
-    folder: &Path,
-    options: &BakeOptions,
-) -> Result<BakeReport> {
+fn bake_with_bar(script: &Script, folder: &Path, options: &BakeOptions) -> Result<BakeReport> {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?;
     let bar = ProgressBar::new(0).with_style(style);
     let baked = bake::bake(
         &raconteur_voice::said(&script.document),
         folder,
         options,
-        &|path| assets::find(path, &files.script),
+        &assets::find,
         &|done, of, text| {
             bar.set_length(of as u64);
             bar.set_position(done as u64);
-            bar.set_message(text.to_owned());
+            bar.set_message(printable(text).into_owned());
         },
     );
     bar.finish_and_clear();

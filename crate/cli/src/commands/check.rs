@@ -1,18 +1,19 @@
 //! `raconteur check`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use raconteur_eml::Diagnostic;
+use raconteur_eml::{Diagnostic, Span, thinned};
 use raconteur_stage::Shot;
 
 use crate::report;
 use crate::story::StoryFiles;
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 use raconteur_voice::bake::{SoundFile, Store};
 use raconteur_voice::files::disk::Real;
+use raconteur_voice::files::inside;
 
 /// Report problems in stories.
 #[derive(Args)]
@@ -31,13 +32,14 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         let mut worst = Outcome::Fine;
         let mut json = Vec::new();
         for path in &self.files {
             let files = StoryFiles::read(path)?;
             let mut diagnostics = self.diagnostics(&files)?;
             diagnostics.extend(wrong_sounds(&files));
+            let diagnostics = thinned(diagnostics);
             let name = files.script.display().to_string();
             if report::outcome(&diagnostics) == Outcome::Errors {
                 worst = Outcome::Errors;
@@ -52,7 +54,7 @@ impl Check {
             }
         }
         if self.format == Format::Json {
-            writeln!(out, "{}", serde_json::to_string_pretty(&json)?)?;
+            writeln!(out, "{}", terminal::json_lines(&json)?)?;
         }
         Ok(worst)
     }
@@ -66,8 +68,14 @@ impl Check {
 
 /// Utterances of the bundle that are said and whose sound is not the one that was baked.
 fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
-    let store = Store::open(files.voice(), &Real);
-    let said = raconteur_voice::said(&files.script().document);
+    let (voice, document) = (files.voice(), files.script().document);
+    if let Err(error) = inside::check_folder(files.folder(), &voice) {
+        let hint = "put the folder itself there";
+        let message = format!("the voice is not read: {error:#}");
+        return vec![Diagnostic::error("voice::outside", Span::new(0, 0), message).hint(hint)];
+    }
+    let store = Store::open(voice, &Real);
+    let said = raconteur_voice::said(&document);
     let wrong = said
         .iter()
         .filter(|said| store.sound(said.key) == Some(SoundFile::Wrong));

@@ -1,6 +1,6 @@
 //! `raconteur compose`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
@@ -9,7 +9,7 @@ use clap::Args;
 use crate::compose::{self, Score};
 use raconteur_voice::files::input;
 
-use crate::Outcome;
+use crate::{Outcome, terminal};
 use raconteur_voice::bake::program::{FFMPEG, Missing, OPUSENC, Program};
 
 /// Play a score on the built-in synthesiser.
@@ -37,7 +37,7 @@ impl Compose {
         let text = input::text(&self.score, input::LONGEST_TEXT).context("the score")?;
         let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
         let music = compose::play(&score).with_context(|| self.score.display().to_string())?;
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         writeln!(
             out,
             "{}: {:.2} s, {:.1} LUFS, peak {:.1} dB",

@@ -1,6 +1,6 @@
 //! `raconteur fmt`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -10,7 +10,7 @@ use raconteur_eml::{Diagnostic, HARMLESS, parse, write_with_comments};
 use crate::story::StoryFiles;
 use raconteur_voice::files::disk;
 
-use crate::{Outcome, report};
+use crate::{Outcome, report, terminal};
 
 /// Write stories in their canonical form. Comments stay, before their clause. A story that
 /// would lose something is left as it is, with a message.
@@ -26,12 +26,12 @@ pub(crate) struct Fmt {
 
 impl Fmt {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         let mut worst = Outcome::Fine;
         for path in &self.files {
             let files = StoryFiles::read(path)?;
             let name = files.script.display().to_string();
-            let formatted = match formatted(&files.text) {
+            let formatted = match formatted(&files.text, files.undecoded.clone()) {
                 Ok(formatted) => formatted,
                 Err(losses) => {
                     report::print(&name, &files.text, &losses)?;
@@ -55,13 +55,10 @@ impl Fmt {
 }
 
 /// The canonical text, or what keeps it from saying the same.
-fn formatted(source: &str) -> Result<String, Vec<Diagnostic>> {
+fn formatted(source: &str, undecoded: Option<Diagnostic>) -> Result<String, Vec<Diagnostic>> {
     let parsed = parse(source);
-    let losses: Vec<Diagnostic> = parsed
-        .diagnostics
-        .into_iter()
-        .filter(|d| !HARMLESS.contains(&d.code))
-        .collect();
+    let told = undecoded.into_iter().chain(parsed.diagnostics);
+    let losses: Vec<Diagnostic> = told.filter(|d| !HARMLESS.contains(&d.code)).collect();
     if !losses.is_empty() {
         return Err(losses);
     }
@@ -74,17 +71,21 @@ mod tests {
 
     #[test]
     fn a_story_is_written_anew_only_when_nothing_is_lost() {
-        let text = formatted("<eml><body><!-- hm --><Null time='1.0'/></body></eml>").unwrap();
+        let text = formatted(
+            "<eml><body><!-- hm --><Null time='1.0'/></body></eml>",
+            None,
+        )
+        .unwrap();
         assert_eq!(
             text,
             "<eml>\n  <body>\n    <!-- hm -->\n    <null time='1'/>\n  </body>\n</eml>\n"
         );
-        assert_eq!(formatted(&text).unwrap(), text);
+        assert_eq!(formatted(&text, None).unwrap(), text);
         for lossy in [
             "<eml><body><null time='1' colour='red'/></body></eml>",
             "<eml><body><null time='1'></body></eml>",
         ] {
-            assert!(formatted(lossy).is_err(), "{lossy}");
+            assert!(formatted(lossy, None).is_err(), "{lossy}");
         }
     }
 }

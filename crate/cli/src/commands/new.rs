@@ -1,15 +1,15 @@
 //! `raconteur new`.
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use include_dir::{Dir, DirEntry};
 
-use crate::Outcome;
 use crate::assets::FIRST_STORY;
+use crate::{Outcome, terminal};
 
 /// Make the folder of a new story, one that plays: a greeting with a gesture, and its voice.
 #[derive(Args)]
@@ -27,7 +27,7 @@ impl New {
         write(&FIRST_STORY, folder)?;
         let shown = folder.display();
         writeln!(
-            io::stdout(),
+            terminal::out(),
             "{shown}/story.eml is a story that plays. Look at it, change it, give it its voice:\n\
              \n  raconteur render {shown} --video {shown}.mp4\
              \n  raconteur check {shown}\

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::report;
 use crate::story::StoryFiles;
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 
 /// Print where the joints are at given times.
 #[derive(Args)]
@@ -61,7 +61,7 @@ struct Entry {
 
 impl Pose {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         if let Some(bad) = self.at.iter().find(|t| !t.is_finite() || **t < 0.0) {
             bail!("--at takes times of 0 s or later, not {bad}");
         }
@@ -112,7 +112,7 @@ impl Pose {
             entries.push(entry);
         }
         match self.format {
-            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&entries)?)?,
+            Format::Json => writeln!(out, "{}", terminal::json_lines(&entries)?)?,
             Format::Text => {
                 for entry in &entries {
                     print_entry(&mut out, entry)?;

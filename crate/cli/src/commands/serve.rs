@@ -1,7 +1,7 @@
 //! `raconteur serve`.
 
 use std::net::{IpAddr, SocketAddr};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::{Result, bail};
@@ -98,7 +98,7 @@ impl Serve {
     fn player(&self) -> Result<Player> {
         let Some(story) = &self.story else {
             let name = self.figure.as_deref().unwrap_or(USUAL_FIGURE);
-            let figure = find_figure(name, Path::new("."))?;
+            let figure = find_figure(name)?;
             return Ok(Player::load(StoryInput {
                 eml: "<eml><body/></eml>",
                 bundle: None,

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::report;
 use crate::story::StoryFiles;
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 
 /// Play stories without pixels and report what a viewer would notice.
 #[derive(Args)]
@@ -63,7 +63,7 @@ impl From<Check> for Entry {
 
 impl Sweep {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         let mut worst = Outcome::Fine;
         let mut stories = Vec::new();
         for path in &self.files {
@@ -94,8 +94,8 @@ impl Sweep {
         if self.format == Format::Json {
             // One story is one report; several are a list of them.
             let text = match &stories[..] {
-                [story] => serde_json::to_string_pretty(story)?,
-                all => serde_json::to_string_pretty(all)?,
+                [story] => terminal::json_lines(story)?,
+                all => terminal::json_lines(&all)?,
             };
             writeln!(out, "{text}")?;
         }

@@ -1,7 +1,7 @@
 //! `raconteur timeline`.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::report;
 use crate::story::StoryFiles;
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 
 /// Print the resolved clauses of a story in time order.
 #[derive(Args)]
@@ -59,7 +59,7 @@ struct Whole<'a> {
 
 impl Timeline {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         let files = StoryFiles::read(&self.file)?;
         let script = files.script();
         report::print(
@@ -93,7 +93,7 @@ impl Timeline {
                 .collect(),
         };
         match self.format {
-            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&whole)?)?,
+            Format::Json => writeln!(out, "{}", terminal::json_lines(&whole)?)?,
             Format::Text => {
                 writeln!(
                     out,

@@ -1,6 +1,6 @@
 //! `raconteur voice`: what a voice does, in figures and as a picture.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{Result, anyhow};
@@ -10,7 +10,7 @@ use raconteur_voice::markup::{sable, ssml};
 use serde_json::json;
 
 use crate::story::StoryFiles;
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 use raconteur_voice::bake::engine::{ENGINES, EngineOptions};
 use raconteur_voice::bake::measure::{self, Row, Settings};
 use raconteur_voice::bake::{Cast, picture};
@@ -45,7 +45,7 @@ impl Ssml {
     /// What lies in files is left to them.
     fn run(&self) -> Result<Outcome> {
         let files = StoryFiles::read(&self.story)?;
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         for said in raconteur_voice::said(&files.script().document) {
             let content = match said.source {
                 Source::Content(content) => content,
@@ -128,10 +128,10 @@ impl Measure {
             Settings::All
         };
         let rows = measure::measure(&self.who.cast()?, settings)?;
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         if self.format == Format::Json {
             let rows: Vec<_> = rows.iter().map(row).collect();
-            writeln!(out, "{}", serde_json::to_string(&rows)?)?;
+            writeln!(out, "{}", terminal::json(&rows)?)?;
         } else {
             for row in &rows {
                 writeln!(

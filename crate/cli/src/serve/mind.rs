@@ -9,6 +9,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::lobby::Lobby;
+use crate::terminal;
 
 /// Fragments of one mind that wait to be performed; a mind that sends more is not read.
 const WAITING: usize = 16;
@@ -162,7 +163,7 @@ impl Mind {
     pub(crate) fn tell(&mut self, line: &Line) -> io::Result<()> {
         let lines = match &self.outbox {
             Outbox::StandardOutput => {
-                let mut out = io::stdout().lock();
+                let mut out = terminal::out();
                 writeln!(out, "{line}")?;
                 return out.flush();
             }

@@ -24,6 +24,7 @@ use raconteur_player::{Event, Player};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+use crate::terminal;
 use framing::Framer;
 use mind::{Door, Gone, Line, Mind};
 
@@ -82,17 +83,22 @@ pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
             // A connection that breaks is the mind's affair.
             let _ = websocket::serve(stream, door);
         })?;
-        eprintln!("raconteur: WebSocket at ws://{at}/");
+        terminal::tell(format_args!("raconteur: WebSocket at ws://{at}/"));
         if open_to_others && ways.token.is_none() {
-            eprintln!("raconteur: it takes those who add ?token={token}");
+            terminal::tell(format_args!(
+                "raconteur: it takes those who add ?token={token}"
+            ));
         }
     }
     if let Some(address) = ways.tcp {
         let at = listen(address, &door, |stream, door| {
             let _ = tcp::serve(stream, door);
         })?;
-        eprintln!("raconteur: TCP at {at}");
-        eprintln!("raconteur: its first line is: {}", greeting::line(&token));
+        terminal::tell(format_args!("raconteur: TCP at {at}"));
+        terminal::tell(format_args!(
+            "raconteur: its first line is: {}",
+            greeting::line(&token)
+        ));
     }
     if ways.stdin {
         read_input(&door);
@@ -294,5 +300,5 @@ impl Stage {
 }
 
 fn line<T: Serialize>(value: &T) -> Result<Line> {
-    Ok(serde_json::to_string(value)?.into())
+    Ok(terminal::json(value)?.into())
 }

@@ -50,16 +50,15 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
 #[test]
 fn a_second_bake_is_told_to_wait() {
     let workshop = Workshop::new();
-    let mut first = workshop.bake("1.0", &[]);
-    first.env("WAIT", "0.2");
-    let mut child = first.spawn().unwrap();
+    // The first cannot end while the gate is closed.
+    fs::write(workshop.path("gate"), "").unwrap();
+    let mut child = workshop.bake("1.0", &[]).spawn().unwrap();
     workshop.until_begun(1, &mut child);
     let second = workshop.bake("1.5", &[]).output().unwrap();
-    // On a busy machine the first may have ended by now.
-    if !second.status.success() {
-        let told = format!("process {} is baking this story", child.id());
-        assert!(said(&second).contains(&told), "{}", said(&second));
-    }
+    assert!(!second.status.success());
+    let told = format!("process {} is baking this story", child.id());
+    assert!(said(&second).contains(&told), "{}", said(&second));
+    fs::remove_file(workshop.path("gate")).unwrap();
     assert!(child.wait().unwrap().success());
     whole(&workshop);
 }

@@ -8,4 +8,5 @@
 mod hostile;
 mod interrupted;
 mod missing;
+mod outside;
 mod workshop;

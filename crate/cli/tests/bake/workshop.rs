@@ -11,10 +11,12 @@ use sha2::{Digest as _, Sha256};
 /// How many utterances the story has.
 pub(crate) const UTTERANCES: usize = 4;
 
-/// Takes as long as `WAIT` says, tells the log that it has begun, and copies its input with a tag.
+/// Tells the log that it has begun, takes as long as `WAIT` says and until there is no file `GATE`, and
+/// copies its input with a tag.
 const OPUSENC: &str = r#"#!/bin/sh
 echo "opusenc $*" >> "$LOG"
 sleep "$WAIT"
+while [ -e "$GATE" ]; do sleep 0.01; done
 while [ $# -gt 2 ]; do shift; done
 cat "$1" > "$2"
 printf %s "$TAG" >> "$2"
@@ -98,6 +100,7 @@ impl Workshop {
             .env("TMPDIR", self.path("tmp"))
             .env("LOG", self.path("log"))
             .env("WAIT", "0")
+            .env("GATE", self.path("gate"))
             .env("TAG", "")
             .current_dir(self.folder.path())
             .stdin(Stdio::null())

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -46,11 +46,13 @@ pub struct Store<'d> {
 /// Most bytes of `speech.json`.
 const MOST_TEXT: u64 = 256 << 20;
 
-/// SHA-256 in hexadecimal digits.
-fn sha256(bytes: &[u8]) -> String {
+/// Most bytes of all sounds of a bundle that are compared with what it tells: a month of speech.
+const MOST_SOUND: u64 = 16 << 30;
+
+fn hexadecimal(digest: &[u8]) -> String {
     use core::fmt::Write as _;
     let mut out = String::with_capacity(64);
-    for byte in sha2::Sha256::digest(bytes) {
+    for byte in digest {
         let _ = write!(out, "{byte:02x}");
     }
     out
@@ -59,21 +61,67 @@ fn sha256(bytes: &[u8]) -> String {
 fn holds(bytes: &[u8]) -> Holds {
     Holds {
         bytes: bytes.len() as u64,
-        sha256: sha256(bytes),
+        sha256: hexadecimal(&sha2::Sha256::digest(bytes)),
     }
 }
 
-/// What exists at the path of a sound.
-fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
-    let found = inside::find(folder, &audio.file).ok().flatten();
-    match (found, &audio.holds) {
-        (None, _) => Sound::Wrong,
-        (Some(_), None) => Sound::Untold,
-        (Some(path), Some(told)) => match input::bytes(&path, told.bytes) {
-            Ok(bytes) if holds(&bytes) == *told => Sound::Whole,
-            _ => Sound::Wrong,
-        },
+/// The sounds of a folder, each read once however often a bundle names it. A bundle comes from
+/// strangers: what it tells of a file is compared, never believed.
+struct Sounds<'f> {
+    folder: &'f Path,
+    /// What files hold, by their paths without links.
+    read: BTreeMap<PathBuf, Option<Holds>>,
+    /// Bytes that may still be read.
+    left: u64,
+}
+
+impl<'f> Sounds<'f> {
+    fn of(folder: &'f Path) -> Self {
+        Self {
+            folder,
+            read: BTreeMap::new(),
+            left: MOST_SOUND,
+        }
     }
+
+    /// What exists at the path of a sound.
+    fn look(&mut self, audio: &AudioFile) -> Sound {
+        let found = inside::find(self.folder, &audio.file).ok().flatten();
+        match (found, &audio.holds) {
+            (None, _) => Sound::Wrong,
+            (Some(_), None) => Sound::Untold,
+            (Some(path), Some(told)) => match self.holds(path, told.bytes) {
+                Some(holds) if holds == *told => Sound::Whole,
+                _ => Sound::Wrong,
+            },
+        }
+    }
+
+    /// What a file holds; nothing where that cannot be what is told: a file of another size is not
+    /// read.
+    fn holds(&mut self, path: PathBuf, told_bytes: u64) -> Option<Holds> {
+        if let Some(known) = self.read.get(&path) {
+            return known.clone();
+        }
+        let bytes = fs::metadata(&path).ok()?.len();
+        if bytes != told_bytes || bytes > media::MOST_BYTES.min(self.left) {
+            return None;
+        }
+        self.left -= bytes;
+        let holds = holds_of_file(&path, bytes).ok();
+        self.read.insert(path, holds.clone());
+        holds
+    }
+}
+
+/// What a file of so many bytes holds, read piece by piece.
+fn holds_of_file(path: &Path, bytes: u64) -> Result<Holds> {
+    let mut digest = sha2::Sha256::new();
+    let read = io::copy(&mut input::open(path, bytes)?, &mut digest)?;
+    Ok(Holds {
+        bytes: read,
+        sha256: hexadecimal(&digest.finalize()),
+    })
 }
 
 impl<'d> Store<'d> {
@@ -84,8 +132,9 @@ impl<'d> Store<'d> {
         let text = path.and_then(|path| input::bytes(&path, MOST_TEXT).ok());
         let text = text.unwrap_or_default();
         let bundle = Bundle::from_json(&text).unwrap_or_default();
-        let sound = |u: &Utterance| {
-            let all: Vec<Sound> = u.audio.iter().map(|a| sound_at(&folder, a)).collect();
+        let mut sounds = Sounds::of(&folder);
+        let mut sound = |u: &Utterance| {
+            let all: Vec<Sound> = u.audio.iter().map(|a| sounds.look(a)).collect();
             match () {
                 () if all.is_empty() || all.contains(&Sound::Wrong) => Sound::Wrong,
                 () if all.contains(&Sound::Untold) => Sound::Untold,
@@ -188,7 +237,7 @@ impl<'d> Store<'d> {
             holds: Some(holds),
         };
         // The file may be truncated: a disk that lost its power keeps names without content.
-        if sound_at(&self.folder, &audio) != Sound::Whole {
+        if Sounds::of(&self.folder).look(&audio) != Sound::Whole {
             disk::replace_on(self.disk, &self.folder.join(&audio.file), bytes)?;
         }
         Ok(audio)

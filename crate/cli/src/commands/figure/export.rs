@@ -1,7 +1,7 @@
 //! `raconteur figure export`.
 
-use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::io::Write as _;
+use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, bail};
 use clap::{Args, ValueEnum};
@@ -11,9 +11,9 @@ use raconteur_sculpt::bones;
 use serde_json::{Value, json};
 
 use super::{obj, params};
-use crate::Outcome;
 use crate::sheet::PoseName;
 use crate::story::find_figure;
+use crate::{Outcome, terminal};
 use raconteur_voice::files::disk::replace;
 
 /// Write a figure for other programs, as glTF binary or Wavefront OBJ.
@@ -46,7 +46,7 @@ enum Layer {
 impl Layer {
     fn of(self, name: &str) -> Result<Figure> {
         let layer = match self {
-            Self::Skin => return find_figure(name, Path::new(".")),
+            Self::Skin => return find_figure(name),
             Self::Bones => bones::Layer::Bones,
             Self::All => bones::Layer::All,
         };
@@ -73,7 +73,7 @@ impl Export {
         };
         replace(&self.output, &bytes)?;
         writeln!(
-            io::stdout().lock(),
+            terminal::out(),
             "{}: {} bytes",
             self.output.display(),
             bytes.len()

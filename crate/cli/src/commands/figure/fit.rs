@@ -1,7 +1,7 @@
 //! `raconteur figure fit`.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, bail};
@@ -11,7 +11,7 @@ use raconteur_sculpt::model::{Model, Traits};
 use raconteur_voice::files::{disk::replace, input};
 
 use super::bind::{LARGEST, MODEL};
-use crate::Outcome;
+use crate::{Outcome, terminal};
 
 /// Bring a person's measures to the population's, or to wanted ones.
 #[derive(Args)]
@@ -38,10 +38,10 @@ impl Fit {
             serde_json::from_str(&text).with_context(|| self.traits.display().to_string())?;
         let wanted = self.wanted()?;
         let (fitted, aims) = fit_measures(&Model::open(&self.model)?, &traits, &wanted)?;
-        let mut json = serde_json::to_string_pretty(&fitted)?;
+        let mut json = terminal::json_lines(&fitted)?;
         json.push('\n');
         replace(&self.output, json.as_bytes())?;
-        let mut out = io::stdout().lock();
+        let mut out = terminal::out();
         writeln!(
             out,
             "{:26} {:>7} {:>7} {:>7}",

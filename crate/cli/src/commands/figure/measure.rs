@@ -1,6 +1,6 @@
 //! `raconteur figure measure`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
@@ -15,7 +15,7 @@ use serde_json::json;
 
 use raconteur_voice::files::input;
 
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, terminal};
 
 /// The largest figure, and the largest table of measures, that is read, bytes.
 const LARGEST_FIGURE: u64 = 512 << 20;
@@ -156,16 +156,12 @@ fn print_json(
             "points": d.count,
         });
     }
-    writeln!(
-        io::stdout().lock(),
-        "{}",
-        serde_json::to_string_pretty(&report)?
-    )?;
+    writeln!(terminal::out(), "{}", terminal::json_lines(&report)?)?;
     Ok(())
 }
 
 fn print_text(all: &[Reading], against: Option<Deviation>) -> Result<()> {
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     writeln!(
         out,
         "{:26} {:>8} {:>8} {:>6} {:>6}",

@@ -1,6 +1,6 @@
 //! Descriptions of figures: a figure of the library, changed where a JSON file says so.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use raconteur_voice::files::input;
 
-use crate::Outcome;
+use crate::{Outcome, terminal};
 
 /// Print the description of a figure of the library, as JSON.
 #[derive(Args)]
@@ -24,11 +24,7 @@ pub(super) struct Params {
 impl Params {
     pub(super) fn run(&self) -> Result<Outcome> {
         let value = serde_json::to_value(preset(&self.name)?)?;
-        writeln!(
-            io::stdout().lock(),
-            "{}",
-            serde_json::to_string_pretty(&value)?
-        )?;
+        writeln!(terminal::out(), "{}", terminal::json_lines(&value)?)?;
         Ok(Outcome::Fine)
     }
 }

@@ -1,6 +1,6 @@
 //! `raconteur figure register`.
 
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -10,7 +10,7 @@ use raconteur_sculpt::model::Model;
 use raconteur_voice::files::disk::replace;
 
 use super::bind::MODEL;
-use crate::Outcome;
+use crate::{Outcome, terminal};
 
 /// Find anew where our head lies on the body model's, for the generator to build on.
 #[derive(Args)]
@@ -29,7 +29,7 @@ impl Register {
         replace(&self.output, found.table.as_bytes())?;
         let [mean, most] = found.moved_mm;
         writeln!(
-            io::stdout().lock(),
+            terminal::out(),
             "{}: {} places found, {} kept, moved by {mean:.2} mm in the mean, {most:.2} mm at most",
             self.output.display(),
             found.found,

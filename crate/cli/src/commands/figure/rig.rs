@@ -1,7 +1,7 @@
 //! `raconteur figure rig`.
 
 use std::collections::BTreeMap;
-use std::io::{self, Write as _};
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, bail};
@@ -14,7 +14,7 @@ use serde::Deserialize;
 
 use super::bind::LARGEST;
 use super::params;
-use crate::Outcome;
+use crate::{Outcome, terminal};
 
 /// The largest mesh that is read, bytes.
 const LARGEST_MESH: u64 = 256 << 20;
@@ -65,7 +65,7 @@ impl Rig {
             .filter_map(|m| m.binding.as_ref());
         let count: usize = bound.map(|b| b.vertices.len()).sum();
         writeln!(
-            io::stdout().lock(),
+            terminal::out(),
             "{}: {} landmarks, {count} vertices follow the tissue",
             self.output.display(),
             landmarks.len(),

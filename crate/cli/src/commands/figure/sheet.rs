@@ -1,6 +1,6 @@
 //! `raconteur figure sheet`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
@@ -52,7 +52,7 @@ impl Sheet {
                 sheet::light::names().join(", ")
             )
         })?;
-        let figure = find_figure(&self.figure, Path::new("."))?;
+        let figure = find_figure(&self.figure)?;
         let tiles = sheet::tiles(&figure, &self.part, light);
         let mut headless = Headless::new_blocking(RenderOptions::default()).context(
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",

@@ -269,3 +269,67 @@ fn sounds_that_are_links_out_of_the_folder_are_none() {
     assert!(!fs::symlink_metadata(&path).unwrap().is_symlink());
     assert_eq!(fs::read(&secret).unwrap(), b"a sound");
 }
+
+#[test]
+fn a_bundle_is_compared_and_not_believed() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path();
+    // A file without content that takes no room and would fill any memory.
+    let huge = 1_u64 << 42;
+    fs::File::create(folder.join("huge.opus"))
+        .and_then(|file| file.set_len(huge))
+        .unwrap();
+    fs::write(folder.join("small.opus"), b"a sound").unwrap();
+    let told = |file: &str, bytes: u64| AudioFile {
+        file: file.to_owned(),
+        mime: "a".to_owned(),
+        holds: Some(Holds {
+            bytes,
+            sha256: "0".repeat(64),
+        }),
+    };
+    let claims = [
+        told("huge.opus", huge),
+        told("huge.opus", u64::MAX),
+        told("small.opus", u64::MAX),
+        told("small.opus", 0),
+        told("small.opus", 7),
+    ];
+    let utterances = (0..)
+        .zip(&claims)
+        .map(|(key, audio)| utterance(key, 1, vec![audio.clone()]));
+    let store = Store::open(folder.to_owned(), &Real);
+    store.write(&bundle(utterances.collect())).unwrap();
+    let store = Store::open(folder.to_owned(), &Real);
+    for key in 0..claims.len() as u64 {
+        assert_eq!(store.sound(key), Some(Sound::Wrong), "{key}");
+    }
+}
+
+#[test]
+fn a_sound_is_read_once_however_often_it_is_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path();
+    fs::write(folder.join("a.opus"), b"a sound").unwrap();
+    let audio = |bytes: &[u8]| AudioFile {
+        file: "a.opus".to_owned(),
+        mime: "a".to_owned(),
+        holds: Some(holds(bytes)),
+    };
+    let mut sounds = super::Sounds::of(folder);
+    assert_eq!(sounds.look(&audio(b"a sound")), Sound::Whole);
+    // What was read is known, also after the file is gone from where it was read.
+    fs::write(folder.join("a.opus"), b"changed").unwrap();
+    assert_eq!(sounds.look(&audio(b"a sound")), Sound::Whole);
+    assert_eq!(sounds.look(&audio(b"a soun!")), Sound::Wrong);
+    assert_eq!(
+        super::Sounds::of(folder).look(&audio(b"changed")),
+        Sound::Whole
+    );
+    // No more is read than all sounds together may have.
+    let mut sounds = super::Sounds {
+        left: 6,
+        ..super::Sounds::of(folder)
+    };
+    assert_eq!(sounds.look(&audio(b"changed")), Sound::Wrong);
+}

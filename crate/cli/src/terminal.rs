@@ -1,0 +1,49 @@
+//! The standard output and error as people read them. What is printed quotes stories, their file
+//! names and what other programs say; a terminal is to show that and not to obey it.
+
+use std::io::{self, StderrLock, StdoutLock, Write};
+
+use anyhow::Result;
+use raconteur_base::printable::{printable, printable_json};
+use serde::Serialize;
+
+/// A stream of texts whose control characters are shown instead of sent.
+pub(crate) struct Printable<W>(W);
+
+impl<W: Write> Write for Printable<W> {
+    fn write(&mut self, text: &[u8]) -> io::Result<usize> {
+        // Formatting hands over whole pieces of UTF-8.
+        let shown = String::from_utf8_lossy(text);
+        self.0.write_all(printable(&shown).as_bytes())?;
+        Ok(text.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+/// The standard output.
+pub(crate) fn out() -> Printable<StdoutLock<'static>> {
+    Printable(io::stdout().lock())
+}
+
+/// The standard error.
+pub(crate) fn err() -> Printable<StderrLock<'static>> {
+    Printable(io::stderr().lock())
+}
+
+/// Says a line on the standard error. A closed pipe must not end the program.
+pub(crate) fn tell(line: impl std::fmt::Display) {
+    let _ = writeln!(err(), "{line}");
+}
+
+/// A value as JSON that [`out`] prints as it is, on lines of its own.
+pub(crate) fn json_lines(value: &impl Serialize) -> Result<String> {
+    Ok(printable_json(&serde_json::to_string_pretty(value)?).into_owned())
+}
+
+/// A value as JSON that [`out`] prints as it is, on one line.
+pub(crate) fn json(value: &impl Serialize) -> Result<String> {
+    Ok(printable_json(&serde_json::to_string(value)?).into_owned())
+}
