@@ -1,13 +1,10 @@
 /** Captions: lines of an utterance short enough to read at a glance, with the word being spoken. */
 
+import { Break, breaksOf } from './phrases.js';
 import type { Utterance, Word } from './types.js';
 
-/** A caption fills at most two lines of 42 characters, as subtitles on television do. */
-const MOST_CHARACTERS = 84;
-/** A caption may end at a comma once it is this long. */
-const ENOUGH_CHARACTERS = 42;
-/** Shorter sentences share a caption with the next one if both fit. */
-const SHORT_CHARACTERS = 32;
+/** The most characters of a line, as subtitles on television have them; a caption has two lines at most. */
+const LINE_CHARACTERS = 42;
 
 /** One caption. */
 export interface Caption {
@@ -16,63 +13,93 @@ export interface Caption {
   /** When it goes: the next caption's start, or a moment after its last word; at once where that was cut. */
   readonly endSecs: number;
   readonly words: readonly Word[];
+  /** Index of the word that begins the second line; the number of words where there is one line. */
+  readonly second: number;
 }
 
 /** How long a caption stays after its last word, so that a breath does not blink it away. */
 const LINGER_SECS = 1.2;
 
-/** The captions of a story, in order. */
-export function captionsOf(utterances: readonly Utterance[]): Caption[] {
-  const lines = utterances.flatMap(({ words, cut }) => linesOf(words).map((line) => ({ words: line, linger: cut ? 0 : LINGER_SECS })));
-  return lines.map(({ words, linger }, i) => {
+/** The captions of a story, in order. `language` is that of utterances that do not tell theirs. */
+export function captionsOf(utterances: readonly Utterance[], language = 'en'): Caption[] {
+  const all = utterances.flatMap(({ words, cut, language: own = language }) => parts(words, own).map((part) => ({ ...part, linger: cut ? 0 : LINGER_SECS })));
+  return all.map(({ words, second, linger }, i) => {
     const startSecs = words[0]?.startSecs ?? 0;
     const spokenUntil = words[words.length - 1]?.endSecs ?? startSecs;
-    const next = lines[i + 1]?.words[0]?.startSecs ?? Infinity;
-    return { startSecs, endSecs: Math.min(next, spokenUntil + linger), words };
+    const next = all[i + 1]?.words[0]?.startSecs ?? Infinity;
+    return { startSecs, endSecs: Math.min(next, spokenUntil + linger), words, second };
   });
 }
 
-/** A sentence ends with the word. */
-const ENDS = /[.!?…]["'”’)]*$/;
-/** So does a part of one. */
-const PAUSES = /[,;:–—]["'”’)]*$/;
-/** No sign of punctuation and closing is longer: what comes before need not be looked at. */
-const TAIL = 16;
+/** What it costs to end a caption, and a line within one, at each kind of place. */
+const CAPTION_COST = [0, 1, 5, 14, 26, 60];
+const LINE_COST = [0, 0, 3, 5, 11, 40];
+/** What it costs to read over each kind of place within a line. */
+const OVER_COST = [7, 14, 1, 0, 0, 0];
+/** A caption more, and a second line. */
+const CAPTION = 9;
+const SECOND_LINE = 2;
+/** A word alone, of no sentence of its own, is gone before it is read. */
+const LONE_WORD = 10;
+/** Lines of one caption are about as long as each other. */
+const UNEVEN = 0.25;
 
-/** Cuts words into lines: at sentence ends and commas where possible, at the limit where not. */
-function linesOf(words: readonly Word[]): Word[][] {
-  const lines: Word[][] = [];
-  let line: Word[] = [];
-  let length = 0;
-  const rests = sentenceRests(words);
-  const flush = () => {
-    if (line.length > 0) lines.push(line);
-    line = [];
-    length = 0;
+interface Part {
+  readonly words: readonly Word[];
+  readonly second: number;
+}
+
+/** The best way to show the words up to some word: its cost, and its last caption. */
+interface Way {
+  cost: number;
+  from: number;
+  second: number;
+}
+
+/** Cuts words into captions so that all their breaks together are the best. */
+function parts(words: readonly Word[], language: string): Part[] {
+  const count = words.length;
+  const texts = words.map((word) => word.text);
+  const breaks = breaksOf(words, texts, language);
+  const ways: Way[] = Array.from({ length: count + 1 }, () => ({ cost: Infinity, from: 0, second: 0 }));
+  if (ways[0] !== undefined) ways[0].cost = 0;
+  const end = (costs: readonly number[], i: number): number => (i === count ? 0 : (costs[breaks[i - 1] ?? Break.Any] ?? 0));
+  const ends = (i: number): boolean => i === 0 || i === count || breaks[i - 1] === Break.Sentence;
+  const lone = (from: number, to: number): number => (to - from === 1 && !(ends(from) && ends(to)) ? LONE_WORD : 0);
+  /** Calls for every end of a line that begins with a word, with its length and what it costs to read. */
+  const lines = (from: number, each: (to: number, length: number, cost: number) => void): void => {
+    let length = texts[from]?.length ?? 0;
+    let cost = 0;
+    for (let to = from + 1; to <= count; to++) {
+      each(to, length, cost + lone(from, to));
+      if (to === count) return;
+      length += 1 + (texts[to]?.length ?? 0);
+      cost += OVER_COST[breaks[to - 1] ?? Break.Any] ?? 0;
+      if (length > LINE_CHARACTERS) return;
+    }
   };
-  words.forEach((word, i) => {
-    if (length > 0 && length + 1 + word.text.length > MOST_CHARACTERS) flush();
-    line.push(word);
-    length += (length > 0 ? 1 : 0) + word.text.length;
-    const tail = word.text.slice(-TAIL);
-    const alone = length >= SHORT_CHARACTERS || length + 1 + (rests[i + 1] ?? 0) > MOST_CHARACTERS;
-    if ((ENDS.test(tail) && alone) || (PAUSES.test(tail) && length >= ENOUGH_CHARACTERS)) flush();
-  });
-  flush();
-  return lines;
-}
-
-/** For each word, the characters from it to the end of its sentence: counted once, from the end. */
-function sentenceRests(words: readonly Word[]): Uint32Array {
-  const rests = new Uint32Array(words.length);
-  let after = 0;
-  for (let i = words.length - 1; i >= 0; i--) {
-    const text = words[i]?.text ?? '';
-    const ends = ENDS.test(text.slice(-TAIL));
-    after = text.length + (ends || after === 0 ? 0 : 1 + after);
-    rests[i] = after;
+  for (let from = 0; from < count; from++) {
+    const before = ways[from]?.cost ?? Infinity;
+    const offer = (to: number, second: number, cost: number): void => {
+      const way = ways[to];
+      const all = before + CAPTION + cost + end(CAPTION_COST, to);
+      if (way === undefined || all >= way.cost) return;
+      Object.assign(way, { cost: all, from, second });
+    };
+    lines(from, (middle, first, cost) => {
+      offer(middle, middle, cost);
+      if (middle === count) return;
+      const broken = cost + SECOND_LINE + end(LINE_COST, middle);
+      lines(middle, (to, second, more) => offer(to, middle, broken + more + UNEVEN * Math.abs(first - second)));
+    });
   }
-  return rests;
+  const found: Part[] = [];
+  for (let to = count; to > 0; ) {
+    const { from, second } = ways[to] ?? { from: 0, second: to };
+    found.push({ words: words.slice(from, to), second: second - from });
+    to = from;
+  }
+  return found.reverse();
 }
 
 /** The caption at a time, and the index in it of the word being spoken (-1 in a pause). */

@@ -1,12 +1,13 @@
-// The licences of everything that is built into the site: Rust's crates in the wasm files, npm's packages
-// in the scripts. Both are read from where the package managers have put them.
+// The licences of everything that is built into the site: Rust's library and crates in the wasm files, npm's
+// packages in the scripts. They are read from where the compiler and the package managers have put them.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { rustLibrary } from './rust-library.js';
 
 /** Something of others that is part of the site. */
-interface Component {
+export interface Component {
   readonly name: string;
   readonly version: string;
   /** As an SPDX expression. */
@@ -93,14 +94,7 @@ function packages(root: string): Component[] {
 
 /** The notices as one text. Equal licence texts stand once, under all that they are of. */
 export function notices(root: string): string {
-  const rust: Component = {
-    name: 'The Rust standard library',
-    version: 'as in rust-toolchain.toml',
-    license: 'MIT OR Apache-2.0',
-    source: 'https://github.com/rust-lang/rust',
-    texts: [],
-  };
-  const all = [rust, ...crates(root), ...packages(root)].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
+  const all = [...rustLibrary(root), ...crates(root), ...packages(root)].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
   const list = all.map(({ name, version, license, source }) => `${name} ${version}: ${license} (${source})`);
   const owners = new Map<string, string[]>();
   for (const { name, texts } of all) for (const text of texts) owners.set(text, [...(owners.get(text) ?? []), name]);

@@ -311,7 +311,7 @@ fn no_random_move_of_any_limb_snaps() {
         (shipped, skeleton_of(shipped)),
     ];
     // Two to four moves of each of five limbs make about fifteen a chain.
-    let chains: u64 = sized(12, 700);
+    let chains: u64 = sized(40, 700);
     for (name, skeleton) in &skeletons {
         let workers = thread::available_parallelism().map_or(1, usize::from) as u64;
         let found = thread::scope(|scope| {
@@ -323,13 +323,17 @@ fn no_random_move_of_any_limb_snaps() {
             ended.collect::<Vec<_>>()
         });
         let moves: usize = found.iter().map(|(_, moves)| moves).sum();
-        let over: Vec<_> = found.iter().flat_map(|(over, _)| over).collect();
+        let told = |(seed, worst): &(u64, Worst)| {
+            let (fastest, bone, secs) = (worst.rad_per_sec, worst.bone, worst.secs);
+            format!("chain {seed}: {bone:?} turns {fastest:.1} rad/s at {secs:.4} s")
+        };
+        let over: Vec<_> = found.iter().flat_map(|(over, _)| over).map(told).collect();
         println!(
             "{name}: {moves} moves in {chains} chains, {} too fast",
             over.len()
         );
         assert!(over.is_empty(), "{name}: {over:?}");
-        assert!(moves >= sized(150, 10_000), "{name}: {moves} moves");
+        assert!(moves >= sized(500, 10_000), "{name}: {moves} moves");
     }
 }
 
