@@ -52,6 +52,21 @@ impl Camera {
         }
     }
 
+    /// The camera that shows the same above a share of the picture's height at its lower edge.
+    fn above_captions(self, share: f64) -> Self {
+        let arm = self.target_in_world - self.eye_in_world;
+        let level = ops::hypot(arm.x, arm.z);
+        let top = ops::atan2(arm.y, level) + 0.5 * self.fov_y_rad;
+        let fov_y_rad = self.fov_y_rad / (1.0 - share);
+        let pitch = top - 0.5 * fov_y_rad;
+        let target = arm.with_y(level * ops::tan(pitch));
+        Self {
+            target_in_world: self.eye_in_world + target,
+            fov_y_rad,
+            ..self
+        }
+    }
+
     /// The camera a share `s` of the way to another, 0..1.
     #[must_use]
     pub fn towards(self, to: &Self, s: f64) -> Self {
@@ -104,7 +119,13 @@ pub struct Room {
     pub half_width_m: f64,
     /// What the storyteller's shot shows just now.
     pub span: Span,
+    /// Share of the picture's height that captions take at its lower edge: hands and feet stay above
+    /// it. 0 to [`MOST_CAPTIONS`].
+    pub captions: f64,
 }
+
+/// Captions that take more of a picture may cover something.
+pub const MOST_CAPTIONS: f64 = 0.4;
 
 /// How far to a side a figure is expected to go, metres; within it the gestures stay in the
 /// picture. Designed.
@@ -159,9 +180,11 @@ impl Shot {
     /// it go.
     #[must_use]
     pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
+        let captions = room.captions.clamp(0.0, MOST_CAPTIONS);
         if self == Self::Storyteller {
             let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
-            return from.narrowed_to(room.span, feet_in_world, stature_m, aspect);
+            let span = room.span.above_captions(captions);
+            return from.narrowed_to(span, feet_in_world, stature_m, aspect);
         }
         let mut extent = self.extent();
         if matches!(self, Self::Full | Self::Medium) {
@@ -190,11 +213,16 @@ impl Shot {
         let middle = feet_in_world * DVec3::new(across, 1.0, FOLLOWED_DEPTH) + DVec3::Y * height;
         // The lens stands at chest to eye height and looks slightly down or up as needed.
         let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
-        Camera {
+        let camera = Camera {
             eye_in_world: DVec3::new(middle.x, eye_height, middle.z + distance),
             target_in_world: middle,
             fov_y_rad,
             ..Camera::default()
+        };
+        match self {
+            Self::Long | Self::Full => camera.above_captions(captions),
+            // The others end at the thigh or higher, below resting hands or above all.
+            _ => camera,
         }
     }
 }
@@ -285,6 +313,7 @@ mod tests {
     fn a_raised_hand_is_in_the_picture() {
         let room = Room {
             span: Span::default(),
+            captions: 0.0,
             top_m: 2.05,
             half_width_m: 0.7,
         };
@@ -298,6 +327,36 @@ mod tests {
                 let limit = ops::tan(c.fov_y_rad / 2.0);
                 assert!(to_hand.dot(up) / depth < limit * 1.001, "{aspect}");
                 assert!(to_hand.x.abs() / depth < limit * aspect * 1.001, "{aspect}");
+            }
+        }
+    }
+
+    #[test]
+    fn feet_stand_above_captions_and_the_crown_stays() {
+        for captions in [0.0, 0.1, 0.2, 0.4] {
+            for aspect in [0.46, 1.0, 1.78] {
+                for shot in [Shot::Long, Shot::Full] {
+                    let of = |captions: f64| {
+                        let room = Room {
+                            captions,
+                            ..Room::default()
+                        };
+                        let c = shot.frame(DVec3::ZERO, 1.66, aspect, room);
+                        let forward = (c.target_in_world - c.eye_in_world).normalize();
+                        let up = (DVec3::Y - forward * forward.y).normalize();
+                        let limit = ops::tan(c.fov_y_rad / 2.0);
+                        move |y: f64| {
+                            let to = DVec3::Y * y - c.eye_in_world;
+                            // From the lower edge, 0 to 1.
+                            0.5 + 0.5 * to.dot(up) / (to.dot(forward) * limit)
+                        }
+                    };
+                    let (plain, above) = (of(0.0), of(captions));
+                    assert!(above(0.0) > captions, "{shot:?} {aspect} {captions}");
+                    assert!(
+                        (above(1.72) - (captions + (1.0 - captions) * plain(1.72))).abs() < 0.01
+                    );
+                }
             }
         }
     }

@@ -15,7 +15,7 @@ pub mod set;
 pub mod shown;
 pub mod storyteller;
 
-pub use camera::{Camera, Room, Shot, View};
+pub use camera::{Camera, MOST_CAPTIONS, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
 pub use line::Line;

@@ -4,7 +4,7 @@
 //! The camera stands where that of a medium shot does and zooms, so that whom the figure looks at
 //! does not depend on what its hands do.
 
-use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_base::curve::{lerp, minimum_jerk, smooth};
 use raconteur_base::ops;
 
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
@@ -12,6 +12,10 @@ const EYES: f64 = 0.933;
 /// Height of the picture about the eyes while no gesture needs more, share of stature: a head
 /// takes more than a fifth of it. Designed.
 pub(crate) const AT_REST: f64 = 0.58;
+/// Height of the fingertips of hands that rest before the waist, share of stature; and how much
+/// lower the picture is while all it shows lies above its lower edge by that. Designed.
+const RESTING_HANDS: f64 = 0.64;
+const PULLED: f64 = 0.05;
 /// Share of the picture above the eyes.
 const ABOVE: f64 = 1.0 / 3.0;
 /// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
@@ -101,6 +105,21 @@ impl Span {
         }
     }
 
+    /// What keeps hands above a share of the picture's height at its lower edge.
+    #[must_use]
+    pub(crate) fn above_captions(self, share: f64) -> Self {
+        let at_rest = Self::default().bottom;
+        // A gesture that widens the picture comes down to its lower edge.
+        let spare = (RESTING_HANDS - at_rest) * (1.0 - smooth((at_rest - self.bottom) / PULLED));
+        let lowest = self.bottom + spare;
+        Self {
+            bottom: self
+                .bottom
+                .min(self.top - (self.top - lowest) / (1.0 - share)),
+            ..self
+        }
+    }
+
     /// What holds this and another.
     fn and(self, other: Self) -> Self {
         Self {
@@ -179,6 +198,29 @@ mod tests {
             assert!((y(EYES) - 1.0 / 3.0).abs() < 0.02, "{aspect}: {}", y(EYES));
             // From menton to vertex.
             assert!(0.5 * (y(1.0) - y(0.868)) > 0.2, "{aspect}");
+        }
+    }
+
+    #[test]
+    fn hands_are_above_captions_and_the_head_stays_a_fifth() {
+        for captions in [0.0, 0.1, 0.2, 0.25] {
+            let span = Span::default().above_captions(captions);
+            let share = |y: f64| (y - span.bottom) / span.height();
+            assert!(share(RESTING_HANDS) >= captions - 1e-9, "{captions}");
+            assert!(share(1.0) - share(0.868) > 0.2, "{captions}");
+            let space = TakenSpace {
+                top_m: 2.0,
+                bottom_m: 0.8,
+                half_width_m: 0.5,
+            };
+            let wide = Span::default().with(&space, STATURE_M, 1.78);
+            let above = wide.above_captions(captions);
+            let hands = 0.8 / STATURE_M;
+            assert!(
+                (hands - above.bottom) / above.height() >= captions - 1e-9,
+                "{captions}"
+            );
+            assert_eq!(above.top, wide.top);
         }
     }
 

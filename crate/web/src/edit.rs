@@ -59,6 +59,16 @@ impl Player {
         }
     }
 
+    /// Keeps hands and feet above captions that take this share of the picture's height at its
+    /// lower edge, 0 to 0.4, in this text and those rehearsed later.
+    #[wasm_bindgen(js_name = setCaptions)]
+    pub fn set_captions(&mut self, share: f64) {
+        self.captions = if share.is_finite() { share } else { 0.0 };
+        if let Some(performer) = &mut self.performer {
+            performer.set_captions(self.captions);
+        }
+    }
+
     /// The moment shown last as numbers, in this order; `web/element/pose.ts` reads them. World,
     /// metres and radians; empty before a `load`.
     ///

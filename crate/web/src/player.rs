@@ -43,6 +43,8 @@ pub struct Player {
     pub(crate) aspect: f64,
     /// The view that a page chooses in place of the shot.
     pub(crate) view: Option<View>,
+    /// The share of the picture's height that captions take.
+    pub(crate) captions: f64,
     /// The dominant hand, where the page chooses it.
     handedness: Option<Side>,
     sized: bool,
@@ -70,6 +72,7 @@ impl Player {
             picture,
             aspect: 1.0,
             view: None,
+            captions: 0.0,
             handedness: None,
             sized: false,
         })
@@ -90,6 +93,7 @@ impl Player {
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
+        performer.set_captions(self.captions);
         note(Activity::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
@@ -338,6 +342,7 @@ impl Player {
         let figure = Arc::clone(before.figure());
         let (mut performer, story) = read(eml, bundle, figure, self.options(motion, room));
         performer.set_view(self.view);
+        performer.set_captions(self.captions);
         self.performer = Some(performer);
         plain(&story)
     }

@@ -18,6 +18,9 @@ use crate::arm_ik::ARM_BONES;
 
 /// Joints that are bent by so much in all, radians, take the mean of the last goals.
 pub(super) const FORCED: f64 = 0.2;
+/// A hand or foot that is turned off its target by more, radians, says nothing any more of where
+/// elbow or knee should be: what strains it least changes with every sway of the body.
+const HOPELESS: f64 = 1.0;
 /// Joints of wrist or ankle.
 pub(super) const END: core::ops::Range<usize> = 3..ROLL;
 /// Less than this is nothing to make up for, radians.
@@ -62,9 +65,11 @@ pub(super) struct Met {
 }
 
 impl Met {
-    /// How far limits or reach keep the limb from its target, and its end, radians.
+    /// How far limits or reach keep the limb from its target, and its end, radians. What is beyond
+    /// [`HOPELESS`] at the end is the whole limb's.
     pub(super) fn forced_by(&self) -> [f64; 2] {
-        [self.forced, self.forced.max(self.forced_end)]
+        let limb = self.forced.max(self.forced_end - HOPELESS);
+        [limb, self.forced.max(self.forced_end)]
     }
 }
 

@@ -132,6 +132,7 @@ impl Layers {
                 top_m: lerp(room.top_m, to.top_m, s),
                 half_width_m: lerp(room.half_width_m, to.half_width_m, s),
                 span: room.span.towards(to.span, s),
+                ..room
             }
         })
     }

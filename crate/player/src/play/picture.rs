@@ -14,6 +14,8 @@ pub(crate) struct Picture {
     shots: ShotSequence,
     /// The page's own view, in place of the shot.
     view: Option<View>,
+    /// Share of the picture's height that captions take at its lower edge.
+    captions: f64,
     geometry: Geometry,
 }
 
@@ -35,6 +37,7 @@ impl Picture {
             shot,
             shots: ShotSequence::new(shot, story.shots.iter()),
             view: None,
+            captions: 0.0,
             geometry,
         }
     }
@@ -64,6 +67,11 @@ impl Picture {
         self.view = view;
     }
 
+    /// Keeps hands and feet above this share of the picture's height at its lower edge.
+    pub(crate) fn set_captions(&mut self, share: f64) {
+        self.captions = share;
+    }
+
     /// Whether the shots of a time make room for hands.
     pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
         self.shots.makes_room(time_secs)
@@ -82,6 +90,10 @@ impl Picture {
                 stature_m,
                 room,
             } = *subject;
+            let room = Room {
+                captions: self.view.map_or(self.captions, |_| 0.0),
+                ..room
+            };
             shot.frame(floor_in_world, stature_m, aspect, room)
         };
         match self.view {

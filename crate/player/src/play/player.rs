@@ -331,6 +331,12 @@ impl Player {
         self.picture.set_view(view);
     }
 
+    /// Keeps hands and feet above captions that take this share of the picture's height at its lower
+    /// edge, 0 to [`raconteur_stage::MOST_CAPTIONS`].
+    pub fn set_captions(&mut self, share: f64) {
+        self.picture.set_captions(share);
+    }
+
     fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
         // Where the script has moved the figure; the camera does not follow its sway.
