@@ -17,7 +17,7 @@ mod soundtrack;
 mod story;
 mod terminal;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, io};
 
@@ -114,7 +114,8 @@ pub(crate) enum Outcome {
 )]
 fn calm_device_layer() {
     const NO_LAYER: &str = "NODEVICE_SELECT";
-    if env::var_os("XDG_RUNTIME_DIR").is_none() && env::var_os(NO_LAYER).is_none() {
+    let session = env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).is_dir());
+    if !session && env::var_os(NO_LAYER).is_none() {
         // SAFETY: see above; this is the first thing that the program does.
         unsafe { env::set_var(NO_LAYER, "1") };
     }

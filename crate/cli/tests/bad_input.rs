@@ -373,12 +373,23 @@ fn a_new_story_plays_wherever_it_is() {
     assert!(checked.status.success() && told.is_empty(), "{told}");
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
     assert!(posed.status.success());
-    // Nor do messages of libraries get into the output, for one that there is no session.
-    let drawn = run(&[
-        "render", "first", "--at", "1", "--size", "32x32", "-o", "x.png",
-    ]);
-    let told = String::from_utf8_lossy(&drawn.stderr).into_owned();
-    assert!(drawn.status.success() && told.is_empty(), "{told}");
+    // Nor do messages of libraries get into the output, for one that there is no session, or that
+    // its folder is none.
+    for session in [None, Some("/no/such/folder"), Some("first/story.eml")] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
+        match session {
+            Some(folder) => command.env("XDG_RUNTIME_DIR", folder),
+            None => command.env_remove("XDG_RUNTIME_DIR"),
+        };
+        let picture = ["render", "first", "--at", "1", "--size", "32x32", "-o"];
+        command.args(picture).arg("x.png").current_dir(far.path());
+        let drawn = command.output().expect("the program runs");
+        let told = String::from_utf8_lossy(&drawn.stderr).into_owned();
+        assert!(
+            drawn.status.success() && told.is_empty(),
+            "{session:?}: {told}"
+        );
+    }
     // An existing file is not overwritten.
     assert!(!run(&["new", "first"]).status.success());
     assert!(

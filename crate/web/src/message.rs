@@ -167,7 +167,7 @@ impl Story {
 }
 
 impl Diagnostic {
-    fn new(diagnostic: eml::Diagnostic, lines: &LineIndex<'_>) -> Self {
+    pub(crate) fn new(diagnostic: eml::Diagnostic, lines: &LineIndex<'_>) -> Self {
         let position = |offset| {
             let characters = lines.position(offset);
             Position {

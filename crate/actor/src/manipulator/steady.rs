@@ -97,9 +97,9 @@ impl Stretch {
     /// Time after its end in which a limb comes to rest on its joints, even times.
     const RESTING: f64 = 10.0;
 
-    /// Samples around which the joints lead with one of them: for the spline to do so all the
-    /// way between two.
-    const AROUND: usize = 2;
+    /// Samples around which the joints lead with one of them: two for the spline to do so all the
+    /// way between two, and one for them to lead already when the target begins to snap.
+    const AROUND: usize = 3;
 
     /// Begins at an even time.
     pub(super) fn new(from: i64, first: i64, joints: Joints) -> Self {

@@ -1,8 +1,10 @@
 //! What a machine lacks.
 
-use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::PathBuf;
+use std::{env, fs};
 
-use crate::workshop::{Workshop, said};
+use crate::workshop::{UTTERANCES, Workshop, said};
 
 #[test]
 fn all_missing_programs_are_named_in_one_line() {
@@ -62,6 +64,47 @@ fn voices_of_the_script_are_named_with_the_others() {
     assert!(told.contains("localhost:1"), "{told}");
 }
 
+/// Where a program of this machine is.
+fn installed(name: &str) -> PathBuf {
+    let path = env::var_os("PATH").unwrap_or_default();
+    env::split_paths(&path)
+        .map(|folder| folder.join(name))
+        .find(|place| place.is_file())
+        .unwrap_or_else(|| panic!("{name} is not installed"))
+}
+
+#[test]
+fn without_festival_another_installed_engine_speaks() {
+    let workshop = Workshop::new();
+    // An engine, what the encoders need, and no festival.
+    let programs = workshop.path("bin");
+    for name in ["flite", "cat", "sleep"] {
+        symlink(installed(name), programs.join(name)).unwrap();
+    }
+    let bake = |more: &[&str]| {
+        let arguments = [&["bake", "story"][..], more].concat();
+        let mut command = workshop.command(&arguments);
+        command.env("PATH", &programs).output().unwrap()
+    };
+    let out = bake(&[]);
+    let told = said(&out);
+    assert!(out.status.success(), "{told}");
+    assert!(
+        told.contains("spoken by ") && told.contains("as festival is not here: "),
+        "{told}"
+    );
+    let text = fs::read(workshop.path("story/voice/speech.json")).unwrap();
+    let bundle: serde_json::Value = serde_json::from_slice(&text).unwrap();
+    let engine = bundle["voices"][0]["engine"].as_str().unwrap();
+    assert!(!engine.starts_with("festival"), "{engine}");
+    assert!(told.contains(engine.split(' ').next().unwrap()), "{told}");
+    assert_eq!(bundle["utterances"].as_array().unwrap().len(), UTTERANCES);
+    // One that somebody chose is not replaced.
+    let out = bake(&["--engine", "festival", "--pace", "1.5"]);
+    assert!(!out.status.success());
+    assert!(said(&out).contains("this needs festival"), "{}", said(&out));
+}
+
 #[test]
 fn voices_can_be_listed_without_any_engine() {
     let workshop = Workshop::new();
@@ -79,7 +122,7 @@ fn voices_can_be_listed_without_any_engine() {
 }
 
 /// Stories of a folder.
-fn stories(folder: &std::path::Path, found: &mut Vec<std::path::PathBuf>) {
+fn stories(folder: &std::path::Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.join("story.eml").is_file() {

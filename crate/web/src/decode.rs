@@ -1,0 +1,33 @@
+//! A script's bytes as text, before an engine is there to read it.
+
+use raconteur_player::eml::{LineIndex, decode};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::message::Diagnostic;
+use crate::player::plain;
+
+/// A script that was fetched.
+#[derive(Serialize)]
+struct Fetched {
+    text: String,
+    /// That some of its bytes are not UTF-8; the parser cannot know.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    problem: Option<Diagnostic>,
+}
+
+/// The text of a script's bytes, and what is wrong with those: `{text, problem}`.
+#[wasm_bindgen(js_name = decodeScript)]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "the bytes become the text without a copy"
+)]
+pub fn decode_script(bytes: Vec<u8>) -> Result<JsValue, JsError> {
+    let decoded = decode(bytes);
+    let lines = LineIndex::new(&decoded.text);
+    let problem = decoded.problem.map(|d| Diagnostic::new(d, &lines));
+    plain(&Fetched {
+        text: decoded.text.clone(),
+        problem,
+    })
+}

@@ -1,0 +1,38 @@
+/** Eight players on one page, each with a device of its own: all paint at once, and none is blank. */
+
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { story } from './fixture.js';
+import { expect, ready, test } from './stage.js';
+
+const PLAYERS = 8;
+/** Mean absolute difference of a picture from its own mean: a canvas of one colour has none. */
+const LEAST_SPREAD = 4;
+
+test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag: '@draws' }, async ({ stage, page }) => {
+  test.setTimeout(300_000);
+  const text = "<voice-text time='0'>All of us speak at once and for quite a while.</voice-text><null time='60'/>";
+  const one = '<raconteur-player src="story.eml" quality="lowest" loading="eager" muted></raconteur-player>';
+  await stage.open(`<main>${one.repeat(PLAYERS)}</main>`, {
+    'story.eml': story(text),
+    'test.css': 'main { display: grid; grid-template-columns: repeat(4, 112px); gap: 4px } raconteur-player { width: 112px; height: 150px; aspect-ratio: auto } body { margin: 0 }',
+  });
+  const players = await page.locator('raconteur-player').all();
+  expect(players).toHaveLength(PLAYERS);
+  for (const player of players) await ready(player);
+  const shown = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => ({ first: player.statistics?.firstFrameMs ?? 0, calls: player.statistics?.drawCalls ?? 0, backend: player.backend })),
+    );
+  await expect.poll(async () => (await shown()).every(({ first, calls }) => first > 0 && calls > 0), { timeout: 60_000 }).toBe(true);
+  for (const { spread } of await Promise.all(players.map((player) => stage.picture(player)))) expect(spread).toBeGreaterThan(LEAST_SPREAD);
+  await page.evaluate(() => Promise.all([...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => player.play())));
+  await stage.until(1, players.at(-1));
+  const before = await Promise.all(players.map((player) => stage.picture(player)));
+  const times = await Promise.all(players.map((player) => stage.time(player)));
+  for (const [i, player] of players.entries()) await stage.until((times[i] ?? 0) + 1.5, player);
+  const after = await Promise.all(players.map((player) => stage.picture(player)));
+  for (const [i, { spread, png }] of after.entries()) {
+    expect(spread, `player ${i}`).toBeGreaterThan(LEAST_SPREAD);
+    expect(await stage.difference(png, before[i]?.png ?? png), `player ${i}`).toBeGreaterThan(0.05);
+  }
+});
