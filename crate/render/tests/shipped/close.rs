@@ -24,9 +24,9 @@ const VIEWS: [(At, f64, f64); 6] = [
 const SIDE: usize = 192;
 /// The most that skin may be brighter than chalk, of 255: 45 is drawn, and 96 to 109 were before.
 const GLOW: i32 = 65;
-/// The most pixels of grain in the pictures of a figure: 42 to 79 are drawn, and 120 to 218 were
+/// The most pixels of grain in the pictures of a figure: 17 to 37 are drawn, and 120 to 218 were
 /// before.
-const GRAIN: usize = 97;
+const GRAIN: usize = 45;
 
 /// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255: what
 /// lights up alone.
