@@ -44,6 +44,40 @@ test('a poem comes with the figure whose voice it has, unless another is asked f
   await expect.poll(() => current(page), { timeout: 60_000 }).toBe('nuno');
 });
 
+test('who was chosen tells the next story, too, and so does a file of the user', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  await page.getByRole('button', { name: 'Papous' }).click();
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('papous');
+  await page.getByRole('button', { name: /Die zwei Parallelen/ }).click();
+  await expect(page).toHaveURL(/#zwei-parallelen\/papous$/);
+  await ready(page.locator('raconteur-player'));
+  expect(await current(page)).toBe('papous');
+  await expect(page.getByRole('button', { name: 'Papous' })).toHaveAttribute('aria-pressed', 'true');
+  // Chosen while a story is on its way, she stays as well.
+  await page.getByRole('button', { name: 'Amara' }).click();
+  await page.getByRole('button', { name: /Hello world/ }).click();
+  await expect(page).toHaveURL(/#hello-world\/amara$/);
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('amara');
+
+  await page.getByLabel('Yours').setInputFiles({ name: 'mine.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(join(figures, 'sofia.glb')) });
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('mine.glb');
+  await expect(page).toHaveURL(/#hello-world$/);
+  await page.getByRole('button', { name: /Lusíadas/ }).click();
+  await expect.poll(() => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.label)).toBe('Os Lusíadas');
+  await ready(page.locator('raconteur-player'));
+  expect(await current(page)).toBe('mine.glb');
+});
+
+test('after a file that is no figure the story still chooses its own teller', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  await page.getByLabel('Yours').setInputFiles({ name: 'broken.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('no figure at all') });
+  await expect(page.locator('#cast-trouble')).toContainText('broken.glb', { timeout: 60_000 });
+  await page.getByRole('button', { name: /Die zwei Parallelen/ }).click();
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('nuno');
+});
+
 test('a file of the user performs, and a broken one says what is wrong', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   await open(page);

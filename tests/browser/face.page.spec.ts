@@ -172,6 +172,47 @@ test('layers show springs and muscles, over the skin and without it', async ({ s
   await expect(page.getByRole('button', { name: 'Front', exact: true })).toHaveAttribute('aria-pressed', 'true');
 });
 
+test('the text is saved as a file', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const [saved] = await Promise.all([page.waitForEvent('download'), press(page, 'Download')]);
+  expect(saved.suggestedFilename()).toBe('face.eml');
+  expect(readFileSync(await saved.path(), 'utf8')).toBe(await eml(page));
+});
+
+for (const [width, height] of [
+  [1280, 720],
+  [1440, 900],
+  [1024, 768],
+  [390, 844],
+] as const) {
+  test(`the last row of each panel is reached and seen at ${width} × ${height}`, async ({ stage, page }) => {
+    expect(stage.backend).toBe('page');
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.setViewportSize({ width, height });
+    // The layout is there without anybody on stage.
+    await page.route(/\.(wasm|glb)$/, (route) => route.abort());
+    await page.goto('/face/');
+    for (const tab of ['Muscles', 'Jaw & more', 'Visemes']) {
+      await turnTo(page, tab);
+      const last = page.locator('.dial').last();
+      // As the keyboard comes to it.
+      await last.getByRole('slider').focus();
+      const seen = await last.evaluate((row) => {
+        const { left, right, top, bottom } = row.getBoundingClientRect();
+        const panel = row.closest('.panel');
+        // The lower edge of a panel that scrolls fades.
+        const edge = panel !== null && getComputedStyle(panel).maskImage !== 'none' ? panel.getBoundingClientRect().bottom - 32 : Infinity;
+        const over = (x: number, y: number) => row.contains(document.elementFromPoint(x, y));
+        return { top, bottom, edge, free: over(left + 4, top + 4) && over(right - 4, top + 4) && over((left + right) / 2, bottom - 4) };
+      });
+      expect(seen.top, tab).toBeGreaterThanOrEqual(0);
+      expect(seen.bottom, tab).toBeLessThanOrEqual(Math.min(height, seen.edge + 1));
+      expect(seen.free, tab).toBe(true);
+    }
+  });
+}
+
 for (const { colorScheme, device, width, height } of LOOKS) {
   test(`the face is accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ stage, page }) => {
     expect(stage.backend).toBe('page');

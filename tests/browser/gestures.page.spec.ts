@@ -1,6 +1,7 @@
 /** The workshop for gestures: dragging, sliders, typing and undo. */
 
 import type { Locator, Page } from '@playwright/test';
+import { curvesOf } from '../../web/element/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
 import { expect, poseOf, ready, test } from './stage.js';
@@ -285,6 +286,98 @@ test('it plays in a loop, and the text can be taken away', async ({ stage, page,
   await expect.poll(() => text(page)).toContain('name="point"');
   await page.keyboard.press('Control+z');
   await expect.poll(() => text(page)).toContain('name="wave"');
+});
+
+test('an element that is ended by hand has one end', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  await type(page, '');
+  await page.keyboard.type('<eml><body></body></eml>');
+  await expect.poll(() => text(page)).toBe('<eml><body></body></eml>');
+});
+
+for (const [width, height] of [
+  [390, 844],
+  [1024, 768],
+  [1440, 900],
+] as const) {
+  test(`each line of the text has its number beside it, and the first is whole, at ${width} pixels`, async ({ stage, page }) => {
+    expect(stage.backend).toBe('page');
+    await open(page, width, height);
+    // Also while it is out of sight, where heights are not measured.
+    const drift = (): Promise<string[]> =>
+      page.locator('.cm-content').evaluate((content) => {
+        const lines = [...content.querySelectorAll('.cm-line')];
+        return lines.flatMap((line, i) => (getComputedStyle(line, '::before').content.startsWith(`"${i + 1}"`) ? [] : [`${i + 1}: ${getComputedStyle(line, '::before').content}`]));
+      });
+    expect(await drift()).toEqual([]);
+    await page.locator('#editor').scrollIntoViewIfNeeded();
+    const first = async (): Promise<number> => {
+      const [line, box] = [await page.locator('.cm-line').first().boundingBox(), await page.locator('#editor').boundingBox()];
+      return (line?.y ?? NaN) - (box?.y ?? NaN);
+    };
+    await expect.poll(first).toBeGreaterThanOrEqual(0);
+    expect(await drift()).toEqual([]);
+    // A line more, and all below it have other numbers.
+    await page.locator('.cm-content').press('ControlOrMeta+Home');
+    await page.locator('.cm-content').press('Enter');
+    await expect.poll(drift).toEqual([]);
+  });
+}
+
+for (const [width, height] of [
+  [390, 844],
+  [1024, 1366],
+  [1920, 1080],
+] as const) {
+  test(`a hand that gestures is in the picture from every side at ${width} × ${height}`, async ({ stage, page }) => {
+    expect(stage.backend).toBe('page');
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await open(page, width, height);
+    const player = page.locator('raconteur-player');
+    const sides = page.getByLabel('Seen', { exact: true });
+    for (const figure of ['sofia', 'papous', 'kenji']) {
+      await page.locator('#tools').getByLabel('On stage').selectOption(figure);
+      await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentFigure), { timeout: 60_000 }).toBe(figure);
+      for (const side of await sides.locator('option').allTextContents()) {
+        await sides.selectOption(side);
+        await page.waitForTimeout(500);
+        const pose = await poseOf(player);
+        const box = await player.boundingBox();
+        if (pose === undefined || box === null) throw new Error('nobody is on stage');
+        const hand = pose.joints.filter(({ name }) => /^bone_r_(wrist|thumb|index|middle|ring|pinky)/.test(name));
+        expect(hand.length).toBeGreaterThan(10);
+        const rooms = hand.map(({ position }) => {
+          const { x, y } = pose.camera.project(position, box.width, box.height) ?? { x: NaN, y: NaN };
+          return Math.min(x, box.width - x, y, box.height - y);
+        });
+        // A fingertip is further than its joint.
+        expect(Math.min(...rooms) / Math.min(box.width, box.height), `${figure}, ${side}`).toBeGreaterThan(0.06);
+      }
+    }
+  });
+}
+
+test('the eyes are open while the editor shows its pose', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  const player = page.locator('raconteur-player');
+  const lid = async (): Promise<number> => {
+    const told = await player.evaluate((p: RaconteurPlayer) => [...(p.course(p.currentTime, p.currentTime, 1)?.curves ?? [])]);
+    const { upperLidLeft, upperLidRight } = curvesOf({ curves: Float32Array.from(told) }, 1).direct;
+    return Math.max(upperLidLeft[0] ?? NaN, upperLidRight[0] ?? NaN);
+  };
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentTime)).toBeGreaterThan(0);
+  expect(await lid()).toBeLessThan(0.3);
+  // Also at every key and phase that is looked at after that.
+  for (const tab of ['Phase', 'Hand shape', 'Palm', 'Place', 'Course']) {
+    await step(page, tab);
+    for (const button of await page.locator('.lane.keys').getByRole('button').all()) {
+      await button.click({ force: true });
+      expect(await lid(), `${tab}, ${(await button.getAttribute('aria-label')) ?? ''}`).toBeLessThan(0.3);
+    }
+  }
 });
 
 for (const { colorScheme, device, width, height } of LOOKS) {

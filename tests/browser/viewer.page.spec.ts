@@ -216,6 +216,62 @@ test('a file of the user is shown, and a wrong one says what is wrong', async ({
   expect(await stage.difference(before, await picture(stage))).toBeGreaterThan(0.2);
 });
 
+test('the camera stays above the floor, however one drags, shifts and steps back', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const height = async (): Promise<number> => (await poseOf(page.locator('raconteur-player')))?.camera.eye[1] ?? NaN;
+  const pad = page.locator('#pad');
+  await pad.focus();
+  for (const keys of [Array<string>(10).fill('ArrowDown'), Array<string>(6).fill('-'), Array<string>(12).fill('Shift+ArrowDown'), Array<string>(10).fill('ArrowDown')]) {
+    for (const key of keys) await pad.press(key);
+    await page.waitForTimeout(500);
+    expect(await height()).toBeGreaterThan(0.1);
+  }
+  await pad.press('Home');
+  const box = await pad.boundingBox();
+  if (box === null) throw new Error('no pad');
+  await page.mouse.move(box.x + 30, box.y + box.height - 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 30, box.y + 20, { steps: 6 });
+  await page.mouse.up();
+  await page.waitForTimeout(500);
+  expect(await height()).toBeGreaterThan(0.1);
+  // And yet one sees the figure from below.
+  const { eye, target } = (await poseOf(page.locator('raconteur-player')))!.camera;
+  expect(eye[1]).toBeLessThan(target[1]);
+});
+
+test('the handle of the head leaves the face free, for every figure', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const player = page.locator('raconteur-player');
+  for (const figure of ['Sofia', 'Papous', 'Nuno', 'Amara', 'Kenji', 'Lia']) {
+    await page.getByRole('button', { name: figure, exact: true }).click();
+    await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentFigure), { timeout: 60_000 }).toBe(figure.toLowerCase());
+    await page.waitForTimeout(500);
+    const pose = (await poseOf(player))!;
+    const frame = (await player.boundingBox())!;
+    const skull = pose.joints.find((found) => found.name === 'bone_skull')!;
+    const dot = (await page.locator('[data-limb=head] span').boundingBox())!;
+    // The crown of a head of middle size, metres above the joint.
+    const crown = pose.camera.project([skull.position[0], skull.position[1] + 0.16, skull.position[2]], frame.width, frame.height)!;
+    expect(dot.y + dot.height, figure).toBeLessThan(frame.y + crown.y);
+    expect(dot.y, figure).toBeGreaterThan(frame.y);
+  }
+});
+
+test('the text is copied and saved as a file', async ({ stage, page, context }) => {
+  expect(stage.backend).toBe('page');
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page);
+  await page.getByRole('button', { name: 'Copy', exact: true }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(await eml(page));
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download' }).click()]);
+  expect(saved.suggestedFilename()).toBe('viewer.eml');
+  expect(readFileSync(await saved.path(), 'utf8')).toBe(await eml(page));
+  await expect(page.locator('#status')).toHaveText('viewer.eml is saved.');
+});
+
 for (const { colorScheme, device, width, height } of LOOKS) {
   test(`the viewer is accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ stage, page }) => {
     expect(stage.backend).toBe('page');

@@ -3,13 +3,23 @@
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Diagnostic } from '../element/types.js';
 
-/** Connects the row of faces with a player; `changed` is called with the name of a chosen figure of the library. */
+/** A figure of the library, a file of the user's own, or nobody, which leaves the choice to the story. */
+type Teller = string | File | undefined;
+
+/** Begins the codes of what is not about a figure. */
+const OF_ELSE = /^(voice|sound|engine|mind|live|tell|figure-unusable)/;
+
+/** Connects the row of faces with a player; `changed` is called with the name of a chosen figure of the library, empty for any other. */
 export function cast(player: RaconteurPlayer, changed: (figure: string) => void): (figure: string) => void {
   const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-figure]')];
   const file = document.querySelector<HTMLInputElement>('#own-figure');
   const name = document.querySelector('#own-name');
   const trouble = document.querySelector('#cast-trouble');
+  const remarks = document.querySelector<HTMLDetailsElement>('#own-remarks');
   const theatre = player.parentElement;
+  /** Who was chosen last, and the last of those who came on stage. */
+  let asked: Teller;
+  let settled: Teller;
 
   /** Marks the figure on stage, and the one that is on its way. */
   const mark = (): void => {
@@ -20,40 +30,44 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void)
       button.setAttribute('aria-busy', String(figure === player.figure && figure !== onStage));
     }
     file?.closest('label')?.classList.toggle('chosen', !buttons.some((b) => b.dataset['figure'] === onStage));
+    if (remarks !== null) remark(remarks, asked instanceof File && asked.name === onStage ? player.diagnostics : []);
   };
 
-  const choose = (figure: string): void => {
-    if (!buttons.some((b) => b.dataset['figure'] === figure)) return;
-    if (trouble !== null) trouble.textContent = '';
-    player.figure = figure;
-    changed(figure);
+  const put = (teller: Teller): void => {
+    asked = teller;
+    if (name !== null) name.textContent = teller instanceof File ? teller.name : 'Yours';
+    if (teller instanceof File) player.useFigure(teller);
+    else player.figure = teller;
+    changed(typeof teller === 'string' ? teller : '');
     mark();
   };
 
-  const useOwn = (own: File | undefined): void => {
-    if (own === undefined) return;
+  const choose = (teller: Teller): void => {
+    if (teller === undefined || (typeof teller === 'string' && !buttons.some((b) => b.dataset['figure'] === teller))) return;
     if (trouble !== null) trouble.textContent = '';
-    if (name !== null) name.textContent = own.name;
-    player.useFigure(own);
+    put(teller);
+  };
+
+  const came = (): void => {
+    const wanted = asked instanceof File ? asked.name : asked;
+    if (wanted === undefined || wanted === player.currentFigure) settled = asked;
     mark();
   };
 
-  for (const button of buttons) button.addEventListener('click', () => choose(button.dataset['figure'] ?? ''));
+  for (const button of buttons) button.addEventListener('click', () => choose(button.dataset['figure']));
   file?.addEventListener('change', () => {
-    useOwn(file.files?.[0]);
+    choose(file.files?.[0]);
     // Choosing the same file again is a choice, too: it may have been mended.
     file.value = '';
   });
-  player.addEventListener('figurechange', mark);
-  player.addEventListener('loadedmetadata', mark);
+  player.addEventListener('figurechange', came);
+  player.addEventListener('loadedmetadata', came);
   player.addEventListener('diagnostic', (event) => {
     const { detail } = event as CustomEvent<Diagnostic>;
     if (detail.code !== 'figure-unusable') return;
     // The figure before is still on stage, so it is the one that is chosen.
     if (trouble !== null) trouble.textContent = `${detail.message} ${detail.hints.join(' ')}`;
-    if (name !== null && !buttons.some((b) => b.dataset['figure'] === player.figure)) name.textContent = 'Yours';
-    if (player.figure !== undefined) player.figure = player.currentFigure;
-    mark();
+    if (asked !== settled) put(settled);
   });
 
   theatre?.addEventListener('dragover', (event) => {
@@ -65,7 +79,25 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void)
   theatre?.addEventListener('drop', (event) => {
     event.preventDefault();
     theatre.classList.remove('drop');
-    useOwn(event.dataTransfer?.files[0]);
+    choose(event.dataTransfer?.files[0]);
   });
   return choose;
+}
+
+/** Lists what is to be said of the user's own figure, folded; nothing is shown where nothing is. */
+function remark(place: HTMLDetailsElement, diagnostics: readonly Diagnostic[]): void {
+  const said = diagnostics.filter(({ code, start }) => start === undefined && !OF_ELSE.test(code));
+  const lines = said.map(({ message, hints }) => [message, ...hints].join(' '));
+  const list = place.querySelector('ul');
+  const summary = place.querySelector('summary');
+  if (list === null || summary === null) return;
+  place.hidden = lines.length === 0;
+  summary.textContent = `${lines.length} ${lines.length === 1 ? 'remark' : 'remarks'} on your figure`;
+  list.replaceChildren(
+    ...lines.map((line) => {
+      const item = document.createElement('li');
+      item.textContent = line;
+      return item;
+    }),
+  );
 }

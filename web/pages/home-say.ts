@@ -3,7 +3,9 @@
 import type { RaconteurPlayer } from '../element/index.js';
 import { told } from '../speech/told.js';
 import { INVITATIONS } from '../speech/words.js';
+import { showStage } from './home-stage.js';
 import { Voices } from './home-voice.js';
+import { save } from './workbench.js';
 
 /** Where the address has a text that was shared, and before it its language where that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
@@ -15,15 +17,6 @@ const shared = (text: string, language: string): string => `#say${language === '
 interface Stage {
   /** The chosen story has left the stage, for this script. */
   clear(script: string): void;
-}
-
-/** Hands a file to the visitor. */
-function save(file: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(file);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
 /** Lets the form put texts on the stage; whether the address had one. */
@@ -52,6 +45,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     history.replaceState(null, '', shared(field.value, language.value));
     note.textContent = '';
     await voices.bring(language.value);
+    if (plays) showStage(player);
     player.label = 'Your own words';
     player.pause();
     await player.rehearse(next);

@@ -5,6 +5,7 @@ import './home-code.js';
 import { cast } from './home-cast.js';
 import { lines } from './home-lines.js';
 import { say } from './home-say.js';
+import { showStage } from './home-stage.js';
 import { textsOf } from './home-script.js';
 
 const player = document.querySelector('raconteur-player');
@@ -54,12 +55,11 @@ async function readScript(): Promise<void> {
 
 for (const button of buttons) {
   button.addEventListener('click', () => {
+    // Each story has its own storyteller until another is chosen, who then stays.
     choose(short(button));
-    // Each story has its own storyteller until another is chosen.
-    figure = '';
-    if (player !== null) player.figure = undefined;
     remember();
     player?.play().catch(() => undefined);
+    if (player !== null) showStage(player);
   });
 }
 script?.closest('details')?.addEventListener('toggle', () => void readScript());

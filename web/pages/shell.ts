@@ -5,7 +5,7 @@ import { html, nothing, render, type TemplateResult } from 'lit';
 import { SETTLED_SECS, type PageState } from './page-state.js';
 import { cast } from './home-cast.js';
 import { Tabs } from './tabs.js';
-import { copyText, onUndoKeys, byId } from './workbench.js';
+import { copyText, onUndoKeys, byId, saveScript } from './workbench.js';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 /** Problems that are listed; the rest is counted. */
@@ -58,6 +58,7 @@ export class Shell<S extends object, T extends string> {
         if (outcome !== undefined) this.say(outcome);
       });
     });
+    byId('download').addEventListener('click', () => this.say(`${saveScript(this.#app.eml, 'raconteur')} is saved.`));
     // Who types undoes letters.
     onUndoKeys(
       () => this.#app.undo(),

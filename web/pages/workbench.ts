@@ -28,6 +28,25 @@ export function copyText(text: string, tell: (outcome: 'Copied' | 'Select and co
   navigator.clipboard.writeText(text).then(told('Copied'), told('Select and copy by hand'));
 }
 
+/** The browser has taken a file by then. */
+const TAKEN_MS = 10_000;
+
+/** Hands a file to the visitor. */
+export function save(file: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(file);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), TAKEN_MS);
+}
+
+/** Hands a script to the visitor, under the name that it has in itself; that name. */
+export function saveScript(text: string, otherwise: string): string {
+  const name = `${/<eml[^>]*\sname=["']([\w-]+)["']/.exec(text)?.[1] ?? otherwise}.eml`;
+  save(new Blob([text], { type: 'application/xml' }), name);
+  return name;
+}
+
 /** Connects the keys for undo and redo with the whole page; where `leaves` says so, they keep their own meaning. */
 export function onUndoKeys(undo: () => void, redo: () => void, leaves: (event: KeyboardEvent) => boolean = () => false): void {
   document.addEventListener('keydown', (event) => {

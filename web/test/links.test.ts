@@ -37,6 +37,14 @@ describe('links of the site', () => {
     expect(deadLinks(site).map(({ href }) => href)).toEqual(dead);
   });
 
+  test('a folder needs its slash and an address its page, however the link is written', () => {
+    const dead = ['docs', 'docs?q=1', 'docs#top', '../docs', '/docs', '/docs/', 'docs/../docs'];
+    file('docs/index.html', '<h1 id="top">d</h1>');
+    file('index.html', dead.map((href, i) => [`<a href='${href}'>x</a>`, `<a title="a > b" href="${href}">x</a>`, `<a href=${href}>x</a>`][i % 3]).join(''));
+    file('fine.html', `<a href='docs/'>x</a><a href=docs/#top>x</a><a title="a > b" href="docs/?q=1">x</a>`);
+    expect(deadLinks(site)).toEqual(dead.map((href) => ({ page: 'index.html', href })));
+  });
+
   test('markup that is shown as code is not followed', () => {
     file('index.html', '<pre><code>&lt;a href="none.html"&gt;</code></pre><!-- <a href="gone.html">x</a> -->');
     expect(deadLinks(site)).toEqual([]);

@@ -17,15 +17,21 @@ function* filesOf(folder: string): Generator<string> {
   }
 }
 
+/** A tag, with whatever stands in the quotes of its attributes. */
+const TAG = /<[a-z](?:[^>"']|"[^"]*"|'[^']*')*>/gi;
+/** An attribute that names an address: in quotes of either kind, or bare. */
+const ADDRESS = /\s(?:href|src|poster|assets)\s*=\s*(?:"([^"]*)"|'([^']*)'|([^\s"'>]+))/gi;
+
 /** Addresses that a page names: links, pictures, scripts, styles. What stands in code is text, not markup. */
 function addressesOf(html: string): string[] {
   const markup = html.replace(/<!--[\s\S]*?-->/g, '');
-  return [...markup.matchAll(/<[a-z][^>]*?\s(?:href|src|poster|assets)="([^"]*)"[^>]*>/g)].flatMap(([tag]) =>
-    [...tag.matchAll(/\s(?:href|src|poster|assets)="([^"]*)"/g)].map(([, address = '']) => address.replace(/&amp;/g, '&')),
-  );
+  return [...markup.matchAll(TAG)].flatMap(([tag]) => [...tag.matchAll(ADDRESS)].map(([, double, single, bare]) => (double ?? single ?? bare ?? '').replace(/&amp;/g, '&')));
 }
 
-/** Links within the site in `folder` to files or places of a page that are not there. Other sites are not fetched. */
+/**
+ * Links within the site in `folder` to files or places of a page that are not there, to a folder without its slash, or
+ * from the root of the server, which need not be the site's. Other sites are not fetched.
+ */
 export function deadLinks(folder: string): DeadLink[] {
   const dead: DeadLink[] = [];
   const texts = new Map<string, string>();
@@ -41,6 +47,11 @@ export function deadLinks(folder: string): DeadLink[] {
     for (const href of new Set(addressesOf(read(path)))) {
       const url = new URL(href, base + page);
       if (!url.href.startsWith(base)) continue;
+      // The site may be served from any folder.
+      if (href.startsWith('/')) {
+        dead.push({ page, href });
+        continue;
+      }
       let target = join(folder, decodeURIComponent(url.pathname));
       // A folder without a slash is redirected by some servers and lost by others.
       const isFolder = existsSync(target) && statSync(target).isDirectory();

@@ -2,8 +2,9 @@
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { View } from '../../element/types.js';
+import { leastTilt } from '../pad.js';
 import { PageState } from '../page-state.js';
-import { readPose } from '../../element/pose.js';
+import { minus, readPose } from '../../element/pose.js';
 import { beginning, type State } from './state.js';
 import { write } from './write.js';
 
@@ -27,6 +28,9 @@ export class App extends PageState<State> {
   #begins = false;
   /** The middle of the head, from what the shot of the whole figure looks at; until it is known, that of somebody of middle height. */
   #head: readonly [number, number, number] = [0, 0.72, 0.05];
+  /** How high the middle of the head is, and how far the camera of the whole figure from what that looks at, metres. */
+  #height = 1.6;
+  #distance = 5;
   #view: View = { ...this.from, right: 0, up: 0 };
 
   constructor(
@@ -45,10 +49,11 @@ export class App extends PageState<State> {
   /** Looks from elsewhere; the head stays in the middle. */
   look(look: Partial<Look>): void {
     const next = { ...this.from, ...look };
+    const zoom = Math.min(12, Math.max(1.5, next.zoom));
     this.from = {
       turn: Math.atan2(Math.sin(next.turn), Math.cos(next.turn)),
-      tilt: Math.min(1.2, Math.max(-0.8, next.tilt)),
-      zoom: Math.min(12, Math.max(1.5, next.zoom)),
+      tilt: Math.min(1.2, Math.max(-0.8, leastTilt(this.#height, this.#distance / zoom), next.tilt)),
+      zoom,
     };
     this.#aim();
     this.redraw();
@@ -72,6 +77,8 @@ export class App extends PageState<State> {
     const shot = [tx - Math.cos(turn) * right, ty - up, tz + Math.sin(turn) * right] as const;
     const head = MIDDLE_M.map((m, i) => (skull.position[i] ?? 0) + m - (shot[i] ?? 0));
     this.#head = [head[0] ?? 0, head[1] ?? 0, head[2] ?? 0];
+    this.#height = skull.position[1] + MIDDLE_M[1];
+    this.#distance = Math.hypot(...minus(pose.camera.eye, pose.camera.target)) * this.#view.zoom;
     this.#aim();
   }
 

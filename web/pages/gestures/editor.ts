@@ -9,9 +9,10 @@ import { xml } from '@codemirror/lang-xml';
 import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, setDiagnostics, type Diagnostic as Mark } from '@codemirror/lint';
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
-import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
+import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import type { Diagnostic, Place } from '../../element/types.js';
+import { lineNumbers } from './line-numbers.js';
 import type { Change } from './source.js';
 
 const look = EditorView.theme({
@@ -105,14 +106,15 @@ export class Editor {
       state: EditorState.create({
         doc: text,
         extensions: [
-          lineNumbers(),
+          lineNumbers,
           highlightSpecialChars(),
           history({ newGroupDelay: Infinity, joinToEvent: steps.join }),
           drawSelection(),
           indentOnInput(),
           bracketMatching(),
           highlightActiveLine(),
-          xml(),
+          // Who ends an element by hand finds no second end behind it.
+          xml({ autoCloseTags: false }),
           syntaxHighlighting(colours),
           lintGutter(),
           EditorView.lineWrapping,
@@ -201,7 +203,10 @@ export class Editor {
   /** Brings a place of the text into view within the editor; page and focus stay where they are. */
   reveal(at: number): void {
     const { scrollDOM } = this.#view;
-    const { top } = this.#view.lineBlockAt(Math.min(at, this.#view.state.doc.length));
-    scrollDOM.scrollTop = top - scrollDOM.clientHeight / 3;
+    const { top, bottom } = this.#view.lineBlockAt(Math.min(at, this.#view.state.doc.length));
+    const { scrollTop, clientHeight } = scrollDOM;
+    if (top >= scrollTop && bottom <= scrollTop + clientHeight) return;
+    // The line on top is whole.
+    scrollDOM.scrollTop = this.#view.lineBlockAtHeight(Math.max(0, top - clientHeight / 3)).top;
   }
 }

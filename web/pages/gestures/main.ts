@@ -4,7 +4,7 @@ import type { View } from '../../element/types.js';
 import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openEyesAt } from '../face/course.js';
-import { copyText, findPlayer, onUndoKeys, byId } from '../workbench.js';
+import { copyText, findPlayer, onUndoKeys, byId, saveScript } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
 import { remember, remembered } from './memory.js';
@@ -24,13 +24,13 @@ const FIGURES: Readonly<Record<string, string>> = {
   lia: 'Lia',
 };
 const SPEEDS = [0.5, 1, 1.5];
-/** From where the stage is seen; the first is where the audience sits. */
+/** From where the stage is seen, with room for a raised hand where the picture is narrow, too; the first is where the audience sits. */
 const SIDES: Readonly<Record<string, View | undefined>> = {
   'From the front': undefined,
-  'From near by': { turn: 0, tilt: 0.05, zoom: 2.1, right: 0, up: 0.42 },
+  'From near by': { turn: 0, tilt: 0.05, zoom: 1.6, right: 0, up: 0.36 },
   'From its left': { turn: Math.PI / 2, tilt: 0.05, zoom: 1.7, right: -0.1, up: 0.36 },
   'From its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
-  'From above': { turn: 0, tilt: 1.35, zoom: 1.7, right: 0, up: 0.3 },
+  'From above': { turn: 0, tilt: 1.35, zoom: 1.55, right: 0, up: 0.3 },
 };
 /** A look that is none: the shot again. */
 const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
@@ -108,14 +108,7 @@ function copy(): void {
 }
 
 function download(): void {
-  const name = /<eml[^>]*\sname=["']([\w-]+)["']/.exec(app.editor.text)?.[1] ?? 'gesture';
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([app.editor.text], { type: 'application/xml' }));
-  link.download = `${name}.eml`;
-  link.click();
-  // The browser has taken the file by then.
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-  say(`${link.download} is saved.`);
+  say(`${saveScript(app.editor.text, 'gesture')} is saved.`);
 }
 
 function seen(event: Event): void {

@@ -3,7 +3,8 @@
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { View } from '../../element/types.js';
 import { PageState } from '../page-state.js';
-import { readPose, type PoseNow } from '../../element/pose.js';
+import { leastTilt } from '../pad.js';
+import { minus, readPose, type PoseNow } from '../../element/pose.js';
 import { jointsNow } from './joints.js';
 import { Paces } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';
@@ -15,6 +16,9 @@ export type Tab = 'animations' | 'manipulators' | 'look';
 /** The whole figure from the front, with room for a hand over the head. */
 export const FRONT: View = { turn: 0, tilt: 0.04, zoom: 1.18, right: 0, up: -0.12 };
 
+/** By then the picture shows from where one looks. */
+const SHOWN_MS = 250;
+
 export class App extends PageState<State> {
   tab: Tab = 'animations';
   limb: LimbName = 'rightArm';
@@ -22,6 +26,9 @@ export class App extends PageState<State> {
   /** What the picture shows; undefined before the first. */
   pose: PoseNow | undefined;
   readonly #paces = new Paces(this.state);
+  /** Of the shot that the view is a look from: how high its middle is and how far the camera, metres. Until it is known, those of somebody of middle height. */
+  #shot = { height: 0.9, distance: 5 };
+  #lookedMs = -Infinity;
 
   constructor(
     player: RaconteurPlayer,
@@ -50,13 +57,17 @@ export class App extends PageState<State> {
   /** Looks from elsewhere. */
   look(view: Partial<View>): void {
     const next = { ...this.view, ...view };
+    const zoom = Math.min(8, Math.max(0.6, next.zoom));
+    const up = Math.min(1.2, Math.max(-1.2, next.up));
+    const least = leastTilt(this.#shot.height + up, this.#shot.distance / zoom);
     this.view = {
       turn: Math.atan2(Math.sin(next.turn), Math.cos(next.turn)),
-      tilt: Math.min(1.4, Math.max(-0.5, next.tilt)),
-      zoom: Math.min(8, Math.max(0.6, next.zoom)),
+      tilt: Math.min(1.4, Math.max(-0.5, least, next.tilt)),
+      zoom,
       right: Math.min(1, Math.max(-1, next.right)),
-      up: Math.min(1.2, Math.max(-1.2, next.up)),
+      up,
     };
+    this.#lookedMs = performance.now();
     this.player.look(this.view);
     this.redraw();
   }
@@ -67,14 +78,21 @@ export class App extends PageState<State> {
   }
 
   protected override draw(): void {
-    this.pose = readPose(this.player) ?? this.pose;
+    this.#readPose();
     this.render();
+  }
+
+  #readPose(): void {
+    this.pose = readPose(this.player) ?? this.pose;
+    if (this.pose === undefined || performance.now() - this.#lookedMs < SHOWN_MS) return;
+    const { eye, target } = this.pose.camera;
+    this.#shot = { height: target[1] - this.view.up, distance: Math.hypot(...minus(eye, target)) * this.view.zoom };
   }
 
   /** The figure has moved by itself: only what lies over the picture goes along. */
   goAlong(): void {
     if (this.drawing) return;
-    this.pose = readPose(this.player) ?? this.pose;
+    this.#readPose();
     this.renderOverlay();
   }
 

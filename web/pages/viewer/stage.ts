@@ -8,6 +8,8 @@ import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';
 
+/** From the skull's joint to the handle of the head, over the crown: units of the figure, who stands 77 high. */
+const OVER_HEAD = 10.7;
 /** Degrees that the head turns for each pixel that its handle is drawn. */
 const NOD = 0.5;
 
@@ -37,10 +39,8 @@ function steps(event: KeyboardEvent): Triple | undefined {
 function handlePlace(app: App, pose: PoseNow, name: LimbName): Vector | undefined {
   const limb = app.state.limbs[name];
   const end = endOf(pose, name);
-  if (name === 'head') {
-    // In the middle of the face, not where the skull hangs on the neck.
-    return end && along(end.position, end.axes[0], 0.08);
-  }
+  // Over the crown: what is looked at is the face.
+  if (name === 'head') return end && along(end.position, end.axes[0], OVER_HEAD * pose.metresPerUnit);
   return limb.lead === 'place' ? toWorld(pose, limb.place) : end?.position;
 }
 
