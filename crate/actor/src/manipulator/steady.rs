@@ -98,8 +98,8 @@ impl Stretch {
     const RESTING: f64 = 10.0;
 
     /// Samples around which the joints lead with one of them: two for the spline to do so all the
-    /// way between two, and one for them to lead already when the target begins to snap.
-    const AROUND: usize = 3;
+    /// way between two, and two for them to lead already when the target begins to snap.
+    const AROUND: usize = 4;
 
     /// Begins at an even time.
     pub(super) fn new(from: i64, first: i64, joints: Joints) -> Self {
