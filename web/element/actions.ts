@@ -1,11 +1,13 @@
 /** What the controls and the keys of a player do. */
 
 import type { BarActions } from './controls.js';
-import type { RaconteurPlayer } from './element.js';
+import type { PlayerContext } from './context.js';
 import type { KeyActions } from './keyboard.js';
+import { hasCaptions } from './show.js';
 
-/** The actions of a player; `say` tells screen readers what has changed. */
-export function actionsOf(player: RaconteurPlayer, say: (text: string) => void): KeyActions & BarActions {
+/** The actions of a player. */
+export function actionsOf(context: PlayerContext): KeyActions & BarActions {
+  const { player, say } = context;
   const isFullscreen = () => document.fullscreenElement === player;
   const actions: KeyActions & BarActions = {
     toggle: () => {
@@ -25,8 +27,11 @@ export function actionsOf(player: RaconteurPlayer, say: (text: string) => void):
     setRate: (rate) => (player.playbackRate = rate),
     toggleMuted: () => (player.muted = !player.muted),
     toggleCaptions: () => {
-      player.captions = !player.captions;
-      say(player.captions ? 'Captions on' : 'Captions off');
+      const on = !hasCaptions(player, context.show);
+      if (context.show !== undefined) context.show.refusesCaptions = !on;
+      player.captions = on;
+      player.requestUpdate();
+      say(on ? 'Captions on' : 'Captions off');
     },
     toggleFullscreen: () => {
       const change = isFullscreen() ? document.exitFullscreen() : player.requestFullscreen();

@@ -1,13 +1,18 @@
 /** Texts of animations: fetched by name, each once for all players of a page. */
 
+import { fetchBytes, type Fetching } from './fetching.js';
+import { Shared } from './shared.js';
 import type { Engine, Story } from './types.js';
 
 /** Beyond this an animation is not read; the library's largest has 14 KB, files of avatars some megabytes. */
 const MOST_BYTES = 32e6;
+/** A story waits so long for its animations; then it begins, and takes them as they come. */
+const PATIENCE_MS = 4000;
+/** What comes within so long of another is taken with it: taking one reads the story again. */
+const TOGETHER_MS = 500;
 
-/** Texts by address; an empty one could not be had. */
-const texts = new Map<string, string>();
-const coming = new Map<string, Promise<void>>();
+/** Texts by address. */
+const shared = new Shared<string>();
 
 /** Where an animation is: a bare name in the library, a path in the story's folder; undefined for what reaches out of it. `FILE.glb#NAME` is one animation of several. */
 export function addressOf(name: string, library: URL, story: URL): URL | undefined {
@@ -17,38 +22,35 @@ export function addressOf(name: string, library: URL, story: URL): URL | undefin
   return url?.href.startsWith(folder.href) ? url : undefined;
 }
 
-async function fetchText(url: URL): Promise<void> {
-  let text = '';
-  try {
-    const response = await fetch(url);
-    const fits = response.ok && Number(response.headers.get('content-length') ?? 0) <= MOST_BYTES;
-    if (fits) text = url.pathname.endsWith('.json') ? await response.text() : await converted(url, response);
-  } catch {
-    // The engine reports it as missing.
-  }
-  texts.set(url.href, text.length <= MOST_BYTES ? text : '');
-  coming.delete(url.href);
-}
-
-/** An animation of a glTF, GLB or VRM file as the text of a clip. */
-async function converted(url: URL, response: Response): Promise<string> {
+/** The text of a clip; an animation of a glTF, GLB or VRM file is converted to one. */
+async function fetchClip(url: URL, signal: AbortSignal): Promise<string> {
+  const fetching: Fetching = { what: 'The animation', most: MOST_BYTES, signal };
+  const bytes = await fetchBytes(url, fetching);
+  if (url.pathname.endsWith('.json')) return new TextDecoder().decode(bytes);
   const { convertAnimation } = await import('./avatar.js');
-  return await convertAnimation(decodeURIComponent(url.hash.slice(1)), new Uint8Array(await response.arrayBuffer()));
+  const text = await convertAnimation(decodeURIComponent(url.hash.slice(1)), bytes);
+  return text.length <= MOST_BYTES ? text : '';
 }
 
-/** The animations that an engine wants, as far as they have come. */
+const after = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
+
+/** The animations that an engine wants, as far as they have come; of one story, until that is not wanted any more. */
 export class Animations {
   /** Names of those that were handed over last. */
   provided: readonly string[] = [];
+  /** What has come, by address; empty where it cannot be had, which the engine reports. The next story asks again. */
+  readonly #texts = new Map<string, string>();
+  readonly #coming = new Map<string, Promise<void>>();
 
   constructor(
     readonly library: URL,
     readonly story: URL,
+    readonly signal: AbortSignal,
   ) {}
 
   /** Hands over what has come; undefined when that is nothing. */
   provide(engine: Engine, eml: string): Story | undefined {
-    const text = (name: string) => texts.get(addressOf(name, this.library, this.story)?.href ?? '');
+    const text = (name: string) => this.#texts.get(addressOf(name, this.library, this.story)?.href ?? '');
     const names = engine.wantedAnimations().filter((name) => text(name) !== undefined || addressOf(name, this.library, this.story) === undefined);
     this.provided = names;
     return names.length === 0
@@ -60,12 +62,34 @@ export class Animations {
         );
   }
 
-  /** Fetches what has not come; undefined when that is nothing. */
+  /** Fetches what has not come; undefined when that is nothing. Settles when all has come, when the story is not wanted any more, or after a while: a story goes on without what does not come. */
   fetch(engine: Engine): Promise<unknown> | undefined {
+    const missing = this.#missing(engine);
+    return missing && Promise.race([Promise.all(missing), after(PATIENCE_MS)]);
+  }
+
+  /** As `fetch`; settles as soon as something has come, with what comes just then. */
+  next(engine: Engine): Promise<unknown> | undefined {
+    const missing = this.#missing(engine);
+    return missing && Promise.race(missing).then(() => Promise.race([Promise.all(missing), after(TOGETHER_MS)]));
+  }
+
+  #missing(engine: Engine): readonly Promise<void>[] | undefined {
+    if (this.signal.aborted) return undefined;
     const urls = engine.wantedAnimations().flatMap((name) => addressOf(name, this.library, this.story) ?? []);
-    const missing = urls.filter((url) => !texts.has(url.href));
-    if (missing.length === 0) return undefined;
-    for (const url of missing) if (!coming.has(url.href)) coming.set(url.href, fetchText(url));
-    return Promise.all(missing.map((url) => coming.get(url.href)));
+    const missing = urls.filter((url) => !this.#texts.has(url.href));
+    return missing.length === 0 ? undefined : missing.map((url) => this.#coming.get(url.href) ?? this.#begin(url));
+  }
+
+  #begin({ href }: URL): Promise<void> {
+    const coming = shared
+      .get(href, this.signal, (signal) => fetchClip(new URL(href), signal))
+      .then(
+        (text) => void this.#texts.set(href, text),
+        () => void (this.signal.aborted || this.#texts.set(href, '')),
+      )
+      .then(() => void this.#coming.delete(href));
+    this.#coming.set(href, coming);
+    return coming;
   }
 }

@@ -14,6 +14,7 @@ export const attributes: PropertyDeclarations = {
   speech: text,
   assets: text,
   poster: text,
+  film: text,
   label: text,
   backend: text,
   quality: text,

@@ -1,5 +1,6 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
+import { fetchBytes } from './fetching.js';
 import type { Music } from './music.js';
 import type { Permission } from './playback.js';
 import type { Manner, Spoken } from './spoken.js';
@@ -15,8 +16,10 @@ const KEEP_SECS = 60;
  * may report seconds, for minutes, and captions and lips would be that late.
  */
 const MOST_LATENCY_SECS = 1;
-/** A recording that has not come after this long is given up, and the story goes on in captions. */
+/** A recording of which nothing has come for this long is given up, and the story goes on in captions. */
 const PATIENCE_MS = 20_000;
+/** No utterance is larger: it would be ten minutes of plain samples. */
+const MOST_SOUND_BYTES = 64e6;
 /** A browser that allows sound starts it within this, even on a busy machine. */
 const REFUSAL_MS = 2000;
 /** So long before what is being spoken the story stops: what has come is decoded and planned in less. */
@@ -79,11 +82,14 @@ interface Run {
   readonly at: number;
 }
 
+/** What is not heard: a recording, what has none, or only what comes with speech. */
+type Missing = Utterance | 'speech' | 'sound';
+
 /** Speaks a story's utterances. */
 export class RecordedVoice implements Voice {
   readonly #utterances: Iterable<Utterance>;
   readonly #folder: URL;
-  readonly #onMissing: (utterance: Utterance | undefined, message: string) => void;
+  readonly #onMissing: (what: Missing, message: string) => void;
   readonly #abort = new AbortController();
   /** Decoded sounds; null for one that cannot be had. */
   readonly #sounds = new Map<Utterance, AudioBuffer | null | 'pending'>();
@@ -119,9 +125,9 @@ export class RecordedVoice implements Voice {
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
-   * hears of each that cannot be played, and of music without an utterance.
+   * hears of each that cannot be played, and of what else is missing.
    */
-  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (utterance: Utterance | undefined, message: string) => void) {
+  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (what: Missing, message: string) => void) {
     this.#utterances = utterances;
     this.#folder = folder;
     this.#onMissing = onMissing;
@@ -184,10 +190,10 @@ export class RecordedVoice implements Voice {
       const { Music } = await import('./music.js');
       if (this.#abort.signal.aborted) return;
       const roots = { story: new URL('../', this.#folder), library };
-      this.#music = new Music(context(), this.#volume, roots, (why) => this.#onMissing(undefined, why));
+      this.#music = new Music(context(), this.#volume, roots, (why) => this.#onMissing('sound', why));
       this.#music.set(pieces);
     } catch {
-      this.#onMissing(undefined, 'What plays music could not be fetched.');
+      this.#onMissing('sound', 'What plays music could not be fetched.');
     }
     this.#awaited = false;
   }
@@ -245,7 +251,7 @@ export class RecordedVoice implements Voice {
     this.#found = false;
     try {
       const { Spoken } = await import('./spoken.js');
-      const spoken = await Spoken.find(this.#utterances, usual, (why) => this.#onMissing(undefined, why));
+      const spoken = await Spoken.find(this.#utterances, usual, (why) => this.#onMissing('speech', why));
       if (!this.#abort.signal.aborted) this.#spoken = spoken;
       spoken.setVolume(this.#volume);
       if (this.#run) spoken.start(this.#run.rate);
@@ -357,7 +363,7 @@ export class RecordedVoice implements Voice {
         return;
       } catch (error) {
         if (this.#abort.signal.aborted || this.#gone.has(utterance)) return;
-        reason = `${file}: ${error instanceof Error ? error.message : String(error)}`;
+        reason = `${file}: ${(error instanceof Error ? error.message : String(error)).replace(/\.$/, '')}`;
       }
     }
     this.#sounds.set(utterance, null);
@@ -369,10 +375,7 @@ export class RecordedVoice implements Voice {
     const given = this.#given.get(file);
     // Decoding takes the bytes away.
     if (given !== undefined) return given.slice().buffer;
-    const signal = AbortSignal.any([this.#abort.signal, AbortSignal.timeout(PATIENCE_MS)]);
-    const response = await fetch(url, { signal });
-    if (!response.ok) throw new Error(`the server answers ${response.status}`);
-    return await response.arrayBuffer();
+    return (await fetchBytes(url, { what: 'The recording', most: MOST_SOUND_BYTES, signal: this.#abort.signal, silenceMs: PATIENCE_MS })).buffer;
   }
 
   /** Plans a decoded sound on the audio clock, once for each run. */
@@ -435,7 +438,7 @@ export class RecordedVoice implements Voice {
       this.#stretcher = (await import('./stretch.js')).paced;
     } catch {
       this.#stretcher = null;
-      this.#onMissing(undefined, 'What keeps the pitch at other speeds could not be fetched.');
+      this.#onMissing('sound', 'What keeps the pitch at other speeds could not be fetched.');
     }
     if (this.#run && !this.#abort.signal.aborted) {
       for (const [utterance, sound] of this.#sounds) if (sound !== null && sound !== 'pending') this.#plan(utterance, sound);
@@ -457,14 +460,15 @@ export class RecordedVoice implements Voice {
   }
 }
 
-/** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played. */
-export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string) => void): Voice {
+/** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played, and whether that is speech. */
+export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string, isSpeech: boolean) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
-  return new RecordedVoice(utterances, folder, (utterance, why) => {
-    const words = utterance?.words
-      .slice(0, 4)
-      .map((w) => w.text)
-      .join(' ');
-    report(words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`);
+  return new RecordedVoice(utterances, folder, (what, why) => {
+    if (typeof what === 'string') {
+      report(why, what === 'speech');
+      return;
+    }
+    const words = what.words.slice(0, 4).map((w) => w.text);
+    report(`The recording of “${words.join(' ')} …” cannot be played (${why}); its captions are shown.`, true);
   });
 }

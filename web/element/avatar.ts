@@ -2,10 +2,14 @@
 
 import instantiate from '../pkg/avatar/raconteur.js';
 import wasmUrl from '../pkg/avatar/raconteur_bg.wasm?url';
+import { fetchModule } from './fetching.js';
 import type { Diagnostic } from './types.js';
 
+/** It is not larger. */
+const MOST_BYTES = 64e6;
+
 interface Instance {
-  (source: { module_or_path: Promise<Response> }): Promise<unknown>;
+  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   /** `convert` of `crate/web`, feature `avatar`. */
   convert(name: string, bytes: Uint8Array): { glb: Uint8Array; diagnostics: Diagnostic[] };
   /** `convertAnimation` of the same. */
@@ -17,7 +21,8 @@ interface Instance {
 /** A fresh instance each time: a hostile file can at worst end this one. */
 async function open(): Promise<Instance> {
   const instance = instantiate() as unknown as Instance;
-  await instance({ module_or_path: fetch(new URL(wasmUrl, import.meta.url)) });
+  const module = await fetchModule(new URL(wasmUrl, import.meta.url), { what: 'The part that reads avatars made elsewhere', most: MOST_BYTES });
+  await instance({ module_or_path: module });
   return instance;
 }
 

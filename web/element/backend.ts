@@ -2,7 +2,8 @@
 
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
-import { PlayerError, type Backend, type Engine, type Performer } from './types.js';
+import { fetchModule } from './fetching.js';
+import type { Backend, Engine, Performer } from './types.js';
 
 /** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
 export interface PalmFunctions {
@@ -28,6 +29,9 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
   webgl: () => import('../pkg/webgl/raconteur.js'),
 };
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
+
+/** No build is larger. */
+const MOST_BYTES = 64e6;
 
 /** Compiled once a page, by address; each player has an instance of its own. */
 const modules = new Map<string, Promise<WebAssembly.Module>>();
@@ -105,21 +109,10 @@ export function panicOf(engine: Engine): string | undefined {
 function compile(url: string): Promise<WebAssembly.Module> {
   let module = modules.get(url);
   if (module === undefined) {
-    module = fetchModule(url);
+    module = fetchModule(new URL(url, import.meta.url), { what: 'The player', most: MOST_BYTES });
     modules.set(url, module);
     // A failure is not kept: the network may come back.
     module.catch(() => modules.delete(url));
   }
   return module;
-}
-
-async function fetchModule(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL(url, import.meta.url)).catch((error: unknown) => {
-    throw new PlayerError('The player could not be fetched: is the network there?', { cause: error });
-  });
-  if (!response.ok) throw new PlayerError(`The player could not be fetched: the server answered ${response.status}.`);
-  // Streaming needs the right MIME type, which not every server sends.
-  return response.headers.get('content-type')?.startsWith('application/wasm')
-    ? await WebAssembly.compileStreaming(response)
-    : await WebAssembly.compile(await response.arrayBuffer());
 }

@@ -2,7 +2,7 @@
 
 import { performerOf } from './backend.js';
 import { FigureError, type FigureFile } from './figure.js';
-import { fetchFigure, readFigure, type Progress } from './loader.js';
+import { fetchFigure, readFigure, type Wanted } from './loader.js';
 import { isTrap } from './trap.js';
 import { PlayerError, type Backend, type Diagnostic, type Hand } from './types.js';
 
@@ -30,13 +30,13 @@ export interface Wish {
 }
 
 /** The figure that is to perform a text. */
-export async function castFigure(wish: Wish, eml: Promise<string>, backend: Promise<Backend>, progress: Progress, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+export async function castFigure(wish: Wish, eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
   const { figure, given, handedness, library, story } = wish;
   const fetched = !figure
-    ? fetchChoice(await figureOf(await eml, () => backend), story, library, progress, report)
+    ? fetchChoice(await figureOf(await eml, () => backend), story, library, wanted, report)
     : given?.name === figure
       ? readFigure(given)
-      : fetchFigure(figure, library, progress);
+      : fetchFigure(figure, library, wanted);
   return { ...(await fetched), handedness };
 }
 
@@ -44,27 +44,33 @@ export async function castFigure(wish: Wish, eml: Promise<string>, backend: Prom
  * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
  * cannot be loaded, the default one, and `report` gets a diagnostic.
  */
-export async function fetchChoice(choice: string | undefined, story: URL, library: URL, progress: Progress, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+export async function fetchChoice(choice: string | undefined, story: URL, library: URL, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
   if (choice !== undefined) {
     try {
-      return await fetchFigure(choice, library, progress, inside(choice, story));
+      return await fetchFigure(choice, library, wanted, inside(choice, story));
     } catch (error) {
       if (!(error instanceof PlayerError)) throw error;
       report(refusal(error.message));
     }
   }
-  return await fetchFigure(USUAL_FIGURE, library, progress);
+  return await fetchFigure(USUAL_FIGURE, library, wanted);
 }
 
 /** Opens a picture with the figure that a story chooses; where that is no figure, with the default one, and `report` gets a diagnostic. */
-export async function openOrUsual<T>(open: (figure: FigureFile) => Promise<T>, chosen: FigureFile, library: URL, report: (diagnostic: Diagnostic) => void): Promise<T> {
+export async function openOrUsual<T>(
+  open: (figure: FigureFile) => Promise<T>,
+  chosen: FigureFile,
+  library: URL,
+  signal: AbortSignal,
+  report: (diagnostic: Diagnostic) => void,
+): Promise<T> {
   try {
     return await open(chosen);
   } catch (error) {
     // A trap has another cause than the file.
     if (!(error instanceof FigureError) || isTrap(error) || chosen.name === USUAL_FIGURE) throw error;
     report(refusal(error.message));
-    return await open({ ...(await fetchFigure(USUAL_FIGURE, library, () => undefined)), handedness: chosen.handedness });
+    return await open({ ...(await fetchFigure(USUAL_FIGURE, library, { signal, progress: () => undefined })), handedness: chosen.handedness });
   }
 }
 

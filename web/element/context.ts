@@ -23,6 +23,8 @@ export interface PlayerContext {
   say(text: string): void;
   /** Tells the mind, if one is connected. */
   tell(event: MindEvent): void;
+  /** What is shown instead of a picture goes where the story is. */
+  follow(): void;
   /** Draws the picture and the caption of the present audio time. */
   advance(): void;
   /** Starts and stops the loops that draw, as the state of the player needs them. */
@@ -37,6 +39,11 @@ export function fire<K extends keyof PlayerEventMap>(player: RaconteurPlayer, ty
 /** Dispatches events of a media element, which do not bubble, one after another. */
 export function dispatch(player: RaconteurPlayer, ...types: readonly string[]): void {
   for (const type of types) player.dispatchEvent(new Event(type));
+}
+
+/** The language of the page around a player, a tag of BCP 47; that of who reads where the page tells none. */
+export function languageAround(player: RaconteurPlayer): string {
+  return player.closest<HTMLElement>('[lang]')?.lang || navigator.language;
 }
 
 /** Where the asset library of a player is. */

@@ -164,11 +164,11 @@ export function failure(message: string, retry: () => void): TemplateResult {
   </div>`;
 }
 
-/** The picture is lost, the story is not. */
-export function pictureLost(recovering: boolean, retry: () => void): TemplateResult {
+/** The picture is lost, the story is not; a film may stand in for it. */
+export function pictureLost(recovering: boolean, hasFilm: boolean, retry: () => void): TemplateResult {
   return html`<div class="note" part="picture-lost">
-    The picture is lost; the story goes on in sound and captions.
-    ${recovering ? 'Bringing it back…' : html`<button part="button retry" @click=${retry}>Bring it back</button>`}
+    ${hasFilm ? 'No picture can be drawn here; a film of the story is shown.' : 'The picture is lost; the story goes on in sound and captions.'}
+    ${recovering ? 'Bringing it back…' : html`<button part="button retry" @click=${retry}>${hasFilm ? 'Try to draw it' : 'Bring it back'}</button>`}
   </div>`;
 }
 

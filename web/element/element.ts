@@ -15,8 +15,10 @@ import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
 import { addStates, checkedRate, checkedVolume, type MediaStates } from './media.js';
 import { MindConnection } from './mind-connection.js';
+import { OwnText } from './own-text.js';
 import { Playback } from './playback.js';
 import { statisticsOf } from './show.js';
+import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { FrameLoop } from './frame-loop.js';
 import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, Telling, View, Words } from './types.js';
@@ -31,7 +33,10 @@ export class RaconteurPlayer extends LitElement {
   static override styles = unsafeCSS(look);
   static override properties = attributes;
 
-  /** Address of the story's EML file; its voice lies in `voice/` beside it. */
+  /**
+   * Address of the story's EML file; its voice lies in `voice/` beside it. Without it the story is what stands between
+   * the tags: plain text, or EML in a `<script type="application/eml+xml">`. With it that is for readers without scripts.
+   */
   declare src: string | undefined;
   /**
    * Name of a figure of the library, or the address of a `.glb` or `.vrm`. Without it the figure that
@@ -50,8 +55,13 @@ export class RaconteurPlayer extends LitElement {
   declare speech: 'here' | 'browser';
   /** Address of the asset library, which holds `figures/`; by default the folder `assets/` beside the script. */
   declare assets: string;
-  /** A picture to show before the story is loaded. */
+  /** A picture to show before the story is played, and where none can be drawn. */
   declare poster: string | undefined;
+  /**
+   * Address of a film of the story, as `raconteur render --video` makes it, or several of the same film in other
+   * encodings with spaces between them: shown in time with the sound where no picture can be drawn, fetched only there.
+   */
+  declare film: string | undefined;
   /** What the player is called by screen readers; say which story it tells. */
   declare label: string;
   /** Forces a back end; by default WebGPU where the browser has it. */
@@ -87,6 +97,7 @@ export class RaconteurPlayer extends LitElement {
     onScreen: false,
     say: (text) => this.#say(text),
     tell: (event) => this.#mind.tell(event),
+    follow: () => this.#standIn.follow(),
     advance: () => this.#frames.advance(),
     keepTime: () => this.#frames.keep(),
   };
@@ -98,7 +109,9 @@ export class RaconteurPlayer extends LitElement {
   readonly #mind = new MindConnection(this.#context);
   readonly #frames = new FrameLoop(this.#context, this.#mind);
   readonly #figures = new FigureLoader(this.#context);
-  readonly #stories = new StoryLoader(this.#context, this.#figures, {
+  readonly #standIn = new StandIn(this.#context);
+  readonly #own = new OwnText(this, () => this.#ownChanged());
+  readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {
       this.#playback.attach(show.transport);
@@ -119,6 +132,7 @@ export class RaconteurPlayer extends LitElement {
       if (event === 'play' || event === 'pause') this.#idle.wake();
       if (event === 'play') this.#stories.giveVoice();
       passTransport(this.#context, event);
+      this.#standIn.follow();
       if (event === 'playing') this.#playback.started();
     },
   });
@@ -127,7 +141,7 @@ export class RaconteurPlayer extends LitElement {
     () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
     () => this.requestUpdate(),
   );
-  readonly #actions = actionsOf(this, (text) => this.#say(text));
+  readonly #actions = actionsOf(this.#context);
   readonly #resized = new ResizeObserver(() => this.#resize());
   readonly #seen = new IntersectionObserver((entries) => this.#appeared(entries), { rootMargin: '200px' });
 
@@ -269,11 +283,12 @@ export class RaconteurPlayer extends LitElement {
 
   /**
    * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Gives
-   * accepted and refused clauses; rejects only when there is no story. What speaks waits until nobody
+   * accepted and refused clauses; rejects only when there is no stage. Where there is no story an empty stage is
+   * opened, whose time has no end: a figure that waits for lines, and says them while the player plays. What speaks waits until nobody
    * else does, or with `interrupt` ends what fragments before it say and do.
    */
   async perform(fragment: string, { interrupt = false }: { readonly interrupt?: boolean } = {}): Promise<readonly Answer[]> {
-    const show = await this.#stories.require();
+    const show = await this.#stories.stage();
     if (interrupt) this.interrupt();
     return await perform(this.#context, show, Sender.Page, String(fragment));
   }
@@ -295,7 +310,7 @@ export class RaconteurPlayer extends LitElement {
   tell(words: Words): Telling {
     const end = new AbortController();
     const tell = async (): Promise<void> => {
-      const [{ tellWords }, show] = await Promise.all([import('./tell.js'), this.#stories.require()]);
+      const [{ tellWords }, show] = await Promise.all([import('./tell.js'), this.#stories.stage()]);
       await tellWords(this.#context, show, words, end.signal);
     };
     return {
@@ -342,6 +357,7 @@ export class RaconteurPlayer extends LitElement {
     if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
     this.#resized.observe(this);
     this.#seen.observe(this);
+    this.#own.watch();
     this.#frames.keep();
   }
 
@@ -349,6 +365,7 @@ export class RaconteurPlayer extends LitElement {
     super.disconnectedCallback();
     this.#resized.disconnect();
     this.#seen.disconnect();
+    this.#own.rest();
     // Moving an element disconnects it for a moment.
     setTimeout(() => {
       if (!this.isConnected) this.#stories.release();
@@ -371,6 +388,7 @@ export class RaconteurPlayer extends LitElement {
     if (changed.has('src')) this.#context.text = undefined;
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     this.#loadChanged(changed);
+    this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);
     if ((changed.has('volume') || changed.has('muted')) && this.hasUpdated) dispatch(this, 'volumechange');
     if (changed.has('playbackRate') && this.hasUpdated && this.#context.show === undefined) dispatch(this, 'ratechange');
@@ -384,7 +402,9 @@ export class RaconteurPlayer extends LitElement {
   /** Loads, or changes the figure, where attributes ask for that. */
   #loadChanged(changed: PropertyValues<this>): void {
     const { show, onScreen } = this.#context;
-    const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
+    // A mind alone has a stage, too.
+    const minded = changed.has('mind') && !this.src && show === undefined;
+    const replaced = minded || (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
     const figure = (changed.has('figure') || changed.has('handedness')) && this.hasUpdated;
     if (figure && !replaced && show !== undefined) {
       void this.#figures.change(show).then(() => this.#stories.giveVoice());
@@ -394,6 +414,13 @@ export class RaconteurPlayer extends LitElement {
     } else if (changed.has('loading') && this.loading === 'eager' && this.#stories.hasStory) {
       void this.#stories.ensure();
     }
+  }
+
+  /** Another text stands between the tags. */
+  #ownChanged(): void {
+    if (this.src || this.#context.text !== undefined) return;
+    this.#stories.close();
+    if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.ensure();
   }
 
   #appeared(entries: readonly IntersectionObserverEntry[]): void {
@@ -425,7 +452,7 @@ export class RaconteurPlayer extends LitElement {
 
   protected override render() {
     const { show, started } = this.#context;
-    const state = { player: this, show, started, stories: this.#stories, idle: this.#idle, changing: this.#figures.busy };
+    const state = { player: this, show, started, stories: this.#stories, idle: this.#idle, film: this.#standIn.video, changing: this.#figures.busy };
     return template({ ...state, caption: this.#frames.caption, announcement: this.#announcement }, this.#actions);
   }
 }

@@ -4,7 +4,7 @@ import { captionsOf } from './captions.js';
 import { castFigure, USUAL_FIGURE } from './cast.js';
 import { fire, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
-import type { Progress } from './loader.js';
+import type { Wanted } from './loader.js';
 import type { Show } from './show.js';
 import { updateMusic } from './sound.js';
 import type { Backend } from './types.js';
@@ -26,11 +26,11 @@ export class FigureLoader {
   }
 
   /** The figure that is wanted now: one of the library, of an address, or the user's own file; else the one that the story chooses. */
-  async fetch(eml: Promise<string>, backend: Promise<Backend>, progress: Progress): Promise<FigureFile> {
+  async fetch(eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted): Promise<FigureFile> {
     const { player, diagnostics } = this.#context;
     const { figure, handedness } = player;
     const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src ?? '', document.baseURI) };
-    return await castFigure(wish, eml, backend, progress, (d) => diagnostics.report(d));
+    return await castFigure(wish, eml, backend, wanted, (d) => diagnostics.report(d));
   }
 
   /** Fetches and reads another figure while the present one performs; what goes wrong is a diagnostic. */
@@ -42,7 +42,7 @@ export class FigureLoader {
     if ((player.figure || show.choice || USUAL_FIGURE) === show.figure && player.handedness === show.files.figure.handedness) return;
     const { signal } = (this.#coming = new AbortController());
     try {
-      const figure = await this.fetch(Promise.resolve(show.files.eml), Promise.resolve(show.picture.backend), () => undefined);
+      const figure = await this.fetch(Promise.resolve(show.files.eml), Promise.resolve(show.picture.backend), { signal, progress: () => undefined });
       signal.throwIfAborted();
       // The one who performs where the story's choice cannot is there already.
       if (figure.name === show.figure && figure.handedness === show.files.figure.handedness) return;

@@ -54,7 +54,7 @@ export class FrameLoop {
   advance(): void {
     const { player, show } = this.#context;
     if (show === undefined) return;
-    const openEnded = this.#mind.openEnded || show.tellings > 0;
+    const openEnded = this.#mind.openEnded || show.openEnded || show.tellings > 0;
     if (openEnded !== show.transport.openEnded) {
       show.transport.openEnded = openEnded;
       show.picture.setOpenEnded(openEnded);
@@ -66,6 +66,7 @@ export class FrameLoop {
     this.#drawn = { secs, ms };
     if (this.#waits) show.picture.welcome(this.#welcome.secs);
     else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
+    this.#context.follow();
     // A picture may have taken long; captions follow the sound.
     const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {

@@ -1,7 +1,9 @@
 /** Fetches what a story needs, with errors that say in a sentence what is wrong. */
 
 import { Animations } from './animations.js';
+import { fetchBytes, fetchText, shown, tooLarge, type Progress } from './fetching.js';
 import { prepareFigure, type FigureFile } from './figure.js';
+import { Shared } from './shared.js';
 import { PlayerError } from './types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
@@ -26,21 +28,26 @@ export interface StoryFiles {
   readonly edited?: boolean;
 }
 
-/** Receives how much of the work is done, 0 to 1. */
-export type Progress = (share: number) => void;
+/** How long something is wanted, and who hears how much of it has come. */
+export interface Wanted {
+  readonly signal: AbortSignal;
+  readonly progress: Progress;
+}
 
 /** Which story is to be fetched. */
 export interface StoryWish {
   readonly src: string | undefined;
   /** Takes the file's place. */
   readonly text: string | undefined;
+  /** It is being edited, and is not what the page came with. */
+  readonly edited: boolean;
   /** Lines may come that the story's own text does not have. */
   readonly expectsLines: boolean;
 }
 
 /** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
 export async function fetchStory(
-  { src, text, expectsLines }: StoryWish,
+  { src, text, edited, expectsLines }: StoryWish,
   library: URL,
   figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
@@ -54,14 +61,14 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const told = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
+  const told = text === undefined ? fetchText(story, { what: 'The story', most: MOST_STORY_BYTES, signal, progress: part(0) }) : Promise.resolve(text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story without speech has no recordings.
     if (!src || (!expectsLines && !SPEAKS.test(await told))) {
       part(1)(1);
       return undefined;
     }
-    return await fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
+    return await fetchBytes(new URL('speech.json', voiceFolder), { what: 'The voice', most: MOST_STORY_BYTES, signal, progress: part(1) }).catch((error: unknown) => {
       // A story without a recorded voice plays with captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
@@ -69,7 +76,7 @@ export async function fetchStory(
   };
   const [eml, bundle, who] = await Promise.all([told, voice(), figure(told, part(2))]);
   signal.throwIfAborted();
-  return { eml, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
+  return { eml, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal), edited };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */
@@ -78,75 +85,18 @@ function urlOfFigure(figure: string, library: URL): URL {
 }
 
 /** Figures are the largest files and are shared by the players of a page. */
-const figures = new Map<string, Promise<Uint8Array>>();
+const figures = new Shared<Uint8Array>();
 
 /** A figure by its name in the library or its address, or where it lies for certain. */
-export async function fetchFigure(figure: string, library: URL, progress: Progress, url = urlOfFigure(figure, library)): Promise<FigureFile> {
-  return await prepareFigure(figure, shown(url), await fetchShared(url, progress));
+export async function fetchFigure(figure: string, library: URL, wanted: Wanted, url = urlOfFigure(figure, library)): Promise<FigureFile> {
+  const { signal, progress } = wanted;
+  const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MOST_FIGURE_BYTES, signal, progress }));
+  progress(1);
+  return await prepareFigure(figure, shown(url), bytes);
 }
 
 /** A file of the user's own. */
 export async function readFigure(file: File): Promise<FigureFile> {
   if (file.size > MOST_FIGURE_BYTES) throw tooLarge('The figure', MOST_FIGURE_BYTES);
   return await prepareFigure(file.name, file.name, new Uint8Array(await file.arrayBuffer()));
-}
-
-function fetchShared(url: URL, progress: Progress): Promise<Uint8Array> {
-  let bytes = figures.get(url.href);
-  if (bytes === undefined) {
-    // Not tied to one player's signal: another may be waiting for it.
-    bytes = fetchBytes(url, 'The figure', MOST_FIGURE_BYTES, undefined, progress);
-    figures.set(url.href, bytes);
-    bytes.catch(() => figures.delete(url.href));
-  }
-  return bytes.then((done) => {
-    progress(1);
-    return done;
-  });
-}
-
-const shown = (url: URL): string => (url.origin === location.origin ? url.pathname : url.href);
-const tooLarge = (what: string, most: number) => new PlayerError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
-
-async function fetchBytes(url: URL, what: string, most: number, signal: AbortSignal | undefined, progress: Progress): Promise<Uint8Array> {
-  const where = shown(url);
-  let response: Response;
-  try {
-    response = await fetch(url, signal ? { signal } : {});
-  } catch (error) {
-    signal?.throwIfAborted();
-    throw new PlayerError(`${what} could not be fetched from ${where}: is the network there?`, { cause: error });
-  }
-  if (response.status === 404) throw new PlayerError(`${what} was not found at ${where}.`);
-  if (!response.ok) throw new PlayerError(`${what} could not be fetched from ${where}: the server answered ${response.status}.`);
-  return await readAll(response, what, most, progress);
-}
-
-async function readAll(response: Response, what: string, most: number, progress: Progress): Promise<Uint8Array> {
-  const expected = Number(response.headers.get('content-length')) || 0;
-  if (expected > most) throw tooLarge(what, most);
-  if (response.body === null) return new Uint8Array(await response.arrayBuffer());
-  const chunks: Uint8Array[] = [];
-  let length = 0;
-  const reader = response.body.getReader();
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    chunks.push(value);
-    length += value.length;
-    if (length > most) {
-      void reader.cancel();
-      throw tooLarge(what, most);
-    }
-    // The length counts compressed bytes, so it may be passed.
-    if (expected > 0) progress(Math.min(1, length / expected));
-  }
-  const all = new Uint8Array(length);
-  let at = 0;
-  for (const chunk of chunks) {
-    all.set(chunk, at);
-    at += chunk.length;
-  }
-  progress(1);
-  return all;
 }

@@ -393,12 +393,12 @@ export class Picture {
     try {
       engine = await createEngine(this.#backend, canvas);
       let story = this.#read(engine);
-      // The first picture has its animations.
+      // The first picture has its animations, if they come soon.
       await this.#files.animations.fetch(engine);
-      story = this.#animate(engine, story) ?? story;
       engine.setQuality(this.#quality);
       engine.setResting(this.#resting);
       const missing = await this.#decode(engine);
+      story = this.#animate(engine, story) ?? story;
       this.#engine = engine;
       this.#canvas = canvas;
       this.#fit(engine);
@@ -420,7 +420,7 @@ export class Picture {
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
-      return edited ? this.#reread(engine, files) : (this.#animate(engine, story) ?? story);
+      return edited ? this.#reread(engine, files) : (this.#animate(engine, story, files) ?? story);
     } catch (error) {
       // An engine throws for a figure alone; all else is in diagnostics.
       if (error instanceof PlayerError) throw error;
@@ -428,28 +428,32 @@ export class Picture {
     }
   }
 
-  #reread(engine: Engine, { eml, bundle }: StoryFiles): Story {
-    const story = engine.rehearse(eml, bundle, motionAmount());
+  #reread(engine: Engine, files: StoryFiles): Story {
+    const story = engine.rehearse(files.eml, files.bundle, motionAmount());
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
     engine.setOpenEnded(this.#openEnded);
-    return this.#animate(engine, story) ?? story;
+    return this.#animate(engine, story, files) ?? story;
   }
 
-  /** Hands the engine the animations that have come, and when the others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
-  #animate(engine: Engine, story: Story | undefined): Story | undefined {
-    const { animations, eml } = this.#files;
-    const told = animations.provide(engine, eml);
-    void animations.fetch(engine)?.then(() => {
-      if (engine !== this.#engine || eml !== this.#files.eml) return;
-      const live = story === undefined;
+  /** Hands the engine the animations that have come, and when others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
+  #animate(engine: Engine, story: Story | undefined, files = this.#files): Story | undefined {
+    const told = files.animations.provide(engine, files.eml);
+    this.#follow(engine, story === undefined, files);
+    if (told === undefined || story === undefined) return story;
+    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
+  }
+
+  /** Takes animations that come later. */
+  #follow(engine: Engine, live: boolean, { animations, eml }: StoryFiles): void {
+    void animations.next(engine)?.then(() => {
+      if (engine !== this.#engine || eml !== this.#files.eml || animations !== this.#files.animations) return;
       // What comes to a text that is edited is there from its beginning; else it eases in.
       const anew = this.#files.edited === true && !live;
       const later = this.#guard(() => (anew ? this.#reread(engine, this.#files) : animations.provide(engine, eml)));
       if (anew) this.seek(this.#lastShown);
+      else this.#follow(engine, live, this.#files);
       if (later !== undefined) this.#events.retold(later, live, anew);
     });
-    if (told === undefined || story === undefined) return story;
-    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
   }
 
   /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */

@@ -2,6 +2,7 @@
 
 import type { Voice } from './voice.js';
 import type { Caption } from './captions.js';
+import type { RaconteurPlayer } from './element.js';
 import type { LiveScript } from './live.js';
 import type { StoryFiles } from './loader.js';
 import type { Picture } from './picture.js';
@@ -26,6 +27,8 @@ export interface Show {
   readonly transport: Transport;
   /** Until fragments are interrupted, and then of those that come after. */
   turn: AbortController;
+  /** The time of the story has no end: lines may always come. */
+  readonly openEnded: boolean;
   /** How many texts are told as they come: the clock does not stop for want of words. */
   tellings: number;
   /** Ends what is still being made for it. */
@@ -36,8 +39,12 @@ export interface Show {
   speaking?: Promise<void>;
   /** How the page's own voice tells the text on stage. */
   telling?: Telling | undefined;
-  /** What has no recording was given to the browser's voice. */
-  lent?: boolean;
+  /** What has no recording was given to the browser's voice of this name, or to nobody. */
+  lent?: { readonly name: Promise<string | undefined> };
+  /** Something that is said is not heard: captions are shown, also where nobody has asked for them. */
+  unheard?: boolean;
+  /** Somebody has put away captions that nobody had asked for. */
+  refusesCaptions?: boolean;
 }
 
 /** A text that the page's own voice tells. */
@@ -48,6 +55,9 @@ export interface Telling {
   /** All was said, or could not be. */
   isOver: boolean;
 }
+
+/** Whether what is said can be read: where somebody has asked for that, and where it is not heard. */
+export const hasCaptions = ({ captions }: RaconteurPlayer, show: Show | undefined): boolean => captions || (show?.unheard === true && !show.refusesCaptions);
 
 /** Times, bytes and draw calls, once a picture was shown. */
 export function statisticsOf({ picture, files, sinceMs }: Show): Statistics | undefined {

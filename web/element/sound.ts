@@ -1,7 +1,7 @@
 /** The sound of a show besides its recordings: music, and voices for what has none. */
 
 import { voiceMissing } from './voice.js';
-import { fire, libraryOf, type PlayerContext } from './context.js';
+import { fire, languageAround, libraryOf, type PlayerContext } from './context.js';
 import type { Said, SpeechRequest, SpeechSource } from '../speech/source.js';
 import type { Show, Telling } from './show.js';
 import type { Story } from './types.js';
@@ -18,8 +18,7 @@ const spokenBy = ({ figure, files: { eml } }: Show): string => `${figure}\n${eml
 
 /** What tells no language is said in this one. */
 function languageOf({ player }: PlayerContext, { story }: Show): string {
-  const inherited = player.closest<HTMLElement>('[lang]')?.lang;
-  return player.lang || story.performer.language || inherited || navigator.language;
+  return player.lang || story.performer.language || languageAround(player);
 }
 
 /**
@@ -32,12 +31,15 @@ export async function substituteVoice(context: PlayerContext, show: Show, retell
   const isOfAnother = show.telling !== undefined && show.telling.of !== spokenBy(show);
   if (!isSilent(show) && !isOfAnother) return;
   await speakHere(context, show, retell);
-  if (context.show !== show || show.lent || show.telling?.isOver !== true || show.telling.of !== spokenBy(show) || !isSilent(show)) return;
-  show.lent = true;
+  if (context.show !== show || show.telling?.isOver !== true || show.telling.of !== spokenBy(show) || !isSilent(show)) return;
+  const isFirst = show.lent === undefined;
   const { voice } = show.story.performer;
-  const name = await show.voice.substitute({ language: languageOf(context, show), voice });
+  show.lent ??= { name: show.voice.substitute({ language: languageOf(context, show), voice }) };
+  const name = await show.lent.name;
   if (context.show !== show) return;
-  context.diagnostics.report(voiceMissing(show.files.bundle !== undefined, name));
+  if (name === undefined) show.unheard = true;
+  context.player.requestUpdate();
+  if (isFirst) context.diagnostics.report(voiceMissing(show.files.bundle !== undefined, name));
 }
 
 /** A fragment that says something. */
@@ -99,6 +101,8 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   // Nobody waits for a text that is not on stage any more.
   show.telling?.end.abort();
   const telling: Telling = { of, end: new AbortController(), isOver: false };
+  // The text before was not heard; who speaks this one is not known yet.
+  if (show.telling !== undefined) show.unheard = false;
   show.telling = telling;
   const before = show.speaking;
   const speaking = (async () => {

@@ -5,19 +5,27 @@ import { chooseBackends, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
-import { dispatch, libraryOf, type PlayerContext } from './context.js';
+import { dispatch, languageAround, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import { PictureKeeper, type Opened } from './keeper.js';
 import { LiveScript } from './live.js';
-import { fetchStory, type StoryFiles } from './loader.js';
+import { fetchStory, type StoryFiles, type StoryWish } from './loader.js';
+import type { OwnText } from './own-text.js';
 import type { PictureEvents } from './picture.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { PlayerError, type Diagnostic, type Story } from './types.js';
+import { SilentVoice } from './voice.js';
+
+/** What is told where nothing is to be told yet. */
+const EMPTY = "<eml><body><null time='0'/></body></eml>";
 
 /** The answer where there is no engine to read an edited text. */
 const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
+
+/** There is nothing to load. */
+class NoStoryError extends PlayerError {}
 
 /** What the element does when a story comes, cannot be had, or goes. */
 export interface StoryLoaderEvents {
@@ -36,14 +44,21 @@ export class StoryLoader {
   readonly #figures: FigureLoader;
   readonly #events: StoryLoaderEvents;
   readonly #keeper = new PictureKeeper();
-  #loading: { readonly abort: AbortController; done: Promise<void>; share: number } | undefined;
+  #loading: { done: Promise<void>; share: number } | undefined;
+  /** Ends what is fetched for the story that is loaded or being loaded. */
+  #wanted: AbortController | undefined;
   #error: PlayerError | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #lost: 'no' | 'recovering' | 'yes' = 'no';
+  /** Lines are to be performed, and there is no story. */
+  #bare = false;
+  /** The story between the tags. */
+  readonly #own: OwnText;
 
-  constructor(context: PlayerContext, figures: FigureLoader, events: StoryLoaderEvents) {
+  constructor(context: PlayerContext, figures: FigureLoader, own: OwnText, events: StoryLoaderEvents) {
     this.#context = context;
     this.#figures = figures;
+    this.#own = own;
     this.#events = events;
   }
 
@@ -68,7 +83,8 @@ export class StoryLoader {
 
   /** There is something to load. */
   get hasStory(): boolean {
-    return this.#context.player.src !== undefined || this.#context.text !== undefined;
+    const { player, text } = this.#context;
+    return player.src !== undefined || text !== undefined || this.#bare || Boolean(player.mind) || this.#own.isThere;
   }
 
   /** Loads the story if it is not loaded and there was no error; what goes wrong ends as `error`, never as a rejection. */
@@ -77,9 +93,9 @@ export class StoryLoader {
     await this.#context.player.updateComplete;
     if (this.#context.show !== undefined || this.#error !== undefined) return;
     if (this.#loading === undefined) {
-      const abort = new AbortController();
-      this.#loading = { abort, share: 0, done: Promise.resolve() };
-      this.#loading.done = this.#load(abort.signal);
+      this.#wanted = new AbortController();
+      this.#loading = { share: 0, done: Promise.resolve() };
+      this.#loading.done = this.#load(this.#wanted.signal);
     }
     await this.#loading?.done;
   }
@@ -90,6 +106,19 @@ export class StoryLoader {
     const { show } = this.#context;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
     return show;
+  }
+
+  /** As `require`; where there is no story at all, an empty stage, whose time has no end. */
+  async stage(): Promise<Show> {
+    await this.#context.player.updateComplete;
+    if (!this.hasStory) this.#bare = true;
+    this.#comeBack();
+    return await this.require();
+  }
+
+  /** There was nothing to play; now there is. */
+  #comeBack(): void {
+    if (this.#error instanceof NoStoryError) this.#error = undefined;
   }
 
   async #load(signal: AbortSignal): Promise<void> {
@@ -111,25 +140,37 @@ export class StoryLoader {
   }
 
   async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: Opened; files: StoryFiles }> {
-    const { player, text, diagnostics } = this.#context;
+    const { player, diagnostics } = this.#context;
     const library = libraryOf(player);
     const progress = (share: number) => {
       if (this.#loading && !signal.aborted) this.#loading.share = share;
       player.requestUpdate();
     };
-    if (!player.src && text === undefined) throw new PlayerError('No story is given: set the attribute src.');
     const ranking = player.backend ? Promise.resolve([player.backend] as const) : chooseBackends();
     const choosing = ranking.then(([best]) => best);
     void choosing.then(warmUp);
-    const wish = { src: player.src, text, expectsLines: player.mind !== undefined };
-    const fetching = fetchStory(wish, library, (eml, part) => this.#figures.fetch(eml, choosing, part), signal, progress);
+    const wish = await this.#wish();
+    signal.throwIfAborted();
+    const fetching = fetchStory(wish, library, (eml, part) => this.#figures.fetch(eml, choosing, { signal, progress: part }), signal, progress);
     let [files, backends] = await Promise.all([fetching, ranking]);
     signal.throwIfAborted();
     const events = this.#pictureEvents(signal);
     const open = (figure: FigureFile) => this.#keeper.open(backends, (files = { ...files, figure }), events, signal);
     // A figure that the page sets is not replaced by the default one.
-    const opened = await (player.figure ? open(files.figure) : openOrUsual(open, files.figure, library, (d) => diagnostics.report(d)));
+    const opened = await (player.figure ? open(files.figure) : openOrUsual(open, files.figure, library, signal, (d) => diagnostics.report(d)));
     return { opened, files };
+  }
+
+  /** What is to be told: a text that takes the place of the story's file, else that file, else what stands between the tags; where lines come from elsewhere, nothing yet. */
+  async #wish(): Promise<StoryWish> {
+    const { player, text, diagnostics } = this.#context;
+    const { src, mind } = player;
+    const wish = { src, text, edited: text !== undefined, expectsLines: mind !== undefined };
+    if (src || text !== undefined) return wish;
+    const own = await this.#own.eml(languageAround(player), (d) => diagnostics.report(d));
+    if (own !== undefined) return { ...wish, text: own };
+    if (this.#bare || mind) return { ...wish, text: EMPTY };
+    throw new NoStoryError('No story is given: set the attribute src, or write one between the tags.');
   }
 
   #pictureEvents(signal: AbortSignal): PictureEvents {
@@ -138,7 +179,11 @@ export class StoryLoader {
       canvas: (canvas) => this.#setCanvas(canvas, signal),
       lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
       back: () => this.#setLost('no', signal),
-      retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => diagnostics.report(d)) : this.#retell(story, anew)),
+      retold: (story, live, anew) => {
+        if (signal.aborted) return;
+        if (live) story.diagnostics.forEach((d) => diagnostics.report(d));
+        else this.#retell(story, anew);
+      },
       failed: (message) => diagnostics.report({ code: 'engine-failed', severity: 'error', message, hints: [] }),
     };
   }
@@ -147,7 +192,11 @@ export class StoryLoader {
     const { player, diagnostics } = this.#context;
     const { voiceFolder, figure } = files;
     const script = new LiveScript(story.utterances);
-    const voice = openVoice(script, voiceFolder, (message) => diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] }));
+    const voice = openVoice(script, voiceFolder, (message, isSpeech) => {
+      const { show } = this.#context;
+      if (isSpeech && show !== undefined) show.unheard = true;
+      diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
+    });
     const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
     const captions = captionsOf(story.utterances);
     const show: Show = {
@@ -163,6 +212,8 @@ export class StoryLoader {
       captions,
       recorded: files.bundle,
       turn: new AbortController(),
+      openEnded: this.#bare,
+      unheard: voice instanceof SilentVoice,
       tellings: 0,
       end: new AbortController(),
     };
@@ -184,6 +235,7 @@ export class StoryLoader {
     await context.player.updateComplete;
     const text = (context.text = String(eml));
     context.keepTime();
+    this.#comeBack();
     const show = await this.require();
     // The one that came last is being read already.
     if (text !== context.text || show !== context.show) return context.diagnostics.list;
@@ -228,7 +280,7 @@ export class StoryLoader {
   close(): void {
     const { player, diagnostics } = this.#context;
     const before = player.networkState;
-    this.#loading?.abort.abort();
+    this.#wanted?.abort();
     this.#loading = undefined;
     this.#figures.cancel();
     this.#context.show?.voice.close();
@@ -238,6 +290,7 @@ export class StoryLoader {
     this.#error = undefined;
     diagnostics.clear();
     this.#lost = 'no';
+    this.#bare = false;
     this.#canvas = undefined;
     this.#context.keepTime();
     player.requestUpdate();

@@ -6,7 +6,7 @@ import type { captionAt } from './captions.js';
 import * as controls from './controls.js';
 import type { RaconteurPlayer } from './element.js';
 import type { Idle } from './idle.js';
-import type { Show } from './show.js';
+import { hasCaptions, type Show } from './show.js';
 import type { StoryLoader } from './story-loader.js';
 
 /** What the template reads besides the element's own properties. */
@@ -17,6 +17,8 @@ export interface TemplateState {
   readonly idle: Idle;
   /** The story was played or sought. */
   readonly started: boolean;
+  /** What is shown instead of a picture. */
+  readonly film: HTMLVideoElement | undefined;
   /** Another figure is being fetched. */
   readonly changing: boolean;
   readonly caption: ReturnType<typeof captionAt>;
@@ -24,23 +26,26 @@ export interface TemplateState {
 }
 
 export function template(state: TemplateState, actions: controls.BarActions): TemplateResult {
-  const { player, show, stories, idle, started } = state;
+  const { player, show, stories, idle, started, film } = state;
   const before = show !== undefined && player.paused && (!started || player.ended);
   const shown = show !== undefined && stories.lost === 'no';
+  // What a film stands in for is told where it is not watched.
+  const told = film === undefined || player.paused || !idle.is;
+  const poster = !started || (stories.lost === 'yes' && film === undefined);
   return html`<div class="frame">
       <div class=${classMap({ stage: true, shown, 'hide-cursor': idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => idle.tap(event, player.paused)} @click=${() => show && !idle.tapWoke && actions.toggle()}>
-        ${stories.canvas}
+        ${film ?? stories.canvas}
       </div>
-      ${player.poster && !started ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
+      ${player.poster && poster ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
       ${stories.share === undefined ? nothing : controls.loadingProgress(stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
       ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
       <div class="lower">
-        ${player.captions && !before ? controls.caption(state.caption) : nothing}
+        ${hasCaptions(player, show) && !before ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
       <div class="notes">
-        ${stories.lost !== 'no' ? controls.pictureLost(stories.lost === 'recovering', () => void show?.picture.recover(true)) : nothing}
+        ${stories.lost !== 'no' && told ? controls.pictureLost(stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
         ${player.controls && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
       </div>
       ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
@@ -58,7 +63,7 @@ function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.
       volume: player.volume,
       muted: player.muted,
       rate: show.transport.rate,
-      captions: player.captions,
+      captions: hasCaptions(player, show),
       fullscreen: document.fullscreenElement === player,
       canFullscreen: document.fullscreenEnabled,
       gone: idle.is && !player.paused,

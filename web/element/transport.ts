@@ -192,10 +192,13 @@ export class Transport {
   }
 
   #finish(): void {
-    if (this.loop) {
+    // Nothing that lasts no time can be repeated: it ends.
+    if (this.loop && this.#endSecs > 0) {
       this.#emit('seeking');
+      // A listener may have gone elsewhere, or paused.
+      if (this.position < this.#endSecs) return;
       this.#moveTo(0);
-      this.#run();
+      if (!this.#paused) this.#run();
       this.#emit('seeked');
       return;
     }

@@ -1,6 +1,7 @@
 /** What an engine was at when it trapped, as a sentence with the file's name. */
 
 import { doingOf, panicOf } from './backend.js';
+import { shown } from './fetching.js';
 import type { StoryFiles } from './loader.js';
 import { PlayerError, type Engine } from './types.js';
 
@@ -21,9 +22,6 @@ export const Doing = {
 export function isTrap(error: unknown): boolean {
   return error instanceof WebAssembly.RuntimeError || (error instanceof Error && error.cause instanceof WebAssembly.RuntimeError);
 }
-
-/** The last part of an address, for people. */
-const shown = (url: URL): string => (url.origin === location.origin ? url.pathname : url.href);
 
 /** What was being done, by the number that the engine gives. */
 export function describeDoing(

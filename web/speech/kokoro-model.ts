@@ -3,13 +3,16 @@
 import * as ort from 'onnxruntime-web/wasm';
 import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
 import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
-import { fetched } from './serve.js';
+import { fetchBytes } from '../element/fetching.js';
+import { voiceFile } from './serve.js';
 import { trustOwnScripts } from './trusted.js';
 
 /** Samples a second. */
 export const RATE = 24_000;
 /** Numbers of a style. */
 const STYLE = 256;
+/** No voice has more; those of Kokoro have half a megabyte. */
+const MOST_STYLES_BYTES = 16e6;
 /** The output that `npm run voice` adds to the model. */
 const FRAMES = '/encoder/Clip_output_0';
 /** More threads than this help little. */
@@ -43,12 +46,11 @@ export async function openModel(folder: URL): Promise<Model> {
   ort.env.wasm.wasmPaths = { mjs: here(glueUrl), wasm: here(wasmUrl) };
   // Threads share memory, which a page may only when it is isolated from others. ONNX Runtime starts them by plain addresses.
   ort.env.wasm.numThreads = self.crossOriginIsolated && trustOwnScripts() ? THREADS : 1;
-  const session = await ort.InferenceSession.create(await (await fetched(new URL('model.onnx', folder))).arrayBuffer(), { executionProviders: ['wasm'] });
+  const session = await ort.InferenceSession.create(await fetchBytes(new URL('model.onnx', folder), voiceFile), { executionProviders: ['wasm'] });
   return {
     async voice(name) {
-      const response = await fetch(new URL(`${name}.bin`, folder));
-      if (!response.ok) throw new Error(`The voice ${name} could not be fetched: the server answers ${response.status}.`);
-      return new Float32Array(await response.arrayBuffer());
+      const bytes = await fetchBytes(new URL(`${name}.bin`, folder), { what: `The voice ${name}`, most: MOST_STYLES_BYTES });
+      return new Float32Array(bytes.buffer);
     },
     async infer(tokens, style, speed) {
       const padded = BigInt64Array.from([0, ...Array.from(tokens), 0], BigInt);

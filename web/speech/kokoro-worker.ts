@@ -1,9 +1,13 @@
 /** Speaks with Kokoro; the worker's name is the address of its folder. */
 
+import { fetchText } from '../element/fetching.js';
 import { Flite } from './flite-program.js';
 import { type Model, openModel, type Spoken, styleFor } from './kokoro-model.js';
 import { Later } from './later.js';
 import { type Host, serve } from './serve.js';
+
+/** No table of a voice is larger; the dictionaries have some megabytes. */
+const MOST_TABLE_BYTES = 64e6;
 
 /** Letters of a word; some words have other ones for a part of speech, and at the end of a phrase (`None`). */
 type Entry = string | { readonly DEFAULT: string; readonly None?: string };
@@ -27,11 +31,7 @@ class Kokoro implements Host {
   }
 
   static async open(folder: URL): Promise<Kokoro> {
-    const json = async <T>(name: string): Promise<T> => {
-      const response = await fetch(new URL(name, folder));
-      if (!response.ok) throw new Error(`${name} of the voice could not be fetched: the server answers ${response.status}.`);
-      return (await response.json()) as T;
-    };
+    const json = async <T>(name: string): Promise<T> => JSON.parse(await fetchText(new URL(name, folder), { what: `${name} of the voice`, most: MOST_TABLE_BYTES })) as T;
     const [voices, { vocab }, gold, silver, model] = await Promise.all([
       json<string[]>('voices.json'),
       json<{ vocab: Record<string, number> }>('vocab.json'),

@@ -1,5 +1,6 @@
 /** Kokoro, a natural voice of English, in a worker of the page. */
 
+import { fetchText } from '../element/fetching.js';
 import type { SpeechSource } from './source.js';
 import workerUrl from './kokoro-worker.ts?worker&url';
 import { openWorker } from './trusted.js';
@@ -8,12 +9,13 @@ import { WorkerSource } from './worker-source.js';
 /** Of the library's figures. */
 const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'bm_george', kenji: 'am_michael', nuno: 'am_fenrir' };
 const USUAL = 'af_heart';
+const MOST_LIST_BYTES = 1e6;
 
 /** The voice that lies in a folder, whose address ends with a slash; undefined where none does. Nothing large is fetched yet. */
 export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
-  const response = await fetch(new URL('voices.json', folder)).catch(() => undefined);
-  if (!response?.ok) return undefined;
-  const voices = (await response.json()) as string[];
+  const list = await fetchText(new URL('voices.json', folder), { what: 'The list of voices', most: MOST_LIST_BYTES }).catch(() => undefined);
+  if (list === undefined) return undefined;
+  const voices = JSON.parse(list) as string[];
   return new WorkerSource({
     name: 'Kokoro',
     about: 'A natural voice.',

@@ -7,6 +7,8 @@ export class Later<Answer> {
   readonly #answers = new Map<string, Answer>();
   #pending: Promise<void> | undefined;
   #failure: { readonly error: unknown } | undefined;
+  /** Ends what is being answered. */
+  #abort = new AbortController();
 
   /** What is being answered, settled once it is or has failed. */
   pending(): Promise<void> | undefined {
@@ -14,7 +16,7 @@ export class Later<Answer> {
   }
 
   /** The answer to a question; undefined until `make` has it. Throws what failed since it was asked last. */
-  ask(question: string, make: () => Promise<Answer>): Answer | undefined {
+  ask(question: string, make: (signal: AbortSignal) => Promise<Answer>): Answer | undefined {
     const failure = this.#failure;
     this.#failure = undefined;
     if (failure !== undefined) throw failure.error;
@@ -24,12 +26,23 @@ export class Later<Answer> {
     return undefined;
   }
 
-  async #make(question: string, make: () => Promise<Answer>): Promise<void> {
+  /** What is being answered is not wanted any more; the next question is answered at once. */
+  forget(): void {
+    this.#abort.abort();
+    this.#abort = new AbortController();
+    this.#pending = this.#failure = undefined;
+  }
+
+  async #make(question: string, make: (signal: AbortSignal) => Promise<Answer>): Promise<void> {
+    const { signal } = this.#abort;
     try {
-      this.#answers.set(question, await make());
+      const answer = await make(signal);
+      if (signal.aborted) return;
+      this.#answers.set(question, answer);
       const [oldest] = this.#answers.keys();
       if (this.#answers.size > MOST_KEPT && oldest !== undefined) this.#answers.delete(oldest);
     } catch (error) {
+      if (signal.aborted) return;
       this.#failure = { error };
     }
     this.#pending = undefined;

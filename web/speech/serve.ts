@@ -2,6 +2,7 @@
 
 import instantiate from '../pkg/say/raconteur.js';
 import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
+import { fetchBytes, fetchModule, type Fetching } from '../element/fetching.js';
 import type { Ask, Part, Reply } from './messages.js';
 
 /** So long after a part the next one is sent, ms; what is made sooner goes together. */
@@ -19,7 +20,7 @@ interface Speaker {
 }
 
 interface Say {
-  (source: { module_or_path: Promise<Response> }): Promise<unknown>;
+  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   Speaker: new (engine: string, host: object, voice: string) => Speaker;
   panicMessage(): string | undefined;
 }
@@ -28,6 +29,8 @@ interface Say {
 export interface Host {
   /** What was asked for and is not there yet: settled once it is there or has failed. Engines that answer at once have nothing pending. */
   pending(): Promise<unknown> | undefined;
+  /** What is pending is not wanted any more. */
+  forget?(): void;
 }
 
 const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(reply, { transfer });
@@ -35,23 +38,15 @@ const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(r
 /** Tells the page how much has come. */
 export const progress = (share: number): void => post({ kind: 'progress', share });
 
+/** No file of a voice is larger: the models of natural ones have some hundred MB. */
+const MOST_BYTES = 1e9;
+
+/** How a file of a voice is fetched. */
+export const voiceFile: Fetching = { what: 'The voice', most: MOST_BYTES, progress };
+
 /** Fetches a file and tells how much has come. */
 export async function fetched(url: URL): Promise<Response> {
-  const response = await fetch(url);
-  if (!response.ok || response.body === null) throw new Error(`The voice could not be fetched: the server answers ${response.status}.`);
-  const total = Number(response.headers.get('content-length'));
-  let come = 0;
-  const counted = response.body.pipeThrough(
-    new TransformStream<Uint8Array, Uint8Array>({
-      transform(chunk, controller) {
-        come += chunk.length;
-        // Packed, more comes than was told.
-        if (total > 0) progress(Math.min(1, come / total));
-        controller.enqueue(chunk);
-      },
-    }),
-  );
-  return new Response(counted, { headers: { 'content-type': response.headers.get('content-type') ?? '' } });
+  return new Response(await fetchBytes(url, voiceFile));
 }
 
 /** Lets messages come in. */
@@ -63,11 +58,15 @@ export function serve(engine: string, open: () => Promise<Host>): void {
   let say: Say | undefined;
   const speakers = new Map<string, Speaker>();
   const stopped = new Set<number>();
+  /** Ends the wait of what is being said. */
+  let stop: (() => void) | undefined;
   let last: Promise<void> = Promise.resolve();
 
   const both = async () => {
     const made = instantiate() as unknown as Say;
-    const [host] = await Promise.all([open(), made({ module_or_path: fetch(new URL(sayUrl, import.meta.url)) })]);
+    const { what, most } = voiceFile;
+    const [host, module] = await Promise.all([open(), fetchModule(new URL(sayUrl, import.meta.url), { what, most })]);
+    await made({ module_or_path: module });
     progress(1);
     say = made;
     return { say: made, host };
@@ -91,7 +90,9 @@ export function serve(engine: string, open: () => Promise<Host>): void {
       while (!stopped.has(id) && speaker.step(saying)) {
         const wanted = host.pending();
         if (wanted !== undefined) {
-          await wanted;
+          // What is not wanted any more does not keep the next text waiting.
+          await Promise.race([wanted, new Promise<void>((done) => (stop = done))]);
+          if (stopped.has(id)) host.forget?.();
           continue;
         }
         unsent = true;
@@ -112,6 +113,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
   self.onmessage = ({ data }: MessageEvent<Ask>) => {
     if (data.kind === 'stop') {
       stopped.add(data.id);
+      stop?.();
       return;
     }
     last = last.then(async () => {

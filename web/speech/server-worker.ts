@@ -1,5 +1,6 @@
 /** Speaks by a server; the worker's name tells where that is and which voices it has. */
 
+import { fetchText } from '../element/fetching.js';
 import { Later } from './later.js';
 import { type Host, serve } from './serve.js';
 
@@ -9,8 +10,10 @@ interface Answer {
   readonly times: string;
 }
 
-/** A server that does not answer for so long will not, ms. */
+/** A server that sends nothing for so long, while it speaks, will not answer, ms. */
 const PATIENCE_MS = 30_000;
+/** No answer is larger: a sentence of several minutes as plain samples. */
+const MOST_BYTES = 64e6;
 
 class Server implements Host {
   readonly #url: string;
@@ -32,13 +35,17 @@ class Server implements Host {
 
   /** What the server says to a request; undefined until it answers. */
   ask(request: string): Answer | undefined {
-    return this.#answers.ask(request, () => this.#post(request));
+    return this.#answers.ask(request, (signal) => this.#post(request, signal));
   }
 
-  async #post(request: string): Promise<Answer> {
-    const response = await fetch(this.#url, { method: 'POST', headers: { 'content-type': 'application/json' }, body: request, signal: AbortSignal.timeout(PATIENCE_MS) });
-    if (!response.ok) throw new Error(`the server of the voice answers ${response.status}`);
-    const { sound, times } = (await response.json()) as { sound?: unknown; times?: unknown };
+  forget(): void {
+    this.#answers.forget();
+  }
+
+  async #post(body: string, signal: AbortSignal): Promise<Answer> {
+    const request = { method: 'POST', headers: { 'content-type': 'application/json' }, body };
+    const answer = await fetchText(new URL(this.#url), { what: 'The sound of the voice', most: MOST_BYTES, signal, silenceMs: PATIENCE_MS, request });
+    const { sound, times } = JSON.parse(answer) as { sound?: unknown; times?: unknown };
     if (typeof sound !== 'string' || typeof times !== 'string') throw new Error('the server of the voice answers without sound or times');
     return { sound: Uint8Array.from(atob(sound), (byte) => byte.charCodeAt(0)), times };
   }

@@ -3,7 +3,7 @@
 import { script, tag } from './markup.js';
 import { GREETING, SMALL } from './words.js';
 
-/** As long as a text is, characters; more is a story. */
+/** As long as a text is that somebody types, characters; more is a story. */
 export const MOST_CHARACTERS = 600;
 
 /** Signs of feelings, and the emotion that they elicit. The longest first, where one begins another. */
@@ -72,8 +72,8 @@ function felt(text: string): { rest: string; emotion: string | undefined } {
 }
 
 /** Sentences, without their signs of feelings; a sign after the mark of its sentence is of that one. */
-function sentences(text: string): Sentence[] {
-  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${SIGNS}))*)(?=\\s)(?!\\s*(?:${SIGNS}))|\\n+`, 'u'));
+function sentences(text: string, most = MOST_CHARACTERS): Sentence[] {
+  const parts = text.slice(0, most).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${SIGNS}))*)(?=\\s)(?!\\s*(?:${SIGNS}))|\\n+`, 'u'));
   return parts.flatMap((part) => {
     const { rest, emotion } = felt(part);
     const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
@@ -164,11 +164,13 @@ export interface Telling {
   readonly language?: string;
   /** Sentences are said phrase by phrase, by a voice that takes long: it is heard after the first. */
   readonly isPhrased?: boolean;
+  /** What is longer is told so far, characters. */
+  readonly most?: number;
 }
 
 /** The script that tells a text; undefined where it has no word. */
-export function told(text: string, { language = 'en', isPhrased = false }: Telling = {}): string | undefined {
-  const whole = sentences(text);
+export function told(text: string, { language = 'en', isPhrased = false, most }: Telling = {}): string | undefined {
+  const whole = sentences(text, most);
   const all = isPhrased ? whole.flatMap(phrases) : whole;
   if (all.length === 0) return undefined;
   return script('said', true, clausesOf(all, BEGINS, 'neutral').clauses, [tag('r:performer', { language })]);

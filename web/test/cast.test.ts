@@ -4,7 +4,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import { PlayerError, type Diagnostic } from '../element/types.js';
 
 const performerOf = vi.fn(() => Promise.resolve({ figure: 'nuno' }));
-const fetchFigure = vi.fn((name: string, _library: URL, _progress: unknown, url?: URL) =>
+const fetchFigure = vi.fn((name: string, _library: URL, _wanted: unknown, url?: URL) =>
   name === 'nobody' ? Promise.reject(new PlayerError('The figure was not found.')) : Promise.resolve({ name, where: String(url), glb: new Uint8Array(), diagnostics: [] }),
 );
 vi.mock('../element/backend.js', () => ({ performerOf }));
@@ -26,13 +26,7 @@ const story = new URL('https://x.org/stories/a/story.eml');
 const told: Diagnostic[] = [];
 const choose = async (choice: string | undefined) => {
   told.length = 0;
-  const figure = await fetchChoice(
-    choice,
-    story,
-    new URL('https://x.org/assets/'),
-    () => undefined,
-    (d) => told.push(d),
-  );
+  const figure = await fetchChoice(choice, story, new URL('https://x.org/assets/'), { signal: new AbortController().signal, progress: () => undefined }, (d) => told.push(d));
   return [figure.name, figure.where];
 };
 

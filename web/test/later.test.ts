@@ -39,3 +39,18 @@ test('old answers are let go', async () => {
   expect(later.ask('99', () => Promise.resolve(-1))).toBe(99);
   expect(later.ask('0', () => Promise.resolve(-1))).toBeUndefined();
 });
+
+test('what is not wanted any more is ended, and keeps nobody waiting', async () => {
+  const later = new Later<string>();
+  let ended = false;
+  later.ask('slow', (signal) => {
+    signal.addEventListener('abort', () => (ended = true));
+    return new Promise((_, reject) => signal.addEventListener('abort', () => reject(signal.reason as Error)));
+  });
+  later.forget();
+  expect([ended, later.pending()]).toEqual([true, undefined]);
+  expect(later.ask('next', () => Promise.resolve('said'))).toBeUndefined();
+  await later.pending();
+  // What became of the other one is no failure of this one.
+  expect(later.ask('next', () => Promise.resolve(''))).toBe('said');
+});

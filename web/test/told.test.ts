@@ -32,3 +32,9 @@ test('markup, long and strange texts stay text', () => {
   expect(script.length).toBeLessThan(40 * MOST_CHARACTERS);
   expect(script).not.toContain('🙂');
 });
+
+test('a text between the tags is longer than one that somebody types, and whole', () => {
+  const text = Array.from({ length: 400 }, (_, i) => `Number ${i} came.`).join(' ');
+  expect(told(text, { most: 100_000 })?.match(/<voice-text/g)).toHaveLength(400);
+  expect(told(text)?.match(/<voice-text/g)?.length).toBeLessThan(60);
+});

@@ -141,6 +141,36 @@ test('a loop begins again by itself', () => {
   expect(events).not.toContain('ended');
 });
 
+test('an empty story ends, also in a loop', () => {
+  // As the element does: what is sought is drawn at once.
+  const told: string[] = [];
+  const empty = new Transport(voice, 0, (event) => {
+    told.push(event);
+    if (event === 'seeked') empty.update();
+  });
+  empty.loop = true;
+  empty.play();
+  voice.time += 1;
+  empty.update();
+  expect([empty.ended, empty.paused]).toEqual([true, true]);
+  expect(told).toEqual(['play', 'playing', 'pause', 'ended']);
+  // It may be played again, and ends again.
+  empty.play();
+  voice.time += 1;
+  empty.update();
+  expect(empty.ended).toBe(true);
+});
+
+test('a loop that is paused as it begins again stays paused', () => {
+  const looping: Transport = new Transport(voice, 10, (event) => event === 'seeking' && looping.pause());
+  looping.loop = true;
+  looping.play();
+  voice.time += 20;
+  looping.update();
+  voice.time += 5;
+  expect([looping.paused, looping.position]).toEqual([true, 0]);
+});
+
 test('waits while what plays the sound does not run, be it suspended or another one', () => {
   transport.play();
   voice.time += 1.13;

@@ -1,0 +1,160 @@
+/**
+ * Fetching: what has no end is not read to the end, and what does not come is not waited for. The size is
+ * counted as it comes, whatever a server tells of it; patience is with silence, so that a slow network is none.
+ */
+
+import { PlayerError } from './types.js';
+
+/** Receives how much of the work is done, 0 to 1. */
+export type Progress = (share: number) => void;
+
+/** A server that has sent nothing for so long will not. */
+const SILENCE_MS = 20_000;
+
+/** What is fetched, and how far. */
+export interface Fetching {
+  /** What it is, as the beginning of a sentence. */
+  readonly what: string;
+  /** More bytes are not read. */
+  readonly most: number;
+  /** Nobody wants it any more. */
+  readonly signal?: AbortSignal | undefined;
+  readonly progress?: Progress | undefined;
+  /** Nothing has come for so long: it will not. */
+  readonly silenceMs?: number;
+  readonly request?: Omit<RequestInit, 'signal'>;
+}
+
+/** What was asked for cannot be had; the message is a sentence with the address. */
+export class FetchError extends PlayerError {}
+
+/** An address for people. */
+export const shown = (url: URL): string => (url.origin === globalThis.location?.origin ? url.pathname : url.href);
+
+/** That something is too large, before or while it is read. */
+export const tooLarge = (what: string, most: number): FetchError => new FetchError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
+
+/** One request, watched. */
+class Watch {
+  readonly #url: URL;
+  readonly #fetching: Fetching;
+  readonly #abort = new AbortController();
+  readonly #stop = () => this.#abort.abort();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Why it was ended here. */
+  #why: FetchError | undefined;
+
+  constructor(url: URL, fetching: Fetching) {
+    this.#url = url;
+    this.#fetching = fetching;
+    fetching.signal?.addEventListener('abort', this.#stop, { once: true });
+  }
+
+  async open(): Promise<Response> {
+    const { what, signal, request } = this.#fetching;
+    signal?.throwIfAborted();
+    this.#listen();
+    const response = await fetch(this.#url, { ...request, signal: this.#abort.signal });
+    if (response.status === 404) throw this.#end(new FetchError(`${what} was not found at ${shown(this.#url)}.`));
+    if (!response.ok) throw this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: the server answered ${response.status}.`));
+    return response;
+  }
+
+  /** Reads to the end, or to the limit. */
+  async read({ headers, body }: Response, take: (chunk: Uint8Array) => void): Promise<void> {
+    const { what, most, progress } = this.#fetching;
+    const expected = Number(headers.get('content-length')) || 0;
+    if (expected > most) throw this.#end(tooLarge(what, most));
+    let length = 0;
+    const reader = body?.getReader();
+    while (reader !== undefined) {
+      this.#listen();
+      const { done, value } = await reader.read();
+      if (done) break;
+      length += value.length;
+      if (length > most) throw this.#end(tooLarge(what, most));
+      take(value);
+      // The length counts compressed bytes, so it may be passed.
+      if (expected > 0) progress?.(Math.min(1, length / expected));
+    }
+    progress?.(1);
+  }
+
+  /** What an error means. */
+  reason(error: unknown): unknown {
+    const { what, signal } = this.#fetching;
+    if (signal?.aborted) return signal.reason;
+    // What has come is not what it should be.
+    if (error instanceof WebAssembly.CompileError) return error;
+    return this.#why ?? new FetchError(`${what} could not be fetched from ${shown(this.#url)}: is the network there?`, { cause: error });
+  }
+
+  close(): void {
+    clearTimeout(this.#timer);
+    this.#fetching.signal?.removeEventListener('abort', this.#stop);
+  }
+
+  #listen(): void {
+    const { what, silenceMs = SILENCE_MS } = this.#fetching;
+    clearTimeout(this.#timer);
+    const silent = () => this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: nothing has come for ${Math.round(silenceMs / 1000)} seconds.`));
+    this.#timer = setTimeout(silent, silenceMs);
+  }
+
+  #end(why: FetchError): FetchError {
+    this.#why ??= why;
+    this.#stop();
+    return why;
+  }
+}
+
+async function watched<T>(url: URL, fetching: Fetching, work: (watch: Watch) => Promise<T>): Promise<T> {
+  const watch = new Watch(url, fetching);
+  try {
+    return await work(watch);
+  } catch (error) {
+    throw watch.reason(error);
+  } finally {
+    watch.close();
+  }
+}
+
+/** The bytes at an address. Throws a `FetchError`, or the signal's reason. */
+export async function fetchBytes(url: URL, fetching: Fetching): Promise<Uint8Array<ArrayBuffer>> {
+  return await watched(url, fetching, async (watch) => {
+    const chunks: Uint8Array[] = [];
+    await watch.read(await watch.open(), (chunk) => chunks.push(chunk));
+    return joined(chunks);
+  });
+}
+
+/** As `fetchBytes`, as text. */
+export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
+  return new TextDecoder().decode(await fetchBytes(url, fetching));
+}
+
+/** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
+export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
+  return await watched(url, fetching, async (watch) => {
+    const response = await watch.open();
+    if (!response.headers.get('content-type')?.startsWith('application/wasm')) {
+      const chunks: Uint8Array[] = [];
+      await watch.read(response, (chunk) => chunks.push(chunk));
+      return await WebAssembly.compile(joined(chunks));
+    }
+    // A browser keeps the code that it has made of a response of its own, so that one is compiled and a copy counted.
+    const copy = response.clone();
+    const [module] = await Promise.all([WebAssembly.compileStreaming(response), watch.read(copy, () => undefined)]);
+    return module;
+  });
+}
+
+function joined(chunks: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(chunks.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
+  return all;
+}

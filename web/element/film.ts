@@ -1,0 +1,102 @@
+/**
+ * A film of the story, baked by `raconteur render --video`, in the place of a picture where none can be
+ * drawn: silent, on the story's clock, which stays the master. Fetched only by players without a picture.
+ */
+
+/** Beyond this the film is set to its place; within it plays a little slower or faster until it is there. Lips that are so far from the sound are seen. */
+const JUMP_SECS = 0.3;
+/** A picture of the film is as long. */
+const NEAR_SECS = 0.04;
+/** The most by which its speed leaves the story's. */
+const MOST_PULL = 0.1;
+/** It is given this long to come to its place before it is set anew: a seek takes a while where pictures are decoded slowly. */
+const SETTLE_MS = 500;
+/** While the story rests the film stands within a picture of its place. */
+const REST_SECS = 0.02;
+
+/** Where the story is. */
+export interface Moment {
+  readonly secs: number;
+  /** Time passes. */
+  readonly runs: boolean;
+  readonly rate: number;
+}
+
+/** What to do with a film that is `drift` seconds ahead of the story: a place to set, or a speed. */
+export function steerFilm(drift: number, rate: number): 'set' | number {
+  if (Math.abs(drift) > JUMP_SECS) return 'set';
+  return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MOST_PULL, Math.max(-MOST_PULL, drift)));
+}
+
+export class Film {
+  readonly video = document.createElement('video');
+  readonly #addresses: URL[];
+  readonly #onMissing: () => void;
+  #now: Moment = { secs: 0, runs: false, rate: 1 };
+  #setMs = -Infinity;
+
+  /** `addresses` are those of the same film in several encodings; `onMissing` is called when none of them can be played. */
+  constructor(addresses: readonly URL[], onMissing: () => void) {
+    this.#addresses = [...addresses];
+    this.#onMissing = onMissing;
+    const { video } = this;
+    Object.assign(video, { muted: true, playsInline: true, preload: 'auto', disablePictureInPicture: true, disableRemotePlayback: true });
+    // Captions and controls say what there is to say.
+    video.setAttribute('aria-hidden', 'true');
+    video.tabIndex = -1;
+    video.addEventListener('error', () => video.hasAttribute('src') && this.#next());
+    for (const type of ['loadedmetadata', 'seeked', 'canplay']) video.addEventListener(type, () => this.#steer());
+    this.#next();
+  }
+
+  /** Goes where the story is; called for each picture, and when the story stops or begins. */
+  follow(now: Moment): void {
+    this.#now = now;
+    this.#steer();
+  }
+
+  close(): void {
+    this.video.pause();
+    this.video.remove();
+    // Ends the download.
+    this.video.removeAttribute('src');
+    this.video.load();
+  }
+
+  #next(): void {
+    const url = this.#addresses.shift();
+    // Not before whoever asked has the film that is missing.
+    if (url === undefined) queueMicrotask(this.#onMissing);
+    else this.video.src = url.href;
+  }
+
+  #steer(): void {
+    const { video } = this;
+    const { secs, runs, rate } = this.#now;
+    if (video.readyState === 0) return;
+    // A story that goes on after its film has the last picture of it.
+    const place = Math.min(secs, video.duration || secs);
+    const drift = video.currentTime - place;
+    if (!runs || secs >= video.duration) {
+      if (!video.paused) video.pause();
+      if (Math.abs(drift) > REST_SECS) this.#place(place, true);
+      return;
+    }
+    const todo = steerFilm(drift, rate);
+    if (todo === 'set') this.#place(place, false);
+    else if (video.playbackRate !== todo) video.playbackRate = todo;
+    if (video.paused) {
+      // Where it stood it was at its place; the browser takes a moment to begin.
+      video.playbackRate = rate;
+      video.play().catch(() => undefined);
+    }
+  }
+
+  #place(secs: number, rests: boolean): void {
+    const ms = performance.now();
+    // `seeked` comes back here.
+    if (this.video.seeking || (!rests && ms - this.#setMs < SETTLE_MS)) return;
+    this.#setMs = ms;
+    this.video.currentTime = secs;
+  }
+}

@@ -1,0 +1,65 @@
+/** What several may want at once: one request for all of them, which ends when nobody wants it any more. */
+
+/** So long after the last one has left it goes on: the next story often wants the same. */
+const GRACE_MS = 1000;
+
+interface Work<T> {
+  readonly done: Promise<T>;
+  readonly abort: AbortController;
+  waiting: number;
+  settled: boolean;
+}
+
+export class Shared<T> {
+  readonly #works = new Map<string, Work<T>>();
+  readonly #graceMs: number;
+
+  constructor(graceMs = GRACE_MS) {
+    this.#graceMs = graceMs;
+  }
+
+  /**
+   * What `make` gives for a key: made once, and kept. What has failed is made again for the next who
+   * asks. Rejects with the signal's reason as soon as that is aborted; the others go on waiting.
+   */
+  async get(key: string, signal: AbortSignal | undefined, make: (signal: AbortSignal) => Promise<T>): Promise<T> {
+    signal?.throwIfAborted();
+    const work = this.#works.get(key) ?? this.#begin(key, make);
+    work.waiting += 1;
+    let leave: (() => void) | undefined;
+    try {
+      if (signal === undefined) return await work.done;
+      const left = new Promise<never>((_, reject) => {
+        leave = () => reject(signal.reason as Error);
+        signal.addEventListener('abort', leave, { once: true });
+      });
+      return await Promise.race([work.done, left]);
+    } finally {
+      if (leave !== undefined) signal?.removeEventListener('abort', leave);
+      work.waiting -= 1;
+      if (work.waiting === 0 && !work.settled) setTimeout(() => this.#leave(key, work), this.#graceMs);
+    }
+  }
+
+  #begin(key: string, make: (signal: AbortSignal) => Promise<T>): Work<T> {
+    const abort = new AbortController();
+    const work: Work<T> = { done: make(abort.signal), abort, waiting: 0, settled: false };
+    this.#works.set(key, work);
+    work.done.then(
+      () => (work.settled = true),
+      () => this.#forget(key, work),
+    );
+    return work;
+  }
+
+  #leave(key: string, work: Work<T>): void {
+    if (work.waiting > 0 || work.settled) return;
+    this.#forget(key, work);
+    work.abort.abort();
+  }
+
+  #forget(key: string, work: Work<T>): void {
+    work.settled = true;
+    if (this.#works.get(key) === work) this.#works.delete(key);
+  }
+}
