@@ -21,7 +21,11 @@ test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag:
   for (const player of players) await ready(player);
   const shown = () =>
     page.evaluate(() =>
-      [...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => ({ first: player.statistics?.firstFrameMs ?? 0, calls: player.statistics?.drawCalls ?? 0, backend: player.backend })),
+      [...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => ({
+        first: player.statistics?.firstFrameMs ?? 0,
+        calls: player.statistics?.drawCalls ?? 0,
+        backend: player.backend,
+      })),
     );
   await expect.poll(async () => (await shown()).every(({ first, calls }) => first > 0 && calls > 0), { timeout: 60_000 }).toBe(true);
   for (const { spread } of await Promise.all(players.map((player) => stage.picture(player)))) expect(spread).toBeGreaterThan(LEAST_SPREAD);

@@ -21,6 +21,7 @@ export const attributes: PropertyDeclarations = {
   loading: text,
   controls: flag,
   captions: flag,
+  remarks: flag,
   autoplay: flag,
   muted: flag,
   loop: flag,

@@ -3,7 +3,7 @@
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
 import { fetchModule } from './fetching.js';
-import type { Backend, Engine, Performer } from './types.js';
+import type { Backend, Diagnostic, Engine, Performer } from './types.js';
 
 /** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
 export interface PalmFunctions {
@@ -13,10 +13,18 @@ export interface PalmFunctions {
   palmOf(left: boolean, directions: Float64Array): Float64Array;
 }
 
+/** A script that was fetched. */
+export interface Script {
+  readonly text: string;
+  /** That some of its bytes are not UTF-8. */
+  readonly problem?: Diagnostic;
+}
+
 /** What the JavaScript side of a build gives for one instance. */
 interface Instance extends PalmFunctions {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   performerOf(eml: string): Performer;
+  decodeScript(bytes: Uint8Array): Script;
   /** What the instance was at when it trapped; 0 for nothing. */
   doing(): number;
   /** What the panic said that ended the instance; undefined where it was another trap. */
@@ -80,6 +88,15 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   const engine = await instance.Player.create(canvas);
   instances.set(engine, instance);
   return engine;
+}
+
+/** The text of a script's bytes, and what is wrong with them: an instance says where bytes are no text. */
+export async function decodeScript(backend: Promise<Backend>, bytes: Uint8Array): Promise<Script> {
+  try {
+    return { text: new TextDecoder('utf-8', { fatal: true }).decode(bytes) };
+  } catch {
+    return (await openInstance(await backend)).decodeScript(bytes);
+  }
 }
 
 /** The performer that a text chooses, read by an instance of its own: there is no engine yet. */

@@ -23,6 +23,9 @@ import { StoryLoader } from './story-loader.js';
 import { FrameLoop } from './frame-loop.js';
 import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, Telling, View, Words } from './types.js';
 
+/** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
+const MOST_CAPTIONS = 0.25;
+
 export interface RaconteurPlayer extends MediaStates {}
 
 /** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
@@ -72,6 +75,8 @@ export class RaconteurPlayer extends LitElement {
   declare loading: 'lazy' | 'eager';
   declare controls: boolean;
   declare captions: boolean;
+  /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
+  declare remarks: boolean;
   /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
   declare autoplay: boolean;
   declare muted: boolean;
@@ -152,7 +157,7 @@ export class RaconteurPlayer extends LitElement {
     this.assets = RaconteurPlayer.library;
     this.label = 'Story';
     this.loading = 'lazy';
-    this.controls = this.captions = this.autoplay = this.muted = this.loop = false;
+    this.controls = this.captions = this.remarks = this.autoplay = this.muted = this.loop = false;
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
@@ -383,6 +388,10 @@ export class RaconteurPlayer extends LitElement {
     this.#updating = false;
   }
 
+  protected override updated(): void {
+    this.#makeRoom();
+  }
+
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('mind') && this.#context.show !== undefined) void this.#mind.connect(this.#context.show);
     if (changed.has('src')) this.#context.text = undefined;
@@ -433,8 +442,15 @@ export class RaconteurPlayer extends LitElement {
     const { clientWidth, clientHeight } = this;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#context.show?.picture.resize(clientWidth, clientHeight);
+    this.#makeRoom();
     // While it plays the next frame comes by itself.
     if (this.paused) this.#frames.advance();
+  }
+
+  /** Has shots keep hands and feet above a whole caption, where there are captions. */
+  #makeRoom(): void {
+    const room = this.renderRoot.querySelector('.caption-room')?.clientHeight ?? 0;
+    if (this.clientHeight > 0) this.#context.show?.picture.setCaptions(Math.min(MOST_CAPTIONS, room / this.clientHeight));
   }
 
   // --- the user ---

@@ -1,10 +1,11 @@
 /** Fetches what a story needs, with errors that say in a sentence what is wrong. */
 
 import { Animations } from './animations.js';
-import { fetchBytes, fetchText, shown, tooLarge, type Progress } from './fetching.js';
+import type { Script } from './backend.js';
+import { fetchBytes, shown, tooLarge, type Progress } from './fetching.js';
 import { prepareFigure, type FigureFile } from './figure.js';
 import { Shared } from './shared.js';
-import { PlayerError } from './types.js';
+import { PlayerError, type Diagnostic } from './types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
 const MOST_STORY_BYTES = 16e6;
@@ -16,6 +17,10 @@ const MOST_FIGURE_BYTES = 100e6;
 /** Everything that a story needs, as it came. */
 export interface StoryFiles {
   readonly eml: string;
+  /** What is wrong with the bytes of its file. */
+  readonly problem?: Diagnostic | undefined;
+  /** Of what tells no language itself: that of the page, a tag of BCP 47. */
+  readonly language: string;
   /** Where the text is; the page, when it has no file. */
   readonly story: URL;
   /** The text of `voice/speech.json`; undefined when the story has no recorded voice. */
@@ -41,14 +46,16 @@ export interface StoryWish {
   readonly text: string | undefined;
   /** It is being edited, and is not what the page came with. */
   readonly edited: boolean;
+  readonly language: string;
   /** Lines may come that the story's own text does not have. */
   readonly expectsLines: boolean;
 }
 
 /** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
 export async function fetchStory(
-  { src, text, edited, expectsLines }: StoryWish,
+  { src, text, edited, language, expectsLines }: StoryWish,
   library: URL,
+  decode: (bytes: Uint8Array) => Promise<Script>,
   figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
@@ -61,7 +68,8 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const told = text === undefined ? fetchText(story, { what: 'The story', most: MOST_STORY_BYTES, signal, progress: part(0) }) : Promise.resolve(text);
+  const script = text === undefined ? fetchBytes(story, { what: 'The story', most: MOST_STORY_BYTES, signal, progress: part(0) }).then(decode) : Promise.resolve<Script>({ text });
+  const told = script.then((script) => script.text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story without speech has no recordings.
     if (!src || (!expectsLines && !SPEAKS.test(await told))) {
@@ -74,9 +82,9 @@ export async function fetchStory(
       throw error;
     });
   };
-  const [eml, bundle, who] = await Promise.all([told, voice(), figure(told, part(2))]);
+  const [{ text: eml, problem }, bundle, who] = await Promise.all([script, voice(), figure(told, part(2))]);
   signal.throwIfAborted();
-  return { eml, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal), edited };
+  return { eml, problem, language, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal), edited };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

@@ -7,7 +7,7 @@
 import type { Word } from './types.js';
 
 /** How good the place after a word is, the best first. */
-export const enum Break {
+export enum Break {
   Sentence,
   /** The speaker stops: the end of a line of verse. */
   Pause,
@@ -33,16 +33,26 @@ const STOP_SECS = { bare: 0.18, comma: 0.32 } as const;
 
 /** Begin phrases: conjunctions, relative words, prepositions. */
 const STARTS: Readonly<Record<string, ReadonlySet<string>>> = {
-  en: set('and or but nor so yet for that which who whom whose where when while because if as than then with without from into onto over under through across until till before after about between among against to in on at by'),
+  en: set(
+    'and or but nor so yet for that which who whom whose where when while because if as than then with without from into onto over under through across until till before after about between among against to in on at by',
+  ),
   pt: set('e ou mas nem que quem onde quando enquanto porque se como com sem de do da dos das em no na nos nas por pelo pela para até entre sobre sob contra desde após'),
-  de: set('und oder aber denn sondern dass ob weil wenn als wie wo der die das mit ohne von vom aus bei zu zum zur nach in im an am auf über unter durch für gegen zwischen bis seit'),
+  de: set(
+    'und oder aber denn sondern dass ob weil wenn als wie wo der die das mit ohne von vom aus bei zu zum zur nach in im an am auf über unter durch für gegen zwischen bis seit',
+  ),
 };
 
 /** Lean on what follows: articles, prepositions, possessives, auxiliaries, negations. */
 const LEANS: Readonly<Record<string, ReadonlySet<string>>> = {
-  en: set('a an the my your his her its our their this that these those no not of to in on at by for with without from into onto over under through and or but as than very so too is are was were be been has have had will would can could shall should may might must do does did i he she it we they who which every each some any'),
-  pt: set('o a os as um uma uns umas meu minha teu tua seu sua nosso nossa este esta esse essa aquele aquela de do da dos das em no na nos nas por pelo pela para com sem e ou mas que não nunca mais muito tão é era foi são há se já eu ele ela nós eles elas cada todo toda'),
-  de: set('der die das den dem des ein eine einen einem einer eines mein dein sein ihr unser kein keine dieser diese dieses von vom zu zum zur in im an am auf aus bei mit nach für und oder aber als wie sehr so nicht ist war sind hat hatte wird ich er sie es wir jeder jede jedes'),
+  en: set(
+    'a an the my your his her its our their this that these those no not of to in on at by for with without from into onto over under through and or but as than very so too is are was were be been has have had will would can could shall should may might must do does did i he she it we they who which every each some any',
+  ),
+  pt: set(
+    'o a os as um uma uns umas meu minha teu tua seu sua nosso nossa este esta esse essa aquele aquela de do da dos das em no na nos nas por pelo pela para com sem e ou mas que não nunca mais muito tão é era foi são há se já eu ele ela nós eles elas cada todo toda',
+  ),
+  de: set(
+    'der die das den dem des ein eine einen einem einer eines mein dein sein ihr unser kein keine dieser diese dieses von vom zu zum zur in im an am auf aus bei mit nach für und oder aber als wie sehr so nicht ist war sind hat hatte wird ich er sie es wir jeder jede jedes',
+  ),
 };
 
 /** Articles after which a comma mostly parts two adjectives of one noun: a fine, round cabbage. */

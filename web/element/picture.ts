@@ -71,6 +71,8 @@ export class Picture {
   #quality: Quality = 'auto';
   #view: View | undefined;
   #openEnded = false;
+  /** Share of the height that captions take. */
+  #captions = 0;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -169,6 +171,13 @@ export class Picture {
   look(view: View): void {
     this.#view = view;
     this.#guard((engine) => applyView(engine, view));
+  }
+
+  /** Keeps hands and feet above captions that take this share of the height at the lower edge. */
+  setCaptions(share: number): void {
+    if (share === this.#captions) return;
+    this.#captions = share;
+    this.#guard((engine) => engine.setCaptions(share));
   }
 
   /** What the face does from one time to another, at so many times, and what its mouth goes through. */
@@ -412,15 +421,19 @@ export class Picture {
 
   /** `kept`: the figure is on stage already. */
   #read(engine: Engine, files = this.#files, kept = false): Story {
-    const { eml, bundle, figure, edited } = files;
+    const { eml, bundle, figure, edited, language, problem } = files;
     applyView(engine, this.#view);
     engine.setHandedness(figure.handedness ?? '');
+    engine.setLanguage(language);
+    engine.setCaptions(this.#captions);
     try {
       const told = kept ? engine.tell(eml, bundle, motionAmount()) : undefined;
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
-      return edited ? this.#reread(engine, files) : (this.#animate(engine, story, files) ?? story);
+      if (edited) return this.#reread(engine, files);
+      const animated = this.#animate(engine, story, files) ?? story;
+      return problem === undefined ? animated : { ...animated, diagnostics: [problem, ...animated.diagnostics] };
     } catch (error) {
       // An engine throws for a figure alone; all else is in diagnostics.
       if (error instanceof PlayerError) throw error;

@@ -1,7 +1,7 @@
 /** Loads a story, opens it, reads edited texts, and closes it; knows its error and whether the picture is lost. */
 
 import { openVoice } from './audio.js';
-import { chooseBackends, warmUp } from './backend.js';
+import { chooseBackends, decodeScript, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
@@ -151,7 +151,14 @@ export class StoryLoader {
     void choosing.then(warmUp);
     const wish = await this.#wish();
     signal.throwIfAborted();
-    const fetching = fetchStory(wish, library, (eml, part) => this.#figures.fetch(eml, choosing, { signal, progress: part }), signal, progress);
+    const fetching = fetchStory(
+      wish,
+      library,
+      (bytes) => decodeScript(choosing, bytes),
+      (eml, part) => this.#figures.fetch(eml, choosing, { signal, progress: part }),
+      signal,
+      progress,
+    );
     let [files, backends] = await Promise.all([fetching, ranking]);
     signal.throwIfAborted();
     const events = this.#pictureEvents(signal);
@@ -165,9 +172,9 @@ export class StoryLoader {
   async #wish(): Promise<StoryWish> {
     const { player, text, diagnostics } = this.#context;
     const { src, mind } = player;
-    const wish = { src, text, edited: text !== undefined, expectsLines: mind !== undefined };
+    const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined };
     if (src || text !== undefined) return wish;
-    const own = await this.#own.eml(languageAround(player), (d) => diagnostics.report(d));
+    const own = await this.#own.eml(wish.language, (d) => diagnostics.report(d));
     if (own !== undefined) return { ...wish, text: own };
     if (this.#bare || mind) return { ...wish, text: EMPTY };
     throw new NoStoryError('No story is given: set the attribute src, or write one between the tags.');

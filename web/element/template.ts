@@ -40,13 +40,14 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${stories.share === undefined ? nothing : controls.loadingProgress(stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
       ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
+      ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
         ${hasCaptions(player, show) && !before ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
       <div class="notes">
         ${stories.lost !== 'no' && told ? controls.pictureLost(stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
-        ${player.controls && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
+        ${player.remarks && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
       </div>
       ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
       <div class="unseen" role="status">${state.announcement}</div>

@@ -236,6 +236,10 @@ export interface Engine {
   provideAnimations(eml: string, names: string[], texts: string[]): Story | undefined;
   /** The dominant hand, `left` or `right`, in texts that are read later; by any other name, as story and figure have it. */
   setHandedness(hand: string): void;
+  /** The language of lips in texts that are read later, where neither they nor a voice tell it: a tag of BCP 47. */
+  setLanguage(tag: string): void;
+  /** Keeps hands and feet above captions that take this share of the picture's height at its lower edge. */
+  setCaptions(share: number): void;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
   setView(turn: number, tilt: number, zoom: number, right: number, up: number): void;
   /** The moment shown last as numbers, in the order that `pose.ts` reads; empty before a `load`. */

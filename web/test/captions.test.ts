@@ -15,7 +15,9 @@ function say(text: string, startSecs = 0): Utterance {
 
 /** Captions with their lines, parted by a bar. */
 const shown = (utterance: Utterance, language = 'en') =>
-  captionsOf([utterance], language).map(({ words, second }) => [words.slice(0, second), words.slice(second)].map((line) => line.map((w) => w.text).join(' ')).filter((line) => line !== ''));
+  captionsOf([utterance], language).map(({ words, second }) =>
+    [words.slice(0, second), words.slice(second)].map((line) => line.map((w) => w.text).join(' ')).filter((line) => line !== ''),
+  );
 const lines = (text: string, language?: string) => shown(say(text), language);
 
 test('a short text is one caption of one line', () => {

@@ -19,7 +19,7 @@ pub use lower::music::MusicCue;
 pub use lower::script::{LoadStage, Script, performer_of};
 pub use lower::units::Units;
 pub use lower::voice::{SpokenClause, spoken_clauses};
-pub use options::Options;
+pub use options::{LanguageTag, Options};
 pub use play::event::{AcceptedClause, Event};
 pub use play::player::{Loaded, Manipulator, Player, StoryInput};
 pub use raconteur_actor as actor;

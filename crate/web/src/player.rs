@@ -8,7 +8,7 @@ use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Room, View};
-use raconteur_player::{Options, Player as Performer, StoryInput};
+use raconteur_player::{LanguageTag, Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Quality, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -47,6 +47,7 @@ pub struct Player {
     pub(crate) captions: f64,
     /// The dominant hand, where the page chooses it.
     handedness: Option<Side>,
+    language: Option<LanguageTag>,
     sized: bool,
 }
 
@@ -74,6 +75,7 @@ impl Player {
             view: None,
             captions: 0.0,
             handedness: None,
+            language: None,
             sized: false,
         })
     }
@@ -111,6 +113,13 @@ impl Player {
             "right" => Some(Side::Right),
             _ => None,
         };
+    }
+
+    /// The language that lips speak in texts that are read from now on where neither text nor
+    /// bundle tells of one: that of the page, a tag of BCP 47. English by any other name.
+    #[wasm_bindgen(js_name = setLanguage)]
+    pub fn set_language(&mut self, tag: &str) {
+        self.language = LanguageTag::new(tag);
     }
 
     /// Reads another story for the figure that is on stage, which keeps its pictures: the device
@@ -413,6 +422,7 @@ impl Player {
             },
             room,
             handedness: self.handedness,
+            language: self.language,
             ..Options::default()
         }
     }

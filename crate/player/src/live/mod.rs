@@ -309,6 +309,7 @@ impl Live {
             library: scene.library,
         };
         let mut script = Script::resolve(parsed, sources, bundle.is_some());
+        script.page_language = scene.script.page_language;
         let diagnostics = &mut performed.diagnostics;
         diagnostics.append(&mut script.diagnostics);
         diagnostics.extend(scene.cast.problems(&script.document));

@@ -11,6 +11,7 @@ use raconteur_speech::{Bundle, Utterance};
 
 use crate::lower::needs::Needs;
 use crate::lower::voice::{KnownDurations, Voices};
+use crate::options::LanguageTag;
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -25,6 +26,8 @@ pub struct Script {
     pub(crate) bundle: Option<Arc<Bundle>>,
     /// Which utterance belongs to which clause.
     voices: Voices,
+    /// The language of what nothing else tells of.
+    pub(crate) page_language: Option<LanguageTag>,
 }
 
 /// The stage that loading a story has come to, so that a page can report at which one it failed.
@@ -120,6 +123,7 @@ impl Script {
             diagnostics,
             bundle,
             voices,
+            page_language: None,
         }
     }
 
@@ -179,7 +183,7 @@ impl Script {
     }
 
     /// The language of what says nothing of it: the performer's, else that of the bundle's
-    /// first voice.
+    /// first voice, else that of the page around the story.
     pub(crate) fn usual_language(&self) -> Option<&str> {
         let performer = self.document.performer.as_ref();
         let voices = self.bundle.iter().flat_map(|bundle| &bundle.voices);
@@ -187,6 +191,7 @@ impl Script {
         performer
             .and_then(|performer| performer.language.as_deref())
             .or_else(|| baked.next())
+            .or(self.page_language.as_ref().map(LanguageTag::as_str))
     }
 
     /// The voice that the script names for a clause.

@@ -103,9 +103,10 @@ impl Player {
         input: StoryInput<'_>,
         progress: &mut dyn FnMut(LoadStage),
     ) -> Loaded {
-        let script = Script::read_with_progress(input.eml, input.bundle, progress);
+        let mut script = Script::read_with_progress(input.eml, input.bundle, progress);
         progress(LoadStage::Performance);
         let options = input.options;
+        script.page_language = options.language;
         let cast = Cast::new(input.figure, &script.document, options.handedness);
         let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();
