@@ -21,7 +21,7 @@ export interface Caption {
 const LINGER_SECS = 1.2;
 
 /** The captions of a story, in order. `language` is that of utterances that do not tell theirs. */
-export function captionsOf(utterances: readonly Utterance[], language = 'en'): Caption[] {
+export function captionsOf(utterances: readonly Utterance[], language: string): Caption[] {
   const all = utterances.flatMap(({ words, cut, language: own = language }) => parts(words, own).map((part) => ({ ...part, linger: cut ? 0 : LINGER_SECS })));
   return all.map(({ words, second, linger }, i) => {
     const startSecs = words[0]?.startSecs ?? 0;

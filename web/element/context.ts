@@ -4,7 +4,7 @@ import type { Diagnostics } from './diagnostics.js';
 import type { RaconteurPlayer } from './element.js';
 import type { MindEvent } from './mind.js';
 import type { Show } from './show.js';
-import type { PlayerEventMap, View } from './types.js';
+import type { PlayerEventMap, Story, View } from './types.js';
 
 export interface PlayerContext {
   readonly player: RaconteurPlayer;
@@ -44,6 +44,11 @@ export function dispatch(player: RaconteurPlayer, ...types: readonly string[]): 
 /** The language of the page around a player, a tag of BCP 47; that of who reads where the page tells none. */
 export function languageAround(player: RaconteurPlayer): string {
   return player.closest<HTMLElement>('[lang]')?.lang || navigator.language;
+}
+
+/** What tells no language is said, and read, in this one. */
+export function languageOf(player: RaconteurPlayer, story: Story): string {
+  return player.lang || story.performer.language || languageAround(player);
 }
 
 /** Where the asset library of a player is. */

@@ -24,7 +24,7 @@ import { FrameLoop } from './frame-loop.js';
 import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, Telling, View, Words } from './types.js';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
-const MOST_CAPTIONS = 0.25;
+const MOST_CAPTIONS = 0.2;
 
 export interface RaconteurPlayer extends MediaStates {}
 

@@ -2,7 +2,7 @@
 
 import { captionsOf } from './captions.js';
 import { castFigure, USUAL_FIGURE } from './cast.js';
-import { fire, libraryOf, type PlayerContext } from './context.js';
+import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import type { Wanted } from './loader.js';
 import type { Show } from './show.js';
@@ -65,7 +65,7 @@ export class FigureLoader {
     Object.assign(show, { story, figure: figure.name, files: { ...show.files, figure } });
     // What was live ended with the figure that did it.
     show.script.forget();
-    show.captions = captionsOf(story.utterances);
+    show.captions = captionsOf(story.utterances, languageOf(player, story));
     updateMusic(this.#context, show);
     // What was wrong with the figure before is gone with it.
     diagnostics.keepSound();

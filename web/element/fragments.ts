@@ -1,7 +1,7 @@
 /** Live performance: EML that joins the story while it plays (docs/live.md). */
 
 import { captionsOf } from './captions.js';
-import { dispatch, type PlayerContext } from './context.js';
+import { dispatch, languageOf, type PlayerContext } from './context.js';
 import { passCue } from './cues.js';
 import type { Show } from './show.js';
 import { speakFragment, substituteVoice, updateMusic } from './sound.js';
@@ -44,7 +44,7 @@ function endTurn(show: Show): void {
 function applyCut(context: PlayerContext, show: Show, { atSecs, endSecs }: Interruption): void {
   const changes = show.script.cut(atSecs);
   show.voice.cut(changes, atSecs);
-  show.captions = captionsOf(show.script.byTime());
+  show.captions = captionsOf(show.script.byTime(), languageOf(context.player, show.story));
   updateMusic(context, show);
   show.transport.replace(Math.max(endSecs, show.transport.position), false);
   dispatch(context.player, 'durationchange');
@@ -60,7 +60,7 @@ function performFragment(context: PlayerContext, show: Show, sender: number, fra
   const performed = show.picture.perform(sender, String(fragment), nowSecs);
   if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
   if (performed.cut !== undefined) applyCut(context, show, performed.cut);
-  if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs));
+  if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs), languageOf(player, show.story));
   void substituteVoice(context, show, () => undefined);
   updateMusic(context, show);
   if (performed.endSecs > show.transport.endSecs) {

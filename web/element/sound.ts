@@ -1,7 +1,7 @@
 /** The sound of a show besides its recordings: music, and voices for what has none. */
 
 import { voiceMissing } from './voice.js';
-import { fire, languageAround, libraryOf, type PlayerContext } from './context.js';
+import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { Said, SpeechRequest, SpeechSource } from '../speech/source.js';
 import type { Show, Telling } from './show.js';
 import type { Story } from './types.js';
@@ -16,11 +16,6 @@ const isSilent = ({ script }: Show): boolean => [...script].some(({ audio, words
 /** The text on stage and who says it. */
 const spokenBy = ({ figure, files: { eml } }: Show): string => `${figure}\n${eml}`;
 
-/** What tells no language is said in this one. */
-function languageOf({ player }: PlayerContext, { story }: Show): string {
-  return player.lang || story.performer.language || languageAround(player);
-}
-
 /**
  * Has what has no recording spoken, once it is played: by an engine in the page where one speaks the
  * language, else by the browser's own voice. Reports when nobody does. `retell` hears of the story
@@ -34,7 +29,7 @@ export async function substituteVoice(context: PlayerContext, show: Show, retell
   if (context.show !== show || show.telling?.isOver !== true || show.telling.of !== spokenBy(show) || !isSilent(show)) return;
   const isFirst = show.lent === undefined;
   const { voice } = show.story.performer;
-  show.lent ??= { name: show.voice.substitute({ language: languageOf(context, show), voice }) };
+  show.lent ??= { name: show.voice.substitute({ language: languageOf(context.player, show.story), voice }) };
   const name = await show.lent.name;
   if (context.show !== show) return;
   if (name === undefined) show.unheard = true;
@@ -68,12 +63,12 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
 
 async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSource | undefined> {
   if (context.player.speech === 'browser') return undefined;
-  return (await import('../speech/here.js')).sourceFor(languageOf(context, show));
+  return (await import('../speech/here.js')).sourceFor(languageOf(context.player, show.story));
 }
 
 /** What a source is told besides the text. */
 function asked(context: PlayerContext, show: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
-  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(show.figure, languageOf(context, show)) };
+  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(show.figure, languageOf(context.player, show.story)) };
 }
 
 const progressOf =

@@ -5,7 +5,7 @@ import { chooseBackends, decodeScript, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
-import { dispatch, languageAround, libraryOf, type PlayerContext } from './context.js';
+import { dispatch, languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import { PictureKeeper, type Opened } from './keeper.js';
 import { LiveScript } from './live.js';
@@ -205,7 +205,7 @@ export class StoryLoader {
       diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
     });
     const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
-    const captions = captionsOf(story.utterances);
+    const captions = captionsOf(story.utterances, languageOf(player, story));
     const show: Show = {
       story,
       figure: figure.name,
@@ -259,7 +259,7 @@ export class StoryLoader {
     if (show === undefined) return;
     show.story = story;
     const spoken = show.script.replace(story.utterances);
-    show.captions = captionsOf(story.utterances);
+    show.captions = captionsOf(story.utterances, languageOf(player, story));
     show.transport.replace(story.durationSecs, spoken);
     updateMusic(this.#context, show);
     this.giveVoice();

@@ -121,7 +121,10 @@ export class Lines {
     this.#script = script;
     // A story is told in one language; that of the visitor's own text is not known here.
     this.#places.list.lang = script.get(0)?.language ?? '';
-    this.#lines = captionsOf([...script.values()].sort((a, b) => a.startSecs - b.startSecs));
+    this.#lines = captionsOf(
+      [...script.values()].sort((a, b) => a.startSecs - b.startSecs),
+      document.documentElement.lang,
+    );
     if (this.#wide.matches) this.#draw();
   }
 
@@ -146,7 +149,7 @@ export class Lines {
     this.#light();
   }
 
-  #row({ words }: Caption, index: number): Row {
+  #row({ words, second }: Caption, index: number): Row {
     const button = document.createElement('button');
     button.type = 'button';
     button.addEventListener('click', () => this.#seek(index));
@@ -157,7 +160,8 @@ export class Lines {
       span.textContent = word.text;
       return span;
     });
-    text.append(...spans.flatMap((span, i) => (i === 0 ? [span] : [' ', span])));
+    // A line of verse is a line here too.
+    text.append(...spans.flatMap((span, i) => (i === 0 ? [span] : [' ', ...(i === second ? [document.createElement('br')] : []), span])));
     button.append(time, text);
     return { button, time, words: spans };
   }

@@ -93,20 +93,20 @@ test('each word is looked at a bounded number of times, however long the clause'
       endSecs: i + 0.5,
       emphasized: false,
     }));
-    captionsOf([{ startSecs: 0, durationSecs: count, audio: [], words, estimated: false }]);
+    captionsOf([{ startSecs: 0, durationSecs: count, audio: [], words, estimated: false }], 'en');
     return reads / count;
   });
   for (const each of looks) expect(each).toBeLessThan(10);
 });
 
 test('the word at a time is the one being spoken, and none in a pause', () => {
-  const captions = captionsOf([say('Hello big world!', 1)]);
+  const captions = captionsOf([say('Hello big world!', 1)], 'en');
   expect(captionAt(captions, 0.9)).toBeUndefined();
   expect([1, 1.39, 1.45, 1.5, 2.2].map((t) => captionAt(captions, t)?.word)).toEqual([0, 0, -1, 1, 2]);
 });
 
 test('a caption lingers through a breath and makes room for the next', () => {
-  const captions = captionsOf([say('One.', 0), say('Two.', 1)]);
+  const captions = captionsOf([say('One.', 0), say('Two.', 1)], 'en');
   expect(captionAt(captions, 0.9)?.caption.words[0]?.text).toBe('One.');
   expect(captionAt(captions, 1)?.caption.words[0]?.text).toBe('Two.');
   expect(captionAt(captions, 9)).toBeUndefined();

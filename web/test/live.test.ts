@@ -38,7 +38,7 @@ test('whenever fragments are interrupted, they say nothing after, and what was s
     expect(script.at(0)).toBe(story);
     // Its caption does not linger.
     const shorter = [...changes.values()].find((utterance) => utterance !== undefined);
-    if (shorter !== undefined) expect(captionAt(captionsOf(script.byTime()), at + 0.01)).toBeUndefined();
+    if (shorter !== undefined) expect(captionAt(captionsOf(script.byTime(), 'en'), at + 0.01)).toBeUndefined();
   }
 });
 
