@@ -16,7 +16,7 @@ async function open(stage: Stage, files: { [path: string]: string }, attributes 
 }
 
 test('a broken story says where, and the rest of it plays without a voice', async ({ stage }) => {
-  await open(stage, { 'story.eml': BROKEN });
+  await open(stage, { 'story.eml': BROKEN }, 'controls captions remarks');
   await stage.ready();
   const list = stage.player.locator('details');
   await expect(list).not.toHaveAttribute('open');
@@ -35,6 +35,30 @@ test('a broken story says where, and the rest of it plays without a voice', asyn
   await stage.page.waitForFunction(() => window.record.events.filter((e) => e.type === 'word').length >= 2);
   await expect(stage.player.locator('.captions')).toContainText('good people');
   expect(await stage.events()).toContain('diagnostic');
+});
+
+test('what is wrong with a story is shown to those who ask for it alone', async ({ stage }) => {
+  await open(stage, { 'story.eml': BROKEN });
+  await stage.ready();
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.length)).toBeGreaterThan(2);
+  await expect(stage.player.locator('details')).toHaveCount(0);
+  await stage.player.evaluate((p: RaconteurPlayer) => void (p.remarks = true));
+  await expect(stage.player.locator('details summary')).toContainText('warning');
+});
+
+test('bytes that are not UTF-8 are told, and a replacement character that was written is not', async ({ stage }) => {
+  const text = story("<voice-text time='0'>a \ufffd caf?</voice-text>");
+  const bytes = Buffer.from(text);
+  await stage.open('<raconteur-player src="story.eml"></raconteur-player>', { 'story.eml': bytes });
+  await stage.ready();
+  const told = () => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => d.code === 'eml::not-utf8').map((d) => d.message));
+  expect(await told()).toEqual([]);
+  const broken = Buffer.from(bytes);
+  broken[bytes.indexOf('?', bytes.indexOf('caf'))] = 0xe9;
+  await stage.page.unroute('**/test/**');
+  await stage.open('<raconteur-player src="story.eml"></raconteur-player>', { 'story.eml': broken });
+  await stage.ready();
+  expect(await told()).toEqual([expect.stringContaining(`byte ${broken.indexOf(0xe9, bytes.indexOf('caf'))} is not UTF-8`)]);
 });
 
 test('a text that is not a story gives diagnostics, not a crash', async ({ stage }) => {

@@ -450,7 +450,9 @@ export class RaconteurPlayer extends LitElement {
   /** Has shots keep hands and feet above a whole caption, where there are captions. */
   #makeRoom(): void {
     const room = this.renderRoot.querySelector('.caption-room')?.clientHeight ?? 0;
-    if (this.clientHeight > 0) this.#context.show?.picture.setCaptions(Math.min(MOST_CAPTIONS, room / this.clientHeight));
+    if (this.clientHeight === 0) return;
+    const isNew = this.#context.show?.picture.setCaptions(Math.min(MOST_CAPTIONS, room / this.clientHeight));
+    if (isNew && this.paused) this.#frames.advance();
   }
 
   // --- the user ---

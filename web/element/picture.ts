@@ -173,11 +173,12 @@ export class Picture {
     this.#guard((engine) => applyView(engine, view));
   }
 
-  /** Keeps hands and feet above captions that take this share of the height at the lower edge. */
-  setCaptions(share: number): void {
-    if (share === this.#captions) return;
+  /** Keeps hands and feet above captions that take this share of the height at the lower edge; whether that is new. */
+  setCaptions(share: number): boolean {
+    if (share === this.#captions) return false;
     this.#captions = share;
     this.#guard((engine) => engine.setCaptions(share));
+    return true;
   }
 
   /** What the face does from one time to another, at so many times, and what its mouth goes through. */
