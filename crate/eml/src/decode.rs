@@ -3,7 +3,8 @@
 
 use raconteur_base::encoding;
 
-use crate::{Diagnostic, Span};
+use crate::parse::no_utf8_at_all;
+use crate::{Diagnostic, Limits, Parsed, Span, parse_with};
 
 /// The text of a script, and what was wrong with its bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,10 +35,20 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     let first = bytes.utf8_chunks().next();
     let at = first.map_or(0, |chunk| chunk.valid().len());
     let text = String::from_utf8_lossy(&bytes).into_owned();
-    let problem = crate::parse::no_utf8_at_all(&text)
+    let problem = no_utf8_at_all(&text)
         .is_none()
         .then(|| undecoded(&bytes, at, places));
     Decoded { text, problem }
+}
+
+/// Reads a script from bytes that should be UTF-8, as [`decode`] does; the spans count
+/// in its text.
+#[must_use]
+pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
+    let decoded = decode(bytes.to_vec());
+    let mut parsed = parse_with(&decoded.text, limits);
+    parsed.diagnostics.splice(0..0, decoded.problem);
+    parsed
 }
 
 fn undecoded(bytes: &[u8], at: usize, places: usize) -> Diagnostic {
@@ -66,7 +77,7 @@ mod tests {
         let written = "<eml><body><voice-text time='0'>a \u{fffd} b</voice-text></body></eml>";
         let decoded = decode(written.as_bytes().to_vec());
         assert_eq!((decoded.text.as_str(), decoded.problem), (written, None));
-        let parsed = crate::parse_bytes(written.as_bytes(), &crate::Limits::default());
+        let parsed = parse_bytes(written.as_bytes(), &Limits::default());
         assert_eq!(parsed.diagnostics, []);
         assert_eq!(crate::parse(written).diagnostics, []);
     }

@@ -63,7 +63,7 @@ pub use clauses::speech::{
     Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
     VoiceSay, Volume,
 };
-pub use decode::{Decoded, decode};
+pub use decode::{Decoded, decode, parse_bytes};
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
@@ -74,7 +74,7 @@ pub use gesture::{
 };
 pub use limits::Limits;
 pub use namespaces::{EXTENSIONS, EXTENSIONS_PREFIX};
-pub use parse::{Parsed, parse, parse_bytes, parse_fragment, parse_fragment_with, parse_with};
+pub use parse::{Parsed, parse, parse_fragment, parse_fragment_with, parse_with};
 /// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
 pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;

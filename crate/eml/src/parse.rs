@@ -43,16 +43,6 @@ pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, true)
 }
 
-/// Reads a script from bytes that should be UTF-8, as [`crate::decode`] does; the spans count
-/// in its text.
-#[must_use]
-pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
-    let decoded = crate::decode(bytes.to_vec());
-    let mut parsed = parse_with(&decoded.text, limits);
-    parsed.diagnostics.splice(0..0, decoded.problem);
-    parsed
-}
-
 fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
     let mut sink = Sink::new(limits.diagnostics);
     let mut document = Document::default();
