@@ -18,16 +18,13 @@ struct Fetched {
 
 /// The text of a script's bytes, and what is wrong with those: `{text, problem}`.
 #[wasm_bindgen(js_name = decodeScript)]
-#[allow(
-    clippy::needless_pass_by_value,
-    reason = "the bytes become the text without a copy"
-)]
 pub fn decode_script(bytes: Vec<u8>) -> Result<JsValue, JsError> {
     let decoded = decode(bytes);
-    let lines = LineIndex::new(&decoded.text);
-    let problem = decoded.problem.map(|d| Diagnostic::new(d, &lines));
+    let problem = decoded
+        .problem
+        .map(|d| Diagnostic::new(d, &LineIndex::new(&decoded.text)));
     plain(&Fetched {
-        text: decoded.text.clone(),
+        text: decoded.text,
         problem,
     })
 }

@@ -53,6 +53,8 @@ pub use activity::doing;
 #[cfg(target_arch = "wasm32")]
 pub use cast::performer;
 #[cfg(target_arch = "wasm32")]
+pub use decode::decode_script;
+#[cfg(target_arch = "wasm32")]
 pub use palm::{hand_directions, palm_of};
 #[cfg(target_arch = "wasm32")]
 pub use player::{Player, pose_digests};
