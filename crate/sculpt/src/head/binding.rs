@@ -203,6 +203,29 @@ impl Bound {
             .then_some(bound)
     }
 
+    /// All coordinates one after another, in an order that all heads share; millimetres.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let places = self.places.values().chain(&self.globes);
+        places.flat_map(|p| p.to_array()).collect()
+    }
+
+    /// The head of what [`Self::numbers`] gives; `None` when there are more or fewer.
+    #[must_use]
+    pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        let mut head = Self::default();
+        let places = head.places.values_mut().chain(&mut head.globes);
+        let given = numbers.chunks_exact(3);
+        if numbers.len() != 3 * places.count() {
+            return None;
+        }
+        let places = head.places.values_mut().chain(&mut head.globes);
+        for (place, p) in places.zip(given) {
+            *place = DVec3::new(p[0], p[1], p[2]);
+        }
+        Some(head)
+    }
+
     /// The places as a table, to a hundredth of a millimetre.
     #[must_use]
     pub fn to_text(&self) -> String {
