@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::attribute::Attribute;
 use crate::error::FaceError;
+use crate::segment::{Segment, Segments};
 use crate::space::FaceSpace;
 
 /// Name and version of the format.
@@ -24,6 +25,10 @@ pub struct FaceModel {
     pub shape: FaceSpace,
     /// Numbers that follow a shape, linear in its coefficients: where the head's cage lies, millimetres.
     pub cage: Follower,
+    /// The triangles of the skin, counter-clockwise from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// Its segments.
+    pub segments: Segments,
     /// The attributes of shape.
     pub attributes: Vec<NamedAttribute>,
     /// Coefficients of the examples, the database that features are taken from.
@@ -95,6 +100,8 @@ struct Stored {
     modes: Vec<i8>,
     cage_mean: Vec<f32>,
     cage_effects: Vec<Vec<f32>>,
+    triangles: Vec<[u32; 3]>,
+    segments: Vec<Segment>,
     attributes: Vec<StoredAttribute>,
     examples: Vec<Vec<f32>>,
 }
@@ -141,6 +148,8 @@ impl FaceModel {
             modes: all,
             cage_mean: single(&self.cage.mean),
             cage_effects: self.cage.effects.iter().map(|e| single(e)).collect(),
+            triangles: self.triangles.clone(),
+            segments: self.segments.all().to_vec(),
             attributes: self.attributes.iter().map(StoredAttribute::of).collect(),
             examples: self.examples.iter().map(|e| single(e)).collect(),
         };
@@ -220,7 +229,13 @@ impl Stored {
             && [&self.mean, &self.steps, &self.cage_mean]
                 .iter()
                 .all(|n| is_finite(n));
-        if !(follows && is_database && is_whole) {
+        let is_mesh = length.is_multiple_of(3)
+            && self
+                .triangles
+                .iter()
+                .flatten()
+                .all(|&v| (v as usize) < length / 3);
+        if !(follows && is_database && is_whole && is_mesh) {
             return None;
         }
         let rows = self.modes.chunks_exact(length.max(1)).zip(&self.steps);
@@ -238,6 +253,8 @@ impl Stored {
                 mean: double(&self.cage_mean),
                 effects: self.cage_effects.iter().map(|e| double(e)).collect(),
             },
+            segments: Segments::new(self.segments, length / 3)?,
+            triangles: self.triangles,
             attributes: attributes?,
             examples: self.examples.iter().map(|e| double(e)).collect(),
             shape,
@@ -271,6 +288,16 @@ mod tests {
                     .expect("a direction"),
             }],
             examples: own,
+            triangles: vec![[0, 1, 2], [2, 1, 19]],
+            segments: Segments::new(
+                vec![Segment {
+                    name: "face".to_owned(),
+                    parent: None,
+                    runs: vec![[0, 20]],
+                }],
+                20,
+            )
+            .expect("a hierarchy"),
             shape,
         }
     }
@@ -293,6 +320,10 @@ mod tests {
         let [a, b] = [&model, &again].map(|m| m.cage.at(face));
         assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-5));
         assert_eq!(again.attributes[0].terms[1], "wide");
+        assert_eq!(
+            (&again.triangles, &again.segments),
+            (&model.triangles, &model.segments)
+        );
         // What was read is written again as it is.
         assert_eq!(again.to_bytes().expect("it fits"), bytes);
     }

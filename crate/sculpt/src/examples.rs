@@ -3,7 +3,7 @@
 
 use raconteur_base::DVec3;
 
-use crate::head::{Binding, Bound, HeadParams, KnownMeasure, build, known_measures};
+use crate::head::{Binding, Bound, HeadParams, HeadSegment, KnownMeasure, build, known_measures};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::people::FigureParams;
 use crate::person::Person;
@@ -26,6 +26,10 @@ pub struct Example {
     pub bound: Bound,
     /// The vertices of the drawn skin, x, y and z of each; metres in the frame of the head.
     pub skin: Vec<f64>,
+    /// The triangles of the skin, the same for all.
+    pub triangles: Vec<[u32; 3]>,
+    /// Segments of the skin, the same for all.
+    pub segments: Vec<HeadSegment>,
     /// Measures of the head by name, millimetres.
     pub measures: Vec<(&'static str, f64)>,
 }
@@ -82,6 +86,8 @@ impl<'m> Examples<'m> {
         let coordinates = skin.vertices.iter().flat_map(|v| v.position.to_array());
         Ok(Example {
             skin: coordinates.collect(),
+            triangles: skin.triangles.clone(),
+            segments: head.segments.clone(),
             traits,
             bound,
             measures,

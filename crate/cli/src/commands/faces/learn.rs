@@ -5,9 +5,12 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
-use raconteur_faces::{Attribute, FaceModel, FaceSpace, Follower, NamedAttribute};
+use raconteur_faces::{
+    Attribute, FaceModel, FaceSpace, Follower, NamedAttribute, Segment, Segments,
+};
 use raconteur_sculpt::examples::Example;
-use raconteur_sculpt::labels::LABELS;
+use raconteur_sculpt::head::HeadSegment;
+use raconteur_sculpt::labels::{LABELS, Label};
 use raconteur_voice::files::disk::replace;
 
 use super::examples::Crowd;
@@ -90,7 +93,7 @@ fn model(shape: FaceSpace, examples: &[Example]) -> Result<FaceModel> {
         .map(|e| shape.coefficients(&e.skin))
         .collect::<Result<Vec<_>, _>>()?;
     let cages: Vec<Vec<f64>> = examples.iter().map(|e| e.bound.numbers()).collect();
-    let named = |label: &raconteur_sculpt::labels::Label| {
+    let named = |label: &Label| {
         let labels = label
             .of_all(examples)
             .with_context(|| format!("no head has a {}", label.name))?;
@@ -100,7 +103,17 @@ fn model(shape: FaceSpace, examples: &[Example]) -> Result<FaceModel> {
             attribute: Attribute::learn(label.name, &shape, &own, &labels)?,
         })
     };
+    let first = examples.first().context("a head")?;
+    let segment = |of: &HeadSegment| Segment {
+        name: of.name.to_owned(),
+        parent: of.parent.map(|p| p as u32),
+        runs: of.runs.clone(),
+    };
+    let segments = first.segments.iter().map(segment).collect();
     Ok(FaceModel {
+        triangles: first.triangles.clone(),
+        segments: Segments::new(segments, shape.length() / 3)
+            .context("segments of another head")?,
         cage: Follower::learn(&shape, &own, &cages),
         attributes: LABELS.iter().map(named).collect::<Result<_>>()?,
         examples: own,
