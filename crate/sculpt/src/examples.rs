@@ -3,7 +3,9 @@
 
 use raconteur_base::DVec3;
 
-use crate::head::{Binding, Bound, HeadParams, HeadSegment, KnownMeasure, build, known_measures};
+use crate::head::{
+    BareSkin, Binding, Bound, HeadParams, HeadSegment, KnownMeasure, known_measures,
+};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::people::FigureParams;
 use crate::person::Person;
@@ -74,20 +76,19 @@ impl<'m> Examples<'m> {
         let traits = Traits::random(&self.details, self.seed, index);
         let bound = self.binding.bind(&self.model.shape(&traits)?);
         let params = self.params(traits.clone(), bound.clone());
-        let head = build(&params.person, &params.head);
-        let skin = head.skin();
+        let skin = BareSkin::of(&params.person, &params.head);
         let place = |name: &str| {
-            let found = head.landmarks.iter().find(|(known, _)| known == name)?;
-            Some(skin.vertices[found.1 as usize].position)
+            let found = skin.landmarks.iter().find(|(known, _)| known == name)?;
+            Some(skin.positions[found.1 as usize])
         };
         let measures = known_measures()
             .filter_map(|measure| Some((measure.name, distance_mm(&measure, &place)?)))
             .collect();
-        let coordinates = skin.vertices.iter().flat_map(|v| v.position.to_array());
+        let coordinates = skin.positions.iter().flat_map(|p| p.to_array());
         Ok(Example {
             skin: coordinates.collect(),
-            triangles: skin.triangles.clone(),
-            segments: head.segments.clone(),
+            triangles: skin.faces.iter().flat_map(|f| fan(f)).collect(),
+            segments: skin.segments,
             traits,
             bound,
             measures,
@@ -114,6 +115,13 @@ impl<'m> Examples<'m> {
     }
 }
 
+/// The triangles of a polygon.
+fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
+    face.windows(2)
+        .skip(1)
+        .map(|pair| [face[0], pair[0], pair[1]])
+}
+
 /// About the mean of a sex and an age, metres; the head is what is looked at.
 #[must_use]
 pub fn stature_m(traits: &Traits) -> f64 {
@@ -131,4 +139,23 @@ fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) ->
             .along
             .map_or(way.length(), |axis| way.dot(axis).abs()),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::head::{BareSkin, build};
+    use crate::people::preset;
+
+    #[test]
+    fn a_bare_skin_is_that_of_the_head() {
+        let params = preset("kenji").expect("a figure");
+        let head = build(&params.person, &params.head);
+        let bare = BareSkin::of(&params.person, &params.head);
+        let skin = head.skin();
+        let positions: Vec<_> = skin.vertices.iter().map(|v| v.position).collect();
+        assert_eq!(bare.positions, positions);
+        assert_eq!(bare.faces, skin.faces);
+        assert_eq!(bare.landmarks, head.landmarks);
+        assert_eq!(bare.segments, head.segments);
+    }
 }
