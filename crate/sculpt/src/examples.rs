@@ -84,7 +84,7 @@ impl<'m> Examples<'m> {
         let measures = known_measures()
             .filter_map(|measure| Some((measure.name, distance_mm(&measure, &place)?)))
             .collect();
-        let coordinates = skin.positions.iter().flat_map(|p| p.to_array());
+        let coordinates = skin.positions.iter().flat_map(DVec3::to_array);
         Ok(Example {
             skin: coordinates.collect(),
             triangles: skin.faces.iter().flat_map(|f| fan(f)).collect(),
@@ -133,7 +133,9 @@ pub fn stature_m(traits: &Traits) -> f64 {
 /// A measure between two landmarks of the skin, millimetres.
 fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) -> Option<f64> {
     let (from, to) = measure.landmarks.split_once('-')?;
-    let way = place(from)? - place(to)?;
+    // What both sides have is taken on the left.
+    let side = |name: &str| place(name).or_else(|| place(&format!("{name}_l")));
+    let way = side(from)? - side(to)?;
     Some(
         1e3 * measure
             .along
@@ -143,8 +145,19 @@ fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) ->
 
 #[cfg(test)]
 mod tests {
-    use crate::head::{BareSkin, build};
+    use crate::head::{BareSkin, Bound, build};
     use crate::people::preset;
+
+    #[test]
+    fn the_places_of_a_head_are_numbers_and_back() {
+        for name in ["sofia", "papous"] {
+            let bound = preset(name).expect("a figure").head.bound;
+            let numbers = bound.numbers();
+            let again = Bound::from_numbers(&numbers).expect("a head");
+            assert_eq!(again.numbers(), numbers);
+            assert_eq!(Bound::from_numbers(&numbers[1..]), None);
+        }
+    }
 
     #[test]
     fn a_bare_skin_is_that_of_the_head() {

@@ -23,6 +23,12 @@ fn share(example: &Example, of: &str, from: &str) -> Option<f64> {
     Some(example.measure(of)? / example.measure(from)?)
 }
 
+/// From the inner to the outer corner of an eye, across, millimetres.
+fn fissure_mm(example: &Example) -> Option<f64> {
+    let [inner, outer] = ["inner_canthal_breadth", "outer_canthal_breadth"];
+    Some((example.measure(outer)? - example.measure(inner)?) / 2.0)
+}
+
 macro_rules! label {
     ($group:literal, $name:literal, $low:literal, $high:literal, $of:expr) => {
         Label {
@@ -64,15 +70,12 @@ pub const LABELS: [Label; 20] = [
         "long",
         |e| e.measure("lower_lip_skin")
     ),
-    label!(
-        "eyes",
-        "opening of the eyes",
-        "slitted",
-        "round",
-        |e| share(e, "fissure_height", "fissure_length")
-    ),
+    label!("eyes", "opening of the eyes", "slitted", "round", |e| Some(
+        e.measure("fissure_height")? / fissure_mm(e)?
+    )),
     label!("eyes", "distance of the eyes", "near", "far apart", |e| {
-        share(e, "pupil_distance", "face_breadth")
+        let inner = e.measure("inner_canthal_breadth")?;
+        Some((inner + fissure_mm(e)?) / e.measure("face_breadth")?)
     }),
     label!("nose", "nose bridge", "short", "long", |e| share(
         e,
