@@ -75,6 +75,8 @@ enum Command {
     Serve(commands::serve::Serve),
     /// Make figures and look at them.
     Figure(commands::figure::Figure),
+    /// Learn faces from examples, and make new ones.
+    Faces(commands::faces::Faces),
 }
 
 impl Command {
@@ -92,6 +94,7 @@ impl Command {
             Self::Compose(c) => c.run(),
             Self::Serve(c) => c.run(),
             Self::Figure(c) => c.run(),
+            Self::Faces(c) => c.run(),
         }
     }
 }

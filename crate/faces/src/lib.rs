@@ -1,10 +1,23 @@
-//! Faces as vectors: the shapes that can be reached by mixing corresponding meshes.
+//! Faces as numbers: a morphable model (F&H 3.2 and 5.1).
 //!
-//! Does: a linear face space over meshes that share one topology (F&H 5.2, after Blanz
-//! and Vetter 1999, doi:10.1145/311535.311556): mean, orthonormal modes, from shape to
-//! coefficients and back.
-//! Does not: yet know attributes, constraints, segments or pictures.
+//! Does: spaces of shape and texture over faces that correspond, attributes learned from labels, and
+//! constraints that hold them; segments and how they are blended; a file for all of it.
+//! Does not: make examples (`sculpt` does), draw, or know of pages.
 
+mod attribute;
+mod blend;
+mod constraint;
+mod error;
+mod pack;
+#[cfg(test)]
+mod sample;
+mod segment;
 mod space;
 
-pub use space::{FaceSpace, FaceSpaceError};
+pub use attribute::Attribute;
+pub use blend::Neighbours;
+pub use constraint::Constraints;
+pub use error::FaceError;
+pub use pack::{FaceModel, Follower, MOST_BYTES, NamedAttribute};
+pub use segment::{Segment, Segments};
+pub use space::FaceSpace;

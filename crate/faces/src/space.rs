@@ -1,199 +1,322 @@
-//! Mean and orthonormal modes of a set of corresponding shapes.
+//! Face space (F&H 3.2.1, after Blanz and Vetter 1999, doi:10.1145/311535.311556): the mean of
+//! corresponding faces and the principal components of what tells each from it.
+//!
+//! A face is a vector of numbers: the coordinates of its vertices one after another, or the values
+//! of its texture. Shape and texture have a space each.
 
-use raconteur_base::DVec3;
-use raconteur_body::Mesh;
+use crate::error::FaceError;
 
-/// Why a face space could not be made or used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum FaceSpaceError {
-    /// There was no example.
-    #[error("a face space needs at least one example")]
-    Empty,
-    /// An example has another number of vertices than the first.
-    #[error("example {example} has {found} vertices, the first has {expected}")]
-    Correspondence {
-        /// Index of the example.
-        example: usize,
-        /// Vertices it has.
-        found: usize,
-        /// Vertices it should have.
-        expected: usize,
-    },
-}
-
-/// A linear space of face shapes. Positions in metres, in the examples' common frame.
-#[derive(Clone, Debug)]
+/// A linear space of faces.
+#[derive(Clone, Debug, PartialEq)]
 pub struct FaceSpace {
-    mean: Vec<DVec3>,
-    /// Orthonormal under the sum of dot products over vertices.
-    modes: Vec<Vec<DVec3>>,
+    /// The average face.
+    mean: Vec<f64>,
+    /// Principal components one after another, each as long as the mean; orthonormal, by
+    /// decreasing standard deviation.
+    modes: Vec<f64>,
+    /// Standard deviation of the examples along each mode: σ of equation 3.2.
+    deviations: Vec<f64>,
 }
 
-fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
-    a.iter().zip(b).map(|(p, q)| p.dot(*q)).sum()
-}
-
-/// The positions of a mesh as a shape vector.
-#[must_use]
-fn shape_of(mesh: &Mesh) -> Vec<DVec3> {
-    mesh.positions
-        .iter()
-        .map(|p| DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])))
-        .collect()
-}
+/// What of the examples' greatest deviation is still one, and not rounding.
+#[cfg(any(test, feature = "learn"))]
+const LEAST_SHARE: f64 = 1e-9;
 
 impl FaceSpace {
-    /// The space spanned by some figures' face meshes; see [`FaceSpace::from_shapes`].
-    ///
-    /// # Errors
-    /// When there is no mesh or the meshes do not correspond.
-    pub fn from_meshes(meshes: &[&Mesh]) -> Result<Self, FaceSpaceError> {
-        Self::from_shapes(&meshes.iter().map(|m| shape_of(m)).collect::<Vec<_>>())
+    /// A space of what is known of it; none when the parts do not belong together.
+    #[must_use]
+    pub fn from_parts(mean: Vec<f64>, modes: Vec<f64>, deviations: Vec<f64>) -> Option<Self> {
+        let fits = modes.len() == mean.len() * deviations.len();
+        let is_ordered = deviations.windows(2).all(|pair| pair[0] >= pair[1]);
+        let is_positive = deviations.iter().all(|d| d.is_finite() && *d > 0.0);
+        (fits && is_ordered && is_positive).then_some(Self {
+            mean,
+            modes,
+            deviations,
+        })
     }
 
-    /// The space spanned by examples around their mean, by modified Gram–Schmidt, which
-    /// loses no example and needs no order of importance. Examples that add nothing new
-    /// (less than a micrometre a vertex, root mean square) add no mode.
+    /// The space that examples span, with all of its modes, by the singular value decomposition of
+    /// equation 3.3. One thread, so that the same examples give the same bits.
     ///
     /// # Errors
-    /// When there is no example or the examples do not correspond.
-    pub fn from_shapes(examples: &[Vec<DVec3>]) -> Result<Self, FaceSpaceError> {
-        let expected = examples.first().ok_or(FaceSpaceError::Empty)?.len();
-        if let Some((example, shape)) = examples
-            .iter()
-            .enumerate()
-            .find(|(_, e)| e.len() != expected)
-        {
-            return Err(FaceSpaceError::Correspondence {
-                example,
-                found: shape.len(),
-                expected,
-            });
-        }
-        let count = examples.len() as f64;
-        let mean: Vec<DVec3> = (0..expected)
-            .map(|v| examples.iter().map(|e| e[v]).sum::<DVec3>() / count)
+    /// When there are fewer than two examples, or they do not correspond.
+    #[cfg(any(test, feature = "learn"))]
+    pub fn learn(examples: &[Vec<f64>]) -> Result<Self, FaceError> {
+        let length = check(examples)?;
+        let count = examples.len();
+        let mean: Vec<f64> = (0..length)
+            .map(|i| examples.iter().map(|e| e[i]).sum::<f64>() / count as f64)
             .collect();
-        let smallest = 1e-6 * (expected.max(1) as f64).sqrt();
-        let mut modes: Vec<Vec<DVec3>> = Vec::new();
-        for example in examples {
-            let mut rest: Vec<DVec3> = example.iter().zip(&mean).map(|(e, m)| *e - *m).collect();
-            for mode in &modes {
-                let share = dot(&rest, mode);
-                rest.iter_mut()
-                    .zip(mode)
-                    .for_each(|(r, m)| *r -= *m * share);
-            }
-            let length = dot(&rest, &rest).sqrt();
-            if length > smallest {
-                rest.iter_mut().for_each(|r| *r /= length);
-                modes.push(rest);
-            }
+        let differences = faer::Mat::<f64>::from_fn(length, count, |row, column| {
+            examples[column][row] - mean[row]
+        });
+        faer::set_global_parallelism(faer::Par::Seq);
+        let Ok(svd) = differences.thin_svd() else {
+            return Err(FaceError::TooFew { found: count });
+        };
+        let singular = svd.S().column_vector();
+        let greatest = (0..singular.nrows())
+            .map(|i| singular[i])
+            .fold(0.0, f64::max);
+        // Deviations from a mean sum to zero: one direction fewer than examples.
+        let kept = (0..singular.nrows().min(count - 1))
+            .take_while(|&i| singular[i] > LEAST_SHARE * greatest)
+            .count();
+        let mut modes = Vec::with_capacity(kept * length);
+        for column in 0..kept {
+            let mode = svd.U().col(column);
+            // Either sense is a principal component; this one does not hang on the decomposition.
+            let sense = mode.iter().fold(
+                0.0_f64,
+                |most, x| {
+                    if x.abs() > most.abs() { *x } else { most }
+                },
+            );
+            modes.extend(mode.iter().map(|x| x * sense.signum()));
         }
-        Ok(Self { mean, modes })
+        Ok(Self {
+            mean,
+            modes,
+            deviations: (0..kept)
+                .map(|i| singular[i] / (count as f64).sqrt())
+                .collect(),
+        })
     }
 
-    /// How many independent directions there are.
+    /// The same with its first modes alone.
+    #[must_use]
+    pub fn truncated(&self, modes: usize) -> Self {
+        let kept = modes.min(self.dimensions());
+        Self {
+            mean: self.mean.clone(),
+            modes: self.modes[..kept * self.mean.len()].to_vec(),
+            deviations: self.deviations[..kept].to_vec(),
+        }
+    }
+
+    /// How many modes there are.
     #[must_use]
     pub fn dimensions(&self) -> usize {
-        self.modes.len()
+        self.deviations.len()
     }
 
-    /// The mean shape.
+    /// How many numbers a face has.
     #[must_use]
-    pub fn mean(&self) -> &[DVec3] {
+    pub fn length(&self) -> usize {
+        self.mean.len()
+    }
+
+    /// The average face.
+    #[must_use]
+    pub fn mean(&self) -> &[f64] {
         &self.mean
     }
 
-    /// The shape with these coefficients (metres times the square root of the vertex
-    /// count); missing ones are zero, further ones are ignored.
+    /// Standard deviations along the modes, decreasing.
     #[must_use]
-    pub fn shape(&self, coefficients: &[f64]) -> Vec<DVec3> {
-        let mut shape = self.mean.clone();
-        for (mode, c) in self.modes.iter().zip(coefficients) {
-            shape.iter_mut().zip(mode).for_each(|(s, m)| *s += *m * *c);
-        }
-        shape
+    pub fn deviations(&self) -> &[f64] {
+        &self.deviations
     }
 
-    /// The coefficients of the nearest shape in the space.
+    /// A principal component, by its index.
+    ///
+    /// # Panics
+    /// When there is none of that index.
+    #[must_use]
+    pub fn mode(&self, index: usize) -> &[f64] {
+        &self.modes[index * self.length()..(index + 1) * self.length()]
+    }
+
+    /// The face of these coefficients, in the units of the examples; missing ones are zero, further
+    /// ones are ignored.
+    #[must_use]
+    pub fn face(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut face = self.mean.clone();
+        for (index, coefficient) in coefficients.iter().enumerate().take(self.dimensions()) {
+            for (value, mode) in face.iter_mut().zip(self.mode(index)) {
+                *value += mode * coefficient;
+            }
+        }
+        face
+    }
+
+    /// The coefficients of the nearest face of the space.
     ///
     /// # Errors
-    /// When the shape does not correspond.
-    pub fn project(&self, shape: &[DVec3]) -> Result<Vec<f64>, FaceSpaceError> {
-        if shape.len() != self.mean.len() {
-            return Err(FaceSpaceError::Correspondence {
+    /// When the face does not correspond.
+    pub fn coefficients(&self, face: &[f64]) -> Result<Vec<f64>, FaceError> {
+        if face.len() != self.length() {
+            return Err(FaceError::Correspondence {
                 example: 0,
-                found: shape.len(),
-                expected: self.mean.len(),
+                found: face.len(),
+                expected: self.length(),
             });
         }
-        let rest: Vec<DVec3> = shape.iter().zip(&self.mean).map(|(s, m)| *s - *m).collect();
-        Ok(self.modes.iter().map(|mode| dot(&rest, mode)).collect())
+        let along = |index: usize| {
+            let parts = face.iter().zip(&self.mean).zip(self.mode(index));
+            parts
+                .map(|((value, mean), mode)| (value - mean) * mode)
+                .sum()
+        };
+        Ok((0..self.dimensions()).map(along).collect())
     }
+
+    /// The scalar product by which a difference counts in standard deviations of the examples
+    /// (F&H 3.2.2), of two differences in coefficients: the cheap form of equation 3.7.
+    #[must_use]
+    pub fn product(&self, a: &[f64], b: &[f64]) -> f64 {
+        let parts = a.iter().zip(b).zip(&self.deviations);
+        parts.map(|((a, b), d)| (a / d) * (b / d)).sum()
+    }
+
+    /// The face so many times as far from the average (F&H 3.2.2): a caricature above 1, nearer to
+    /// everybody below.
+    #[must_use]
+    pub fn caricature(coefficients: &[f64], level: f64) -> Vec<f64> {
+        coefficients.iter().map(|c| level * c).collect()
+    }
+
+    /// How far the faces are from their nearest ones in the space with its first modes alone, root
+    /// mean square over their numbers, for each number of modes from none to all.
+    ///
+    /// # Errors
+    /// When a face does not correspond.
+    pub fn errors_by_modes(&self, faces: &[Vec<f64>]) -> Result<Vec<f64>, FaceError> {
+        let mut squares = vec![0.0; self.dimensions() + 1];
+        for face in faces {
+            let coefficients = self.coefficients(face)?;
+            let mut left: f64 = face
+                .iter()
+                .zip(&self.mean)
+                .map(|(value, mean)| (value - mean) * (value - mean))
+                .sum();
+            squares[0] += left;
+            for (sum, c) in squares[1..].iter_mut().zip(&coefficients) {
+                left -= c * c;
+                *sum += left.max(0.0);
+            }
+        }
+        let numbers = (faces.len() * self.length()).max(1) as f64;
+        Ok(squares.into_iter().map(|s| (s / numbers).sqrt()).collect())
+    }
+}
+
+/// How many numbers each example has.
+#[cfg(any(test, feature = "learn"))]
+fn check(examples: &[Vec<f64>]) -> Result<usize, FaceError> {
+    let found = examples.len();
+    let [first, _, ..] = examples else {
+        return Err(FaceError::TooFew { found });
+    };
+    for (example, face) in examples.iter().enumerate() {
+        if face.len() != first.len() {
+            return Err(FaceError::Correspondence {
+                example,
+                found: face.len(),
+                expected: first.len(),
+            });
+        }
+        if !face.iter().all(|x| x.is_finite()) {
+            return Err(FaceError::NotFinite { example });
+        }
+    }
+    Ok(first.len())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_base::noise;
+    use crate::sample::examples;
 
-    fn examples(n: u64) -> Vec<Vec<DVec3>> {
-        (0..n)
-            .map(|e| {
-                (0..50)
-                    .map(|v| {
-                        let c = |k| noise::signed(e, k, v) * 0.1;
-                        DVec3::new(c(0), c(1), c(2))
-                    })
-                    .collect()
-            })
-            .collect()
+    fn distance(a: &[f64], b: &[f64]) -> f64 {
+        let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
+        square.sqrt()
     }
 
     #[test]
     fn every_example_lies_in_its_space() {
-        let shapes = examples(6);
-        let space = FaceSpace::from_shapes(&shapes).expect("corresponding");
-        // Deviations from a mean sum to zero: one direction fewer than examples.
-        assert_eq!(space.dimensions(), 5);
-        for shape in &shapes {
-            let again = space.shape(&space.project(shape).expect("corresponding"));
-            let worst = again
-                .iter()
-                .zip(shape)
-                .map(|(a, b)| (*a - *b).length())
-                .fold(0.0, f64::max);
-            assert!(worst < 1e-12, "{worst}");
+        let faces = examples(12, 90, 1);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        assert_eq!((space.dimensions(), space.length()), (11, 90));
+        for face in &faces {
+            let again = space.face(&space.coefficients(face).expect("corresponding"));
+            assert!(distance(&again, face) < 1e-12);
+        }
+        let errors = space.errors_by_modes(&faces).expect("corresponding");
+        assert!(errors.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12));
+        assert!(errors[0] > 0.01 && errors[11] < 1e-7, "{errors:?}");
+    }
+
+    #[test]
+    fn modes_are_orthonormal_and_deviations_those_of_the_examples() {
+        let faces = examples(40, 60, 2);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        for i in 0..space.dimensions() {
+            for j in 0..=i {
+                let product: f64 = space
+                    .mode(i)
+                    .iter()
+                    .zip(space.mode(j))
+                    .map(|(a, b)| a * b)
+                    .sum();
+                assert!(
+                    (product - f64::from(u8::from(i == j))).abs() < 1e-12,
+                    "{i} {j}"
+                );
+            }
+        }
+        let along: Vec<Vec<f64>> = faces
+            .iter()
+            .map(|face| space.coefficients(face).expect("corresponding"))
+            .collect();
+        for (i, deviation) in space.deviations().iter().enumerate() {
+            let square: f64 = along.iter().map(|c| c[i] * c[i]).sum();
+            assert!(((square / 40.0).sqrt() - deviation).abs() < 1e-12);
         }
     }
 
     #[test]
-    fn coefficients_survive_the_way_there_and_back() {
-        let space = FaceSpace::from_shapes(&examples(4)).expect("corresponding");
-        let c = [0.3, -0.2, 0.05];
-        let again = space.project(&space.shape(&c)).expect("corresponding");
-        for (a, b) in again.iter().zip(c) {
-            assert!((a - b).abs() < 1e-12);
-        }
+    fn the_same_examples_give_the_same_bits() {
+        let faces = examples(20, 45, 3);
+        assert_eq!(FaceSpace::learn(&faces), FaceSpace::learn(&faces));
     }
 
     #[test]
     fn strangers_are_refused() {
+        assert_eq!(FaceSpace::learn(&[]), Err(FaceError::TooFew { found: 0 }));
+        let mut faces = examples(3, 9, 4);
+        faces[2].pop();
+        let wrong = FaceError::Correspondence {
+            example: 2,
+            found: 8,
+            expected: 9,
+        };
+        assert_eq!(FaceSpace::learn(&faces), Err(wrong));
+        faces[2].push(f64::NAN);
         assert_eq!(
-            FaceSpace::from_shapes(&[]).err(),
-            Some(FaceSpaceError::Empty)
+            FaceSpace::learn(&faces),
+            Err(FaceError::NotFinite { example: 2 })
         );
-        let mut shapes = examples(2);
-        shapes[1].pop();
-        assert!(matches!(
-            FaceSpace::from_shapes(&shapes),
-            Err(FaceSpaceError::Correspondence {
-                example: 1,
-                found: 49,
-                expected: 50
-            })
-        ));
+        assert_eq!(
+            FaceSpace::from_parts(vec![0.0; 3], vec![0.0; 5], vec![1.0]),
+            None
+        );
+        assert_eq!(
+            FaceSpace::from_parts(vec![0.0; 2], vec![0.0; 4], vec![1.0, 2.0]),
+            None
+        );
+    }
+
+    #[test]
+    fn a_caricature_is_as_many_times_as_far() {
+        let faces = examples(8, 30, 5);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        let own = space.coefficients(&faces[0]).expect("corresponding");
+        for level in [0.0, 0.5, 1.0, 2.0] {
+            let face = space.face(&FaceSpace::caricature(&own, level));
+            let far = level * distance(&faces[0], space.mean());
+            assert!((distance(&face, space.mean()) - far).abs() < 1e-12);
+        }
     }
 }

@@ -12,9 +12,11 @@ pub mod cloth;
 pub mod crossing;
 #[cfg(test)]
 mod deform;
+pub mod examples;
 pub mod hair;
 pub mod hand;
 pub mod head;
+pub mod labels;
 mod levels;
 mod mannequin;
 pub mod measure;

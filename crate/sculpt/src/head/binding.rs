@@ -1,7 +1,7 @@
 //! The head as a proxy of the body model: where the cage's vertices lie on the model's
 //! surface, found once on its mean head, and so on every person of it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
@@ -81,6 +81,11 @@ fn table() -> &'static [Place] {
         }
         rows
     })
+}
+
+/// The places, in an order of their own.
+fn keys() -> BTreeSet<(Mark, Side)> {
+    table().iter().map(|p| (p.mark, p.side)).collect()
 }
 
 /// The model's surface round the bound places.
@@ -201,6 +206,33 @@ impl Bound {
             .iter()
             .all(|p| bound.places.contains_key(&(p.mark, p.side)))
             .then_some(bound)
+    }
+
+    /// All coordinates one after another, in an order that all heads share; millimetres.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let bound = keys().into_iter().filter_map(|key| self.places.get(&key));
+        bound
+            .chain(&self.globes)
+            .flat_map(DVec3::to_array)
+            .collect()
+    }
+
+    /// The head of what [`Self::numbers`] gives; `None` when there are more or fewer.
+    #[must_use]
+    pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
+        let keys = keys();
+        if numbers.len() != 3 * (keys.len() + 2) {
+            return None;
+        }
+        let mut points = numbers
+            .chunks_exact(3)
+            .map(|p| DVec3::new(p[0], p[1], p[2]));
+        let places = keys.into_iter().zip(points.by_ref()).collect();
+        Some(Self {
+            places,
+            globes: [points.next()?, points.next()?],
+        })
     }
 
     /// The places as a table, to a hundredth of a millimetre.

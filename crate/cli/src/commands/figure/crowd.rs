@@ -17,7 +17,7 @@ use raconteur_player::{Options, Player, StoryInput};
 use raconteur_sculpt::crossing::{Skin, crossings};
 use raconteur_sculpt::head::{Binding, HeadParams};
 use raconteur_sculpt::model::{Detail, Model, Traits};
-use raconteur_sculpt::{FigureParams, Person, build_face, people};
+use raconteur_sculpt::{FigureParams, Person, build_face, examples, people};
 
 use super::bind::MODEL;
 use crate::story::StoryFiles;
@@ -133,7 +133,7 @@ impl Stage {
             person: Person {
                 sex: traits.sex,
                 age_years: traits.age_years,
-                stature_m: stature_m(&traits),
+                stature_m: examples::stature_m(&traits),
                 build: 0.0,
             },
             head: HeadParams {
@@ -175,13 +175,6 @@ impl Stage {
             evaluation,
         })
     }
-}
-
-/// About the mean of a sex and an age, metres; the head is what is looked at.
-fn stature_m(traits: &Traits) -> f64 {
-    let grown = ((traits.age_years - 8.0) / 9.0).clamp(0.0, 1.0);
-    let adult = 1.75 - 0.13 * traits.sex;
-    1.28 + (adult - 1.28) * grown
 }
 
 /// Whether a check of a sweep looks at the face: bodies are all alike here.

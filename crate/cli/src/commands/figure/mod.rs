@@ -1,6 +1,6 @@
 //! `raconteur figure`.
 
-mod bind;
+pub(super) mod bind;
 mod build;
 mod crowd;
 mod export;

@@ -1,0 +1,34 @@
+//! `raconteur faces`: the morphable model of faces (F&H 3.2).
+
+mod examples;
+mod learn;
+mod make;
+
+use anyhow::Result;
+use clap::{Args, Subcommand};
+
+use crate::Outcome;
+
+/// Learn faces from examples, and make new ones.
+#[derive(Args)]
+pub(crate) struct Faces {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    Examples(examples::List),
+    Learn(learn::Learn),
+    Make(make::Make),
+}
+
+impl Faces {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        match &self.action {
+            Action::Examples(c) => c.run(),
+            Action::Learn(c) => c.run(),
+            Action::Make(c) => c.run(),
+        }
+    }
+}

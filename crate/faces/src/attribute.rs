@@ -1,0 +1,201 @@
+//! Facial attributes (F&H 3.2.2): directions of face space along which one thing about a face
+//! changes and everything else as little as examples let it.
+
+use crate::error::FaceError;
+use crate::space::FaceSpace;
+
+/// An attribute of shape or of texture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    /// Its name, for example `narrow–wide mouth`.
+    pub name: String,
+    /// Δs of equation 3.4 in the coefficients of its space.
+    direction: Vec<f64>,
+    /// What of the direction changes the value by 1.
+    step: f64,
+}
+
+impl Attribute {
+    /// The attribute of labels that examples were given, after equation 3.4. Labels count from their
+    /// mean; their size is that of the attribute's values.
+    ///
+    /// # Errors
+    /// When labels are missing or say nothing.
+    pub fn learn(
+        name: &str,
+        space: &FaceSpace,
+        examples: &[Vec<f64>],
+        labels: &[f64],
+    ) -> Result<Self, FaceError> {
+        let name = name.to_owned();
+        if labels.len() != examples.len() {
+            return Err(FaceError::Labels {
+                name,
+                found: labels.len(),
+                expected: examples.len(),
+            });
+        }
+        let count = labels.len() as f64;
+        let mean = labels.iter().sum::<f64>() / count;
+        let mut direction = vec![0.0; space.dimensions()];
+        for (face, label) in examples.iter().zip(labels) {
+            let weight = (label - mean) / count;
+            for (sum, c) in direction.iter_mut().zip(face) {
+                *sum += weight * c;
+            }
+        }
+        Self::along(name, space, direction)
+    }
+
+    /// The attribute along a direction that is known, in coefficients.
+    ///
+    /// # Errors
+    /// When the direction is none.
+    pub fn along(name: String, space: &FaceSpace, direction: Vec<f64>) -> Result<Self, FaceError> {
+        // N/‖w‖² where all modes are there; where some were left out, what they would have told.
+        let step = 1.0 / space.product(&direction, &direction);
+        if !step.is_finite() {
+            return Err(FaceError::NoDirection { name });
+        }
+        Ok(Self {
+            name,
+            direction,
+            step,
+        })
+    }
+
+    /// The direction, in coefficients.
+    #[must_use]
+    pub fn direction(&self) -> &[f64] {
+        &self.direction
+    }
+
+    /// How much of the attribute a face has, by its coefficients (equation 3.5): 0 for the average.
+    #[must_use]
+    pub fn value(&self, space: &FaceSpace, coefficients: &[f64]) -> f64 {
+        space.product(coefficients, &self.direction)
+    }
+
+    /// Changes a face so that it has so much more of the attribute.
+    pub fn add(&self, coefficients: &mut [f64], more: f64) {
+        for (c, along) in coefficients.iter_mut().zip(&self.direction) {
+            *c += more * self.step * along;
+        }
+    }
+
+    /// The direction that changes the value as fast with the least change of the vector itself: what
+    /// equation 3.7 is better than, for comparison.
+    #[must_use]
+    pub fn steepest(&self, space: &FaceSpace) -> Vec<f64> {
+        let deviations = space.deviations();
+        let gradient: Vec<f64> = self
+            .direction
+            .iter()
+            .zip(deviations)
+            .map(|(along, d)| along / (d * d))
+            .collect();
+        let square: f64 = gradient.iter().map(|g| g * g).sum();
+        gradient.into_iter().map(|g| g / square).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use raconteur_base::noise;
+
+    use super::*;
+    use crate::sample::{examples, labelled};
+
+    #[test]
+    fn one_step_changes_the_value_by_one() {
+        for seed in 0..20 {
+            let faces = examples(60, 45, seed);
+            let whole = FaceSpace::learn(&faces).expect("corresponding");
+            for modes in [whole.dimensions(), 7, 1] {
+                let space = whole.truncated(modes);
+                let (own, labels) = labelled(&space, &faces, seed);
+                let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
+                let mut face = own[0].clone();
+                let before = attribute.value(&space, &face);
+                attribute.add(&mut face, 1.0);
+                assert!((attribute.value(&space, &face) - before - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn the_step_is_that_of_the_thesis_where_all_modes_are_there() {
+        let faces = examples(30, 120, 4);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        let (own, labels) = labelled(&space, &faces, 9);
+        let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
+        let mean = labels.iter().sum::<f64>() / 30.0;
+        let square: f64 = labels.iter().map(|w| (w - mean) * (w - mean)).sum();
+        assert!((attribute.step - 30.0 / square).abs() < 1e-9);
+    }
+
+    #[test]
+    fn labels_are_told_again_by_the_values() {
+        let faces = examples(200, 30, 6);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        let own: Vec<Vec<f64>> = faces
+            .iter()
+            .map(|f| space.coefficients(f).unwrap())
+            .collect();
+        // A label that the faces do have: the first number of each.
+        let labels: Vec<f64> = faces.iter().map(|f| f[0]).collect();
+        let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
+        let mean = labels.iter().sum::<f64>() / 200.0;
+        for (face, label) in own.iter().zip(&labels) {
+            assert!((attribute.value(&space, face) - (label - mean)).abs() < 1e-9);
+        }
+    }
+
+    /// The share of two faces' difference that is left after both were given the same value: the
+    /// steepest way in plain distance gives all the same small detail instead.
+    #[test]
+    fn the_way_by_deviations_stays_among_likely_faces() {
+        let faces = examples(80, 45, 8);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        let (own, labels) = labelled(&space, &faces, 3);
+        let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
+        let likely = |c: &[f64]| space.product(c, c);
+        let mut face = own[5].clone();
+        attribute.add(&mut face, 1.0);
+        let mut other = own[5].clone();
+        for (c, along) in other.iter_mut().zip(attribute.steepest(&space)) {
+            *c += along;
+        }
+        let value = |c: &[f64]| attribute.value(&space, c);
+        assert!((value(&other) - value(&face)).abs() < 1e-9);
+        let change = |to: &[f64]| {
+            let change: Vec<f64> = to.iter().zip(&own[5]).map(|(a, b)| a - b).collect();
+            likely(&change)
+        };
+        assert!(change(&face) < change(&other));
+    }
+
+    #[test]
+    fn labels_without_a_meaning_are_refused() {
+        let faces = examples(9, 30, 1);
+        let space = FaceSpace::learn(&faces).expect("corresponding");
+        let (own, _) = labelled(&space, &faces, 1);
+        let same = Attribute::learn("a", &space, &own, &[0.3; 9]);
+        assert!(
+            matches!(same, Err(FaceError::NoDirection { .. })),
+            "{same:?}"
+        );
+        let few = Attribute::learn("a", &space, &own, &[noise::signed(1, 1, 1); 3]);
+        assert!(
+            matches!(
+                few,
+                Err(FaceError::Labels {
+                    found: 3,
+                    expected: 9,
+                    ..
+                })
+            ),
+            "{few:?}"
+        );
+    }
+}

@@ -1,0 +1,211 @@
+//! Blending at the borders of segments: wide for coarse form and narrow for fine, after Burt and
+//! Adelson 1983 (doi:10.1145/245.247), on a mesh instead of a picture.
+//!
+//! A difference between two faces is taken apart into bands: what a mean over neighbours takes away
+//! from it, and again from what is left. Each band is let in by a mask that was smoothed as far as the
+//! band is coarse, and the bands are added again.
+
+/// Which vertices are joined by an edge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Neighbours {
+    /// Where the neighbours of each vertex begin in `list`; one more than there are vertices.
+    starts: Vec<u32>,
+    list: Vec<u32>,
+}
+
+/// Steps of smoothing between bands: each band is about twice as coarse as the last. Vertices of a
+/// face are some 3 mm apart, and so the borders 4, 8 and 16 mm wide.
+const STEPS: [usize; 3] = [2, 8, 32];
+
+impl Neighbours {
+    /// Those of triangles over so many vertices; none where a triangle names another.
+    #[must_use]
+    pub fn of(triangles: &[[u32; 3]], vertices: usize) -> Option<Self> {
+        if triangles.iter().flatten().any(|&v| v as usize >= vertices) {
+            return None;
+        }
+        let mut edges: Vec<[u32; 2]> = triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [[a, b], [b, a], [b, c], [c, b], [c, a], [a, c]])
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let mut starts = vec![0; vertices + 1];
+        for [from, _] in &edges {
+            starts[*from as usize + 1] += 1;
+        }
+        for i in 0..vertices {
+            starts[i + 1] += starts[i];
+        }
+        Some(Self {
+            starts,
+            list: edges.into_iter().map(|[_, to]| to).collect(),
+        })
+    }
+
+    fn of_vertex(&self, vertex: usize) -> &[u32] {
+        &self.list[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
+    }
+
+    /// A step of smoothing of `width` numbers at each vertex: half of them, and half of their
+    /// neighbours' mean.
+    fn smoothed(&self, numbers: &[f64], width: usize) -> Vec<f64> {
+        let mut out = numbers.to_vec();
+        for (vertex, own) in out.chunks_exact_mut(width).enumerate() {
+            let near = self.of_vertex(vertex);
+            if near.is_empty() {
+                continue;
+            }
+            for (k, number) in own.iter_mut().enumerate() {
+                let sum: f64 = near.iter().map(|&n| numbers[n as usize * width + k]).sum();
+                *number = 0.5 * (*number + sum / near.len() as f64);
+            }
+        }
+        out
+    }
+
+    fn smoothed_by(&self, numbers: &[f64], width: usize, steps: usize) -> Vec<f64> {
+        let mut out = numbers.to_vec();
+        for _ in 0..steps {
+            out = self.smoothed(&out, width);
+        }
+        out
+    }
+
+    /// How many vertices there are.
+    #[must_use]
+    pub fn vertices(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// What of a difference is let in where a mask is 1, and blended out around it; three numbers at
+    /// each vertex. Vertices from which no way of so many edges as there are steps leads to the mask get
+    /// nothing.
+    ///
+    /// # Panics
+    /// When the mask or the difference is not of these vertices.
+    #[must_use]
+    pub fn blended(&self, difference: &[f64], mask: &[f64]) -> Vec<f64> {
+        assert_eq!(mask.len(), self.vertices(), "a mask of these vertices");
+        assert_eq!(
+            difference.len(),
+            3 * mask.len(),
+            "a difference of these vertices"
+        );
+        let mut sum = vec![0.0; difference.len()];
+        let mut rest = difference.to_vec();
+        let mut soft = mask.to_vec();
+        let mut done = 0;
+        for (band, steps) in STEPS.into_iter().enumerate() {
+            let is_last = band + 1 == STEPS.len();
+            soft = self.smoothed_by(&soft, 1, steps - done);
+            done = steps;
+            let coarse = if is_last {
+                vec![0.0; rest.len()]
+            } else {
+                self.smoothed_by(&rest, 3, steps)
+            };
+            for (vertex, share) in soft.iter().enumerate() {
+                for k in 3 * vertex..3 * vertex + 3 {
+                    sum[k] += share * (rest[k] - coarse[k]);
+                }
+            }
+            rest = coarse;
+        }
+        sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use raconteur_base::noise;
+
+    use super::*;
+
+    const SIDE: usize = 120;
+
+    /// A square of triangles.
+    fn grid() -> Neighbours {
+        let at = |x: usize, y: usize| (y * SIDE + x) as u32;
+        let squares = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| (x, y)));
+        let triangles: Vec<[u32; 3]> = squares
+            .flat_map(|(x, y)| {
+                let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+                [[a, b, c], [b, d, c]]
+            })
+            .collect();
+        Neighbours::of(&triangles, SIDE * SIDE).expect("vertices")
+    }
+
+    fn disc(radius: f64) -> Vec<f64> {
+        let middle = SIDE as f64 / 2.0;
+        (0..SIDE * SIDE)
+            .map(|v| {
+                let [x, y] = [v % SIDE, v / SIDE].map(|n| n as f64 - middle);
+                f64::from(u8::from((x * x + y * y).sqrt() < radius))
+            })
+            .collect()
+    }
+
+    #[test]
+    fn all_of_a_difference_is_let_in_by_the_whole_and_nothing_by_none() {
+        let grid = grid();
+        let difference: Vec<f64> = (0..3 * SIDE as i64 * SIDE as i64)
+            .map(|i| noise::signed(1, 2, i))
+            .collect();
+        let all = grid.blended(&difference, &vec![1.0; SIDE * SIDE]);
+        assert!(
+            all.iter()
+                .zip(&difference)
+                .all(|(a, b)| (a - b).abs() < 1e-12)
+        );
+        let none = grid.blended(&difference, &vec![0.0; SIDE * SIDE]);
+        assert!(none.iter().all(|x| *x == 0.0));
+    }
+
+    #[test]
+    fn the_middle_is_changed_the_far_is_not_and_the_border_has_no_step() {
+        let grid = grid();
+        let difference = vec![1.0; 3 * SIDE * SIDE];
+        let blended = grid.blended(&difference, &disc(30.0));
+        let along = |x: usize| blended[3 * (SIDE / 2 * SIDE + x)];
+        assert!((along(SIDE / 2) - 1.0).abs() < 0.01, "{}", along(SIDE / 2));
+        assert!(along(5).abs() < 0.01, "{}", along(5));
+        let steepest = (1..SIDE)
+            .map(|x| (along(x) - along(x - 1)).abs())
+            .fold(0.0, f64::max);
+        assert!(steepest < 0.15, "{steepest}");
+    }
+
+    #[test]
+    fn fine_form_is_cut_off_sooner_than_coarse() {
+        let grid = grid();
+        let mask = disc(30.0);
+        let share = |wave: f64| {
+            let difference: Vec<f64> = (0..SIDE * SIDE)
+                .flat_map(|v| {
+                    // A saw of this length.
+                    [2.0 * ((v % SIDE) as f64 / wave).fract() - 1.0, 0.0, 0.0]
+                })
+                .collect();
+            let blended = grid.blended(&difference, &mask);
+            // In the ring just outside the mask.
+            let ring = (0..SIDE * SIDE).filter(|v| {
+                let [x, y] = [v % SIDE, v / SIDE].map(|n| n as f64 - SIDE as f64 / 2.0);
+                (33.0..38.0).contains(&(x * x + y * y).sqrt())
+            });
+            let [got, all] = ring.fold([0.0; 2], |[got, all], v| {
+                let own = difference[3 * v];
+                [got + blended[3 * v].powi(2), all + own * own]
+            });
+            (got / all).sqrt()
+        };
+        assert!(share(3.0) < share(80.0), "{} {}", share(3.0), share(80.0));
+    }
+
+    #[test]
+    fn triangles_of_other_vertices_are_refused() {
+        assert_eq!(Neighbours::of(&[[0, 1, 3]], 3), None);
+        assert_eq!(Neighbours::of(&[], 2).expect("none").vertices(), 2);
+    }
+}

@@ -1,0 +1,174 @@
+//! Heads drawn at random, all in correspondence: the examples that a face space is learned from
+//! (F&H 3.2.1, which took scans).
+
+use raconteur_base::DVec3;
+
+use crate::head::{
+    BareSkin, Binding, Bound, HeadParams, HeadSegment, KnownMeasure, known_measures,
+};
+use crate::model::{Detail, Model, ModelError, Traits};
+use crate::people::FigureParams;
+use crate::person::Person;
+
+/// What makes examples of one crowd.
+pub struct Examples<'m> {
+    model: &'m Model,
+    details: Vec<Detail>,
+    binding: Binding,
+    like: FigureParams,
+    seed: u64,
+}
+
+/// One head.
+#[derive(Clone, Debug)]
+pub struct Example {
+    /// The person of the body model.
+    pub traits: Traits,
+    /// Where the model puts the cage of the head.
+    pub bound: Bound,
+    /// The vertices of the drawn skin, x, y and z of each; metres in the frame of the head.
+    pub skin: Vec<f64>,
+    /// The triangles of the skin, the same for all.
+    pub triangles: Vec<[u32; 3]>,
+    /// Segments of the skin, the same for all.
+    pub segments: Vec<HeadSegment>,
+    /// Measures of the head by name, millimetres.
+    pub measures: Vec<(&'static str, f64)>,
+}
+
+impl Example {
+    /// A measure by its name, millimetres.
+    #[must_use]
+    pub fn measure(&self, name: &str) -> Option<f64> {
+        let found = self.measures.iter().find(|(known, _)| *known == name);
+        found.map(|(_, mm)| *mm)
+    }
+
+    /// Shares of European, Asian and African ancestry.
+    #[must_use]
+    pub fn ancestry(&self) -> [f64; 3] {
+        let a = self.traits.ancestry;
+        let all = a.european + a.asian + a.african;
+        [a.european, a.asian, a.african].map(|share| share / all)
+    }
+}
+
+impl<'m> Examples<'m> {
+    /// The crowd of a seed; all but their heads is as in `like`.
+    ///
+    /// # Errors
+    /// When the model cannot be read.
+    pub fn new(model: &'m Model, like: FigureParams, seed: u64) -> Result<Self, ModelError> {
+        Ok(Self {
+            details: model.details()?,
+            binding: Binding::new(model.faces()),
+            like,
+            model,
+            seed,
+        })
+    }
+
+    /// Person number `index` of the crowd.
+    ///
+    /// # Errors
+    /// When the model lacks what the traits name.
+    pub fn make(&self, index: u64) -> Result<Example, ModelError> {
+        let traits = Traits::random(&self.details, self.seed, index);
+        let bound = self.binding.bind(&self.model.shape(&traits)?);
+        let params = self.params(traits.clone(), bound.clone());
+        let skin = BareSkin::of(&params.person, &params.head);
+        let place = |name: &str| {
+            let found = skin.landmarks.iter().find(|(known, _)| known == name)?;
+            Some(skin.positions[found.1 as usize])
+        };
+        let measures = known_measures()
+            .filter_map(|measure| Some((measure.name, distance_mm(&measure, &place)?)))
+            .collect();
+        let coordinates = skin.positions.iter().flat_map(DVec3::to_array);
+        Ok(Example {
+            skin: coordinates.collect(),
+            triangles: skin.faces.iter().flat_map(|f| fan(f)).collect(),
+            segments: skin.segments,
+            traits,
+            bound,
+            measures,
+        })
+    }
+
+    /// The figure of a head: a body of the mean of sex and age.
+    #[must_use]
+    pub fn params(&self, traits: Traits, bound: Bound) -> FigureParams {
+        FigureParams {
+            person: Person {
+                sex: traits.sex,
+                age_years: traits.age_years,
+                stature_m: stature_m(&traits),
+                build: 0.0,
+            },
+            head: HeadParams {
+                traits,
+                bound,
+                ..self.like.head.clone()
+            },
+            ..self.like.clone()
+        }
+    }
+}
+
+/// The triangles of a polygon.
+fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
+    face.windows(2)
+        .skip(1)
+        .map(|pair| [face[0], pair[0], pair[1]])
+}
+
+/// About the mean of a sex and an age, metres; the head is what is looked at.
+#[must_use]
+pub fn stature_m(traits: &Traits) -> f64 {
+    let grown = ((traits.age_years - 8.0) / 9.0).clamp(0.0, 1.0);
+    let adult = 1.75 - 0.13 * traits.sex;
+    1.28 + (adult - 1.28) * grown
+}
+
+/// A measure between two landmarks of the skin, millimetres.
+fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) -> Option<f64> {
+    let (from, to) = measure.landmarks.split_once('-')?;
+    // What both sides have is taken on the left.
+    let side = |name: &str| place(name).or_else(|| place(&format!("{name}_l")));
+    let way = side(from)? - side(to)?;
+    Some(
+        1e3 * measure
+            .along
+            .map_or(way.length(), |axis| way.dot(axis).abs()),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::head::{BareSkin, Bound, build};
+    use crate::people::preset;
+
+    #[test]
+    fn the_places_of_a_head_are_numbers_and_back() {
+        for name in ["sofia", "papous"] {
+            let bound = preset(name).expect("a figure").head.bound;
+            let numbers = bound.numbers();
+            let again = Bound::from_numbers(&numbers).expect("a head");
+            assert_eq!(again.numbers(), numbers);
+            assert_eq!(Bound::from_numbers(&numbers[1..]), None);
+        }
+    }
+
+    #[test]
+    fn a_bare_skin_is_that_of_the_head() {
+        let params = preset("kenji").expect("a figure");
+        let head = build(&params.person, &params.head);
+        let bare = BareSkin::of(&params.person, &params.head);
+        let skin = head.skin();
+        let positions: Vec<_> = skin.vertices.iter().map(|v| v.position).collect();
+        assert_eq!(bare.positions, positions);
+        assert_eq!(bare.faces, skin.faces);
+        assert_eq!(bare.landmarks, head.landmarks);
+        assert_eq!(bare.segments, head.segments);
+    }
+}
