@@ -85,6 +85,9 @@ export class RaconteurPlayer extends LitElement {
   #volume = 1;
   #rate = 1;
   #announcement = '';
+  /** The place of a whole caption, while there are captions, and its share of the stage's height. */
+  #captionRoom: Element | null = null;
+  #captionShare = 0;
   /** Listeners may be called in the middle of an update. */
   #updating = false;
 
@@ -389,6 +392,7 @@ export class RaconteurPlayer extends LitElement {
   }
 
   protected override updated(): void {
+    if (this.renderRoot.querySelector('.caption-room') !== this.#captionRoom) this.#measureRoom();
     this.#makeRoom();
   }
 
@@ -442,16 +446,21 @@ export class RaconteurPlayer extends LitElement {
     const { clientWidth, clientHeight } = this;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#context.show?.picture.resize(clientWidth, clientHeight);
+    this.#measureRoom();
     this.#makeRoom();
     // While it plays the next frame comes by itself.
     if (this.paused) this.#frames.advance();
   }
 
-  /** Has shots keep hands and feet above a whole caption, where there are captions. */
+  /** Looks how much of the stage a whole caption takes: where that may have changed, as to look lays the stage out. */
+  #measureRoom(): void {
+    this.#captionRoom = this.renderRoot.querySelector('.caption-room');
+    this.#captionShare = this.clientHeight > 0 ? Math.min(MOST_CAPTIONS, (this.#captionRoom?.clientHeight ?? 0) / this.clientHeight) : 0;
+  }
+
+  /** Has shots keep hands and feet above captions. */
   #makeRoom(): void {
-    const room = this.renderRoot.querySelector('.caption-room')?.clientHeight ?? 0;
-    if (this.clientHeight === 0) return;
-    const isNew = this.#context.show?.picture.setCaptions(Math.min(MOST_CAPTIONS, room / this.clientHeight));
+    const isNew = this.#context.show?.picture.setCaptions(this.#captionShare);
     if (isNew && this.paused) this.#frames.advance();
   }
 

@@ -8,6 +8,7 @@ mod commands;
 mod compose;
 mod excerpt;
 mod film;
+mod parallel;
 mod picture;
 mod report;
 mod serve;

@@ -4,7 +4,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use crate::workshop::{UTTERANCES, Workshop, said};
+use crate::workshop::{UTTERANCES, Workshop, said, wave};
 
 /// Encoders that run in a bake.
 const STEPS: usize = 2 * UTTERANCES;
@@ -135,4 +135,38 @@ fn an_up_to_date_story_is_not_touched() {
     workshop.tell("<null time='1'/>");
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     assert!(!voice.exists());
+}
+
+#[test]
+fn many_wrong_sounds_are_thinned_as_other_problems_are() {
+    let workshop = Workshop::new();
+    let mut clauses = String::new();
+    for i in 1..=30 {
+        wave(&workshop.path(&format!("takes/{i:02}.wav")), 20 + i);
+        if i > UTTERANCES as i16 {
+            let grid = workshop.path("takes/01.TextGrid");
+            fs::copy(grid, workshop.path(&format!("takes/{i:02}.TextGrid"))).unwrap();
+        }
+        let text = format!("Me too {}", "x".repeat(i as usize));
+        clauses += &format!("<voice-text time='{i}'>{text}</voice-text>");
+    }
+    workshop.tell(&clauses);
+    let out = workshop.bake("1.0", &[]).output().unwrap();
+    assert!(out.status.success(), "{}", said(&out));
+    for name in workshop.names() {
+        if name.ends_with(".opus") {
+            fs::remove_file(workshop.path("story/voice").join(name)).unwrap();
+        }
+    }
+    let out = workshop.command(&["check", "story"]).output().unwrap();
+    let told = said(&out);
+    assert_eq!(
+        told.matches("error[voice::wrong-sound]").count(),
+        20,
+        "{told}"
+    );
+    assert!(
+        told.contains("eml::more") && !out.status.success(),
+        "{told}"
+    );
 }

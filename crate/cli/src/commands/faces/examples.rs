@@ -2,9 +2,6 @@
 
 use std::io::Write as _;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
@@ -14,7 +11,7 @@ use raconteur_sculpt::model::Model;
 use raconteur_sculpt::people;
 
 use crate::commands::figure::bind::MODEL;
-use crate::{Outcome, terminal};
+use crate::{Outcome, parallel, terminal};
 
 /// Which heads are drawn.
 #[derive(Args)]
@@ -36,33 +33,14 @@ impl Crowd {
         let model = Model::open(&self.model)?;
         let like = people::preset("sofia").context("a figure to start from")?;
         let crowd = Examples::new(&model, like, self.seed)?;
-        let next = AtomicU64::new(0);
-        let made: Mutex<Vec<(u64, Example)>> = Mutex::default();
         let bar = ProgressBar::new(self.count);
-        let work = || -> Result<()> {
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                if index >= self.count {
-                    return Ok(());
-                }
-                let example = crowd.make(index)?;
-                bar.inc(1);
-                let mut made = made.lock().unwrap_or_else(PoisonError::into_inner);
-                made.push((index, example));
-            }
-        };
-        thread::scope(|scope| {
-            let threads = thread::available_parallelism().map_or(1, usize::from);
-            let started: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            started.into_iter().try_for_each(|t| {
-                t.join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            })
+        let made = parallel::each(0..self.count, |index| {
+            let example = crowd.make(index)?;
+            bar.inc(1);
+            Ok(example)
         })?;
         bar.finish_and_clear();
-        let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
-        made.sort_by_key(|(index, _)| *index);
-        Ok(made.into_iter().map(|(_, example)| example).collect())
+        Ok(made)
     }
 }
 

@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context as _, Result};
@@ -21,7 +19,7 @@ use raconteur_sculpt::{FigureParams, Person, build_face, examples, people};
 
 use super::bind::MODEL;
 use crate::story::StoryFiles;
-use crate::{Outcome, terminal};
+use crate::{Outcome, parallel, terminal};
 
 /// Let people drawn at random from the body model tell a story, and report what a viewer would
 /// notice of their faces.
@@ -72,33 +70,14 @@ impl Crowd {
             bundle: files.bundle(),
             seed: self.seed,
         };
-        let next = AtomicU64::new(self.first);
-        let end = self.first + self.count;
-        let all: Mutex<Vec<Found>> = Mutex::default();
-        let work = || -> Result<()> {
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                if index >= end {
-                    return Ok(());
-                }
-                let found = stage.look(index)?;
-                let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
-                let mut out = terminal::out();
-                for wrong in &found.wrong {
-                    writeln!(out, "{wrong}")?;
-                }
-                all.push(found);
+        let all = parallel::each(self.first..self.first + self.count, |index| {
+            let found = stage.look(index)?;
+            let mut out = terminal::out();
+            for wrong in &found.wrong {
+                writeln!(out, "{wrong}")?;
             }
-        };
-        std::thread::scope(|scope| {
-            let threads = std::thread::available_parallelism().map_or(1, usize::from);
-            let started: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            started.into_iter().try_for_each(|t| {
-                t.join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            })
+            Ok(found)
         })?;
-        let all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
         summary(&all)?;
         let is_fine = all.iter().all(|found| found.wrong.is_empty());
         Ok(if is_fine {
