@@ -1,39 +1,62 @@
 //! Heads drawn at random, all in correspondence: the examples that a face space is learned from
 //! (F&H 3.2.1, which took scans).
 
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, noise};
 
 use crate::head::{
-    BareSkin, Binding, Bound, HeadParams, HeadSegment, KnownMeasure, known_measures,
+    BareSkin, Binding, Bound, FIELDS, HeadParams, HeadSegment, KnownMeasure, Organs, field_index,
+    known_measures,
 };
+use crate::looks::{self, Look};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::people::FigureParams;
 use crate::person::Person;
+use crate::population;
+use crate::skin::SkinParams;
+use crate::skin::tone::Tones;
 
 /// What makes examples of one crowd.
 pub struct Examples<'m> {
     model: &'m Model,
     details: Vec<Detail>,
     binding: Binding,
+    tones: Tones,
     like: FigureParams,
     seed: u64,
+}
+
+/// A person as drawn, before the crowd is brought to its population.
+#[derive(Clone, Debug)]
+pub struct Draft {
+    /// The person of the body model.
+    pub traits: Traits,
+    /// Amounts of [`FIELDS`](crate::head::FIELDS), in their order.
+    pub fields: Vec<f64>,
+    /// What it looks like apart from its shape.
+    pub look: Look,
+    /// Where the cage of the head lies.
+    pub bound: Bound,
 }
 
 /// One head.
 #[derive(Clone, Debug)]
 pub struct Example {
-    /// The person of the body model.
-    pub traits: Traits,
-    /// Where the model puts the cage of the head.
-    pub bound: Bound,
+    /// The person, with the head brought to the population.
+    pub draft: Draft,
     /// The vertices of the drawn skin, x, y and z of each; metres in the frame of the head.
     pub skin: Vec<f64>,
+    /// Natural logarithms of linear red, green and blue of each vertex.
+    pub tone: Vec<f64>,
+    /// What lies in the head.
+    pub organs: Organs,
     /// The triangles of the skin, the same for all.
     pub triangles: Vec<[u32; 3]>,
     /// Segments of the skin, the same for all.
     pub segments: Vec<HeadSegment>,
     /// Measures of the head by name, millimetres.
     pub measures: Vec<(&'static str, f64)>,
+    /// Named places of the skin, metres in the frame of the head.
+    pub places: Vec<(String, DVec3)>,
 }
 
 impl Example {
@@ -44,10 +67,30 @@ impl Example {
         found.map(|(_, mm)| *mm)
     }
 
+    /// A named place of the skin, millimetres in the frame of the head.
+    #[must_use]
+    pub fn place(&self, name: &str) -> Option<DVec3> {
+        let found = self.places.iter().find(|(known, _)| known == name);
+        found.map(|(_, p)| *p * 1e3)
+    }
+
+    /// The amount of a field by its name.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Option<f64> {
+        self.draft.fields.get(field_index(name)?).copied()
+    }
+
+    /// A number of its look by its name.
+    #[must_use]
+    pub fn look(&self, name: &str) -> Option<f64> {
+        let index = looks::NAMES.iter().position(|known| *known == name)?;
+        Some(self.draft.look[index])
+    }
+
     /// Shares of European, Asian and African ancestry.
     #[must_use]
     pub fn ancestry(&self) -> [f64; 3] {
-        let a = self.traits.ancestry;
+        let a = self.draft.traits.ancestry;
         let all = a.european + a.asian + a.african;
         [a.european, a.asian, a.african].map(|share| share / all)
     }
@@ -62,20 +105,53 @@ impl<'m> Examples<'m> {
         Ok(Self {
             details: model.details()?,
             binding: Binding::new(model.faces()),
+            tones: Tones::new(&like.person, &like.head),
             like,
             model,
             seed,
         })
     }
 
-    /// Person number `index` of the crowd.
+    /// Person number `index` as the body model has such people, with fields of our own.
     ///
     /// # Errors
     /// When the model lacks what the traits name.
-    pub fn make(&self, index: u64) -> Result<Example, ModelError> {
+    pub fn draft(&self, index: u64) -> Result<Draft, ModelError> {
         let traits = Traits::random(&self.details, self.seed, index);
-        let bound = self.binding.bind(&self.model.shape(&traits)?);
-        let params = self.params(traits.clone(), bound.clone());
+        let bell = |k: i64| -> f64 {
+            (0..3)
+                .map(|j| noise::signed(self.seed ^ 0xF1E1D, index, 3 * k + j))
+                .sum()
+        };
+        let fields: Vec<f64> = (0..)
+            .zip(&FIELDS)
+            .map(|(k, field)| field.deviation * bell(k))
+            .collect();
+        Ok(Draft {
+            bound: self
+                .binding
+                .bind(&self.model.shape(&traits)?)
+                .with_fields(&fields),
+            look: looks::random(&traits, self.seed, index),
+            traits,
+            fields,
+        })
+    }
+
+    /// Brings a crowd to the measures of the population.
+    #[must_use]
+    pub fn brought(drafts: Vec<Draft>) -> Vec<Draft> {
+        let people: Vec<Traits> = drafts.iter().map(|d| d.traits.clone()).collect();
+        let mut heads: Vec<Bound> = drafts.iter().map(|d| d.bound.clone()).collect();
+        population::bring(&people, &mut heads);
+        let both = drafts.into_iter().zip(heads);
+        both.map(|(draft, bound)| Draft { bound, ..draft }).collect()
+    }
+
+    /// The head of a draft.
+    #[must_use]
+    pub fn make(&self, draft: Draft) -> Example {
+        let params = self.params(draft.traits.clone(), draft.bound.clone());
         let skin = BareSkin::of(&params.person, &params.head);
         let place = |name: &str| {
             let found = skin.landmarks.iter().find(|(known, _)| known == name)?;
@@ -84,15 +160,27 @@ impl<'m> Examples<'m> {
         let measures = known_measures()
             .filter_map(|measure| Some((measure.name, distance_mm(&measure, &place)?)))
             .collect();
+        let places = skin.landmarks.iter();
         let coordinates = skin.positions.iter().flat_map(DVec3::to_array);
-        Ok(Example {
+        Example {
             skin: coordinates.collect(),
+            tone: self.tone(&draft.look),
+            organs: skin.organs,
             triangles: skin.faces.iter().flat_map(|f| fan(f)).collect(),
-            segments: skin.segments,
-            traits,
-            bound,
             measures,
-        })
+            places: places
+                .map(|(name, v)| (name.clone(), skin.positions[*v as usize]))
+                .collect(),
+            segments: skin.segments,
+            draft,
+        }
+    }
+
+    /// The tone of a look, as [`Example::tone`] has it.
+    #[must_use]
+    pub fn tone(&self, look: &Look) -> Vec<f64> {
+        let skin = looks::skin(look, &SkinParams::plain());
+        self.tones.of(&skin, looks::brows(look))
     }
 
     /// The figure of a head: a body of the mean of sex and age.

@@ -1,7 +1,30 @@
 //! How much examples have of each facial attribute (F&H 3.2.2 and Table 5.2). The thesis had them
 //! rated; where an attribute is a measure, or part of what a head was made of, it is read instead.
 
+use raconteur_base::{DVec3, Side, ops};
+
+use self::Affects::{Both, Shape, Texture};
 use crate::examples::Example;
+
+/// What of a face an attribute changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Affects {
+    /// Its shape alone.
+    Shape,
+    /// Its texture alone.
+    Texture,
+    /// Both.
+    Both,
+}
+
+/// Where an attribute's ends are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Unit {
+    /// Two standard deviations of the examples from their mean.
+    Deviations,
+    /// This much more or less than the mean.
+    Amount(f64),
+}
 
 /// A label that can be read off an example.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +35,11 @@ pub struct Label {
     pub name: &'static str,
     /// Terms for −1 and for +1.
     pub terms: [&'static str; 2],
+    /// What it changes.
+    pub affects: Affects,
+    /// The formula of an impression that nobody rated; none where the label is a measure.
+    pub derived: Option<&'static str>,
+    unit: Unit,
     /// What is read; only differences count.
     of: fn(&Example) -> Option<f64>,
 }
@@ -29,108 +57,173 @@ fn fissure_mm(example: &Example) -> Option<f64> {
     Some((example.measure(outer)? - example.measure(inner)?) / 2.0)
 }
 
-macro_rules! label {
-    ($group:literal, $name:literal, $low:literal, $high:literal, $of:expr) => {
-        Label {
-            group: $group,
-            name: $name,
-            terms: [$low, $high],
-            of: $of,
-        }
-    };
+/// Between a place of the left half and its mirror image, across, millimetres.
+fn breadth_mm(example: &Example, name: &str) -> Option<f64> {
+    let at = |side: char| example.place(&format!("{name}_{side}"));
+    Some(at('l')?.x - at('r')?.x)
 }
 
-/// All that can be read.
-pub const LABELS: [Label; 20] = [
-    label!("overall", "sex", "masculine", "feminine", |e| Some(
-        e.traits.sex
-    )),
-    label!("overall", "weight", "slender", "obese", |e| Some(
-        e.traits.weight
-    )),
-    label!("overall", "age", "younger", "older", |e| Some(
-        e.traits.age_years
-    )),
-    label!(
-        "face shape",
-        "breadth of the face",
-        "narrow",
-        "broad",
-        |e| share(e, "face_breadth", "face_height")
-    ),
-    label!("face shape", "jaw", "pear", "heart shape", |e| share(
-        e,
-        "forehead_breadth",
-        "jaw_breadth"
-    )),
-    label!(
-        "face shape",
-        "distance between lips and chin",
-        "short",
-        "long",
-        |e| e.measure("lower_lip_skin")
-    ),
-    label!("eyes", "opening of the eyes", "slitted", "round", |e| Some(
-        e.measure("fissure_height")? / fissure_mm(e)?
-    )),
-    label!("eyes", "distance of the eyes", "near", "far apart", |e| {
-        let inner = e.measure("inner_canthal_breadth")?;
-        Some((inner + fissure_mm(e)?) / e.measure("face_breadth")?)
+/// The middle of a place and its mirror image.
+fn both(example: &Example, name: &str) -> Option<DVec3> {
+    let at = |side: char| example.place(&format!("{name}_{side}"));
+    let (left, right) = (at('l')?, at('r')?);
+    Some(DVec3::new(
+        (left.x - right.x) / 2.0,
+        (left.y + right.y) / 2.0,
+        (left.z + right.z) / 2.0,
+    ))
+}
+
+/// Angle at a place between two others, radians.
+fn angle(at: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let (a, b) = ((a - at).normalize_or_zero(), (b - at).normalize_or_zero());
+    ops::acos_clamped(a.dot(b))
+}
+
+/// The crest of a brow, its x outwards.
+fn brow(example: &Example, side: Side) -> Option<Vec<DVec3>> {
+    let crest = example.draft.bound.brow_of(side);
+    (crest.len() > 4).then_some(crest)
+}
+
+/// Height of a brow's middle over the line between its ends, millimetres.
+fn brow_curve(example: &Example, side: Side) -> Option<f64> {
+    let crest = brow(example, side)?;
+    let (first, last) = (crest[1], crest[crest.len() - 1]);
+    Some(crest[3].y - (first.y + last.y) / 2.0)
+}
+
+/// How far a place stands before the line between two others, millimetres.
+fn before(at: DVec3, above: DVec3, below: DVec3) -> f64 {
+    let t = (at.y - above.y) / (below.y - above.y);
+    at.z - (above.z + (below.z - above.z) * t)
+}
+
+fn own(value: f64) -> Option<f64> {
+    Some(value)
+}
+
+const fn label(
+    group: &'static str,
+    name: &'static str,
+    terms: [&'static str; 2],
+    affects: Affects,
+    of: fn(&Example) -> Option<f64>,
+) -> Label {
+    Label {
+        group,
+        name,
+        terms,
+        affects,
+        derived: None,
+        unit: Unit::Deviations,
+        of,
+    }
+}
+
+const fn amount(mut label: Label, amount: f64) -> Label {
+    label.unit = Unit::Amount(amount);
+    label
+}
+
+const fn derived(mut label: Label, formula: &'static str) -> Label {
+    label.derived = Some(formula);
+    label
+}
+
+/// All that can be read: Table 5.2 but for the level of caricature, which is no direction.
+#[rustfmt::skip]
+pub const LABELS: [Label; 49] = [
+    label("overall", "sex", ["masculine", "feminine"], Both, |e| own(e.draft.traits.sex)),
+    label("overall", "weight", ["slender", "obese"], Shape, |e| own(e.draft.traits.weight)),
+    label("overall", "lightness of the skin", ["dark", "light"], Texture, |e| Some(-e.look("melanin")?)),
+    label("overall", "age", ["younger", "older"], Both, |e| own(e.draft.traits.age_years)),
+    label("overall", "freckles", ["none", "many"], Texture, |e| e.look("freckles")),
+    label("overall", "beard shadow", ["none", "strong"], Texture, |e| e.look("beard shadow")),
+    derived(label("overall", "attractiveness", ["less attractive", "more attractive"], Both, attractive),
+        "youth to 25, even skin, full lips, large eyes, slight weight (directions: Rhodes 2006, doi:10.1146/annurev.psych.57.102904.190208; weights designed)"),
+
+    label("face shape", "angles of the face", ["round", "angular"], Shape, |e| {
+        let (go, gn) = (both(e, "go")?, e.place("gn")?);
+        Some(-angle(go, both(e, "t")?, gn) + 0.04 * e.field("hollow of the cheek")?)
     }),
-    label!("nose", "nose bridge", "short", "long", |e| share(
-        e,
-        "nose_height",
-        "face_height"
-    )),
-    label!("nose", "alar wings", "narrow", "wide", |e| share(
-        e,
-        "nose_breadth",
-        "face_breadth"
-    )),
-    label!(
-        "nose",
-        "distance between nose and mouth",
-        "short",
-        "long",
-        |e| e.measure("philtrum_length")
-    ),
-    label!(
-        "nose",
-        "protrusion of the nose",
-        "flat",
-        "protruding",
-        |e| e.measure("nose_protrusion")
-    ),
-    label!("mouth", "width of the mouth", "narrow", "wide", |e| share(
-        e,
-        "mouth_breadth",
-        "face_breadth"
-    )),
-    label!("mouth", "lips", "thin", "full", |e| Some(
-        e.measure("upper_red")? + e.measure("lower_red")?
-    )),
-    label!("ears", "size of the ears", "small", "large", |e| share(
-        e,
-        "ear_length",
-        "head_length"
-    )),
-    label!("ears", "breadth of the ears", "narrow", "broad", |e| e
-        .measure("ear_breadth")),
-    label!("ethnicity", "European", "less", "more", |e| Some(
-        e.ancestry()[0]
-    )),
-    label!("ethnicity", "Asian", "less", "more", |e| Some(
-        e.ancestry()[1]
-    )),
-    label!("ethnicity", "African", "less", "more", |e| Some(
-        e.ancestry()[2]
-    )),
-    label!("overall", "size of the head", "small", "large", |e| e
-        .measure("head_length")),
+    label("face shape", "breadth of the face", ["narrow", "broad"], Shape, |e| share(e, "face_breadth", "face_height")),
+    label("face shape", "taper of the face", ["pear shape", "heart shape"], Shape, |e| share(e, "forehead_breadth", "jaw_breadth")),
+    label("face shape", "cheeks", ["hollow", "puffy"], Shape, |e| {
+        let (zy, go, cheek) = (both(e, "zy")?, both(e, "go")?, both(e, "chk")?);
+        Some(cheek.x - 0.5 * (zy.x + go.x) + cheek.z - zy.z)
+    }),
+    label("face shape", "cheekbones", ["flat", "prominent"], Shape, |e| {
+        let zm = both(e, "zm")?;
+        Some(both(e, "zy")?.x - both(e, "go")?.x + zm.z - e.place("sn")?.z)
+    }),
+    label("face shape", "breadth of the chin", ["pointed", "broad"], Shape, |e| Some(breadth_mm(e, "id")? / e.measure("face_breadth")?)),
+    label("face shape", "protrusion of the chin", ["receding", "protruding"], Shape, |e| Some(e.place("pg")?.z - 0.5 * (e.place("sn")?.z + e.place("n")?.z))),
+    label("face shape", "distance between lips and chin", ["short", "long"], Shape, |e| Some((e.place("li")?.y - e.place("gn")?.y) / e.measure("face_height")?)),
+    amount(label("face shape", "double chin", ["none", "strong"], Shape, |e| e.field("double chin")), 1.4),
+    amount(label("face shape", "nasolabial fold", ["smooth", "deep"], Shape, |e| e.field("nasolabial fold")), 1.4),
+
+    label("eyes", "opening of the eyes", ["slitted", "round"], Shape, |e| Some(e.measure("fissure_height")? / fissure_mm(e)?)),
+    label("eyes", "inclination of the eyes", ["downwards", "upwards"], Shape, |e| Some((both(e, "ex")?.y - both(e, "en")?.y) / fissure_mm(e)?)),
+    label("eyes", "distance of the eyes", ["near", "far apart"], Shape, |e| {
+        Some((e.measure("inner_canthal_breadth")? + fissure_mm(e)?) / e.measure("face_breadth")?)
+    }),
+    label("eyes", "lightness of the iris", ["dark", "light"], Texture, |e| e.look("lightness of the iris")),
+    label("eyes", "colour of the iris", ["brown", "blue"], Texture, |e| e.look("blue of the iris")),
+    label("eyes", "lightness of the brows", ["dark", "light"], Texture, |e| e.look("lightness of the brows")),
+    label("eyes", "thickness of the brows", ["thin", "bushy"], Texture, |e| Some(e.look("density of the brows")? + e.look("height of the brows")?)),
+    label("eyes", "curve of the left brow", ["straight", "curved"], Shape, |e| brow_curve(e, Side::Left)),
+    label("eyes", "curve of the right brow", ["straight", "curved"], Shape, |e| brow_curve(e, Side::Right)),
+    label("eyes", "distance of the brows", ["near", "far apart"], Shape, |e| {
+        Some((brow(e, Side::Left)?[0].x - brow(e, Side::Right)?[0].x) / e.measure("face_breadth")?)
+    }),
+    label("eyes", "distance between brows and eyes", ["low", "high"], Shape, |e| {
+        let crests = brow(e, Side::Left)?[2].y + brow(e, Side::Right)?[2].y;
+        Some(crests / 2.0 - e.organs.eye_centres[0].y * 1e3)
+    }),
+
+    label("nose", "length of the nose", ["short", "long"], Shape, |e| share(e, "nose_height", "face_height")),
+    label("nose", "breadth of the nose bridge", ["narrow", "wide"], Shape, |e| Some(breadth_mm(e, "mf")? + breadth_mm(e, "nsa")?)),
+    label("nose", "breadth of the alar wings", ["narrow", "wide"], Shape, |e| share(e, "nose_breadth", "face_breadth")),
+    amount(label("nose", "roundness of the alar wings", ["flat", "round"], Shape, |e| e.field("roundness of the alae")), 1.6),
+    label("nose", "profile of the nose", ["snub", "hooked"], Shape, |e| {
+        let (prn, sn, st) = (e.place("prn")?, e.place("sn")?, e.place("st")?);
+        Some(before(st, e.place("n")?, prn) + 0.7 * (sn.y - prn.y))
+    }),
+    label("nose", "distance between nose and mouth", ["short", "long"], Shape, |e| e.measure("philtrum_length")),
+
+    label("mouth", "width of the mouth", ["narrow", "wide"], Shape, |e| share(e, "mouth_breadth", "face_breadth")),
+    label("mouth", "lips", ["thin", "full"], Shape, |e| Some(e.measure("upper_red")? + e.measure("lower_red")?)),
+    label("mouth", "colour of the lips", ["light", "dark"], Texture, |e| e.look("redness of the lips")),
+    label("mouth", "line of the lips", ["corners down", "corners up"], Shape, |e| Some((both(e, "ch")?.y - e.place("sto")?.y) / e.measure("mouth_breadth")?)),
+
+    label("ears", "size of the ears", ["small", "large"], Shape, |e| share(e, "ear_length", "head_length")),
+    label("ears", "ears", ["flat", "jug ears"], Shape, |e| Some(breadth_mm(e, "pa")? - breadth_mm(e, "t")?)),
+
+    label("ethnicity", "European", ["less", "more"], Both, |e| own(e.ancestry()[0])),
+    label("ethnicity", "Asian", ["less", "more"], Both, |e| own(e.ancestry()[1])),
+    label("ethnicity", "African", ["less", "more"], Both, |e| own(e.ancestry()[2])),
+
+    amount(label("expressions", "smiling", ["less", "more"], Shape, |e| e.field("smiling")), 1.0),
+    amount(label("expressions", "angry", ["less", "more"], Shape, |e| e.field("angry")), 1.0),
+    amount(label("expressions", "surprised", ["less", "more"], Shape, |e| e.field("surprised")), 1.0),
+    amount(label("expressions", "scared", ["less", "more"], Shape, |e| e.field("scared")), 1.0),
+    amount(label("expressions", "deranged", ["less", "more"], Shape, |e| e.field("deranged")), 1.0),
+    amount(label("expressions", "disgusted", ["less", "more"], Shape, |e| e.field("disgusted")), 1.0),
 ];
 
+/// See its formula in [`LABELS`].
+fn attractive(e: &Example) -> Option<f64> {
+    let youth = -(e.draft.traits.age_years - 25.0).abs() / 20.0;
+    let skin = -e.look("sun")? - e.look("vessels")? - 0.5 * e.look("moles")?;
+    let lips = (e.measure("upper_red")? + e.measure("lower_red")?) / 6.0;
+    let eyes = e.measure("fissure_height")? / 2.0;
+    let weight = -4.0 * (e.draft.traits.weight - 0.45).abs();
+    Some(youth + skin + lips + eyes + weight)
+}
+
 impl Label {
-    /// The labels of examples: zero mean, ±1 at two standard deviations. None where an example
+    /// The labels of examples: zero mean, ±1 where the attribute ends. None where an example
     /// lacks what is read, or all are alike.
     #[must_use]
     pub fn of_all(&self, examples: &[Example]) -> Option<Vec<f64>> {
@@ -138,7 +231,10 @@ impl Label {
         let count = read.len() as f64;
         let mean = read.iter().sum::<f64>() / count;
         let square = read.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
-        let unit = DEVIATIONS * square.sqrt();
-        (unit > 0.0).then(|| read.iter().map(|x| (x - mean) / unit).collect())
+        let unit = match self.unit {
+            Unit::Deviations => DEVIATIONS * square.sqrt(),
+            Unit::Amount(amount) => amount,
+        };
+        (square > 0.0).then(|| read.iter().map(|x| (x - mean) / unit).collect())
     }
 }

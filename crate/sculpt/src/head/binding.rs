@@ -21,7 +21,7 @@ const TRAGION: Key = Key::Grid(12, 9);
 
 /// What lies at a bound place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Mark {
+pub(super) enum Mark {
     /// A vertex of the cage.
     Cage(Key),
     /// The crest of the brow, from its inner end.
@@ -263,9 +263,23 @@ impl Bound {
         text
     }
 
+    /// Where a mark lies; `None` for one that is not bound on that side.
+    pub(super) fn at(&self, mark: Mark, side: Side) -> Option<DVec3> {
+        self.places.get(&(mark, side)).copied()
+    }
+
+    /// The head with every place moved by what is said of it.
+    pub(super) fn moved(&self, by: impl Fn(DVec3) -> DVec3) -> Self {
+        let places = self.places.iter();
+        Self {
+            places: places.map(|(&key, &p)| (key, p + by(p))).collect(),
+            globes: self.globes.map(|p| p + by(p)),
+        }
+    }
+
     /// Where a vertex of the cage lies; `None` for one that is not bound.
     pub(super) fn place(&self, key: Key, side: Side) -> Option<DVec3> {
-        self.places.get(&(Mark::Cage(key), side)).copied()
+        self.at(Mark::Cage(key), side)
     }
 
     /// The mean of a place and its mirror image, on the left.
@@ -283,6 +297,14 @@ impl Bound {
                 Mark::Cage(key) if side == Side::Left => Some((key, self.symmetric_at(mark)?)),
                 _ => None,
             })
+            .collect()
+    }
+
+    /// The crest of a brow from its inner end, mm.
+    #[must_use]
+    pub fn brow_of(&self, side: Side) -> Vec<DVec3> {
+        (0..)
+            .map_while(|k| self.at(Mark::Brow(k), side))
             .collect()
     }
 

@@ -7,9 +7,9 @@ use faer::Mat;
 use faer::linalg::solvers::Solve as _;
 use raconteur_base::DVec3;
 
-use super::binding::Binding;
+use super::binding::{Binding, Bound};
 use super::fitted::fit;
-use super::measure::{At, DEFINITIONS, Measure, Take};
+use super::measure::{At, DEFINITIONS, Measure};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::statistics::Row;
 
@@ -37,11 +37,18 @@ pub struct Aim {
     pub wanted: f64,
 }
 
+/// The measures of a head, millimetres, in the order of [`Measure::all`].
+#[must_use]
+pub fn measures(bound: &Bound) -> [f64; Measure::COUNT] {
+    let points = fit(bound, |_| None).points;
+    let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
+    core::array::from_fn(|i| (DEFINITIONS[i].take)(at))
+}
+
 /// A measure to reach.
 struct Target {
     measure: Measure,
     row: &'static Row,
-    take: Take,
     wanted: f64,
 }
 
@@ -52,7 +59,6 @@ impl Target {
             Some(Self {
                 measure: d.measure,
                 row: &d.row,
-                take: d.take,
                 wanted,
             })
         });
@@ -72,11 +78,10 @@ impl Fitting<'_> {
     /// Deviations of the targets' measures on a person's head.
     fn deviations(&self, traits: &Traits) -> Result<Vec<f64>, ModelError> {
         let bound = self.binding.bind(&self.model.shape(traits)?);
-        let points = fit(&bound, |_| None).points;
-        let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
+        let all = measures(&bound);
         let deviation = |t: &Target| {
             let norm = t.row.at(traits.sex, traits.age_years);
-            ((t.take)(at) - norm.mean) / norm.sd
+            (all[t.measure as usize] - norm.mean) / norm.sd
         };
         Ok(self.targets.iter().map(deviation).collect())
     }

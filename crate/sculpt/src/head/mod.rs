@@ -10,6 +10,7 @@ mod binding;
 mod cage;
 mod chart;
 mod eye;
+mod field;
 mod fitted;
 mod fitting;
 mod landmark;
@@ -45,7 +46,8 @@ use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
 use self::fitted::Fitted;
-pub use self::fitting::{Aim, fit_measures};
+pub use self::field::{FIELDS, Field, field_index};
+pub use self::fitting::{Aim, fit_measures, measures};
 pub use self::measure::{KnownMeasure, Measure, known_measures};
 pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
@@ -238,11 +240,13 @@ impl Painted {
             .collect();
         part
     }
+}
 
+impl Shape {
     /// What the maps of the skin are baked from.
-    fn sheet(&self, shape: &Shape, line: &BrowLine, brow_colour: [f64; 3]) -> HeadSheet {
+    fn sheet(&self, line: &BrowLine, brow_colour: [f64; 3]) -> HeadSheet {
         let chart = chart();
-        let (positions, surface) = (&shape.positions, &shape.surface);
+        let (positions, surface) = (&self.positions, &self.surface);
         HeadSheet {
             uv: chart.uv.clone(),
             triangles: surface
@@ -255,15 +259,13 @@ impl Painted {
             at: chart.of(positions),
             mean: chart.of(&chart.mean),
             normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
-            rings: chart.of(&shape.coordinates),
+            rings: chart.of(&self.coordinates),
             brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
             brow_colour,
             places: Some(&chart.places),
         }
     }
-}
 
-impl Shape {
     /// A vertex of the skin; `open` is how much of the room it sees.
     fn vertex(&self, v: usize, open: f64) -> PartVertex {
         let (c, position) = (&self.coordinates[v], self.positions[v]);
@@ -288,6 +290,12 @@ impl Shape {
             color: [1.0, 1.0, 1.0, open.max(least) * deep],
             weights: rig::joints(self.shares[v], side),
         }
+    }
+
+    /// Where the lips meet in the middle, millimetres.
+    fn lips(&self) -> DVec3 {
+        let contact = |k| self.limit(Key::mouth(5, k), Side::Left);
+        (contact(0) + contact(12)) / 2.0
     }
 
     /// Centres of the left and the right eyeball, millimetres.
@@ -362,8 +370,7 @@ pub fn build(person: &Person, params: &HeadParams) -> Head {
     };
     let mut parts = vec![painted.part(&shape, &skin), painted.part(&shape, &bag)];
     let ride = Ride::new(&parts[0]);
-    let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
-    parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
+    parts.extend(mouth::mouth(shape.lips()));
     for side in Side::BOTH {
         parts.extend(shape.eye_parts(side, params, &ride, &line));
     }
@@ -377,7 +384,7 @@ pub fn build(person: &Person, params: &HeadParams) -> Head {
         lid_closure_rad: shape.rig.closure_rad,
         extent: shape.extent(),
         scalp: scalp::scalp(&shape.positions, &shape.coordinates, painted.proportions),
-        sheet: painted.sheet(&shape, &line, params.brow.colour),
+        sheet: shape.sheet(&line, params.brow.colour),
         landmarks: named(&shape, &drawn),
         segments: segment::segments(&shape, &drawn),
         soft,
@@ -405,6 +412,31 @@ pub struct BareSkin {
     pub landmarks: Vec<(String, u32)>,
     /// Segments.
     pub segments: Vec<HeadSegment>,
+    /// What lies in it.
+    pub organs: Organs,
+}
+
+/// What lies in a head and moves by itself; metres, frame of the head.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Organs {
+    /// Centres of the left and the right eyeball.
+    pub eye_centres: [DVec3; 2],
+    /// Upper-lid rotation that closes the eye, left and right, radians.
+    pub lid_closure_rad: [f64; 2],
+    /// Where the lips meet, in the middle: teeth, gums and tongue stand to it.
+    pub lips: DVec3,
+    /// Height of the chin's lowest point.
+    pub chin: f64,
+}
+
+impl Organs {
+    /// All numbers one after another.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let points = self.eye_centres.iter().chain([&self.lips]);
+        let all = points.flat_map(DVec3::to_array);
+        all.chain(self.lid_closure_rad).chain([self.chin]).collect()
+    }
 }
 
 impl BareSkin {
@@ -422,6 +454,12 @@ impl BareSkin {
             faces: part.faces,
             landmarks: named(&shape, &drawn),
             segments: segment::segments(&shape, &drawn),
+            organs: Organs {
+                eye_centres: shape.eye_centres().map(|p| p * 1e-3),
+                lid_closure_rad: shape.rig.closure_rad,
+                lips: shape.lips() * 1e-3,
+                chin: shape.extent()[0],
+            },
         }
     }
 }
@@ -463,22 +501,13 @@ struct PartCut<'a> {
     keep: fn(Zone) -> bool,
 }
 
-/// The faces of some zones as a part of their own, with vertices doubled along the chart's
-/// cut; `moved` are the morphs of the whole surface.
-fn cut_part(
-    surface: &Surface,
-    chart: &Chart,
-    moved: &[(&'static str, Vec<DVec3>)],
-    cut: &PartCut<'_>,
-) -> MeshPart {
+/// The faces of some zones, and the chart's vertex of each of theirs.
+fn kept(surface: &Surface, chart: &Chart, keep: fn(Zone) -> bool) -> (Vec<usize>, Vec<Vec<u32>>) {
     let mut index = vec![u32::MAX; chart.uv.len()];
     let mut used: Vec<usize> = Vec::new();
-    let kept = chart
-        .faces
-        .iter()
-        .zip(&surface.zones)
-        .filter(|&(_, &z)| (cut.keep)(z));
+    let kept = chart.faces.iter().zip(&surface.zones);
     let faces = kept
+        .filter(|&(_, &z)| keep(z))
         .map(|(face, _)| {
             let slot = |&v: &u32| {
                 let slot = &mut index[v as usize];
@@ -491,6 +520,26 @@ fn cut_part(
             face.iter().map(slot).collect()
         })
         .collect();
+    (used, faces)
+}
+
+/// What the skin of a head is painted on, and for each vertex of the drawn skin its vertex there.
+pub(crate) fn bare_sheet(person: &Person, params: &HeadParams) -> (HeadSheet, Vec<usize>) {
+    let shape = Shape::of(person, &params.bound, params.asymmetry);
+    let line = BrowLine::above(&shape.fitted.brow);
+    let (used, _) = kept(&shape.surface, chart(), skin_cut(&[]).keep);
+    (shape.sheet(&line, params.brow.colour), used)
+}
+
+/// The faces of some zones as a part of their own, with vertices doubled along the chart's
+/// cut; `moved` are the morphs of the whole surface.
+fn cut_part(
+    surface: &Surface,
+    chart: &Chart,
+    moved: &[(&'static str, Vec<DVec3>)],
+    cut: &PartCut<'_>,
+) -> MeshPart {
+    let (used, faces) = kept(surface, chart, cut.keep);
     let source = |v: &usize| chart.source[*v] as usize;
     let morphs = moved
         .iter()

@@ -16,6 +16,7 @@ mod sheet;
 mod tests;
 pub(crate) mod texture;
 mod tissue;
+pub mod tone;
 pub(crate) mod unwrap;
 
 pub(crate) use bake::bake;

@@ -1,0 +1,235 @@
+//! Local fields: soft pulls on the places of a head that move one small thing about it, and nothing
+//! else. The body model has no targets for them; they vary by themselves from face to face.
+
+use raconteur_base::Side::{Left, Right};
+use raconteur_base::{DVec3, Side, mirror_vector, ops};
+
+use super::binding::{Bound, Mark};
+use super::cage::Key;
+
+/// A soft pull: what lies about a place goes with it, less and less with the distance.
+#[derive(Clone, Copy, Debug)]
+struct Pull {
+    /// The place, on the left.
+    at: Mark,
+    /// Standard deviation of the bell, mm.
+    radius_mm: f64,
+    /// Where the place goes at the amount 1: outwards, up, to the front; mm.
+    shift_mm: [f64; 3],
+    /// The only side that it is on.
+    side: Option<Side>,
+}
+
+/// A field.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// Its name.
+    pub name: &'static str,
+    /// Standard deviation of its amount from face to face. Designed: within what is seen on
+    /// unposed faces; rests of an expression are slight.
+    pub deviation: f64,
+    pulls: &'static [Pull],
+}
+
+const fn both(at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> Pull {
+    Pull {
+        at,
+        radius_mm,
+        shift_mm,
+        side: None,
+    }
+}
+
+const fn one(side: Side, at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> Pull {
+    Pull {
+        at,
+        radius_mm,
+        shift_mm,
+        side: Some(side),
+    }
+}
+
+const fn grid(column: u8, row: u8) -> Mark {
+    Mark::Cage(Key::Grid(column, row))
+}
+
+const fn eye(ring: u8, k: u8) -> Mark {
+    Mark::Cage(Key::Eye(ring, k))
+}
+
+const fn mouth(ring: u8, k: u8) -> Mark {
+    Mark::Cage(Key::Mouth(ring, k))
+}
+
+const fn ear(ring: u8, k: u8) -> Mark {
+    Mark::Cage(Key::Ear(ring, k))
+}
+
+const fn brow(k: u8) -> Mark {
+    Mark::Brow(k)
+}
+
+const fn field(name: &'static str, deviation: f64, pulls: &'static [Pull]) -> Field {
+    Field {
+        name,
+        deviation,
+        pulls,
+    }
+}
+
+/// All fields; amounts belong to them in this order.
+#[rustfmt::skip]
+pub const FIELDS: [Field; 25] = [
+    field("curve of the left brow", 0.5, &[
+        one(Left, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Left, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Left, brow(5), 6.0, [0.0, -1.8, 0.0]),
+    ]),
+    field("curve of the right brow", 0.5, &[
+        one(Right, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Right, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Right, brow(5), 6.0, [0.0, -1.8, 0.0]),
+    ]),
+    field("distance of the brows", 0.5, &[both(brow(0), 8.0, [3.4, 0.6, 0.0]), both(brow(1), 7.0, [2.4, 0.3, 0.0])]),
+    field("height of the brows", 0.5, &[
+        both(brow(1), 7.0, [0.0, 2.2, 0.0]), both(brow(3), 7.0, [0.0, 2.4, 0.0]), both(brow(5), 7.0, [0.0, 2.2, 0.0]),
+    ]),
+    field("roundness of the alae", 0.5, &[
+        both(grid(4, 12), 3.2, [1.3, -0.2, 1.5]), both(grid(4, 10), 3.0, [-0.9, 0.0, -0.8]), both(grid(4, 14), 3.0, [0.2, -0.4, 0.6]),
+    ]),
+    field("nasolabial fold", 0.5, &[
+        both(grid(5, 14), 3.6, [0.0, 0.0, -1.5]), both(grid(5, 16), 3.6, [0.0, 0.0, -1.7]), both(grid(5, 18), 3.6, [0.0, 0.0, -1.4]),
+        both(grid(7, 14), 6.0, [0.3, -0.6, 1.6]), both(grid(7, 17), 6.0, [0.6, -0.8, 1.5]),
+    ]),
+    field("double chin", 0.5, &[
+        both(grid(0, 27), 13.0, [0.0, -6.0, 4.0]), both(grid(6, 27), 11.0, [0.0, -5.0, 3.0]), both(grid(0, 25), 6.0, [0.0, -0.8, -0.6]),
+    ]),
+    field("fold of the upper lid", 0.5, &[both(eye(2, 4), 4.5, [0.0, -1.4, 0.7]), both(eye(2, 7), 4.5, [0.2, -1.6, 0.6])]),
+    field("bag of the lower lid", 0.5, &[both(eye(1, 12), 4.5, [0.0, -0.6, 1.4]), both(grid(6, 8), 4.5, [0.0, 0.0, -0.9])]),
+    field("hollow of the cheek", 0.5, &[both(grid(8, 17), 12.0, [-3.2, 0.0, -1.6])]),
+    field("cheekbone", 0.5, &[both(grid(9, 9), 10.0, [2.0, 0.4, 1.4])]),
+    field("ridge of the brow", 0.5, &[both(grid(3, 4), 8.0, [0.0, 0.0, 1.8]), both(grid(6, 4), 7.0, [0.0, 0.0, 1.6])]),
+    field("red of the upper lip", 0.5, &[both(mouth(2, 0), 5.0, [0.0, 0.0, 1.3]), both(mouth(1, 2), 4.0, [0.0, 0.9, 0.3])]),
+    field("red of the lower lip", 0.5, &[both(mouth(2, 12), 6.0, [0.0, 0.0, 1.5]), both(mouth(1, 10), 5.0, [0.0, -0.9, 0.4])]),
+    field("line of the lips", 0.5, &[both(mouth(1, 6), 7.0, [0.0, 2.6, 0.0]), both(mouth(3, 0), 6.0, [0.0, -0.5, 0.0])]),
+    field("cleft of the chin", 0.5, &[both(grid(0, 23), 3.4, [0.0, 0.0, -1.3]), both(grid(3, 23), 4.2, [0.0, 0.0, 0.9])]),
+    field("pad of the chin", 0.5, &[both(grid(0, 23), 8.0, [0.0, 0.0, 2.0])]),
+    field("lobe of the ear", 0.5, &[both(ear(4, 14), 6.0, [0.5, -2.8, 0.0])]),
+    field("temple", 0.5, &[both(grid(9, 3), 12.0, [2.2, 0.0, 0.0])]),
+    field("smiling", 0.28, &[
+        both(mouth(1, 6), 8.0, [3.6, 4.4, -1.6]), both(grid(7, 11), 13.0, [0.8, 2.4, 2.0]), both(grid(5, 15), 4.5, [1.0, 0.6, -1.0]), both(eye(3, 12), 4.5, [0.0, 0.9, 0.0]),
+    ]),
+    field("angry", 0.28, &[
+        both(brow(0), 8.0, [-2.4, -4.2, 1.0]), both(brow(2), 7.0, [-0.8, -2.2, 0.4]), both(brow(5), 6.0, [0.0, 1.2, 0.0]), both(eye(5, 4), 4.5, [0.0, -0.9, 0.0]),
+        both(mouth(1, 0), 7.0, [0.0, -0.9, 0.0]), both(mouth(1, 6), 6.0, [-1.2, -1.6, 0.0]), both(grid(4, 12), 4.0, [1.0, 0.4, 0.0]),
+    ]),
+    field("surprised", 0.28, &[
+        both(brow(1), 8.0, [0.0, 3.2, 0.0]), both(brow(3), 8.0, [0.0, 3.8, 0.0]), both(brow(5), 7.0, [0.0, 2.6, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.5, 0.0]),
+        both(mouth(1, 6), 7.0, [-2.0, 0.0, 0.8]), both(grid(0, 23), 14.0, [0.0, -2.0, 0.0]),
+    ]),
+    field("scared", 0.28, &[
+        both(brow(0), 8.0, [-1.8, 4.6, 0.4]), both(brow(2), 7.0, [-0.6, 1.8, 0.0]), both(brow(5), 6.0, [0.0, -1.0, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.3, 0.0]),
+        both(mouth(1, 6), 8.0, [3.2, -1.8, -1.2]),
+    ]),
+    field("deranged", 0.28, &[
+        one(Left, brow(2), 9.0, [0.0, 5.0, 0.0]), one(Left, eye(5, 4), 5.0, [0.0, 1.5, 0.0]), one(Left, mouth(1, 6), 8.0, [3.0, 4.0, -1.2]),
+        one(Right, brow(1), 8.0, [-1.6, -3.6, 0.6]), one(Right, mouth(1, 6), 8.0, [0.6, -1.8, 0.0]),
+    ]),
+    field("disgusted", 0.28, &[
+        both(mouth(1, 4), 6.0, [0.0, 2.6, 0.6]), both(grid(3, 13), 6.0, [0.8, 2.0, 0.6]), both(grid(5, 14), 4.0, [0.0, 0.6, -1.6]), both(grid(2, 8), 6.0, [0.0, 0.8, 0.8]),
+        both(brow(1), 8.0, [-0.8, -3.2, 0.4]), both(eye(3, 12), 4.5, [0.0, 1.0, 0.4]), both(mouth(1, 6), 6.0, [-0.4, -2.2, 0.0]), both(mouth(1, 12), 7.0, [0.0, 0.8, 1.4]),
+    ]),
+];
+
+/// Index of a field by its name.
+#[must_use]
+pub fn field_index(name: &str) -> Option<usize> {
+    FIELDS.iter().position(|field| field.name == name)
+}
+
+impl Bound {
+    /// The head with so much of each of [`FIELDS`]; missing amounts are zero.
+    #[must_use]
+    pub fn with_fields(&self, amounts: &[f64]) -> Self {
+        let mut bells = Vec::new();
+        for (field, amount) in FIELDS.iter().zip(amounts) {
+            let pulls = field.pulls.iter().flat_map(|p| self.bells(p, *amount));
+            bells.extend(pulls);
+        }
+        self.moved(|p| bells.iter().map(|b| b.at(p)).sum())
+    }
+
+    /// A pull on this head, on each side that it is on; one of the midline counts once.
+    fn bells(&self, pull: &Pull, amount: f64) -> Vec<Bell> {
+        let shift = DVec3::from_array(pull.shift_mm) * amount;
+        let is_middle = self.at(pull.at, Right).is_none();
+        let sides = Side::BOTH.into_iter().filter(|&side| {
+            let wanted = pull.side.is_none_or(|only| only == side);
+            wanted && (side == Left || !is_middle)
+        });
+        let bell = |side| {
+            let shift = if side == Left {
+                shift
+            } else {
+                mirror_vector(shift)
+            };
+            Some(Bell {
+                centre: self.at(pull.at, side)?,
+                radius_mm: pull.radius_mm,
+                shift,
+            })
+        };
+        sides.filter_map(bell).collect()
+    }
+}
+
+/// A pull on one head, mm.
+struct Bell {
+    centre: DVec3,
+    radius_mm: f64,
+    shift: DVec3,
+}
+
+impl Bell {
+    /// By how much a place goes with it.
+    fn at(&self, place: DVec3) -> DVec3 {
+        let far = (place - self.centre).length_squared() / (self.radius_mm * self.radius_mm);
+        if far > 16.0 {
+            DVec3::ZERO
+        } else {
+            self.shift * ops::exp(-0.5 * far)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn amounts(name: &str, amount: f64) -> Vec<f64> {
+        let mut all = vec![0.0; FIELDS.len()];
+        all[field_index(name).expect("a field")] = amount;
+        all
+    }
+
+    #[test]
+    fn every_field_moves_something_and_only_near_its_places() {
+        let mean = Bound::default();
+        let rest = mean.numbers();
+        for field in &FIELDS {
+            let moved = mean.with_fields(&amounts(field.name, 1.0)).numbers();
+            let step = |i: usize| (moved[i] - rest[i]).abs();
+            let most = (0..rest.len()).map(step).fold(0.0, f64::max);
+            assert!((0.8..9.0).contains(&most), "{}: {most}", field.name);
+            let count = (0..rest.len()).filter(|&i| step(i) > 0.05).count();
+            assert!(count > 8 && count < rest.len() / 2, "{}: {count}", field.name);
+        }
+    }
+
+    #[test]
+    fn fields_of_both_sides_keep_a_head_symmetric() {
+        let mean = Bound::default();
+        let moved = mean.with_fields(&amounts("smiling", 1.0));
+        let [left, right] = Side::BOTH.map(|s| moved.at(mouth(1, 6), s).expect("bound"));
+        assert!((left - mirror_vector(right)).length() < 0.05);
+        let crooked = mean.with_fields(&amounts("deranged", 1.0));
+        let [left, right] = Side::BOTH.map(|s| crooked.at(mouth(1, 6), s).expect("bound"));
+        assert!(left.y - right.y > 4.0);
+    }
+}

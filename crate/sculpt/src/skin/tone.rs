@@ -1,0 +1,106 @@
+//! Tones: the colour of the skin at the vertices of the head, as textures of a face space.
+
+use raconteur_base::ops;
+
+use super::pigment::Palette;
+use super::raster::Hit;
+use super::{HeadSheet, SkinParams};
+use crate::head::{HeadParams, bare_sheet};
+use crate::person::Person;
+
+/// The head on which tones are laid out, the same for all.
+pub struct Tones {
+    sheet: HeadSheet,
+    palette: Palette,
+    /// Vertex of the drawn skin of each of the sheet's, where there is one.
+    drawn: Vec<Option<u32>>,
+    count: usize,
+}
+
+/// Places on a triangle whose mean stands for it: three corners drawn in by half.
+const PLACES: [[f32; 3]; 3] = [
+    [0.667, 0.1665, 0.1665],
+    [0.1665, 0.667, 0.1665],
+    [0.1665, 0.1665, 0.667],
+];
+/// Nothing is darker, linear.
+const DARKEST: f64 = 1e-3;
+
+impl Tones {
+    /// On the head of a person.
+    #[must_use]
+    pub fn new(person: &Person, head: &HeadParams) -> Self {
+        let (sheet, used) = bare_sheet(person, head);
+        let mut drawn = vec![None; sheet.uv.len()];
+        for (vertex, chart) in (0..).zip(&used) {
+            drawn[*chart] = Some(vertex);
+        }
+        Self {
+            sheet,
+            palette: Palette::new(),
+            drawn,
+            count: used.len(),
+        }
+    }
+
+    /// Natural logarithms of linear red, green and blue of each vertex: of the skin about it, without
+    /// what is finer than the mesh.
+    #[must_use]
+    pub fn of(&self, skin: &SkinParams, brow_colour: [f64; 3]) -> Vec<f64> {
+        let sheet = HeadSheet {
+            brow_colour,
+            ..self.sheet.clone()
+        };
+        let painter = sheet.painter(skin, None);
+        let mut sums = vec![[0.0; 4]; self.count];
+        for (number, triangle) in (0..).zip(&sheet.triangles) {
+            for weights in PLACES {
+                let hit = Hit {
+                    triangle: number,
+                    weights,
+                    #[cfg(test)]
+                    inside: true,
+                };
+                let rgb = painter.tissue(*triangle, &hit).rgb(&self.palette);
+                for (corner, weight) in triangle.iter().zip(weights) {
+                    let Some(vertex) = self.drawn[*corner as usize] else {
+                        continue;
+                    };
+                    let sum = &mut sums[vertex as usize];
+                    for (part, x) in sum.iter_mut().zip(rgb.into_iter().chain([1.0])) {
+                        *part += f64::from(weight) * x;
+                    }
+                }
+            }
+        }
+        sums.iter()
+            .flat_map(|&[r, g, b, all]| {
+                [r, g, b].map(|x| ops::ln((x / all.max(1e-9)).max(DARKEST)))
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::people::preset;
+
+    #[test]
+    fn more_melanin_is_darker_everywhere_and_every_vertex_has_a_tone() {
+        let like = preset("sofia").expect("a figure");
+        let tones = Tones::new(&like.person, &like.head);
+        let [light, dark] = [0.1, 0.8].map(|melanin| {
+            let skin = SkinParams {
+                melanin,
+                ..SkinParams::plain()
+            };
+            tones.of(&skin, [0.1; 3])
+        });
+        assert!(light.iter().all(|x| x.is_finite() && *x < 0.0));
+        let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+        assert!(mean(&light) - mean(&dark) > 0.5);
+        let darker = light.iter().zip(&dark).filter(|(l, d)| d <= l).count();
+        assert!(darker * 100 > light.len() * 97, "{darker} of {}", light.len());
+    }
+}
