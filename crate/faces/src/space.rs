@@ -43,44 +43,45 @@ impl FaceSpace {
     /// When there are fewer than two examples, or they do not correspond.
     #[cfg(any(test, feature = "learn"))]
     pub fn learn(examples: &[Vec<f64>]) -> Result<Self, FaceError> {
-        let length = check(examples)?;
-        let count = examples.len();
+        let [first, _, ..] = examples else {
+            let found = examples.len();
+            return Err(FaceError::TooFew { found });
+        };
+        let (length, count) = (first.len(), examples.len());
+        correspond(examples, length)?;
         let mean: Vec<f64> = (0..length)
             .map(|i| examples.iter().map(|e| e[i]).sum::<f64>() / count as f64)
             .collect();
         let differences = faer::Mat::<f64>::from_fn(length, count, |row, column| {
             examples[column][row] - mean[row]
         });
-        faer::set_global_parallelism(faer::Par::Seq);
-        let Ok(svd) = differences.thin_svd() else {
-            return Err(FaceError::TooFew { found: count });
-        };
-        let singular = svd.S().column_vector();
-        let greatest = (0..singular.nrows())
-            .map(|i| singular[i])
-            .fold(0.0, f64::max);
         // Deviations from a mean sum to zero: one direction fewer than examples.
-        let kept = (0..singular.nrows().min(count - 1))
-            .take_while(|&i| singular[i] > LEAST_SHARE * greatest)
-            .count();
-        let mut modes = Vec::with_capacity(kept * length);
-        for column in 0..kept {
-            let mode = svd.U().col(column);
-            // Either sense is a principal component; this one does not hang on the decomposition.
-            let sense = mode.iter().fold(
-                0.0_f64,
-                |most, x| {
-                    if x.abs() > most.abs() { *x } else { most }
-                },
-            );
-            modes.extend(mode.iter().map(|x| x * sense.signum()));
-        }
+        let (modes, singular) = decompose(&differences, count - 1)?;
+        let root = (count as f64).sqrt();
         Ok(Self {
             mean,
             modes,
-            deviations: (0..kept)
-                .map(|i| singular[i] / (count as f64).sqrt())
-                .collect(),
+            deviations: singular.into_iter().map(|s| s / root).collect(),
+        })
+    }
+
+    /// The space of faces that are the mean and a sum of multiples of a basis, multiples that are
+    /// independent of each other and have the standard deviation 1. The basis need be neither
+    /// orthogonal nor independent: there are as many modes as it has independent directions.
+    ///
+    /// # Errors
+    /// When the basis does not correspond to the mean, or something is not finite; the error counts
+    /// the mean as 0, the basis from 1.
+    #[cfg(any(test, feature = "learn"))]
+    pub fn of_basis(mean: Vec<f64>, basis: &[Vec<f64>]) -> Result<Self, FaceError> {
+        correspond(std::iter::once(&mean).chain(basis), mean.len())?;
+        let columns =
+            faer::Mat::<f64>::from_fn(mean.len(), basis.len(), |row, column| basis[column][row]);
+        let (modes, deviations) = decompose(&columns, basis.len())?;
+        Ok(Self {
+            mean,
+            modes,
+            deviations,
         })
     }
 
@@ -202,34 +203,73 @@ impl FaceSpace {
     }
 }
 
-/// How many numbers each example has.
+/// Whether each face has so many numbers, all finite.
 #[cfg(any(test, feature = "learn"))]
-fn check(examples: &[Vec<f64>]) -> Result<usize, FaceError> {
-    let found = examples.len();
-    let [first, _, ..] = examples else {
-        return Err(FaceError::TooFew { found });
-    };
-    for (example, face) in examples.iter().enumerate() {
-        if face.len() != first.len() {
+fn correspond<'a>(
+    faces: impl IntoIterator<Item = &'a Vec<f64>>,
+    expected: usize,
+) -> Result<(), FaceError> {
+    for (example, face) in faces.into_iter().enumerate() {
+        let found = face.len();
+        if found != expected {
             return Err(FaceError::Correspondence {
                 example,
-                found: face.len(),
-                expected: first.len(),
+                found,
+                expected,
             });
         }
         if !face.iter().all(|x| x.is_finite()) {
             return Err(FaceError::NotFinite { example });
         }
     }
-    Ok(first.len())
+    Ok(())
 }
+
+/// The left singular vectors of columns, one after another, and the singular values, decreasing: at
+/// most so many, and none that are rounding. One thread, so that the same columns give the same
+/// bits.
+#[cfg(any(test, feature = "learn"))]
+fn decompose(columns: &faer::Mat<f64>, most: usize) -> Result<(Vec<f64>, Vec<f64>), FaceError> {
+    let is_zero = |column: usize| (0..columns.nrows()).all(|row| columns[(row, column)] == 0.0);
+    if (0..columns.ncols()).all(is_zero) {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    faer::set_global_parallelism(faer::Par::Seq);
+    let Ok(svd) = columns.thin_svd() else {
+        let found = columns.ncols();
+        return Err(FaceError::TooFew { found });
+    };
+    let singular = svd.S().column_vector();
+    let greatest = (0..singular.nrows())
+        .map(|i| singular[i])
+        .fold(0.0, f64::max);
+    let kept = (0..singular.nrows().min(most))
+        .take_while(|&i| singular[i] > LEAST_SHARE * greatest)
+        .count();
+    let mut vectors = Vec::with_capacity(kept * columns.nrows());
+    for column in 0..kept {
+        let vector = svd.U().col(column);
+        // Either sense is a principal component; this one does not hang on the decomposition.
+        let sense = vector.iter().fold(
+            0.0_f64,
+            |most, x| {
+                if x.abs() > most.abs() { *x } else { most }
+            },
+        );
+        vectors.extend(vector.iter().map(|x| x * sense.signum()));
+    }
+    Ok((vectors, (0..kept).map(|i| singular[i]).collect()))
+}
+
+#[cfg(test)]
+mod of_basis;
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::sample::examples;
 
-    fn distance(a: &[f64], b: &[f64]) -> f64 {
+    pub(super) fn distance(a: &[f64], b: &[f64]) -> f64 {
         let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
         square.sqrt()
     }

@@ -1,5 +1,6 @@
 //! `raconteur faces`: the morphable model of faces (F&H 3.2).
 
+mod convert;
 mod examples;
 mod learn;
 mod make;
@@ -18,6 +19,7 @@ pub(crate) struct Faces {
 
 #[derive(Subcommand)]
 enum Action {
+    Convert(convert::Convert),
     Examples(examples::List),
     Learn(learn::Learn),
     Make(make::Make),
@@ -26,6 +28,7 @@ enum Action {
 impl Faces {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.action {
+            Action::Convert(c) => c.run(),
             Action::Examples(c) => c.run(),
             Action::Learn(c) => c.run(),
             Action::Make(c) => c.run(),

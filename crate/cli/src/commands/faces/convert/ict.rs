@@ -1,0 +1,73 @@
+//! ICT-FaceKit's light model (Li et al. 2020, arXiv:2004.03458; MIT): its folder
+//! `FaceXModel` has the average face and a mesh for each principal component, all of the same
+//! vertices. A face is the average and multiples of what tells the others from it, multiples of
+//! standard deviation 1. Its expressions are left out.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, ensure};
+use raconteur_faces::FaceSpace;
+
+use super::obj::{self, Mesh};
+use super::{Found, MOST_MODES, files};
+use crate::terminal;
+
+/// The average face.
+const NEUTRAL: &str = "generic_neutral_mesh.obj";
+/// Files that tell such a folder.
+pub(super) const NAMES: [&str; 2] = [NEUTRAL, "identity000.obj"];
+/// Its unit is the centimetre.
+const METRES: f64 = 0.01;
+/// How many components the light model has.
+const USUAL: usize = 100;
+
+/// Reads the folder.
+pub(super) fn read(folder: &Path) -> Result<Found> {
+    let paths = identities(folder)?;
+    let neutral = folder.join(NEUTRAL);
+    let Mesh { numbers, triangles } = obj::read(&neutral)?;
+    let others = obj::like(&neutral, numbers.len(), &paths)?;
+    let difference = |face: &Vec<f64>| -> Vec<f64> {
+        let pairs = face.iter().zip(&numbers);
+        pairs.map(|(x, mean)| METRES * (x - mean)).collect()
+    };
+    let basis: Vec<Vec<f64>> = others.iter().map(difference).collect();
+    let mean = numbers.iter().map(|x| METRES * x).collect();
+    if basis.len() < USUAL {
+        terminal::tell(format_args!(
+            "warning: {}: {} of the {USUAL} identities of ICT-FaceKit are there",
+            folder.display(),
+            basis.len()
+        ));
+    }
+    Ok(Found {
+        kind: "ICT-FaceKit",
+        shape: FaceSpace::of_basis(mean, &basis).with_context(|| folder.display().to_string())?,
+        examples: Vec::new(),
+        triangles,
+    })
+}
+
+/// The meshes of the components in order, none of them missing between others.
+fn identities(folder: &Path) -> Result<Vec<PathBuf>> {
+    let all = files(folder)?;
+    let count = all.iter().filter(|path| is_identity(path)).count();
+    ensure!(
+        count <= MOST_MODES,
+        "{}: it has {count} identities, and at most {MOST_MODES} are read",
+        folder.display()
+    );
+    let path = |index: usize| folder.join(format!("identity{index:03}.obj"));
+    let wanted: Vec<PathBuf> = (0..count.max(1)).map(path).collect();
+    for path in &wanted {
+        ensure!(path.exists(), "{} is missing", path.display());
+    }
+    Ok(wanted)
+}
+
+fn is_identity(path: &Path) -> bool {
+    let name = path.file_name().and_then(OsStr::to_str);
+    let number = name.and_then(|name| name.strip_prefix("identity")?.strip_suffix(".obj"));
+    number.is_some_and(|n| n.len() == 3 && n.bytes().all(|b| b.is_ascii_digit()))
+}

@@ -1,0 +1,42 @@
+//! Meshes that correspond: examples that a space is learned from, in metres.
+
+use std::path::Path;
+
+use anyhow::{Context as _, Result, ensure};
+use raconteur_faces::FaceSpace;
+
+use super::obj::{self, Mesh};
+use super::{Found, MOST_MODES, arrays, files, ict};
+
+/// Reads the folder's meshes, in the order of their names.
+pub(super) fn read(folder: &Path) -> Result<Found> {
+    let named = || folder.display().to_string();
+    let mut paths = files(folder)?;
+    paths.retain(|path| {
+        let ending = path.extension();
+        ending.is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
+    });
+    ensure!(
+        !paths.is_empty(),
+        "{}: it holds no model: neither {}, nor {}, nor other meshes (*.obj)",
+        folder.display(),
+        ict::NAMES[0],
+        arrays::NAMES.join(", ")
+    );
+    ensure!(
+        paths.len() <= MOST_MODES,
+        "{}: it holds {} meshes, and at most {MOST_MODES} are read",
+        folder.display(),
+        paths.len()
+    );
+    let (first, others) = paths.split_first().with_context(named)?;
+    let Mesh { numbers, triangles } = obj::read(first)?;
+    let rest = obj::like(first, numbers.len(), others)?;
+    let examples: Vec<Vec<f64>> = std::iter::once(numbers).chain(rest).collect();
+    Ok(Found {
+        kind: "meshes",
+        shape: FaceSpace::learn(&examples).with_context(named)?,
+        examples,
+        triangles,
+    })
+}

@@ -1,0 +1,156 @@
+//! `raconteur faces convert`: morphable models of others, each on its own topology.
+
+mod arrays;
+mod ict;
+mod meshes;
+mod obj;
+#[cfg(test)]
+mod tests;
+
+use std::fs;
+use std::io::Write as _;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, ensure};
+use clap::Args;
+use raconteur_faces::{FaceModel, FaceSpace, Follower, MOST_BYTES, Segments};
+use raconteur_voice::files::disk::replace;
+
+use crate::{Outcome, terminal};
+
+/// Make a pack of somebody else's morphable model, on that model's own vertices.
+#[derive(Args)]
+pub(super) struct Convert {
+    /// The model: ICT-FaceKit's folder `FaceXModel`; or a folder with `mean.npy`, `modes.npy` and
+    /// `deviations.npy`, and `mesh.obj` for its triangles; or a folder of meshes (`*.obj`) that
+    /// correspond.
+    folder: PathBuf,
+    /// The pack.
+    #[arg(short, long)]
+    output: PathBuf,
+    /// Keep no more modes than this; all of them without it.
+    #[arg(long)]
+    modes: Option<NonZeroUsize>,
+}
+
+/// A model has no more vertices.
+const MOST_VERTICES: usize = 200_000;
+/// A model has no more modes, nor examples.
+const MOST_MODES: usize = 400;
+/// A file of a model is not larger, bytes.
+const MOST_FILE_BYTES: u64 = 512 << 20;
+/// No coordinate is farther from 0, in the units of its file: single precision holds it well.
+const FARTHEST: f64 = 1e6;
+/// Modes that explain less of the variance than this are told of.
+const EXPLAINED: f64 = 0.99;
+
+impl Convert {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let found = read(&self.folder)?;
+        let kind = found.kind;
+        let (model, explained) = found.model(self.modes)?;
+        let bytes = pack(&model, MOST_BYTES)?;
+        replace(&self.output, &bytes)?;
+        writeln!(
+            terminal::out(),
+            "{}: {kind}, {} vertices, {} triangles, {} modes that explain {:.2} % of the variance, \
+             {} examples, {} bytes",
+            self.output.display(),
+            model.shape.length() / 3,
+            model.triangles.len(),
+            model.shape.dimensions(),
+            100.0 * explained,
+            model.examples.len(),
+            bytes.len()
+        )?;
+        if explained < EXPLAINED {
+            terminal::tell(format_args!(
+                "warning: the modes that are kept explain {:.2} % of the variance; `--modes` keeps more",
+                100.0 * explained
+            ));
+        }
+        Ok(Outcome::Fine)
+    }
+}
+
+/// What a folder holds, in metres.
+#[derive(Debug)]
+struct Found {
+    /// What kind of model it is.
+    kind: &'static str,
+    /// Its space with all of its modes.
+    shape: FaceSpace,
+    /// The faces that it was learned from, where it was.
+    examples: Vec<Vec<f64>>,
+    /// Its triangles; none where the folder does not tell them.
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Found {
+    /// The model with its first modes, and what share of the variance they explain.
+    fn model(self, most: Option<NonZeroUsize>) -> Result<(FaceModel, f64)> {
+        let all = variance(&self.shape);
+        let shape = match most {
+            Some(most) => self.shape.truncated(most.get()),
+            None => self.shape,
+        };
+        let explained = variance(&shape) / all;
+        let own = self.examples.iter().map(|face| shape.coefficients(face));
+        let model = FaceModel {
+            examples: own.collect::<Result<_, _>>()?,
+            // No cage of ours follows it: no numbers, and no effect of each mode on them.
+            cage: Follower::learn(&shape, &[], &[]),
+            triangles: self.triangles,
+            segments: Segments::default(),
+            attributes: Vec::new(),
+            shape,
+        };
+        Ok((model, explained))
+    }
+}
+
+/// The variance of a space, over all of its modes.
+fn variance(shape: &FaceSpace) -> f64 {
+    shape.deviations().iter().map(|d| d * d).sum()
+}
+
+/// Reads a folder of any of the kinds.
+fn read(folder: &Path) -> Result<Found> {
+    let holds = |name: &&str| folder.join(name).exists();
+    let found = if ict::NAMES.iter().any(holds) {
+        ict::read(folder)?
+    } else if arrays::NAMES.iter().any(holds) {
+        arrays::read(folder)?
+    } else {
+        meshes::read(folder)?
+    };
+    ensure!(
+        found.shape.dimensions() > 0,
+        "{}: its faces do not differ",
+        folder.display()
+    );
+    Ok(found)
+}
+
+/// The pack of a model, which can be read again, and has at most so many bytes.
+fn pack(model: &FaceModel, most: usize) -> Result<Vec<u8>> {
+    let bytes = model.to_bytes()?;
+    ensure!(
+        bytes.len() <= most,
+        "the pack would have {} bytes, and at most {most} are read; `--modes` keeps fewer modes",
+        bytes.len()
+    );
+    FaceModel::from_bytes(&bytes).context("the pack could not be read again")?;
+    Ok(bytes)
+}
+
+/// The files in a folder, by name.
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let named = || format!("cannot read {}", folder.display());
+    let entries = fs::read_dir(folder).with_context(named)?;
+    let paths = entries.map(|entry| entry.map(|e| e.path()));
+    let mut all: Vec<PathBuf> = paths.collect::<Result<_, _>>().with_context(named)?;
+    all.sort();
+    Ok(all)
+}

@@ -1,0 +1,80 @@
+//! Meshes in Wavefront OBJ. Vertices keep the order of their file, which is what makes them
+//! correspond; readers that lay meshes out for drawing, as `tobj` does, number them anew.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, ensure};
+use raconteur_base::DVec3;
+use raconteur_sculpt::rigging::Scan;
+use raconteur_voice::files::input;
+
+use super::{FARTHEST, MOST_FILE_BYTES, MOST_VERTICES};
+use crate::parallel;
+
+/// A mesh in the units of its file.
+#[derive(Debug)]
+pub(super) struct Mesh {
+    /// x, y and z of each vertex.
+    pub(super) numbers: Vec<f64>,
+    /// Its faces, about the first corner of each.
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+/// Reads a mesh.
+pub(super) fn read(path: &Path) -> Result<Mesh> {
+    let text = input::text(path, MOST_FILE_BYTES)?;
+    parse(&text).with_context(|| path.display().to_string())
+}
+
+fn parse(text: &str) -> Result<Mesh> {
+    let scan = Scan::read(text)
+        .context("a vertex has three finite numbers, a face up to 64 corners that count from 1")?;
+    let count = scan.points.len();
+    ensure!(count > 0, "it has no vertices");
+    ensure!(
+        count <= MOST_VERTICES,
+        "it has {count} vertices, and at most {MOST_VERTICES} are read"
+    );
+    let is_face = |line: &&str| line.split_ascii_whitespace().next() == Some("f");
+    let faces = text.lines().filter(is_face).count();
+    ensure!(
+        scan.faces.len() == faces,
+        "{} of its {faces} faces have fewer than three corners, or a vertex that there is not",
+        faces - scan.faces.len()
+    );
+    let numbers: Vec<f64> = scan.points.iter().flat_map(DVec3::to_array).collect();
+    ensure!(
+        numbers.iter().all(|x| x.abs() <= FARTHEST),
+        "a coordinate is beyond {FARTHEST}"
+    );
+    Ok(Mesh {
+        numbers,
+        triangles: scan.faces.iter().flat_map(|face| fan(face)).collect(),
+    })
+}
+
+/// A face as triangles about its first corner.
+fn fan(face: &[u32]) -> Vec<[u32; 3]> {
+    let Some((&first, others)) = face.split_first() else {
+        return Vec::new();
+    };
+    let pairs = others.windows(2);
+    pairs.map(|pair| [first, pair[0], pair[1]]).collect()
+}
+
+/// The numbers of meshes that have as many as the first one, read on all processors.
+pub(super) fn like(first: &Path, length: usize, paths: &[PathBuf]) -> Result<Vec<Vec<f64>>> {
+    parallel::each(0..paths.len() as u64, |index| {
+        let path = &paths[index as usize];
+        let mesh = read(path)?;
+        ensure!(
+            mesh.numbers.len() == length,
+            "{}: it has {} vertices, and {} has {}",
+            path.display(),
+            mesh.numbers.len() / 3,
+            first.display(),
+            length / 3
+        );
+        Ok(mesh.numbers)
+    })
+}
