@@ -1,7 +1,8 @@
 //! Faces as numbers: a morphable model (F&H 3.2 and 5.1).
 //!
 //! Does: spaces of shape and texture over faces that correspond, attributes learned from labels, and
-//! constraints that hold them; segments and how they are blended; a file for all of it.
+//! constraints that hold them; ratings of people that such labels come from; segments and how they are
+//! blended; a file for all of it.
 //! Does not: make examples (`sculpt` does), draw, or know of pages.
 
 mod attribute;
@@ -9,6 +10,7 @@ mod blend;
 mod constraint;
 mod error;
 mod pack;
+mod rating;
 #[cfg(test)]
 mod sample;
 mod segment;
@@ -19,5 +21,6 @@ pub use blend::Neighbours;
 pub use constraint::Constraints;
 pub use error::FaceError;
 pub use pack::{FaceModel, Follower, MOST_BYTES, NamedAttribute};
+pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Segment, Segments};
 pub use space::FaceSpace;

@@ -4,6 +4,7 @@ mod convert;
 mod examples;
 mod learn;
 mod make;
+mod rate;
 
 use anyhow::Result;
 use clap::{Args, Subcommand};
@@ -23,6 +24,7 @@ enum Action {
     Examples(examples::List),
     Learn(learn::Learn),
     Make(make::Make),
+    Rate(rate::Rate),
 }
 
 impl Faces {
@@ -32,6 +34,7 @@ impl Faces {
             Action::Examples(c) => c.run(),
             Action::Learn(c) => c.run(),
             Action::Make(c) => c.run(),
+            Action::Rate(c) => c.run(),
         }
     }
 }
