@@ -20,7 +20,7 @@ pub use attribute::Attribute;
 pub use blend::Neighbours;
 pub use constraint::Constraints;
 pub use error::FaceError;
-pub use pack::{FaceModel, Follower, MOST_BYTES, NamedAttribute};
+pub use pack::{FaceModel, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel};
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Segment, Segments};
 pub use space::FaceSpace;

@@ -18,6 +18,8 @@ pub struct FaceSpace {
     deviations: Vec<f64>,
 }
 
+/// Numbers of a face that are summed at a time.
+const PIECE: usize = 1024;
 /// What of the examples' greatest deviation is still one, and not rounding.
 #[cfg(any(test, feature = "learn"))]
 const LEAST_SHARE: f64 = 1e-9;
@@ -134,12 +136,30 @@ impl FaceSpace {
     #[must_use]
     pub fn face(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut face = self.mean.clone();
-        for (index, coefficient) in coefficients.iter().enumerate().take(self.dimensions()) {
-            for (value, mode) in face.iter_mut().zip(self.mode(index)) {
-                *value += mode * coefficient;
+        self.add_to(&mut face, coefficients);
+        face
+    }
+
+    /// What coefficients change of a face.
+    #[must_use]
+    pub fn difference(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut difference = vec![0.0; self.length()];
+        self.add_to(&mut difference, coefficients);
+        difference
+    }
+
+    /// Adds modes piece by piece, so that what is summed stays near the processor.
+    fn add_to(&self, sums: &mut [f64], coefficients: &[f64]) {
+        let used = coefficients.len().min(self.dimensions());
+        for (piece, sums) in sums.chunks_mut(PIECE).enumerate() {
+            let first = piece * PIECE;
+            for (index, c) in coefficients.iter().enumerate().take(used) {
+                let mode = &self.mode(index)[first..first + sums.len()];
+                for (sum, x) in sums.iter_mut().zip(mode) {
+                    *sum += x * c;
+                }
             }
         }
-        face
     }
 
     /// The coefficients of the nearest face of the space.

@@ -20,6 +20,9 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
     };
     let model = FaceModel {
         cage: Follower::learn(&shape, &examples, &faces),
+        organs: Follower::default(),
+        people: Vec::new(),
+        texture: None,
         triangles: vec![[0, 1, 2]],
         segments: Segments::new(vec![whole], 4).expect("a hierarchy"),
         attributes: Vec::new(),
