@@ -12,6 +12,7 @@ pub mod figure;
 pub mod hand_shape;
 pub mod pose;
 pub mod read;
+pub mod reshape;
 pub mod skeleton;
 pub mod springs;
 pub mod surface;

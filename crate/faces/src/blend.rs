@@ -78,6 +78,23 @@ impl Neighbours {
         self.starts.len() - 1
     }
 
+    /// A mask with borders as wide as each band is coarse.
+    ///
+    /// # Panics
+    /// When the mask is not of these vertices.
+    #[must_use]
+    pub fn softened(&self, mask: &[f64]) -> SoftMask {
+        assert_eq!(mask.len(), self.vertices(), "a mask of these vertices");
+        let mut soft = mask.to_vec();
+        let mut done = 0;
+        let band = |steps: usize| {
+            soft = self.smoothed_by(&soft, 1, steps - done);
+            done = steps;
+            soft.clone()
+        };
+        SoftMask(STEPS.into_iter().map(band).collect())
+    }
+
     /// What of a difference is let in where a mask is 1, and blended out around it; three numbers at
     /// each vertex. Vertices from which no way of so many edges as there are steps leads to the mask get
     /// nothing.
@@ -85,21 +102,16 @@ impl Neighbours {
     /// # Panics
     /// When the mask or the difference is not of these vertices.
     #[must_use]
-    pub fn blended(&self, difference: &[f64], mask: &[f64]) -> Vec<f64> {
-        assert_eq!(mask.len(), self.vertices(), "a mask of these vertices");
+    pub fn blended(&self, difference: &[f64], mask: &SoftMask) -> Vec<f64> {
         assert_eq!(
             difference.len(),
-            3 * mask.len(),
+            3 * self.vertices(),
             "a difference of these vertices"
         );
         let mut sum = vec![0.0; difference.len()];
         let mut rest = difference.to_vec();
-        let mut soft = mask.to_vec();
-        let mut done = 0;
-        for (band, steps) in STEPS.into_iter().enumerate() {
+        for (band, (steps, soft)) in STEPS.into_iter().zip(&mask.0).enumerate() {
             let is_last = band + 1 == STEPS.len();
-            soft = self.smoothed_by(&soft, 1, steps - done);
-            done = steps;
             let coarse = if is_last {
                 vec![0.0; rest.len()]
             } else {
@@ -113,6 +125,27 @@ impl Neighbours {
             rest = coarse;
         }
         sum
+    }
+
+    /// What a mean over neighbours takes away from numbers, three at each vertex: detail finer than
+    /// some 5 mm.
+    #[must_use]
+    pub fn detail(&self, numbers: &[f64]) -> Vec<f64> {
+        let smooth = self.smoothed_by(numbers, 3, STEPS[0]);
+        numbers.iter().zip(&smooth).map(|(x, s)| x - s).collect()
+    }
+}
+
+/// A mask over vertices, softened for each band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoftMask(Vec<Vec<f64>>);
+
+impl SoftMask {
+    /// How much of coarse form is let in at a vertex, 0 to 1.
+    #[must_use]
+    pub fn at(&self, vertex: usize) -> f64 {
+        let coarsest = self.0.last().and_then(|band| band.get(vertex));
+        coarsest.copied().unwrap_or(0.0)
     }
 }
 
@@ -153,13 +186,13 @@ mod tests {
         let difference: Vec<f64> = (0..3 * SIDE as i64 * SIDE as i64)
             .map(|i| noise::signed(1, 2, i))
             .collect();
-        let all = grid.blended(&difference, &vec![1.0; SIDE * SIDE]);
+        let all = grid.blended(&difference, &grid.softened(&[1.0; SIDE * SIDE]));
         assert!(
             all.iter()
                 .zip(&difference)
                 .all(|(a, b)| (a - b).abs() < 1e-12)
         );
-        let none = grid.blended(&difference, &vec![0.0; SIDE * SIDE]);
+        let none = grid.blended(&difference, &grid.softened(&[0.0; SIDE * SIDE]));
         assert!(none.iter().all(|x| *x == 0.0));
     }
 
@@ -167,7 +200,7 @@ mod tests {
     fn the_middle_is_changed_the_far_is_not_and_the_border_has_no_step() {
         let grid = grid();
         let difference = vec![1.0; 3 * SIDE * SIDE];
-        let blended = grid.blended(&difference, &disc(30.0));
+        let blended = grid.blended(&difference, &grid.softened(&disc(30.0)));
         let along = |x: usize| blended[3 * (SIDE / 2 * SIDE + x)];
         assert!((along(SIDE / 2) - 1.0).abs() < 0.01, "{}", along(SIDE / 2));
         assert!(along(5).abs() < 0.01, "{}", along(5));
@@ -188,7 +221,7 @@ mod tests {
                     [2.0 * ((v % SIDE) as f64 / wave).fract() - 1.0, 0.0, 0.0]
                 })
                 .collect();
-            let blended = grid.blended(&difference, &mask);
+            let blended = grid.blended(&difference, &grid.softened(&mask));
             // In the ring just outside the mask.
             let ring = (0..SIDE * SIDE).filter(|v| {
                 let [x, y] = [v % SIDE, v / SIDE].map(|n| n as f64 - SIDE as f64 / 2.0);

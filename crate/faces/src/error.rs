@@ -56,4 +56,27 @@ pub enum FaceError {
         /// What is wrong with it.
         why: String,
     },
+    /// There is no such attribute.
+    #[error("there is no attribute {name} here")]
+    NoAttribute {
+        /// What was asked for.
+        name: String,
+    },
+    /// There is no such segment.
+    #[error("there is no segment {name}")]
+    NoSegment {
+        /// What was asked for.
+        name: String,
+    },
+    /// The database has no such face.
+    #[error("there is no face {index} in a database of {count}")]
+    NoExample {
+        /// What was asked for.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// The part for texture was not read.
+    #[error("this pack has shapes alone, and no textures")]
+    NoTexture,
 }

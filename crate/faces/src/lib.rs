@@ -8,6 +8,7 @@
 mod attribute;
 mod blend;
 mod constraint;
+mod edit;
 mod error;
 mod pack;
 mod rating;
@@ -17,10 +18,13 @@ mod segment;
 mod space;
 
 pub use attribute::Attribute;
-pub use blend::Neighbours;
+pub use blend::{Neighbours, SoftMask};
 pub use constraint::Constraints;
+pub use edit::{
+    Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL,
+};
 pub use error::FaceError;
-pub use pack::{FaceModel, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel};
+pub use pack::{Factors, FaceModel, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel};
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Segment, Segments};
 pub use space::FaceSpace;

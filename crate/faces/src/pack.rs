@@ -8,6 +8,8 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
+use raconteur_base::ops;
+
 use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::segment::Segments;
@@ -23,8 +25,8 @@ pub struct FaceModel {
     pub shape: FaceSpace,
     /// Numbers that follow a shape, linear in its coefficients: where the head's cage lies, millimetres.
     pub cage: Follower,
-    /// As the cage, what lies in the head: centres of the eyes, where the lips meet (metres), the turns
-    /// that close the lids (radians), height of the chin (metres); empty where it is not known.
+    /// As the cage, what lies in the head: centres of the eyes (metres), the turns that close the lids
+    /// (radians), height of the chin (metres); empty where it is not known.
     pub organs: Follower,
     /// The triangles of the skin, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -125,7 +127,14 @@ impl Follower {
     /// The numbers of a face.
     #[must_use]
     pub fn at(&self, coefficients: &[f64]) -> Vec<f64> {
-        let mut numbers = self.mean.clone();
+        let change = self.change(coefficients);
+        self.mean.iter().zip(change).map(|(m, c)| m + c).collect()
+    }
+
+    /// By how much coefficients change the numbers.
+    #[must_use]
+    pub fn change(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut numbers = vec![0.0; self.mean.len()];
         for (effect, c) in self.effects.iter().zip(coefficients) {
             for (number, by) in numbers.iter_mut().zip(effect) {
                 *number += c * by;
@@ -195,4 +204,38 @@ impl TextureModel {
         let parts = numbers.iter().zip(&self.looks);
         parts.map(|(x, look)| x / look.weight).collect()
     }
+
+    /// What a figure's own colours are multiplied by to show a texture; none where its map is not known.
+    #[must_use]
+    pub fn factors(&self, texture: &[f64], figure: &str) -> Option<Factors> {
+        let (_, own) = self.figures.iter().find(|(name, _)| name == figure)?;
+        let colours = self.space.length() - self.looks.len();
+        let own = self.space.face(own);
+        if texture.len() != own.len() {
+            return None;
+        }
+        let [to, from] = [texture, &own].map(|t| self.look(t));
+        let factor = |name: &str| {
+            let index = self.looks.iter().position(|look| look.name == name);
+            index.map_or(1.0, |i| ops::exp(to[i] - from[i]))
+        };
+        let of = |what: &str| ["red", "green", "blue"].map(|c| factor(&format!("{c} part of the {what}")));
+        let pairs = texture[..colours].iter().zip(&own);
+        Some(Factors {
+            skin: pairs.map(|(to, from)| ops::exp(to - from)).collect(),
+            iris: of("iris"),
+            brows: of("brows"),
+        })
+    }
+}
+
+/// What colours of a figure are multiplied by, linear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factors {
+    /// Red, green and blue at each vertex of the skin.
+    pub skin: Vec<f64>,
+    /// Of the irises.
+    pub iris: [f64; 3],
+    /// Of brows and lashes.
+    pub brows: [f64; 3],
 }

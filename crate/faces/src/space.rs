@@ -174,13 +174,19 @@ impl FaceSpace {
                 expected: self.length(),
             });
         }
+        let difference: Vec<f64> = face.iter().zip(&self.mean).map(|(x, m)| x - m).collect();
+        Ok(self.along(&difference))
+    }
+
+    /// What of a difference between two faces lies along each mode. Numbers that are missing count as
+    /// none.
+    #[must_use]
+    pub fn along(&self, difference: &[f64]) -> Vec<f64> {
         let along = |index: usize| {
-            let parts = face.iter().zip(&self.mean).zip(self.mode(index));
-            parts
-                .map(|((value, mean), mode)| (value - mean) * mode)
-                .sum()
+            let parts = difference.iter().zip(self.mode(index));
+            parts.map(|(x, mode)| x * mode).sum()
         };
-        Ok((0..self.dimensions()).map(along).collect())
+        (0..self.dimensions()).map(along).collect()
     }
 
     /// The scalar product by which a difference counts in standard deviations of the examples

@@ -195,6 +195,20 @@ impl GpuFigure {
         Ok(Some(sent))
     }
 
+    /// Takes over the pictures of the figure before, where there are as many.
+    pub(crate) fn take_pictures(
+        &mut self,
+        before: Self,
+        device: &Device,
+        layouts: &Layouts,
+        fallback: &FallbackTextures,
+    ) {
+        if before.pictures.len() == self.pictures.len() {
+            self.pictures = before.pictures;
+            self.group_maps(device, layouts, fallback);
+        }
+    }
+
     /// Groups the pictures anew, with blanks for those that have not come.
     fn group_maps(&mut self, device: &Device, layouts: &Layouts, fallback: &FallbackTextures) {
         self.maps.clear();

@@ -184,6 +184,30 @@ impl Renderer {
         Ok(())
     }
 
+    /// Sends the figure in another shape, with another face for example. Pictures that have come stay
+    /// where it has as many as before.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_figure`].
+    pub fn set_shape(&mut self, figure: &Figure) -> Result<(), RenderError> {
+        let before = self.figure.take();
+        let layouts = &self.shared.layouts;
+        let sent = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure);
+        let mut sent = match sent {
+            Ok(sent) => sent,
+            Err(error) => {
+                self.figure = before;
+                return Err(error);
+            }
+        };
+        if let (Some(sent), Some(before)) = (&mut sent, before) {
+            sent.take_pictures(before, &self.device, layouts, &self.fallback);
+        }
+        self.figure = sent;
+        self.prepare();
+        Ok(())
+    }
+
     /// Shows a decoded picture of the figure: `index` as in `Figure::images`, RGBA bytes in
     /// rows from the top. One that the figure does not show is let go.
     ///

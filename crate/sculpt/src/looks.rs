@@ -32,6 +32,16 @@ pub const NAMES: [&str; COUNT] = [
     "height of the brows",
 ];
 
+/// Names of what follows from a look: logarithms of linear red, green and blue.
+pub const COLOURS: [&str; 6] = [
+    "red part of the iris",
+    "green part of the iris",
+    "blue part of the iris",
+    "red part of the brows",
+    "green part of the brows",
+    "blue part of the brows",
+];
+
 /// A look, number by number as in [`NAMES`].
 pub type Look = [f64; COUNT];
 
@@ -125,6 +135,14 @@ pub fn brows(look: &Look) -> [f64; 3] {
     let red = between(look[BROW_RED], 0.0, 1.0);
     let bright = mix([0.52, 0.46, 0.38], [0.50, 0.22, 0.09], red);
     mix([0.014, 0.011, 0.009], bright, ops::pow(light, 1.6))
+}
+
+/// A look's numbers, then those of [`COLOURS`].
+#[must_use]
+pub fn numbers(look: &Look) -> Vec<f64> {
+    let colours = iris(look).into_iter().chain(brows(look));
+    let logarithms = colours.map(ops::ln);
+    look.iter().copied().chain(logarithms).collect()
 }
 
 /// The skin of a look; what a look does not tell is that of `like`.

@@ -10,7 +10,7 @@ mod tile;
 mod view;
 mod wire;
 
-use anyhow::Result;
+use anyhow::{Context as _, Result};
 use clap::ValueEnum;
 use raconteur_body::Figure;
 use raconteur_render::headless::Headless;
@@ -89,8 +89,8 @@ pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Ve
         .collect()
 }
 
-/// Draws tiles and lays them out, `grid` to a row without captions or gaps where it is given;
-/// `drawn` is called after each.
+/// Draws tiles of one figure and lays them out, `grid` to a row without captions or gaps where it is
+/// given; `drawn` is called after each.
 pub(crate) fn draw(
     figure: &Figure,
     tiles: &[Tile],
@@ -99,18 +99,58 @@ pub(crate) fn draw(
     headless: &mut Headless,
     drawn: impl Fn(),
 ) -> Result<Picture> {
-    let widths: Vec<u32> = tiles
-        .iter()
-        .map(|t| ((f64::from(height) * t.aspect).round() as u32).max(1))
-        .collect();
-    let layout = match grid {
-        Some(columns) => Layout::grid(&widths, height, columns),
-        None => Layout::new(&widths, height, COLUMNS * height + 64),
-    };
-    let mut picture = Picture::new(&layout);
-    let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
-    frame.set = light::room();
-    for ((tile, &width), &place) in tiles.iter().zip(&widths).zip(&layout.places) {
+    let aspects: Vec<f64> = tiles.iter().map(|t| t.aspect).collect();
+    let mut board = Board::new(&aspects, height, grid, COLUMNS);
+    for tile in tiles {
+        board.put(figure, tile, headless)?;
+        drawn();
+    }
+    Ok(board.picture())
+}
+
+/// A sheet that tiles are put on one after another.
+pub(crate) struct Board {
+    picture: Picture,
+    layout: Layout,
+    widths: Vec<u32>,
+    height: u32,
+    has_captions: bool,
+    next: usize,
+}
+
+impl Board {
+    /// For tiles of these widths over height, `grid` to a row without captions or gaps where it is
+    /// given, otherwise about `columns`.
+    pub(crate) fn new(aspects: &[f64], height: u32, grid: Option<u32>, columns: u32) -> Self {
+        let width = |aspect: &f64| ((f64::from(height) * aspect).round() as u32).max(1);
+        let widths: Vec<u32> = aspects.iter().map(width).collect();
+        let layout = match grid {
+            Some(columns) => Layout::grid(&widths, height, columns),
+            None => Layout::new(&widths, height, columns * height + 64),
+        };
+        Self {
+            picture: Picture::new(&layout),
+            layout,
+            widths,
+            height,
+            has_captions: grid.is_none(),
+            next: 0,
+        }
+    }
+
+    /// Draws the next tile; the renderer has its figure.
+    pub(crate) fn put(
+        &mut self,
+        figure: &Figure,
+        tile: &Tile,
+        headless: &mut Headless,
+    ) -> Result<()> {
+        let places = self.layout.places.get(self.next).zip(self.widths.get(self.next));
+        let (&place, &width) = places.context("more tiles than the sheet has places for")?;
+        self.next += 1;
+        let mut frame =
+            Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+        frame.set = light::room();
         frame
             .world_from_joint
             .clone_from(&tile.posed.world_from_joint);
@@ -118,19 +158,39 @@ pub(crate) fn draw(
         frame.tissue.clone_from(&tile.posed.tissue);
         frame.camera = tile.camera;
         frame.lighting = tile.lighting;
-        let size = (width, height);
+        let size = (width, self.height);
         let pixels = match tile.style {
-            Style::Lit => headless.render_rgba(&frame, width, height)?,
+            Style::Lit => headless.render_rgba(&frame, width, self.height)?,
             Style::Wire => wire::draw(figure, &tile.posed, &tile.camera, size),
             Style::Silhouette => silhouette(headless, &mut frame, size)?,
         };
-        picture.lay(place, size, &pixels);
-        if grid.is_none() {
-            picture.write_under(place, size, &tile.caption);
+        self.picture.lay(place, size, &pixels);
+        if self.has_captions {
+            self.picture.write_under(place, size, &tile.caption);
         }
-        drawn();
+        Ok(())
     }
-    Ok(picture)
+
+    /// The sheet.
+    pub(crate) fn picture(self) -> Picture {
+        self.picture
+    }
+}
+
+/// From where a face is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FaceView {
+    /// From the front.
+    Front,
+    /// Turned by 45°.
+    ThreeQuarter,
+    /// From the side.
+    Profile,
+}
+
+/// Tiles of a figure's face.
+pub(crate) fn faces(figure: &Figure, views: &[FaceView], caption: &str) -> Vec<Tile> {
+    tile::faces(figure, views, caption)
 }
 
 /// Two lights of the room behind the figure, where the display's curve is straight.

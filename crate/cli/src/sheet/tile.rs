@@ -14,7 +14,7 @@ use raconteur_tissue::{FaceControls, Muscle};
 use super::pose::{FIST, PoseName};
 use super::posture::{Posed, Posture};
 use super::view::{Places, before};
-use super::{SheetPart, light};
+use super::{FaceView, SheetPart, light};
 
 /// Hand shapes by number.
 const RELAXED: u8 = 0;
@@ -77,6 +77,20 @@ pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Ti
         SheetPart::Wireframe => maker.wireframe(),
         SheetPart::Silhouette => maker.silhouette(),
     }
+}
+
+/// The face from some sides in the light of the studio.
+pub(super) fn faces(figure: &Figure, views: &[FaceView], caption: &str) -> Vec<Tile> {
+    let maker = Maker {
+        figure,
+        lighting: Lighting::default(),
+    };
+    let turns = views.iter().map(|view| match view {
+        FaceView::Front => (caption, 0.0),
+        FaceView::ThreeQuarter => (caption, FRAC_PI_4),
+        FaceView::Profile => (caption, FRAC_PI_2),
+    });
+    maker.turned(&turns.collect::<Vec<_>>())
 }
 
 impl<'a> Maker<'a> {

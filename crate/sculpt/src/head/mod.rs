@@ -423,8 +423,6 @@ pub struct Organs {
     pub eye_centres: [DVec3; 2],
     /// Upper-lid rotation that closes the eye, left and right, radians.
     pub lid_closure_rad: [f64; 2],
-    /// Where the lips meet, in the middle: teeth, gums and tongue stand to it.
-    pub lips: DVec3,
     /// Height of the chin's lowest point.
     pub chin: f64,
 }
@@ -433,8 +431,7 @@ impl Organs {
     /// All numbers one after another.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {
-        let points = self.eye_centres.iter().chain([&self.lips]);
-        let all = points.flat_map(DVec3::to_array);
+        let all = self.eye_centres.iter().flat_map(DVec3::to_array);
         all.chain(self.lid_closure_rad).chain([self.chin]).collect()
     }
 }
@@ -457,7 +454,6 @@ impl BareSkin {
             organs: Organs {
                 eye_centres: shape.eye_centres().map(|p| p * 1e-3),
                 lid_closure_rad: shape.rig.closure_rad,
-                lips: shape.lips() * 1e-3,
                 chin: shape.extent()[0],
             },
         }

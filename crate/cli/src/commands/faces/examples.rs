@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_sculpt::examples::{Example, Examples};
 use raconteur_sculpt::model::Model;
-use raconteur_sculpt::people;
+use raconteur_sculpt::{FigureParams, people};
 
 use crate::commands::figure::bind::MODEL;
 use crate::{Outcome, parallel, terminal};
@@ -17,7 +17,7 @@ use crate::{Outcome, parallel, terminal};
 #[derive(Args)]
 pub(super) struct Crowd {
     /// How many heads.
-    #[arg(long, default_value_t = 300)]
+    #[arg(long, default_value_t = 1000)]
     count: u64,
     /// Another seed is another crowd.
     #[arg(long, default_value_t = 1)]
@@ -30,17 +30,43 @@ pub(super) struct Crowd {
 impl Crowd {
     /// The heads in order, made on all processors, with a bar that shows how far it is.
     pub(super) fn make(&self) -> Result<Vec<Example>> {
-        let model = Model::open(&self.model)?;
-        let like = people::preset("sofia").context("a figure to start from")?;
-        let crowd = Examples::new(&model, like, self.seed)?;
-        let bar = ProgressBar::new(self.count);
+        let model = self.model()?;
+        let crowd = Examples::new(&model, Self::like()?, self.seed)?;
+        let drafts = self.each("people", |index| Ok(crowd.draft(index)?))?;
+        let drafts = Examples::brought(drafts);
+        self.each("heads", |index| {
+            let draft = drafts.get(index as usize).context("a person")?;
+            Ok(crowd.make(draft.clone()))
+        })
+    }
+
+    /// What is made of each number, with a bar.
+    fn each<T: Send>(
+        &self,
+        what: &'static str,
+        make: impl Fn(u64) -> Result<T> + Sync,
+    ) -> Result<Vec<T>> {
+        let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}, {eta} left")?;
+        let bar = ProgressBar::new(self.count)
+            .with_style(style)
+            .with_message(what);
         let made = parallel::each(0..self.count, |index| {
-            let example = crowd.make(index)?;
+            let one = make(index)?;
             bar.inc(1);
-            Ok(example)
+            Ok(one)
         })?;
         bar.finish_and_clear();
         Ok(made)
+    }
+
+    /// The body model.
+    pub(super) fn model(&self) -> Result<Model> {
+        Ok(Model::open(&self.model)?)
+    }
+
+    /// Who is started from.
+    pub(super) fn like() -> Result<FigureParams> {
+        people::preset("sofia").context("a figure to start from")
     }
 }
 
@@ -65,7 +91,7 @@ impl List {
         }
         writeln!(out)?;
         for (index, example) in all.iter().enumerate() {
-            let traits = &example.traits;
+            let traits = &example.draft.traits;
             let [european, asian, african] = example.ancestry();
             write!(
                 out,

@@ -6,22 +6,27 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
 use raconteur_faces::{
-    Attribute, FaceModel, FaceSpace, Follower, NamedAttribute, Segment, Segments,
+    Attribute, FaceModel, FaceSpace, Follower, LookNumber, NamedAttribute, Personal, Segment,
+    Segments, TextureModel,
 };
-use raconteur_sculpt::examples::Example;
+use raconteur_sculpt::examples::{Example, Examples};
 use raconteur_sculpt::head::HeadSegment;
-use raconteur_sculpt::labels::{LABELS, Label};
+use raconteur_sculpt::labels::{Affects, LABELS, Label};
+use raconteur_sculpt::looks::{self, Look};
+use raconteur_sculpt::people;
 use raconteur_voice::files::disk::replace;
 
 use super::examples::Crowd;
+use super::pack::texture_beside;
 use crate::{Outcome, terminal};
 
-/// Learn a face space with its attributes from heads drawn at random, and write it as a pack.
+/// Learn a face space with its attributes from heads drawn at random, and write it as a pack: shapes
+/// into one file, textures into another beside it.
 #[derive(Args)]
 pub(super) struct Learn {
     #[command(flatten)]
     crowd: Crowd,
-    /// The pack.
+    /// The pack's file of shapes; that of textures has the extension `skins`.
     #[arg(short, long)]
     output: PathBuf,
     /// As many modes are kept as explain this share of the variance of faces that nothing was learned
@@ -32,6 +37,8 @@ pub(super) struct Learn {
 
 /// One head of so many is held out.
 const HELD_OUT: usize = 10;
+/// Share of the colours' variance that each number of a look counts for.
+const LOOK_SHARE: f64 = 0.02;
 
 impl Learn {
     pub(super) fn run(&self) -> Result<Outcome> {
@@ -40,41 +47,119 @@ impl Learn {
             examples.len() > HELD_OUT,
             "a face space takes more than {HELD_OUT} heads"
         );
-        let skins: Vec<Vec<f64>> = examples.iter().map(|e| e.skin.clone()).collect();
-        let (held, kept): (Vec<_>, Vec<_>) = (0..)
-            .zip(skins.iter().cloned())
-            .partition(|(i, _)| i % HELD_OUT == 0);
-        let [held, kept] = [held, kept].map(without_index);
-        let errors = FaceSpace::learn(&kept)?.errors_by_modes(&held)?;
-        let modes = enough(&errors, self.explains);
-        // What is shipped is learned from all.
-        let shape = FaceSpace::learn(&skins)?.truncated(modes);
-        let model = model(shape, &examples)?;
-        let bytes = model.to_bytes()?;
-        replace(&self.output, &bytes)?;
+        let weights = look_weights(&examples);
+        let shapes: Vec<Vec<f64>> = examples.iter().map(|e| e.skin.clone()).collect();
+        let textures: Vec<Vec<f64>> = examples
+            .iter()
+            .map(|e| textured(e.tone.clone(), &e.draft.look, &weights))
+            .collect();
+        let [shape, texture] = [(&shapes, "shape"), (&textures, "texture")]
+            .map(|(faces, name)| self.space(faces, name));
+        let mut model = shape_model(shape?, &shapes, &examples)?;
+        let texture = self.texture_model(texture?, &textures, &examples, &weights)?;
+        let files = [
+            (self.output.clone(), model.to_bytes()?),
+            (texture_beside(&self.output), texture.to_bytes()?),
+        ];
+        model.texture = Some(texture);
         let mut out = terminal::out();
-        writeln!(out, "modes\trms_mm of faces held out")?;
+        for (path, bytes) in files {
+            replace(&path, &bytes)?;
+            writeln!(out, "{}: {} bytes", path.display(), bytes.len())?;
+        }
+        report(&model, &examples)?;
+        Ok(Outcome::Fine)
+    }
+
+    /// The space of faces, with as many modes as are enough for those held out.
+    fn space(&self, faces: &[Vec<f64>], name: &str) -> Result<FaceSpace> {
+        let (held, kept): (Vec<_>, Vec<_>) = (0..)
+            .zip(faces)
+            .partition(|(i, _)| *i % HELD_OUT == HELD_OUT - 1);
+        let [held, kept]: [Vec<Vec<f64>>; 2] =
+            [held, kept].map(|of| of.into_iter().map(|(_, face)| face.clone()).collect());
+        let space = FaceSpace::learn(&kept)?;
+        let errors = space.errors_by_modes(&held)?;
+        let modes = enough(&errors, self.explains);
+        let mut out = terminal::out();
+        writeln!(out, "modes of {name}\trms of faces held out")?;
         for (count, error) in errors.iter().enumerate() {
-            if count <= 10 || count % 10 == 0 || count == modes {
-                // Of a vertex, not of one of its three numbers.
-                writeln!(out, "{count}\t{:.3}", 1e3 * error * 3.0_f64.sqrt())?;
+            if count <= 10 || (count % 10 == 0 && count <= 150) || count == modes {
+                // Of a vertex, not of one of its three numbers; shapes in millimetres.
+                let unit = if name == "shape" { 1e3 } else { 1.0 };
+                writeln!(out, "{count}\t{:.3}", unit * error * 3.0_f64.sqrt())?;
             }
         }
         writeln!(
             out,
-            "{}: {} faces, {modes} modes of {} vertices, {} attributes, {} bytes",
-            self.output.display(),
-            examples.len(),
-            model.shape.length() / 3,
-            model.attributes.len(),
-            bytes.len()
+            "{name}: {} faces, {modes} modes of {} numbers",
+            kept.len(),
+            space.length()
         )?;
-        Ok(Outcome::Fine)
+        Ok(space.truncated(modes))
+    }
+
+    fn texture_model(
+        &self,
+        space: FaceSpace,
+        textures: &[Vec<f64>],
+        examples: &[Example],
+        weights: &[f64],
+    ) -> Result<TextureModel> {
+        let own = coefficients(&space, textures)?;
+        let model = self.crowd.model()?;
+        let crowd = Examples::new(&model, Crowd::like()?, self.crowd.seed)?;
+        let figure = |name: &&str| {
+            let params = people::preset(name).with_context(|| format!("no figure {name}"))?;
+            let look = looks::of(&params);
+            let texture = textured(crowd.tone(&look), &look, weights);
+            Ok(((*name).to_owned(), space.coefficients(&texture)?))
+        };
+        let names = looks::NAMES.iter().chain(&looks::COLOURS);
+        let numbers = names.zip(weights);
+        Ok(TextureModel {
+            looks: numbers
+                .map(|(name, weight)| LookNumber {
+                    name: (*name).to_owned(),
+                    weight: *weight,
+                })
+                .collect(),
+            attributes: attributes(&space, &own, examples, Affects::Texture)?,
+            figures: people::NAMES.iter().map(figure).collect::<Result<_>>()?,
+            examples: own,
+            space,
+        })
     }
 }
 
-fn without_index(faces: Vec<(usize, Vec<f64>)>) -> Vec<Vec<f64>> {
-    faces.into_iter().map(|(_, face)| face).collect()
+/// A texture: colours, then the numbers of a look.
+fn textured(mut tone: Vec<f64>, look: &Look, weights: &[f64]) -> Vec<f64> {
+    let numbers = looks::numbers(look);
+    tone.extend(numbers.iter().zip(weights).map(|(x, weight)| x * weight));
+    tone
+}
+
+/// What the numbers of looks count for, so that each tells its share of what textures differ by.
+fn look_weights(examples: &[Example]) -> Vec<f64> {
+    let variance = |numbers: &dyn Fn(&Example) -> f64| {
+        let count = examples.len() as f64;
+        let mean = examples.iter().map(numbers).sum::<f64>() / count;
+        let square = |e: &Example| (numbers(e) - mean) * (numbers(e) - mean);
+        examples.iter().map(square).sum::<f64>() / count
+    };
+    let length = examples.first().map_or(0, |e| e.tone.len());
+    // Every so many colours tell enough of all.
+    const STEP: usize = 30;
+    let colours: f64 = (0..length)
+        .step_by(STEP)
+        .map(|i| variance(&|e| e.tone[i]) * STEP as f64)
+        .sum();
+    (0..looks::NAMES.len() + looks::COLOURS.len())
+        .map(|k| {
+            let own = variance(&|e| looks::numbers(&e.draft.look)[k]);
+            (LOOK_SHARE * colours / own.max(1e-9)).sqrt()
+        })
+        .collect()
 }
 
 /// The least number of modes that explains a share of the variance.
@@ -87,12 +172,20 @@ fn enough(errors: &[f64], explains: f64) -> usize {
         .unwrap_or(errors.len() - 1)
 }
 
-fn model(shape: FaceSpace, examples: &[Example]) -> Result<FaceModel> {
-    let own = examples
-        .iter()
-        .map(|e| shape.coefficients(&e.skin))
-        .collect::<Result<Vec<_>, _>>()?;
-    let cages: Vec<Vec<f64>> = examples.iter().map(|e| e.bound.numbers()).collect();
+fn coefficients(space: &FaceSpace, faces: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> {
+    let own = faces.iter().map(|face| space.coefficients(face));
+    Ok(own.collect::<Result<_, _>>()?)
+}
+
+/// The attributes that change one thing, or both.
+fn attributes(
+    space: &FaceSpace,
+    own: &[Vec<f64>],
+    examples: &[Example],
+    affects: Affects,
+) -> Result<Vec<NamedAttribute>> {
+    let labels = LABELS.iter();
+    let wanted = labels.filter(|l| l.affects == affects || l.affects == Affects::Both);
     let named = |label: &Label| {
         let labels = label
             .of_all(examples)
@@ -100,9 +193,17 @@ fn model(shape: FaceSpace, examples: &[Example]) -> Result<FaceModel> {
         Ok(NamedAttribute {
             group: label.group.to_owned(),
             terms: label.terms.map(str::to_owned),
-            attribute: Attribute::learn(label.name, &shape, &own, &labels)?,
+            derived: label.derived.map(str::to_owned),
+            attribute: Attribute::learn(label.name, space, own, &labels)?,
         })
     };
+    wanted.map(named).collect()
+}
+
+fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceModel> {
+    let own = coefficients(&shape, shapes)?;
+    let cages: Vec<Vec<f64>> = examples.iter().map(|e| e.draft.bound.numbers()).collect();
+    let organs: Vec<Vec<f64>> = examples.iter().map(|e| e.organs.numbers()).collect();
     let first = examples.first().context("a head")?;
     let segment = |of: &HeadSegment| Segment {
         name: of.name.to_owned(),
@@ -110,15 +211,50 @@ fn model(shape: FaceSpace, examples: &[Example]) -> Result<FaceModel> {
         runs: of.runs.clone(),
     };
     let segments = first.segments.iter().map(segment).collect();
+    let person = |e: &Example| Personal {
+        sex: e.draft.traits.sex,
+        age_years: e.draft.traits.age_years,
+        ancestry: e.ancestry(),
+    };
     Ok(FaceModel {
         triangles: first.triangles.clone(),
         segments: Segments::new(segments, shape.length() / 3)
             .context("segments of another head")?,
         cage: Follower::learn(&shape, &own, &cages),
-        attributes: LABELS.iter().map(named).collect::<Result<_>>()?,
+        organs: Follower::learn(&shape, &own, &organs),
+        attributes: attributes(&shape, &own, examples, Affects::Shape)?,
+        people: examples.iter().map(person).collect(),
         examples: own,
         shape,
+        texture: None,
     })
+}
+
+/// How well each attribute tells its labels: the share of their variance that it explains.
+fn report(model: &FaceModel, examples: &[Example]) -> Result<()> {
+    let mut out = terminal::out();
+    writeln!(out, "attribute\tshape\ttexture")?;
+    for label in &LABELS {
+        let Some(labels) = label.of_all(examples) else {
+            continue;
+        };
+        let explained = |space: &FaceSpace, all: &[NamedAttribute], own: &[Vec<f64>]| {
+            let found = all.iter().find(|a| a.attribute.name == label.name)?;
+            let of = |(face, label): (&Vec<f64>, &f64)| {
+                let off = found.attribute.value(space, face) - label;
+                [off * off, label * label]
+            };
+            let sums = own.iter().zip(&labels).map(of);
+            let [off, all] = sums.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+            Some(1.0 - off / all)
+        };
+        let told = |share: Option<f64>| share.map_or_else(String::new, |s| format!("{s:.2}"));
+        let shape = explained(&model.shape, &model.attributes, &model.examples);
+        let texture = model.texture.as_ref();
+        let texture = texture.and_then(|t| explained(&t.space, &t.attributes, &t.examples));
+        writeln!(out, "{}\t{}\t{}", label.name, told(shape), told(texture))?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

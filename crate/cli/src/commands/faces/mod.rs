@@ -1,10 +1,14 @@
 //! `raconteur faces`: the morphable model of faces (F&H 3.2).
 
 mod convert;
+mod edits;
 mod examples;
 mod learn;
 mod make;
+mod pack;
+mod put_on;
 mod rate;
+mod sheet;
 
 use anyhow::Result;
 use clap::{Args, Subcommand};
@@ -25,6 +29,7 @@ enum Action {
     Learn(learn::Learn),
     Make(make::Make),
     Rate(rate::Rate),
+    Sheet(sheet::Sheet),
 }
 
 impl Faces {
@@ -35,6 +40,7 @@ impl Faces {
             Action::Learn(c) => c.run(),
             Action::Make(c) => c.run(),
             Action::Rate(c) => c.run(),
+            Action::Sheet(c) => c.run(),
         }
     }
 }

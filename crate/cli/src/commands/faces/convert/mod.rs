@@ -99,8 +99,11 @@ impl Found {
         let own = self.examples.iter().map(|face| shape.coefficients(face));
         let model = FaceModel {
             examples: own.collect::<Result<_, _>>()?,
-            // No cage of ours follows it: no numbers, and no effect of each mode on them.
-            cage: Follower::learn(&shape, &[], &[]),
+            // Neither a cage nor organs of ours follow it.
+            cage: Follower::default(),
+            organs: Follower::default(),
+            people: Vec::new(),
+            texture: None,
             triangles: self.triangles,
             segments: Segments::default(),
             attributes: Vec::new(),

@@ -140,6 +140,7 @@ fn learn(
     let named = NamedAttribute {
         group: GROUP.to_owned(),
         terms: terms.map(str::to_owned),
+        derived: None,
         attribute: Attribute::learn(name, &model.shape, &faces, &labels)?,
     };
     let place = model

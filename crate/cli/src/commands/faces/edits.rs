@@ -1,0 +1,204 @@
+//! Edits of a face, as options of a command.
+
+use anyhow::{Context as _, Result, bail};
+use clap::Args;
+use raconteur_base::noise;
+use raconteur_faces::{
+    Affine, Constraint, Editor, Face, FaceModel, FaceSpace, Half, Part, Region,
+};
+
+/// Which face, and how it is changed. Every change may end in a region: `@nose`, `@eyes+mouth`,
+/// `@cheeks/left`, `@/right`; without one it is of the whole head.
+#[derive(Args)]
+pub(super) struct Edits {
+    /// Draw a face at random.
+    #[arg(long, conflicts_with = "face")]
+    seed: Option<u64>,
+    /// A face of the database, by its number.
+    #[arg(long)]
+    face: Option<usize>,
+    /// Take over a region of another face of the database: `--import 17@nose`.
+    #[arg(long, value_name = "NUMBER@REGION")]
+    import: Vec<String>,
+    /// Scale a region about its middle, along x, y and z: `--scale 1.1,1,1@mouth`.
+    #[arg(long, value_name = "X,Y,Z@REGION", allow_hyphen_values = true)]
+    scale: Vec<String>,
+    /// Turn a region about its middle, degrees about x, y and z.
+    #[arg(long, value_name = "X,Y,Z@REGION", allow_hyphen_values = true)]
+    turn: Vec<String>,
+    /// Move a region, millimetres.
+    #[arg(long = "move", value_name = "X,Y,Z@REGION", allow_hyphen_values = true)]
+    moves: Vec<String>,
+    /// An attribute and its value, −1 to 1: `--set "width of the mouth=-0.5"`, of `shape:` or `texture:`
+    /// alone where that is said before it. Each is held while the others change.
+    #[arg(
+        long = "set",
+        value_name = "ATTRIBUTE=VALUE@REGION",
+        allow_hyphen_values = true
+    )]
+    values: Vec<String>,
+    /// Exaggerate what tells the face from the average: 1.5 a caricature, 0.5 nearer to everybody.
+    #[arg(long, value_name = "LEVEL@REGION")]
+    caricature: Vec<String>,
+    /// Strength of detail in the texture that is added to the face's own; 0.7 is usual.
+    #[arg(long)]
+    detail: Option<f64>,
+}
+
+/// A random face is not farther from the average along a mode, standard deviations.
+const MOST_DEVIATIONS: f64 = 2.5;
+
+/// An argument without its region, and that region.
+fn split<'a>(editor: &Editor, argument: &'a str) -> Result<(&'a str, Region)> {
+    let (what, place) = argument.rsplit_once('@').unwrap_or((argument, ""));
+    let (names, half) = place.split_once('/').unwrap_or((place, ""));
+    let half = match half {
+        "" => None,
+        "left" => Some(Half::Left),
+        "right" => Some(Half::Right),
+        other => bail!("a half is left or right, not {other}"),
+    };
+    let names: Vec<&str> = names.split('+').filter(|n| !n.is_empty()).collect();
+    let region = editor.region(&names, half).map_err(|error| {
+        let all = editor.model().segments.all().iter();
+        let known: Vec<&str> = all.map(|s| s.name.as_str()).collect();
+        anyhow::anyhow!("{error}; there are {}", known.join(", "))
+    })?;
+    Ok((what, region))
+}
+
+/// Three numbers.
+fn three(text: &str) -> Result<[f64; 3]> {
+    let all: Vec<f64> = text
+        .split(',')
+        .map(|x| x.trim().parse::<f64>())
+        .collect::<Result<_, _>>()
+        .with_context(|| format!("three numbers are wanted, not {text}"))?;
+    let all: Result<[f64; 3], _> = all.try_into();
+    all.ok()
+        .filter(|all| all.iter().all(|x| x.is_finite()))
+        .with_context(|| format!("three numbers are wanted, not {text}"))
+}
+
+fn number(text: &str) -> Result<f64> {
+    let number: f64 = text.trim().parse().with_context(|| format!("not a number: {text}"))?;
+    number.is_finite().then_some(number).context("a number that is finite is wanted")
+}
+
+impl Edits {
+    /// The face.
+    pub(super) fn face(&self, editor: &Editor) -> Result<Face> {
+        let mut face = match (self.seed, self.face) {
+            (Some(seed), _) => random(editor, seed),
+            (_, Some(index)) => editor.example(index)?,
+            _ => editor.average(),
+        };
+        for import in &self.import {
+            let (index, region) = split(editor, import)?;
+            let index = index.parse().context("the number of a face")?;
+            let from = editor.example(index)?;
+            for part in [Part::Shape, Part::Texture] {
+                editor.import(&mut face, &from, part, &region);
+            }
+        }
+        self.transform(editor, &mut face)?;
+        self.constrain(editor, &mut face)?;
+        for caricature in &self.caricature {
+            let (level, region) = split(editor, caricature)?;
+            let level = number(level)?;
+            for part in [Part::Shape, Part::Texture] {
+                editor.caricature(&mut face, part, level, &region);
+            }
+        }
+        if let Some(strength) = self.detail {
+            let own = face.clone();
+            editor.add_detail(&mut face, &own, Part::Texture, strength);
+        }
+        Ok(face)
+    }
+
+    fn transform(&self, editor: &Editor, face: &mut Face) -> Result<()> {
+        let mut apply = |all: &[String], of: &dyn Fn([f64; 3]) -> Affine| -> Result<()> {
+            for one in all {
+                let (numbers, region) = split(editor, one)?;
+                editor.transform(face, &of(three(numbers)?), &region);
+            }
+            Ok(())
+        };
+        apply(&self.scale, &|scale| Affine {
+            scale,
+            ..Affine::NONE
+        })?;
+        apply(&self.turn, &|turn| Affine {
+            turn_rad: turn.map(f64::to_radians),
+            ..Affine::NONE
+        })?;
+        apply(&self.moves, &|way| Affine {
+            way_m: way.map(|mm| mm * 1e-3),
+            ..Affine::NONE
+        })
+    }
+
+    /// Sets values of attributes, all at once.
+    fn constrain(&self, editor: &Editor, face: &mut Face) -> Result<()> {
+        let mut held = Vec::new();
+        for value in &self.values {
+            let (what, region) = split(editor, value)?;
+            let (name, value) = what
+                .split_once('=')
+                .context("--set takes ATTRIBUTE=VALUE")?;
+            let (wanted, name) = match name.split_once(':') {
+                Some(("shape", name)) => (&[Part::Shape][..], name),
+                Some(("texture", name)) => (&[Part::Texture][..], name),
+                _ => (&[Part::Shape, Part::Texture][..], name),
+            };
+            let value = number(value).with_context(|| format!("the value of {name}"))?;
+            let has = |part: &&Part| {
+                let mut all = editor.attributes(**part).iter();
+                all.any(|a| a.attribute.name == name)
+            };
+            let parts: Vec<&Part> = wanted.iter().filter(has).collect();
+            if parts.is_empty() {
+                bail!("no attribute {name}; there are {}", known(editor).join(", "));
+            }
+            held.extend(parts.into_iter().map(|&part| Constraint {
+                part,
+                name: name.to_owned(),
+                value,
+                region: region.clone(),
+            }));
+        }
+        Ok(editor.constrain(face, &held)?)
+    }
+}
+
+/// Names of all attributes.
+fn known(editor: &Editor) -> Vec<&str> {
+    let mut names: Vec<&str> = [Part::Shape, Part::Texture]
+        .into_iter()
+        .flat_map(|part| editor.attributes(part))
+        .map(|a| a.attribute.name.as_str())
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+/// A face as likely as those of the examples are.
+pub(super) fn random(editor: &Editor, seed: u64) -> Face {
+    let model: &FaceModel = editor.model();
+    let drawn = |space: &FaceSpace, stream: u64| -> Vec<f64> {
+        let deviations = space.deviations().iter();
+        (0..)
+            .zip(deviations)
+            .map(|(mode, deviation)| {
+                // The sum of twelve: a bell of deviation 1.
+                let sum: f64 = (0..12).map(|k| noise::unit(seed ^ stream, mode, k)).sum();
+                deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+            })
+            .collect()
+    };
+    let texture = model.texture.as_ref();
+    let texture = texture.map_or_else(Vec::new, |t| drawn(&t.space, 0x7E77));
+    editor.face(&drawn(&model.shape, 0), &texture)
+}

@@ -1,0 +1,24 @@
+//! Packs of faces on disk.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result};
+use raconteur_faces::{FaceModel, MOST_BYTES};
+use raconteur_voice::files::input;
+
+/// Where the textures of a pack lie, by its file of shapes.
+pub(super) fn texture_beside(shapes: &Path) -> PathBuf {
+    shapes.with_extension("skins")
+}
+
+/// Reads a pack, with its textures where they lie beside it.
+pub(super) fn read(shapes: &Path) -> Result<FaceModel> {
+    let bytes = input::bytes(shapes, MOST_BYTES as u64).context("the pack")?;
+    let mut model = FaceModel::from_bytes(&bytes)?;
+    let beside = texture_beside(shapes);
+    if beside.exists() {
+        let bytes = input::bytes(&beside, MOST_BYTES as u64).context("the pack's textures")?;
+        model.add_texture(&bytes)?;
+    }
+    Ok(model)
+}

@@ -1,0 +1,244 @@
+//! `raconteur faces sheet`.
+
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result, ensure};
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_body::{Figure, MaterialKind};
+use raconteur_faces::{Editor, Face, Part, Region};
+use raconteur_render::RenderOptions;
+use raconteur_render::headless::Headless;
+
+use super::edits::{Edits, random};
+use super::{pack, put_on::PutOn};
+use crate::picture::{self, write_png};
+use crate::sheet::{self, Board, FaceView};
+use crate::story::find_figure;
+use crate::Outcome;
+
+/// What a sheet of faces shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Shown {
+    /// The face that the edits make.
+    Face,
+    /// Faces drawn at random.
+    Random,
+    /// Faces of the database.
+    Database,
+    /// Each attribute at −1, 0 and 1.
+    Attributes,
+    /// Each segment of a random face on the average one.
+    Segments,
+    /// The face at ages from 10 to 80.
+    Ages,
+    /// The face with more of each ancestry.
+    Ancestry,
+    /// Random modes: the first of the space, two deviations each way.
+    Modes,
+}
+
+/// Draw a sheet of faces.
+#[derive(Args)]
+pub(super) struct Sheet {
+    /// A pack that `faces learn` wrote.
+    pack: PathBuf,
+    /// Where to write the picture (PNG).
+    #[arg(short, long)]
+    output: PathBuf,
+    /// What to show.
+    #[arg(long, value_enum, default_value = "face")]
+    show: Shown,
+    #[command(flatten)]
+    edits: Edits,
+    /// How many faces, of those that are drawn or of the database.
+    #[arg(long, default_value_t = 40)]
+    count: usize,
+    /// Number of the first of them.
+    #[arg(long, default_value_t = 0)]
+    first: usize,
+    /// Only this attribute.
+    #[arg(long)]
+    attribute: Option<String>,
+    /// Views of each face.
+    #[arg(long, value_enum, default_value = "front", value_delimiter = ',')]
+    view: Vec<FaceView>,
+    /// Whose eyes, hair and clothes the faces have.
+    #[arg(long, default_value = "kenji")]
+    like: String,
+    /// Leave the hair of the head away.
+    #[arg(long)]
+    bald: bool,
+    /// Height of a tile, pixels.
+    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(64..=1600))]
+    size: u32,
+    /// So many tiles to a row, edge to edge and without captions, for judges.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=64))]
+    grid: Option<u32>,
+}
+
+/// Tiles in a row with captions.
+const COLUMNS: u32 = 8;
+/// Ages of a row of ages, years.
+const AGES: [f64; 8] = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0];
+
+/// A face and what is written under it.
+type Named = (String, Face);
+
+impl Sheet {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let editor = Editor::new(pack::read(&self.pack)?)?;
+        let faces = self.faces(&editor)?;
+        ensure!(!faces.is_empty(), "there is nothing to show");
+        let mut figure = find_figure(&self.like)?;
+        if self.bald {
+            figure.meshes.retain(|m| m.material.kind != MaterialKind::Hair);
+        }
+        self.draw(&editor, &faces, figure)?;
+        Ok(Outcome::Fine)
+    }
+
+    fn draw(&self, editor: &Editor, faces: &[Named], figure: Figure) -> Result<()> {
+        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
+            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
+        )?;
+        picture::set_figure(&mut headless, &figure)?;
+        let on = PutOn::new(figure, editor.model())?;
+        let bar = ProgressBar::new(faces.len() as u64).with_style(ProgressStyle::with_template(
+            "{bar:30} {pos}/{len} faces, {eta} left",
+        )?);
+        let aspects = vec![1.0; faces.len() * self.view.len()];
+        let columns = match self.show {
+            Shown::Attributes | Shown::Modes => 3 * self.view.len() as u32,
+            _ => COLUMNS,
+        };
+        let mut board = Board::new(&aspects, self.size, self.grid, columns);
+        for (name, face) in faces {
+            let figure = on.figure(editor.model(), face)?;
+            headless.set_shape(&figure)?;
+            for tile in sheet::faces(&figure, &self.view, name) {
+                board.put(&figure, &tile, &mut headless)?;
+            }
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        let picture = board.picture();
+        write_png(&self.output, picture.size(), picture.rgba())
+    }
+
+    fn faces(&self, editor: &Editor) -> Result<Vec<Named>> {
+        let numbers = self.first..self.first + self.count;
+        let base = self.edits.face(editor)?;
+        match self.show {
+            Shown::Face => Ok(vec![(String::new(), base)]),
+            Shown::Random => Ok(numbers
+                .map(|seed| (seed.to_string(), random(editor, seed as u64)))
+                .collect()),
+            Shown::Database => numbers
+                .map(|index| Ok((index.to_string(), editor.example(index)?)))
+                .collect(),
+            Shown::Attributes => self.attributes(editor, &base),
+            Shown::Segments => segments(editor, &base, &random(editor, self.first as u64)),
+            Shown::Ages => ages(editor, &base),
+            Shown::Ancestry => ancestry(editor, &base),
+            Shown::Modes => Ok(modes(editor, self.count)),
+        }
+    }
+
+    /// Every attribute three times, changed from the face as a user would.
+    fn attributes(&self, editor: &Editor, base: &Face) -> Result<Vec<Named>> {
+        let mut out = Vec::new();
+        for name in names(editor) {
+            if self.attribute.as_ref().is_some_and(|only| *only != name) {
+                continue;
+            }
+            for value in [-1.0, 0.0, 1.0] {
+                let mut face = base.clone();
+                add(editor, &mut face, &name, value)?;
+                out.push((format!("{name} {value:+.0}"), face));
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// Names of all attributes in the order of their groups.
+pub(super) fn names(editor: &Editor) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for part in [Part::Shape, Part::Texture] {
+        for named in editor.attributes(part) {
+            if !all.contains(&named.attribute.name) {
+                all.push(named.attribute.name.clone());
+            }
+        }
+    }
+    all
+}
+
+/// Adds so much of an attribute to both parts, where they have it.
+fn add(editor: &Editor, face: &mut Face, name: &str, amount: f64) -> Result<()> {
+    for part in [Part::Shape, Part::Texture] {
+        let mut all = editor.attributes(part).iter();
+        if all.any(|a| a.attribute.name == name) {
+            let change = editor.attribute_change(part, name, &Region::whole())?;
+            face.add(&change, amount);
+        }
+    }
+    Ok(())
+}
+
+fn segments(editor: &Editor, base: &Face, from: &Face) -> Result<Vec<Named>> {
+    let mut out = vec![
+        ("before".to_owned(), base.clone()),
+        ("from".to_owned(), from.clone()),
+    ];
+    for segment in editor.model().segments.all() {
+        let mut face = base.clone();
+        let region = editor.region(&[&segment.name], None)?;
+        for part in [Part::Shape, Part::Texture] {
+            editor.import(&mut face, from, part, &region);
+        }
+        out.push((segment.name.clone(), face));
+    }
+    Ok(out)
+}
+
+fn ages(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
+    let people = &editor.model().people;
+    ensure!(!people.is_empty(), "the pack does not tell ages");
+    let count = people.len() as f64;
+    let mean = people.iter().map(|p| p.age_years).sum::<f64>() / count;
+    let square = |x: f64| (x - mean) * (x - mean);
+    let deviation = (people.iter().map(|p| square(p.age_years)).sum::<f64>() / count).sqrt();
+    // The attribute's ends are two deviations away.
+    let one = |years: f64| {
+        let mut face = base.clone();
+        add(editor, &mut face, "age", (years - mean) / (2.0 * deviation))?;
+        Ok((format!("{years:.0} years"), face))
+    };
+    AGES.into_iter().map(one).collect()
+}
+
+fn ancestry(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
+    let mut out = Vec::new();
+    for name in ["European", "Asian", "African"] {
+        for amount in [-0.5, 0.5, 1.0] {
+            let mut face = base.clone();
+            add(editor, &mut face, name, amount)?;
+            out.push((format!("{name} {amount:+}"), face));
+        }
+    }
+    Ok(out)
+}
+
+fn modes(editor: &Editor, count: usize) -> Vec<Named> {
+    let deviations = editor.model().shape.deviations();
+    let modes = (0..count.min(deviations.len())).flat_map(|mode| {
+        [-2.0, 0.0, 2.0].map(|way| {
+            let mut own = vec![0.0; mode + 1];
+            own[mode] = way * deviations[mode];
+            (format!("mode {mode} {way:+.0}"), editor.face(&own, &[]))
+        })
+    });
+    modes.collect()
+}

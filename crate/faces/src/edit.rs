@@ -1,0 +1,331 @@
+//! Editing a face (F&H 5.1): attributes, features of other faces, caricature, moves, for the whole
+//! face or segments of it, of shape and texture apart.
+//!
+//! An edited face need not lie in the spaces any more, and so it is kept as all of its numbers.
+
+mod constrain;
+mod region;
+#[cfg(test)]
+mod tests;
+
+use crate::blend::Neighbours;
+use crate::error::FaceError;
+use crate::pack::{FaceModel, NamedAttribute};
+use crate::space::FaceSpace;
+
+pub use constrain::Constraint;
+pub use region::{Half, Region};
+
+/// Shape or texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Where the skin lies.
+    Shape,
+    /// What it looks like.
+    Texture,
+}
+
+/// A face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// x, y and z of each vertex of the skin, metres, frame of the head.
+    pub shape: Vec<f64>,
+    /// What lies in the head, as [`FaceModel::organs`] has it.
+    pub organs: Vec<f64>,
+    /// Logarithms of linear red, green and blue of each vertex, then the numbers of its look; empty
+    /// without a part for texture.
+    pub texture: Vec<f64>,
+}
+
+/// A change of a face: numbers to add to those of a [`Face`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    part: Part,
+    numbers: Vec<f64>,
+    organs: Vec<f64>,
+}
+
+/// An affine change of a segment (F&H 5.1.3): about its middle it is scaled, then turned, then moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Affine {
+    /// Factors along x, y and z.
+    pub scale: [f64; 3],
+    /// Turn about x, y and z in this order, radians.
+    pub turn_rad: [f64; 3],
+    /// Way along x, y and z, metres.
+    pub way_m: [f64; 3],
+}
+
+impl Affine {
+    /// Nothing.
+    pub const NONE: Self = Self {
+        scale: [1.0; 3],
+        turn_rad: [0.0; 3],
+        way_m: [0.0; 3],
+    };
+
+    fn apply(&self, p: [f64; 3], middle: [f64; 3]) -> [f64; 3] {
+        let mut q: [f64; 3] = core::array::from_fn(|i| (p[i] - middle[i]) * self.scale[i]);
+        for (axis, angle) in self.turn_rad.into_iter().enumerate() {
+            let (sin, cos) = raconteur_base::ops::sincos(angle);
+            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+            (q[a], q[b]) = (q[a] * cos - q[b] * sin, q[a] * sin + q[b] * cos);
+        }
+        core::array::from_fn(|i| q[i] + middle[i] + self.way_m[i])
+    }
+}
+
+/// A model with what editing takes.
+#[derive(Clone, Debug)]
+pub struct Editor {
+    model: FaceModel,
+    neighbours: Neighbours,
+}
+
+/// Strength of detail that F&H 5.1.9 found to look well.
+pub const USUAL_DETAIL: f64 = 0.7;
+
+impl Editor {
+    /// For the faces of a model.
+    ///
+    /// # Errors
+    /// When its triangles are not of its vertices.
+    pub fn new(model: FaceModel) -> Result<Self, FaceError> {
+        let neighbours = Neighbours::of(&model.triangles, model.vertices());
+        let neighbours = neighbours.ok_or_else(|| FaceError::BadPack {
+            why: "its triangles are not of its vertices".to_owned(),
+        })?;
+        Ok(Self { model, neighbours })
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &FaceModel {
+        &self.model
+    }
+
+    /// Reads the model's part for texture.
+    ///
+    /// # Errors
+    /// As [`FaceModel::add_texture`].
+    pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), FaceError> {
+        self.model.add_texture(bytes)
+    }
+
+    /// The face of coefficients; missing ones are zero.
+    #[must_use]
+    pub fn face(&self, shape: &[f64], texture: &[f64]) -> Face {
+        let textures = self.model.texture.as_ref();
+        Face {
+            shape: self.model.shape.face(shape),
+            organs: self.model.organs.at(shape),
+            texture: textures.map_or_else(Vec::new, |t| t.space.face(texture)),
+        }
+    }
+
+    /// The average face.
+    #[must_use]
+    pub fn average(&self) -> Face {
+        self.face(&[], &[])
+    }
+
+    /// A face of the database.
+    ///
+    /// # Errors
+    /// When there is none of that number.
+    pub fn example(&self, index: usize) -> Result<Face, FaceError> {
+        let own = self.model.examples.get(index);
+        let shape = own.ok_or(FaceError::NoExample {
+            index,
+            count: self.model.examples.len(),
+        })?;
+        let textures = self.model.texture.as_ref();
+        let texture = textures.and_then(|t| t.examples.get(index));
+        Ok(self.face(shape, texture.map_or(&[], Vec::as_slice)))
+    }
+
+    /// The coefficients of the nearest face of a space.
+    ///
+    /// # Errors
+    /// When the face is of another model, or there are no textures.
+    pub fn coefficients(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
+        self.space(part)?.coefficients(face.part(part))
+    }
+
+    /// How much of an attribute a face has: 0 for the average.
+    ///
+    /// # Errors
+    /// When there is no such attribute of this part, or the face is of another model.
+    pub fn value(&self, face: &Face, part: Part, name: &str) -> Result<f64, FaceError> {
+        let own = self.coefficients(face, part)?;
+        Ok(self
+            .attribute(part, name)?
+            .attribute
+            .value(self.space(part)?, &own))
+    }
+
+    /// What one more of an attribute changes in a region.
+    ///
+    /// # Errors
+    /// When there is no such attribute of this part.
+    pub fn attribute_change(
+        &self,
+        part: Part,
+        name: &str,
+        region: &Region,
+    ) -> Result<Change, FaceError> {
+        let mut along = vec![0.0; self.space(part)?.dimensions()];
+        self.attribute(part, name)?.attribute.add(&mut along, 1.0);
+        self.change_of(part, &along, region)
+    }
+
+    /// The change that coefficients make in a region.
+    fn change_of(&self, part: Part, along: &[f64], region: &Region) -> Result<Change, FaceError> {
+        let numbers = self.space(part)?.difference(along);
+        let organs = match part {
+            Part::Shape => self.model.organs.change(along),
+            Part::Texture => Vec::new(),
+        };
+        Ok(self.within(
+            Change {
+                part,
+                numbers,
+                organs,
+            },
+            region,
+        ))
+    }
+
+    /// What a region lets in of a change of the whole.
+    fn within(&self, change: Change, region: &Region) -> Change {
+        let Some(mask) = region.mask() else {
+            return change;
+        };
+        let vertices = 3 * self.model.vertices();
+        let (colours, looks) = change.numbers.split_at(vertices);
+        let mut numbers = self.neighbours.blended(colours, mask);
+        let shares = looks.iter().enumerate();
+        numbers.extend(shares.map(|(i, x)| x * region.look_share(i)));
+        let shares = change.organs.iter().enumerate();
+        Change {
+            part: change.part,
+            numbers,
+            organs: shares.map(|(i, x)| x * region.organ_share(i)).collect(),
+        }
+    }
+
+    /// The face farther from the average by a factor (F&H 3.2.2): a caricature above 1, nearer to
+    /// everybody below.
+    pub fn caricature(&self, face: &mut Face, part: Part, level: f64, region: &Region) {
+        let average = self.average();
+        let change = self.within(Change::between(&average, face, part), region);
+        face.add(&change, level - 1.0);
+    }
+
+    /// Takes over a region of another face (F&H 5.1.5).
+    pub fn import(&self, face: &mut Face, from: &Face, part: Part, region: &Region) {
+        let change = self.within(Change::between(face, from, part), region);
+        face.add(&change, 1.0);
+    }
+
+    /// Moves, turns and scales a region about its middle.
+    pub fn transform(&self, face: &mut Face, affine: &Affine, region: &Region) {
+        let middle = region.middle(&face.shape);
+        let go = |p: &[f64; 3]| affine.apply(*p, middle);
+        let moved: Vec<f64> = face.shape.as_chunks::<3>().0.iter().flat_map(go).collect();
+        let mut organs = face.organs.clone();
+        for eye in organs.as_chunks_mut::<3>().0.iter_mut().take(2) {
+            *eye = affine.apply(*eye, middle);
+        }
+        let other = Face {
+            shape: moved,
+            organs,
+            texture: face.texture.clone(),
+        };
+        self.import(face, &other, Part::Shape, region);
+    }
+
+    /// Adds a multiple of the detail of another face that is finer than some 5 mm (F&H 5.1.9).
+    pub fn add_detail(&self, face: &mut Face, from: &Face, part: Part, strength: f64) {
+        let vertices = 3 * self.model.vertices();
+        if let Some(numbers) = from.part(part).get(..vertices) {
+            let detail = self.neighbours.detail(numbers);
+            for (x, d) in face.part_mut(part).iter_mut().zip(detail) {
+                *x += strength * d;
+            }
+        }
+    }
+
+    fn space(&self, part: Part) -> Result<&FaceSpace, FaceError> {
+        match part {
+            Part::Shape => Ok(&self.model.shape),
+            Part::Texture => {
+                let texture = self.model.texture.as_ref();
+                texture.map(|t| &t.space).ok_or(FaceError::NoTexture)
+            }
+        }
+    }
+
+    /// The attributes of a part.
+    #[must_use]
+    pub fn attributes(&self, part: Part) -> &[NamedAttribute] {
+        match part {
+            Part::Shape => &self.model.attributes,
+            Part::Texture => {
+                let texture = self.model.texture.as_ref();
+                texture.map_or(&[], |t| t.attributes.as_slice())
+            }
+        }
+    }
+
+    fn attribute(&self, part: Part, name: &str) -> Result<&NamedAttribute, FaceError> {
+        let mut all = self.attributes(part).iter();
+        let found = all.find(|a| a.attribute.name == name);
+        found.ok_or_else(|| FaceError::NoAttribute {
+            name: name.to_owned(),
+        })
+    }
+}
+
+impl Face {
+    /// The numbers of a part.
+    #[must_use]
+    pub fn part(&self, part: Part) -> &[f64] {
+        match part {
+            Part::Shape => &self.shape,
+            Part::Texture => &self.texture,
+        }
+    }
+
+    fn part_mut(&mut self, part: Part) -> &mut [f64] {
+        match part {
+            Part::Shape => &mut self.shape,
+            Part::Texture => &mut self.texture,
+        }
+    }
+
+    /// Adds a multiple of a change.
+    pub fn add(&mut self, change: &Change, amount: f64) {
+        let numbers = self.part_mut(change.part).iter_mut();
+        for (x, by) in numbers.zip(&change.numbers) {
+            *x += amount * by;
+        }
+        for (x, by) in self.organs.iter_mut().zip(&change.organs) {
+            *x += amount * by;
+        }
+    }
+}
+
+impl Change {
+    fn between(from: &Face, to: &Face, part: Part) -> Self {
+        let difference = |a: &[f64], b: &[f64]| b.iter().zip(a).map(|(b, a)| b - a).collect();
+        Self {
+            part,
+            numbers: difference(from.part(part), to.part(part)),
+            organs: match part {
+                Part::Shape => difference(&from.organs, &to.organs),
+                Part::Texture => Vec::new(),
+            },
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Values that edited faces are brought back to, for segments too (F&H 3.2.3 and 5.1.7).
+
+use super::{Change, Editor, Face, Part, Region};
+use crate::error::FaceError;
+
+/// A value of an attribute that is held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constraint {
+    /// Of shape or of texture.
+    pub part: Part,
+    /// The attribute.
+    pub name: String,
+    /// The value.
+    pub value: f64,
+    /// Where the face may be changed to hold it.
+    pub region: Region,
+}
+
+/// Columns of the system whose rest is less, as a share of their own square, say nothing new.
+const SAME: f64 = 1e-9;
+/// Values that differ by less are the same.
+const MEETS: f64 = 1e-6;
+
+impl Editor {
+    /// Brings a face to the values by multiples of the attributes' changes (equation 3.6), each in its
+    /// region.
+    ///
+    /// # Errors
+    /// When no multiples meet them all, or an attribute is none; the face is as it was then. The first
+    /// constraint that contradicts those before it is named.
+    pub fn constrain(&self, face: &mut Face, held: &[Constraint]) -> Result<(), FaceError> {
+        for part in [Part::Shape, Part::Texture] {
+            let own: Vec<&Constraint> = held.iter().filter(|c| c.part == part).collect();
+            if own.is_empty() {
+                continue;
+            }
+            let changes: Vec<Change> = own
+                .iter()
+                .map(|c| self.attribute_change(part, &c.name, &c.region))
+                .collect::<Result<_, _>>()?;
+            let amounts = self.amounts(face, &own, &changes)?;
+            for (change, amount) in changes.iter().zip(amounts) {
+                face.add(change, amount);
+            }
+        }
+        Ok(())
+    }
+
+    /// How much of each change meets the values: the equations are solved by elimination, row by row in
+    /// the order of the constraints.
+    fn amounts(
+        &self,
+        face: &Face,
+        held: &[&Constraint],
+        changes: &[Change],
+    ) -> Result<Vec<f64>, FaceError> {
+        let count = held.len();
+        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(count);
+        for constraint in held {
+            let space = self.space(constraint.part)?;
+            let attribute = &self.attribute(constraint.part, &constraint.name)?.attribute;
+            let effect = |change: &Change| {
+                let along = space.along(&change.numbers);
+                attribute.value(space, &along)
+            };
+            let missing = constraint.value - self.value(face, constraint.part, &constraint.name)?;
+            let mut row: Vec<f64> = changes.iter().map(effect).collect();
+            row.push(missing);
+            rows.push(row);
+        }
+        let mut pivots: Vec<Option<usize>> = Vec::with_capacity(count);
+        for i in 0..count {
+            let size = rows[i][..count].iter().map(|x| x.abs()).fold(0.0, f64::max);
+            for j in 0..i {
+                let Some(column) = pivots[j] else { continue };
+                let factor = rows[i][column] / rows[j][column];
+                for k in 0..=count {
+                    rows[i][k] -= factor * rows[j][k];
+                }
+            }
+            let best = (0..count).max_by(|&a, &b| rows[i][a].abs().total_cmp(&rows[i][b].abs()));
+            let best = best.filter(|&k| rows[i][k].abs() > SAME * size);
+            if best.is_none() && rows[i][count].abs() > MEETS {
+                return Err(FaceError::Contradiction {
+                    name: held[i].name.clone(),
+                    value: held[i].value,
+                });
+            }
+            pivots.push(best);
+        }
+        let mut amounts = vec![0.0; count];
+        for i in (0..count).rev() {
+            let Some(column) = pivots[i] else { continue };
+            let known: f64 = (0..count)
+                .filter(|&k| k != column)
+                .map(|k| rows[i][k] * amounts[k])
+                .sum();
+            amounts[column] = (rows[i][count] - known) / rows[i][column];
+        }
+        Ok(amounts)
+    }
+}

@@ -1,0 +1,167 @@
+//! Regions of a face: segments in any combination, on one half or both.
+
+use super::Editor;
+use crate::blend::SoftMask;
+use crate::error::FaceError;
+
+/// A half of the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Half {
+    /// The left one, at positive x.
+    Left,
+    /// The right one.
+    Right,
+}
+
+/// Where a change is let in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// None for the whole head.
+    mask: Option<SoftMask>,
+    /// Vertices that lie in it.
+    vertices: Vec<u32>,
+    /// How much of what lies in the head goes along: left eye, right eye, chin.
+    organs: [f64; 3],
+    /// How much of a look goes along: of irises, of brows, of lips, of all else.
+    looks: [f64; 4],
+    /// Which of these a number of a look belongs to.
+    kinds: Vec<usize>,
+}
+
+/// Names by which numbers of looks belong to segments.
+const LOOK_KINDS: [(&str, &str); 3] = [
+    ("iris", "eyes and lids"),
+    ("brows", "eyebrows"),
+    ("lips", "upper lip"),
+];
+
+impl Region {
+    /// The whole head.
+    #[must_use]
+    pub fn whole() -> Self {
+        Self {
+            mask: None,
+            vertices: Vec::new(),
+            organs: [1.0; 3],
+            looks: [1.0; 4],
+            kinds: Vec::new(),
+        }
+    }
+
+    pub(super) fn mask(&self) -> Option<&SoftMask> {
+        self.mask.as_ref()
+    }
+
+    /// Share of a number of what lies in the head: centres of the left and the right eye, turns of the
+    /// left and the right lid, the chin.
+    pub(super) fn organ_share(&self, number: usize) -> f64 {
+        match number {
+            0..=2 | 6 => self.organs[0],
+            3..=5 | 7 => self.organs[1],
+            _ => self.organs[2],
+        }
+    }
+
+    pub(super) fn look_share(&self, number: usize) -> f64 {
+        let kind = self.kinds.get(number).copied();
+        kind.and_then(|k| self.looks.get(k)).copied().unwrap_or(1.0)
+    }
+
+    /// Its middle on a shape: of the whole, that of all vertices.
+    pub(super) fn middle(&self, shape: &[f64]) -> [f64; 3] {
+        let all = shape.as_chunks::<3>().0;
+        let mean = |places: &mut dyn Iterator<Item = &[f64; 3]>| {
+            let mut sum = [0.0; 4];
+            for p in places {
+                for (s, x) in sum.iter_mut().zip(p.iter().chain(&[1.0])) {
+                    *s += x;
+                }
+            }
+            [sum[0], sum[1], sum[2]].map(|x| x / sum[3].max(1.0))
+        };
+        if self.vertices.is_empty() {
+            mean(&mut all.iter())
+        } else {
+            mean(&mut self.vertices.iter().filter_map(|&v| all.get(v as usize)))
+        }
+    }
+}
+
+impl Editor {
+    /// The region of segments by their names, on one half or both; the whole head where there are none
+    /// and no half.
+    ///
+    /// # Errors
+    /// When a segment is none.
+    pub fn region(&self, names: &[&str], half: Option<Half>) -> Result<Region, FaceError> {
+        if names.is_empty() && half.is_none() {
+            return Ok(Region::whole());
+        }
+        let segments = &self.model.segments;
+        let find = |name: &&str| {
+            let found = segments.find(name);
+            found.ok_or_else(|| FaceError::NoSegment {
+                name: (*name).to_owned(),
+            })
+        };
+        let chosen: Vec<usize> = names.iter().map(find).collect::<Result<_, _>>()?;
+        let vertices = self.model.vertices();
+        let mut mask = if chosen.is_empty() {
+            vec![1.0; vertices]
+        } else {
+            segments.mask(&chosen, vertices)
+        };
+        let places = self.model.shape.mean().as_chunks::<3>().0;
+        for (share, place) in mask.iter_mut().zip(places) {
+            let is_other = match half {
+                Some(Half::Left) => place[0] < 0.0,
+                Some(Half::Right) => place[0] > 0.0,
+                None => false,
+            };
+            if is_other {
+                *share = 0.0;
+            }
+        }
+        let own = (0u32..).zip(&mask).filter(|(_, share)| **share > 0.0);
+        let looks = self.model.texture.as_ref();
+        let looks = looks.map_or(&[][..], |t| t.looks.as_slice());
+        let kind = |name: &str| {
+            let found = LOOK_KINDS.iter().position(|(word, _)| name.contains(word));
+            found.unwrap_or(LOOK_KINDS.len())
+        };
+        let soft = self.neighbours.softened(&mask);
+        let share = |segment, half| self.share(&soft, segment, half);
+        let [iris, brows, lips] = LOOK_KINDS.map(|(_, segment)| share(segment, None));
+        Ok(Region {
+            vertices: own.map(|(v, _)| v).collect(),
+            organs: [
+                share("eyes and lids", Some(Half::Left)),
+                share("eyes and lids", Some(Half::Right)),
+                share("chin tip", None),
+            ],
+            looks: [iris, brows, lips, share("face", None)],
+            kinds: looks.iter().map(|l| kind(&l.name)).collect(),
+            mask: Some(soft),
+        })
+    }
+
+    /// How much of a segment a mask lets in: the mean over its vertices, on a half or both.
+    fn share(&self, mask: &SoftMask, segment: &str, half: Option<Half>) -> f64 {
+        let Some(index) = self.model.segments.find(segment) else {
+            return 0.0;
+        };
+        let places = self.model.shape.mean().as_chunks::<3>().0;
+        let own = self.model.segments.mask(&[index], self.model.vertices());
+        let is_on = |x: f64| match half {
+            Some(Half::Left) => x > 0.0,
+            Some(Half::Right) => x < 0.0,
+            None => true,
+        };
+        let chosen = (0..).zip(own.iter().zip(places));
+        let chosen = chosen.filter(|(_, (share, place))| **share > 0.0 && is_on(place[0]));
+        let [sum, count] = chosen.fold([0.0; 2], |[sum, count], (v, _)| {
+            [sum + mask.at(v), count + 1.0]
+        });
+        sum / f64::max(count, 1.0)
+    }
+}
