@@ -121,7 +121,7 @@ function clips(): Plugin {
 
 /** All wasm builds call their file the same; the folder tells them apart. */
 function assetFileNames({ originalFileNames }: { readonly originalFileNames: readonly string[] }): string {
-  const [, build] = originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar|say)\//.exec(name)).find(Boolean) ?? [];
+  const [, build] = originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar|faces|say)\//.exec(name)).find(Boolean) ?? [];
   return `app/${build ?? '[name]'}-[hash][extname]`;
 }
 
@@ -159,7 +159,7 @@ export default defineConfig(({ mode }) => {
         output: {
           entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
           chunkFileNames: (chunk) => {
-            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
+            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar|faces|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
             return `app/${backend ?? '[name]'}-[hash].js`;
           },
           assetFileNames,

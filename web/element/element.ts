@@ -21,7 +21,7 @@ import { statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { FrameLoop } from './frame-loop.js';
-import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, Telling, View, Words } from './types.js';
+import { PlayerError, type Answer, type Backend, type Diagnostic, type FaceCourse, type FigureFace, type Hand, type PoseNumbers, type Quality, type Statistics, type Telling, type View, type Words } from './types.js';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
@@ -299,6 +299,17 @@ export class RaconteurPlayer extends LitElement {
     const show = await this.#stories.stage();
     if (interrupt) this.interrupt();
     return await perform(this.#context, show, Sender.Page, String(fragment));
+  }
+
+  /**
+   * Gives the figure on stage a face of a face model, as `Faces` of `faces.js` makes it, or its own again
+   * by `undefined`; what is played goes on. It goes with the figure: another one comes with its own. Throws
+   * where there is no stage, or the figure's head is not the model's.
+   */
+  setFace(face: FigureFace | undefined): void {
+    const { show } = this.#context;
+    if (show === undefined) throw new PlayerError('Nobody is on stage.');
+    show.picture.setFace(face);
   }
 
   /**

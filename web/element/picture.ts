@@ -6,20 +6,21 @@ import type { StoryFiles } from './loader.js';
 import { giveBack } from './graphics.js';
 import { isTrap, trapError } from './trap.js';
 import {
-  PlayerError,
-  TickStatus,
   type Backend,
   type Cue,
   type Diagnostic,
   type Engine,
   type FaceCourse,
+  type FigureFace,
   type Interruption,
   type Performance,
   type PictureStatistics,
   type Piece,
+  PlayerError,
   type PoseNumbers,
   type Quality,
   type Story,
+  TickStatus,
   type View,
 } from './types.js';
 
@@ -73,6 +74,8 @@ export class Picture {
   #openEnded = false;
   /** Share of the height that captions take. */
   #captions = 0;
+  /** The face that the figure has got, where it is not its own. */
+  #face: FigureFace | undefined;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -250,9 +253,13 @@ export class Picture {
     if (engine === undefined) throw new PlayerError('The picture is lost, so the figure cannot be changed.');
     const files = { ...this.#files, figure };
     let story: Story;
+    // Who comes has a face of its own.
+    const face = this.#face;
+    this.#face = undefined;
     try {
       story = this.#read(engine, files);
     } catch (error) {
+      this.#face = face;
       // A trap may have left anything behind; an error has left everything as it was.
       if (isTrap(error)) {
         this.#engine = undefined;
@@ -263,6 +270,26 @@ export class Picture {
     this.#files = files;
     engine.seek(this.#lastShown);
     return { story, missing: await this.#decode(engine) };
+  }
+
+  /** Gives the figure a face of a face model, or its own again. */
+  setFace(face: FigureFace | undefined): void {
+    const before = this.#face;
+    this.#face = face;
+    const engine = this.#engine;
+    if (engine === undefined) return;
+    try {
+      if (face !== undefined) applyFace(engine, face);
+      else if (before !== undefined) {
+        // Its own face is in its file.
+        this.#read(engine);
+        void this.#decode(engine);
+      }
+    } catch (error) {
+      this.#face = before;
+      throw error;
+    }
+    this.seek(this.#lastShown);
   }
 
   /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
@@ -430,6 +457,7 @@ export class Picture {
     try {
       const told = kept ? engine.tell(eml, bundle, motionAmount()) : undefined;
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
+      if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face);
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
       if (edited) return this.#reread(engine, files);
@@ -489,6 +517,10 @@ export class Picture {
 
 function applyView(engine: Engine, view: View | undefined): void {
   if (view !== undefined) engine.setView(view.turn, view.tilt, view.zoom, view.right, view.up);
+}
+
+function applyFace(engine: Engine, { skin, organs, factors }: FigureFace): void {
+  engine.setFace(skin, organs, factors ?? new Float64Array());
 }
 
 /** How much idle life. */

@@ -238,6 +238,8 @@ export interface Engine {
   setHandedness(hand: string): void;
   /** The language of lips in texts that are read later, where neither they nor a voice tell it: a tag of BCP 47. */
   setLanguage(tag: string): void;
+  /** Gives the figure on stage a face of a face model; what is played goes on. Without factors it keeps its colours. */
+  setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array): void;
   /** Keeps hands and feet above captions that take this share of the picture's height at its lower edge. */
   setCaptions(share: number): void;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
@@ -339,4 +341,14 @@ export interface PlayerEventMap {
 /** Why a story cannot be played, as one sentence for people. */
 export class PlayerError extends Error {
   override readonly name = 'PlayerError';
+}
+
+/** A face of a face model, as `Faces` of `faces.ts` makes it. */
+export interface FigureFace {
+  /** x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
+  readonly skin: Float64Array;
+  /** Centres of the eyes, turns that close the lids (radians), height of the chin. */
+  readonly organs: Float64Array;
+  /** What the colours of each vertex, the irises and the brows are multiplied by. */
+  readonly factors: Float64Array | undefined;
 }

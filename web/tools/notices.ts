@@ -32,7 +32,7 @@ interface Metadata {
 /** Crates that are compiled into the wasm files. */
 function crates(root: string): Component[] {
   const found = new Map<string, Component>();
-  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['say']]) {
+  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['faces'], ['say']]) {
     const { status, stdout, stderr } = spawnSync(
       'cargo',
       [

@@ -27,7 +27,7 @@ const pages = { gestures: 150, viewer: 13, face: 10 };
  * What only some players fetch: the importer of foreign avatars, what speaks in the page and its engines, texts that are told,
  * what connects to a mind, music, the browser's own voice, the pitch at other speeds, and a film.
  */
-const apart = 'added avatar film flite here kokoro mind music say server spoken src stretch tell told worker'.split(' ');
+const apart = 'added avatar faces film flite here kokoro mind music say server spoken src stretch tell told worker'.split(' ');
 
 /** Node's own deflate gives up 2 % of size for speed, so the `gzip` program is used where it is installed. */
 function gzip9(part) {
@@ -77,6 +77,7 @@ await main(async () => {
     measure(backend, reach(entry, new RegExp(`^(${apart.join('|')}|${other})-`)), budget);
   }
   measure('avatar', named(/^avatar-/), 250);
+  measure('faces', named(/^faces-.*wasm$/), 250);
   measure('say', named(/^(say|here|flite-worker)-/), 1300);
   measure('mind', named(/^mind-/), 4);
   measure('music', named(/^music-/), 3);

@@ -1,5 +1,5 @@
 // Builds the player twice from one source, for WebGPU (small) and for WebGL2, and the importer of
-// foreign avatars and the speech of pages, which a page loads only when it needs them: cargo, wasm-bindgen, wasm-opt. Tests have quick
+// foreign avatars, the model of faces and the speech of pages, which a page loads only when it needs them: cargo, wasm-bindgen, wasm-opt. Tests have quick
 // builds of their own.
 // Only Node's own modules.
 
@@ -12,8 +12,8 @@ import { once, root, start, Stop } from './steps.mjs';
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
 
-/** Every build and its folder: features of the crate `web`, and the crates `avatar` and `say`. */
-export const builds = [...backends, 'avatar', 'say'];
+/** Every build and its folder: features of the crate `web`, and the crates `avatar`, `faces` and `say`. */
+export const builds = [...backends, 'avatar', 'faces', 'say'];
 
 /**
  * What a build is for: to be shipped, small and fast, or to be tested soon after a change. A kind has cargo's

@@ -8,6 +8,8 @@ mod region;
 #[cfg(test)]
 mod tests;
 
+use raconteur_base::{noise, ops};
+
 use crate::blend::Neighbours;
 use crate::error::FaceError;
 use crate::pack::{FaceModel, NamedAttribute};
@@ -67,7 +69,7 @@ impl Affine {
     fn apply(&self, p: [f64; 3], middle: [f64; 3]) -> [f64; 3] {
         let mut q: [f64; 3] = core::array::from_fn(|i| (p[i] - middle[i]) * self.scale[i]);
         for (axis, angle) in self.turn_rad.into_iter().enumerate() {
-            let (sin, cos) = raconteur_base::ops::sincos(angle);
+            let (sin, cos) = ops::sincos(angle);
             let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
             (q[a], q[b]) = (q[a] * cos - q[b] * sin, q[a] * sin + q[b] * cos);
         }
@@ -81,6 +83,11 @@ pub struct Editor {
     model: FaceModel,
     neighbours: Neighbours,
 }
+
+/// A random face is not farther from the average along a mode, standard deviations.
+const MOST_DEVIATIONS: f64 = 2.5;
+/// Tells numbers that are drawn for textures from those for shapes.
+const TEXTURE_STREAM: u64 = 0x7E77;
 
 /// Strength of detail that F&H 5.1.9 found to look well.
 pub const USUAL_DETAIL: f64 = 0.7;
@@ -127,6 +134,23 @@ impl Editor {
     #[must_use]
     pub fn average(&self) -> Face {
         self.face(&[], &[])
+    }
+
+    /// A face as likely as those of the examples are; the same for the same seed.
+    #[must_use]
+    pub fn random(&self, seed: u64) -> Face {
+        let drawn = |space: &FaceSpace, stream: u64| -> Vec<f64> {
+            let deviations = (0..).zip(space.deviations());
+            let one = |(mode, deviation): (u64, &f64)| {
+                // The sum of twelve: a bell of deviation 1.
+                let sum: f64 = (0..12).map(|k| noise::unit(seed ^ stream, mode, k)).sum();
+                deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+            };
+            deviations.map(one).collect()
+        };
+        let textures = self.model.texture.as_ref();
+        let texture = textures.map_or_else(Vec::new, |t| drawn(&t.space, TEXTURE_STREAM));
+        self.face(&drawn(&self.model.shape, 0), &texture)
     }
 
     /// A face of the database.

@@ -6,6 +6,8 @@
 //! Does not: make examples (`sculpt` does), draw, or know of pages.
 
 mod attribute;
+#[cfg(target_arch = "wasm32")]
+mod bindings;
 mod blend;
 mod constraint;
 mod edit;

@@ -32,6 +32,8 @@ pub struct FaceModel {
     pub triangles: Vec<[u32; 3]>,
     /// Its segments.
     pub segments: Segments,
+    /// Named vertices of the skin.
+    pub landmarks: Vec<(String, u32)>,
     /// The attributes of shape.
     pub attributes: Vec<NamedAttribute>,
     /// The database that features are taken from: the coefficients of its faces.

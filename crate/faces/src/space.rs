@@ -4,6 +4,9 @@
 //! A face is a vector of numbers: the coordinates of its vertices one after another, or the values
 //! of its texture. Shape and texture have a space each.
 
+#[cfg(any(test, feature = "learn"))]
+mod local;
+
 use crate::error::FaceError;
 
 /// A linear space of faces.

@@ -130,6 +130,14 @@ impl CanvasTarget {
         self.renderer.set_figure(figure)
     }
 
+    /// Sends the figure in another shape; it keeps its pictures.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_shape`].
+    pub fn set_shape(&mut self, figure: &Figure) -> Result<(), RenderError> {
+        self.renderer.set_shape(figure)
+    }
+
     /// Shows a decoded picture of the figure.
     ///
     /// # Errors

@@ -135,7 +135,11 @@ const fn derived(mut label: Label, formula: &'static str) -> Label {
 #[rustfmt::skip]
 pub const LABELS: [Label; 49] = [
     label("overall", "sex", ["masculine", "feminine"], Both, |e| own(e.draft.traits.sex)),
-    label("overall", "weight", ["slender", "obese"], Shape, |e| own(e.draft.traits.weight)),
+    // Where fat shows in a face, each part in its own deviations.
+    label("overall", "weight", ["slender", "obese"], Shape, |e| {
+        let cheeks = both(e, "chk")?.x / 3.0 + both(e, "go")?.x / 5.0;
+        Some(cheeks + e.draft.traits.weight / 0.13 + e.field("double chin")? / 0.5)
+    }),
     label("overall", "lightness of the skin", ["dark", "light"], Texture, |e| Some(-e.look("melanin")?)),
     label("overall", "age", ["younger", "older"], Both, |e| own(e.draft.traits.age_years)),
     label("overall", "freckles", ["none", "many"], Texture, |e| e.look("freckles")),

@@ -6,6 +6,7 @@ use raconteur_player::base::Side;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
+use raconteur_player::body::reshape::Reshaper;
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Room, View};
 use raconteur_player::{LanguageTag, Options, Player as Performer, StoryInput};
@@ -38,7 +39,7 @@ enum TickStatus {
 #[wasm_bindgen]
 pub struct Player {
     pub(crate) performer: Option<Performer>,
-    picture: Option<CanvasTarget>,
+    pub(crate) picture: Option<CanvasTarget>,
     /// Width over height.
     pub(crate) aspect: f64,
     /// The view that a page chooses in place of the shot.
@@ -49,6 +50,8 @@ pub struct Player {
     handedness: Option<Side>,
     language: Option<LanguageTag>,
     sized: bool,
+    /// The figure as it came, once it has got another face.
+    pub(crate) reshaper: Option<Reshaper>,
 }
 
 #[wasm_bindgen]
@@ -77,6 +80,7 @@ impl Player {
             handedness: None,
             language: None,
             sized: false,
+            reshaper: None,
         })
     }
 
@@ -92,6 +96,7 @@ impl Player {
     ) -> Result<JsValue, JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
         let figure = Arc::new(read_figure(figure, glb)?);
+        self.reshaper = None;
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);

@@ -11,5 +11,6 @@ pub(crate) mod pose;
 pub(crate) mod render;
 pub(crate) mod serve;
 pub(crate) mod sweep;
+pub(crate) mod telling;
 pub(crate) mod timeline;
 pub(crate) mod voice;

@@ -46,6 +46,7 @@ struct StoredShape {
     organs: StoredFollower,
     triangles: Vec<[u32; 3]>,
     segments: Vec<Segment>,
+    landmarks: Vec<(String, u32)>,
     attributes: Vec<StoredAttribute>,
     examples: Vec<Vec<f32>>,
     people: Vec<[f32; 5]>,
@@ -123,6 +124,7 @@ pub(super) fn shape(model: &FaceModel) -> Result<Vec<u8>, FaceError> {
             organs: StoredFollower::of(&model.organs),
             triangles: model.triangles.clone(),
             segments: model.segments.all().to_vec(),
+            landmarks: model.landmarks.clone(),
             attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
             examples: singles(&model.examples),
             people: model.people.iter().map(person).collect(),
@@ -243,8 +245,9 @@ impl StoredShape {
     fn read(self) -> Option<FaceModel> {
         let shape = self.space.read()?;
         let (length, count) = (shape.length(), shape.dimensions());
-        let mut corners = self.triangles.iter().flatten();
-        let is_mesh = length.is_multiple_of(3) && corners.all(|&v| (v as usize) < length / 3);
+        let named = self.landmarks.iter().map(|(_, v)| v);
+        let mut vertices = self.triangles.iter().flatten().chain(named);
+        let is_mesh = length.is_multiple_of(3) && vertices.all(|&v| (v as usize) < length / 3);
         let is_known = self.people.is_empty() || self.people.len() == self.examples.len();
         let person = |p: &[f32; 5]| {
             let [sex, age_years, a, b, c] = p.map(f64::from);
@@ -263,6 +266,7 @@ impl StoredShape {
             organs: self.organs.read(count)?,
             segments: Segments::new(self.segments, length / 3)?,
             triangles: self.triangles,
+            landmarks: self.landmarks,
             attributes: attributes(self.attributes, &shape)?,
             examples: doubles(&self.examples, count)?,
             people: self.people.iter().map(person).collect::<Option<_>>()?,

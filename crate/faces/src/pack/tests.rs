@@ -20,6 +20,7 @@ fn model() -> FaceModel {
         cage: Follower::learn(&shape, &own, &values),
         organs: Follower::default(),
         people: Vec::new(),
+        landmarks: Vec::new(),
         texture: None,
         attributes: vec![NamedAttribute {
             group: "mouth".to_owned(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::{Actor, LipTrack, Report};
+use raconteur_actor::{Actor, FaceRig, LipTrack, Report};
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
@@ -169,6 +169,17 @@ impl Player {
     #[must_use]
     pub fn figure(&self) -> &Arc<Figure> {
         &self.cast.figure
+    }
+
+    /// Gives the figure another face: `figure` is the one that performs as
+    /// [`Reshaper::with_face`](raconteur_body::reshape::Reshaper::with_face) made it, whose bones are the
+    /// same. What is played goes on.
+    pub fn set_face(&mut self, figure: Arc<Figure>) {
+        self.cast.face = FaceRig::new(&figure);
+        self.soft = figure.tissue.as_ref().map(SoftFace::new);
+        self.cast.figure = figure;
+        // Who waits is made anew from the figure.
+        self.welcome = None;
     }
 
     /// Where EML's coordinates lie for this figure.

@@ -2,9 +2,8 @@
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use raconteur_base::noise;
 use raconteur_faces::{
-    Affine, Constraint, Editor, Face, FaceModel, FaceSpace, Half, Part, Region,
+    Affine, Constraint, Editor, Face, Half, Part, Region,
 };
 
 /// Which face, and how it is changed. Every change may end in a region: `@nose`, `@eyes+mouth`,
@@ -44,9 +43,6 @@ pub(super) struct Edits {
     #[arg(long)]
     detail: Option<f64>,
 }
-
-/// A random face is not farther from the average along a mode, standard deviations.
-const MOST_DEVIATIONS: f64 = 2.5;
 
 /// An argument without its region, and that region.
 fn split<'a>(editor: &Editor, argument: &'a str) -> Result<(&'a str, Region)> {
@@ -89,7 +85,7 @@ impl Edits {
     /// The face.
     pub(super) fn face(&self, editor: &Editor) -> Result<Face> {
         let mut face = match (self.seed, self.face) {
-            (Some(seed), _) => random(editor, seed),
+            (Some(seed), _) => editor.random(seed),
             (_, Some(index)) => editor.example(index)?,
             _ => editor.average(),
         };
@@ -182,23 +178,4 @@ fn known(editor: &Editor) -> Vec<&str> {
     names.sort_unstable();
     names.dedup();
     names
-}
-
-/// A face as likely as those of the examples are.
-pub(super) fn random(editor: &Editor, seed: u64) -> Face {
-    let model: &FaceModel = editor.model();
-    let drawn = |space: &FaceSpace, stream: u64| -> Vec<f64> {
-        let deviations = space.deviations().iter();
-        (0..)
-            .zip(deviations)
-            .map(|(mode, deviation)| {
-                // The sum of twelve: a bell of deviation 1.
-                let sum: f64 = (0..12).map(|k| noise::unit(seed ^ stream, mode, k)).sum();
-                deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
-            })
-            .collect()
-    };
-    let texture = model.texture.as_ref();
-    let texture = texture.map_or_else(Vec::new, |t| drawn(&t.space, 0x7E77));
-    editor.face(&drawn(&model.shape, 0), &texture)
 }

@@ -10,7 +10,7 @@ use raconteur_faces::{
     Segments, TextureModel,
 };
 use raconteur_sculpt::examples::{Example, Examples};
-use raconteur_sculpt::head::HeadSegment;
+use raconteur_sculpt::head::{FIELDS, HeadSegment};
 use raconteur_sculpt::labels::{Affects, LABELS, Label};
 use raconteur_sculpt::looks::{self, Look};
 use raconteur_sculpt::people;
@@ -55,7 +55,8 @@ impl Learn {
             .collect();
         let [shape, texture] = [(&shapes, "shape"), (&textures, "texture")]
             .map(|(faces, name)| self.space(faces, name));
-        let mut model = shape_model(shape?, &shapes, &examples)?;
+        let shape = with_local(shape?, &shapes, &examples)?;
+        let mut model = shape_model(shape, &shapes, &examples)?;
         let texture = self.texture_model(texture?, &textures, &examples, &weights)?;
         let files = [
             (self.output.clone(), model.to_bytes()?),
@@ -130,6 +131,44 @@ impl Learn {
             space,
         })
     }
+}
+
+/// Attributes of which the principal components tell less get a mode of their own.
+const TOLD: f64 = 0.9;
+
+/// The space with local modes: for the fields that vary by themselves, and for attributes that are
+/// smaller than what principal components keep.
+fn with_local(space: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceSpace> {
+    let own = coefficients(&space, shapes)?;
+    let fields = (0..FIELDS.len()).map(|k| examples.iter().map(|e| e.draft.fields[k]).collect());
+    let mut signals: Vec<Vec<f64>> = fields.collect();
+    for label in LABELS.iter().filter(|l| l.affects != Affects::Texture) {
+        let labels = label.of_all(examples);
+        let labels = labels.with_context(|| format!("no head has a {}", label.name))?;
+        let attribute = Attribute::learn(label.name, &space, &own, &labels)?;
+        if told(&space, &attribute, &own, &labels) < TOLD {
+            signals.push(labels);
+        }
+    }
+    let all = space.with_local(shapes, &signals)?;
+    writeln!(
+        terminal::out(),
+        "{} local modes beside {} principal components",
+        all.dimensions() - space.dimensions(),
+        space.dimensions()
+    )?;
+    Ok(all)
+}
+
+/// The share of labels' variance that an attribute explains.
+fn told(space: &FaceSpace, attribute: &Attribute, own: &[Vec<f64>], labels: &[f64]) -> f64 {
+    let of = |(face, label): (&Vec<f64>, &f64)| {
+        let off = attribute.value(space, face) - label;
+        [off * off, label * label]
+    };
+    let sums = own.iter().zip(labels).map(of);
+    let [off, all] = sums.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+    1.0 - off / all
 }
 
 /// A texture: colours, then the numbers of a look.
@@ -218,6 +257,7 @@ fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
     };
     Ok(FaceModel {
         triangles: first.triangles.clone(),
+        landmarks: first.landmarks.clone(),
         segments: Segments::new(segments, shape.length() / 3)
             .context("segments of another head")?,
         cage: Follower::learn(&shape, &own, &cages),
@@ -240,19 +280,13 @@ fn report(model: &FaceModel, examples: &[Example]) -> Result<()> {
         };
         let explained = |space: &FaceSpace, all: &[NamedAttribute], own: &[Vec<f64>]| {
             let found = all.iter().find(|a| a.attribute.name == label.name)?;
-            let of = |(face, label): (&Vec<f64>, &f64)| {
-                let off = found.attribute.value(space, face) - label;
-                [off * off, label * label]
-            };
-            let sums = own.iter().zip(&labels).map(of);
-            let [off, all] = sums.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
-            Some(1.0 - off / all)
+            Some(told(space, &found.attribute, own, &labels))
         };
-        let told = |share: Option<f64>| share.map_or_else(String::new, |s| format!("{s:.2}"));
+        let shown = |share: Option<f64>| share.map_or_else(String::new, |s| format!("{s:.2}"));
         let shape = explained(&model.shape, &model.attributes, &model.examples);
         let texture = model.texture.as_ref();
         let texture = texture.and_then(|t| explained(&t.space, &t.attributes, &t.examples));
-        writeln!(out, "{}\t{}\t{}", label.name, told(shape), told(texture))?;
+        writeln!(out, "{}\t{}\t{}", label.name, shown(shape), shown(texture))?;
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! `raconteur faces`: the morphable model of faces (F&H 3.2).
 
+mod check;
 mod convert;
 mod edits;
 mod examples;
@@ -24,6 +25,7 @@ pub(crate) struct Faces {
 
 #[derive(Subcommand)]
 enum Action {
+    Check(check::Check),
     Convert(convert::Convert),
     Examples(examples::List),
     Learn(learn::Learn),
@@ -35,6 +37,7 @@ enum Action {
 impl Faces {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.action {
+            Action::Check(c) => c.run(),
             Action::Convert(c) => c.run(),
             Action::Examples(c) => c.run(),
             Action::Learn(c) => c.run(),

@@ -10,7 +10,7 @@ use raconteur_faces::{Editor, Face, Part, Region};
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
 
-use super::edits::{Edits, random};
+use super::edits::Edits;
 use super::{pack, put_on::PutOn};
 use crate::picture::{self, write_png};
 use crate::sheet::{self, Board, FaceView};
@@ -132,13 +132,13 @@ impl Sheet {
         match self.show {
             Shown::Face => Ok(vec![(String::new(), base)]),
             Shown::Random => Ok(numbers
-                .map(|seed| (seed.to_string(), random(editor, seed as u64)))
+                .map(|seed| (seed.to_string(), editor.random(seed as u64)))
                 .collect()),
             Shown::Database => numbers
                 .map(|index| Ok((index.to_string(), editor.example(index)?)))
                 .collect(),
             Shown::Attributes => self.attributes(editor, &base),
-            Shown::Segments => segments(editor, &base, &random(editor, self.first as u64)),
+            Shown::Segments => segments(editor, &base, &editor.random(self.first as u64)),
             Shown::Ages => ages(editor, &base),
             Shown::Ancestry => ancestry(editor, &base),
             Shown::Modes => Ok(modes(editor, self.count)),

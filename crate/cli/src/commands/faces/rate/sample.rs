@@ -22,6 +22,7 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
         cage: Follower::learn(&shape, &examples, &faces),
         organs: Follower::default(),
         people: Vec::new(),
+        landmarks: Vec::new(),
         texture: None,
         triangles: vec![[0, 1, 2]],
         segments: Segments::new(vec![whole], 4).expect("a hierarchy"),

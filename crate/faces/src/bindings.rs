@@ -1,0 +1,313 @@
+//! What a page calls: a face being edited. The wasm file is apart from the player's.
+
+use serde::{Deserialize, Serialize};
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::prelude::*;
+
+use crate::{Affine, Constraint, Editor, Face, FaceModel, Half, Part, Region};
+
+/// What a pack holds; `FacePack` in `web/element/faces.ts`.
+#[derive(Serialize)]
+struct Contents<'a> {
+    vertices: usize,
+    faces: usize,
+    attributes: Vec<AttributeEntry<'a>>,
+    segments: Vec<SegmentEntry<'a>>,
+    people: Vec<PersonEntry>,
+    figures: Vec<&'a str>,
+}
+
+#[derive(Serialize)]
+struct AttributeEntry<'a> {
+    part: &'static str,
+    group: &'a str,
+    name: &'a str,
+    terms: &'a [String; 2],
+    derived: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct SegmentEntry<'a> {
+    name: &'a str,
+    parent: Option<u32>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct PersonEntry {
+    sex: f64,
+    age_years: f64,
+    ancestry: [f64; 3],
+}
+
+/// A constraint; `FaceConstraint` in `web/element/faces.ts`.
+#[derive(Deserialize)]
+struct Held {
+    part: String,
+    name: String,
+    value: f64,
+    #[serde(default)]
+    segments: Vec<String>,
+    half: Option<String>,
+}
+
+fn part(name: &str) -> Result<Part, JsError> {
+    match name {
+        "shape" => Ok(Part::Shape),
+        "texture" => Ok(Part::Texture),
+        other => Err(JsError::new(&format!("a part is shape or texture, not {other}"))),
+    }
+}
+
+fn half(name: Option<&str>) -> Result<Option<Half>, JsError> {
+    match name {
+        None => Ok(None),
+        Some("left") => Ok(Some(Half::Left)),
+        Some("right") => Ok(Some(Half::Right)),
+        Some(other) => Err(JsError::new(&format!("a half is left or right, not {other}"))),
+    }
+}
+
+/// Three numbers that are finite.
+fn three(numbers: &[f64]) -> Result<[f64; 3], JsError> {
+    let all: Result<[f64; 3], _> = numbers.try_into();
+    all.ok()
+        .filter(|all| all.iter().all(|x| x.is_finite()))
+        .ok_or_else(|| JsError::new("three finite numbers are wanted"))
+}
+
+fn finite(number: f64) -> Result<f64, JsError> {
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err(JsError::new("a number that is finite is wanted"))
+    }
+}
+
+/// A face model and a face that is edited.
+#[wasm_bindgen]
+pub struct Faces {
+    editor: Editor,
+    face: Face,
+}
+
+#[wasm_bindgen]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "lists of names arrive as owned only"
+)]
+impl Faces {
+    /// Reads a pack's file of shapes. The exception's message names the fault.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8]) -> Result<Self, JsError> {
+        let editor = Editor::new(FaceModel::from_bytes(bytes)?)?;
+        let face = editor.average();
+        Ok(Self { editor, face })
+    }
+
+    /// Reads the pack's file of textures; the face gets the average one.
+    #[wasm_bindgen(js_name = addTexture)]
+    pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), JsError> {
+        self.editor.add_texture(bytes)?;
+        self.face.texture = self.editor.average().texture;
+        Ok(())
+    }
+
+    /// What the pack holds.
+    pub fn contents(&self) -> Result<JsValue, JsError> {
+        let model = self.editor.model();
+        let entries = [(Part::Shape, "shape"), (Part::Texture, "texture")].into_iter();
+        let attributes = entries.flat_map(|(part, name)| {
+            let all = self.editor.attributes(part).iter();
+            all.map(move |a| AttributeEntry {
+                part: name,
+                group: &a.group,
+                name: &a.attribute.name,
+                terms: &a.terms,
+                derived: a.derived.as_deref(),
+            })
+        });
+        let segments = model.segments.all().iter().map(|s| SegmentEntry {
+            name: &s.name,
+            parent: s.parent,
+        });
+        let people = model.people.iter().map(|p| PersonEntry {
+            sex: p.sex,
+            age_years: p.age_years,
+            ancestry: p.ancestry,
+        });
+        let texture = model.texture.as_ref();
+        let figures = texture.map_or(&[][..], |t| t.figures.as_slice());
+        let contents = Contents {
+            vertices: model.vertices(),
+            faces: model.examples.len(),
+            attributes: attributes.collect(),
+            segments: segments.collect(),
+            people: people.collect(),
+            figures: figures.iter().map(|(name, _)| name.as_str()).collect(),
+        };
+        Ok(contents.serialize(&Serializer::json_compatible())?)
+    }
+
+    /// The average face.
+    pub fn average(&mut self) {
+        self.face = self.editor.average();
+    }
+
+    /// A face drawn at random; the same for the same seed.
+    pub fn random(&mut self, seed: u32) {
+        self.face = self.editor.random(u64::from(seed));
+    }
+
+    /// A face of the database.
+    pub fn example(&mut self, index: usize) -> Result<(), JsError> {
+        self.face = self.editor.example(index)?;
+        Ok(())
+    }
+
+    fn region(&self, segments: &[String], side: Option<&str>) -> Result<Region, JsError> {
+        let names: Vec<&str> = segments.iter().map(String::as_str).collect();
+        Ok(self.editor.region(&names, half(side)?)?)
+    }
+
+    /// How much of an attribute the face has.
+    pub fn value(&self, of: &str, name: &str) -> Result<f64, JsError> {
+        Ok(self.editor.value(&self.face, part(of)?, name)?)
+    }
+
+    /// Adds so much of an attribute in a region: segments, on a half or both; the whole head without.
+    pub fn add(
+        &mut self,
+        of: &str,
+        name: &str,
+        amount: f64,
+        segments: Vec<String>,
+        half: Option<String>,
+    ) -> Result<(), JsError> {
+        let region = self.region(&segments, half.as_deref())?;
+        let change = self.editor.attribute_change(part(of)?, name, &region)?;
+        self.face.add(&change, finite(amount)?);
+        Ok(())
+    }
+
+    /// Exaggerates a region: above 1 a caricature, below nearer to everybody.
+    pub fn caricature(
+        &mut self,
+        of: &str,
+        level: f64,
+        segments: Vec<String>,
+        half: Option<String>,
+    ) -> Result<(), JsError> {
+        let region = self.region(&segments, half.as_deref())?;
+        let (of, level) = (part(of)?, finite(level)?);
+        self.editor.caricature(&mut self.face, of, level, &region);
+        Ok(())
+    }
+
+    /// Takes over a region of a face of the database.
+    #[wasm_bindgen(js_name = importFrom)]
+    pub fn import_from(
+        &mut self,
+        index: usize,
+        of: &str,
+        segments: Vec<String>,
+        half: Option<String>,
+    ) -> Result<(), JsError> {
+        let region = self.region(&segments, half.as_deref())?;
+        let from = self.editor.example(index)?;
+        self.editor.import(&mut self.face, &from, part(of)?, &region);
+        Ok(())
+    }
+
+    /// Scales a region about its middle, turns it (radians about x, y, z) and moves it (metres).
+    pub fn transform(
+        &mut self,
+        scale: &[f64],
+        turn_rad: &[f64],
+        way_m: &[f64],
+        segments: Vec<String>,
+        half: Option<String>,
+    ) -> Result<(), JsError> {
+        let region = self.region(&segments, half.as_deref())?;
+        let affine = Affine {
+            scale: three(scale)?,
+            turn_rad: three(turn_rad)?,
+            way_m: three(way_m)?,
+        };
+        self.editor.transform(&mut self.face, &affine, &region);
+        Ok(())
+    }
+
+    /// Adds a multiple of the texture's own detail; 0.7 is usual.
+    #[wasm_bindgen(js_name = addDetail)]
+    pub fn add_detail(&mut self, strength: f64) -> Result<(), JsError> {
+        let (own, strength) = (self.face.clone(), finite(strength)?);
+        self.editor
+            .add_detail(&mut self.face, &own, Part::Texture, strength);
+        Ok(())
+    }
+
+    /// Brings the face to values of attributes; the exception names the first that contradicts.
+    pub fn constrain(&mut self, held: JsValue) -> Result<(), JsError> {
+        let held: Vec<Held> = serde_wasm_bindgen::from_value(held)?;
+        let all: Vec<Constraint> = held
+            .into_iter()
+            .map(|h| {
+                Ok(Constraint {
+                    part: part(&h.part)?,
+                    value: finite(h.value)?,
+                    region: self.region(&h.segments, h.half.as_deref())?,
+                    name: h.name,
+                })
+            })
+            .collect::<Result<_, JsError>>()?;
+        self.editor.constrain(&mut self.face, &all)?;
+        Ok(())
+    }
+
+    /// The face as bytes, to the bit.
+    pub fn keep(&self) -> Vec<u8> {
+        let parts = [&self.face.shape, &self.face.organs, &self.face.texture];
+        parts.into_iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+    }
+
+    /// The face that [`Self::keep`] kept of the same pack.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), JsError> {
+        let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|b| f64::from_le_bytes(*b)).collect();
+        let average = self.editor.average();
+        let lengths = [&average.shape, &average.organs, &average.texture].map(Vec::len);
+        let is_whole = bytes.len() == 8 * lengths.iter().sum::<usize>();
+        if !(is_whole && numbers.iter().all(|x| x.is_finite())) {
+            return Err(JsError::new("these bytes are no face of this pack"));
+        }
+        let (shape, rest) = numbers.split_at(lengths[0]);
+        let (organs, texture) = rest.split_at(lengths[1]);
+        self.face = Face {
+            shape: shape.to_vec(),
+            organs: organs.to_vec(),
+            texture: texture.to_vec(),
+        };
+        Ok(())
+    }
+
+    /// x, y and z of each vertex of the skin; metres, frame of the head.
+    pub fn skin(&self) -> Vec<f64> {
+        self.face.shape.clone()
+    }
+
+    /// What lies in the head: centres of the eyes, turns that close the lids, height of the chin.
+    pub fn organs(&self) -> Vec<f64> {
+        self.face.organs.clone()
+    }
+
+    /// Factors of a figure's own colours: of each vertex of the skin, of the irises, of the brows;
+    /// nothing where the pack does not know the figure.
+    pub fn factors(&self, figure: &str) -> Option<Vec<f64>> {
+        let texture = self.editor.model().texture.as_ref()?;
+        let factors = texture.factors(&self.face.texture, figure)?;
+        let mut all = factors.skin;
+        all.extend(factors.iris);
+        all.extend(factors.brows);
+        Some(all)
+    }
+}

@@ -1,0 +1,114 @@
+/** A face of the model on the figure that performs. */
+
+import type { Faces } from '../../web/element/faces.js';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expect, test, type Stage } from './stage.js';
+
+const story = '<raconteur-player src="/assets/stories/hello-world/story.eml" controls></raconteur-player>';
+
+/** What tests keep in the page. */
+type Kept = Window & { faces: Faces };
+
+/** Opens the model in the page, as an embedder would. */
+async function openModel(stage: Stage): Promise<void> {
+  await stage.player.evaluate(async () => {
+    const { openFaces } = (await import(new URL('/raconteur-player.js', location.href).href)) as { openFaces: (shapes: string, textures: string) => Promise<Faces> };
+    (window as unknown as Kept).faces = await openFaces('/assets/faces/people.faces', '/assets/faces/people.skins');
+  });
+}
+
+/** Puts a random face on the figure; how long that took the second time, milliseconds. */
+const random = (stage: Stage, seed: number) =>
+  stage.player.evaluate((p: RaconteurPlayer, s) => {
+    const { faces } = window as unknown as Kept;
+    faces.random(s);
+    const face = faces.face(p.currentFigure ?? '');
+    p.setFace(face);
+    const began = performance.now();
+    p.setFace(face);
+    return performance.now() - began;
+  }, seed);
+
+test('a random face tells the story, and its own comes back', { tag: '@draws' }, async ({ stage }) => {
+  await stage.open(story);
+  await stage.ready();
+  await stage.seek(1);
+  const before = (await stage.picture()).png;
+  await openModel(stage);
+  await random(stage, 5);
+  await stage.seek(1.01);
+  const changed = (await stage.picture()).png;
+  expect(await stage.difference(before, changed)).toBeGreaterThan(0.3);
+  // It plays on, and the lips move.
+  await stage.seek(1.6);
+  expect(await stage.difference(changed, (await stage.picture()).png)).toBeGreaterThan(0.02);
+  await stage.player.evaluate((p: RaconteurPlayer) => p.setFace(undefined));
+  await stage.seek(1);
+  await expect.poll(async () => await stage.difference(before, (await stage.picture()).png), { timeout: 20_000 }).toBeLessThan(0.05);
+});
+
+test('a face that is of another model is refused by name', async ({ stage }) => {
+  await stage.open(story);
+  await stage.ready();
+  const told = await stage.player.evaluate((p: RaconteurPlayer) => {
+    const refused = (face: Parameters<RaconteurPlayer['setFace']>[0]) => {
+      try {
+        p.setFace(face);
+        return 'taken';
+      } catch (error) {
+        return String(error);
+      }
+    };
+    const organs = new Float64Array(9);
+    const skin = new Float64Array(300).fill(0.1);
+    return [refused({ skin, organs: organs.slice(1), factors: undefined }), refused({ skin, organs, factors: undefined }), refused({ skin: skin.fill(Number.NaN), organs, factors: undefined })];
+  });
+  expect(told[0]).toContain('nine finite numbers');
+  for (const reason of told.slice(1)) expect(reason).toMatch(/head|vertices|finite/);
+});
+
+test('edits, what was kept, and errors of the model', async ({ stage }) => {
+  await stage.open(story);
+  await stage.ready();
+  await openModel(stage);
+  const seen = await stage.player.evaluate(() => {
+    const { faces } = window as unknown as Kept;
+    const told = (work: () => void) => {
+      try {
+        work();
+        return '';
+      } catch (error) {
+        return error instanceof Error ? error.message : String(error);
+      }
+    };
+    faces.example(7);
+    const kept = faces.keep();
+    const name = 'width of the mouth';
+    const was = faces.value('shape', name);
+    faces.add('shape', name, 0.5);
+    const more = faces.value('shape', name) - was;
+    faces.importFrom(3, 'texture', { segments: ['nose'], half: 'left' });
+    faces.transform({ way: [0, 0.002, 0] }, { segments: ['eyebrows'] });
+    faces.caricature('shape', 1.3);
+    faces.constrain([{ part: 'shape', name, value: 0.2 }]);
+    const held = faces.value('shape', name);
+    const problems = [
+      told(() => faces.add('shape', 'glow', 1)),
+      told(() => faces.add('shape', name, 1, { segments: ['beak'] })),
+      told(() => faces.example(1e6)),
+      told(() => faces.restore(new Uint8Array(5))),
+      told(() => faces.add('shape', name, Number.NaN)),
+      told(() => faces.constrain([{ part: 'shape', name, value: 0.2 }, { part: 'shape', name, value: 0.7 }])),
+    ];
+    faces.restore(kept);
+    const again = faces.keep();
+    return { more, held, problems, isSame: again.every((byte, i) => byte === kept[i]) && again.length === kept.length, pack: { ...faces.pack, people: faces.pack.people.length } };
+  });
+  expect(seen.more).toBeCloseTo(0.5, 6);
+  expect(seen.held).toBeCloseTo(0.2, 4);
+  expect(seen.isSame).toBe(true);
+  expect(seen.problems.map((p) => /glow|beak|no face|no face of this pack|finite|together/.test(p))).toEqual([true, true, true, true, true, true]);
+  expect(seen.pack.segments.length).toBe(22);
+  expect(new Set(seen.pack.attributes.map((a) => a.name)).size).toBe(49);
+  expect(seen.pack.people).toBe(seen.pack.faces);
+});
