@@ -61,7 +61,11 @@ test('a face that is of another model is refused by name', async ({ stage }) => 
     };
     const organs = new Float64Array(9);
     const skin = new Float64Array(300).fill(0.1);
-    return [refused({ skin, organs: organs.slice(1), factors: undefined }), refused({ skin, organs, factors: undefined }), refused({ skin: skin.fill(Number.NaN), organs, factors: undefined })];
+    return [
+      refused({ skin, organs: organs.slice(1), factors: undefined }),
+      refused({ skin, organs, factors: undefined }),
+      refused({ skin: skin.fill(Number.NaN), organs, factors: undefined }),
+    ];
   });
   expect(told[0]).toContain('nine finite numbers');
   for (const reason of told.slice(1)) expect(reason).toMatch(/head|vertices|finite/);
@@ -98,7 +102,12 @@ test('edits, what was kept, and errors of the model', async ({ stage }) => {
       told(() => faces.example(1e6)),
       told(() => faces.restore(new Uint8Array(5))),
       told(() => faces.add('shape', name, Number.NaN)),
-      told(() => faces.constrain([{ part: 'shape', name, value: 0.2 }, { part: 'shape', name, value: 0.7 }])),
+      told(() =>
+        faces.constrain([
+          { part: 'shape', name, value: 0.2 },
+          { part: 'shape', name, value: 0.7 },
+        ]),
+      ),
     ];
     faces.restore(kept);
     const again = faces.keep();

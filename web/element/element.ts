@@ -21,7 +21,21 @@ import { statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { FrameLoop } from './frame-loop.js';
-import { PlayerError, type Answer, type Backend, type Diagnostic, type FaceCourse, type FigureFace, type Hand, type PoseNumbers, type Quality, type Statistics, type Telling, type View, type Words } from './types.js';
+import {
+  PlayerError,
+  type Answer,
+  type Backend,
+  type Diagnostic,
+  type FaceCourse,
+  type FigureFace,
+  type Hand,
+  type PoseNumbers,
+  type Quality,
+  type Statistics,
+  type Telling,
+  type View,
+  type Words,
+} from './types.js';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;

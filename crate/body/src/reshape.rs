@@ -153,7 +153,10 @@ impl Reshaper {
         if corners.iter().any(is_mixed) {
             return Err(other("its head is grown together with other parts"));
         }
-        let places: Vec<DVec3> = skin.positions[..vertices].iter().map(|&p| wide(p)).collect();
+        let places: Vec<DVec3> = skin.positions[..vertices]
+            .iter()
+            .map(|&p| wide(p))
+            .collect();
         let near = carry::Skin::new(&places);
         let meshes = figure.meshes.iter().map(|m| Carried::of(m, &near));
         let meshes = (0..).zip(meshes);

@@ -55,7 +55,9 @@ fn part(name: &str) -> Result<Part, JsError> {
     match name {
         "shape" => Ok(Part::Shape),
         "texture" => Ok(Part::Texture),
-        other => Err(JsError::new(&format!("a part is shape or texture, not {other}"))),
+        other => Err(JsError::new(&format!(
+            "a part is shape or texture, not {other}"
+        ))),
     }
 }
 
@@ -64,7 +66,9 @@ fn half(name: Option<&str>) -> Result<Option<Half>, JsError> {
         None => Ok(None),
         Some("left") => Ok(Some(Half::Left)),
         Some("right") => Ok(Some(Half::Right)),
-        Some(other) => Err(JsError::new(&format!("a half is left or right, not {other}"))),
+        Some(other) => Err(JsError::new(&format!(
+            "a half is left or right, not {other}"
+        ))),
     }
 }
 
@@ -215,7 +219,8 @@ impl Faces {
     ) -> Result<(), JsError> {
         let region = self.region(&segments, half.as_deref())?;
         let from = self.editor.example(index)?;
-        self.editor.import(&mut self.face, &from, part(of)?, &region);
+        self.editor
+            .import(&mut self.face, &from, part(of)?, &region);
         Ok(())
     }
 
@@ -268,12 +273,21 @@ impl Faces {
     /// The face as bytes, to the bit.
     pub fn keep(&self) -> Vec<u8> {
         let parts = [&self.face.shape, &self.face.organs, &self.face.texture];
-        parts.into_iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+        parts
+            .into_iter()
+            .flatten()
+            .flat_map(|x| x.to_le_bytes())
+            .collect()
     }
 
     /// The face that [`Self::keep`] kept of the same pack.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), JsError> {
-        let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|b| f64::from_le_bytes(*b)).collect();
+        let numbers: Vec<f64> = bytes
+            .as_chunks()
+            .0
+            .iter()
+            .map(|b| f64::from_le_bytes(*b))
+            .collect();
         let average = self.editor.average();
         let lengths = [&average.shape, &average.organs, &average.texture].map(Vec::len);
         let is_whole = bytes.len() == 8 * lengths.iter().sum::<usize>();

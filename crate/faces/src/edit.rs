@@ -85,7 +85,7 @@ pub struct Editor {
 }
 
 /// A random face is not farther from the average along a mode, standard deviations.
-const MOST_DEVIATIONS: f64 = 2.5;
+const MOST_DEVIATIONS: f64 = 3.0;
 /// Tells numbers that are drawn for textures from those for shapes.
 const TEXTURE_STREAM: u64 = 0x7E77;
 

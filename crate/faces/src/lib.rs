@@ -22,11 +22,11 @@ mod space;
 pub use attribute::Attribute;
 pub use blend::{Neighbours, SoftMask};
 pub use constraint::Constraints;
-pub use edit::{
-    Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL,
-};
+pub use edit::{Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
-pub use pack::{Factors, FaceModel, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel};
+pub use pack::{
+    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel,
+};
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Segment, Segments};
 pub use space::FaceSpace;

@@ -221,7 +221,9 @@ impl TextureModel {
             let index = self.looks.iter().position(|look| look.name == name);
             index.map_or(1.0, |i| ops::exp(to[i] - from[i]))
         };
-        let of = |what: &str| ["red", "green", "blue"].map(|c| factor(&format!("{c} part of the {what}")));
+        let of = |what: &str| {
+            ["red", "green", "blue"].map(|c| factor(&format!("{c} part of the {what}")))
+        };
         let pairs = texture[..colours].iter().zip(&own);
         Some(Factors {
             skin: pairs.map(|(to, from)| ops::exp(to - from)).collect(),

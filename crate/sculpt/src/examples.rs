@@ -33,7 +33,10 @@ pub struct Examples<'m> {
 /// The mean of the figures' details.
 fn centre() -> BTreeMap<String, f64> {
     let mut sums: BTreeMap<String, f64> = BTreeMap::new();
-    let figures: Vec<FigureParams> = people::NAMES.iter().filter_map(|n| people::preset(n)).collect();
+    let figures: Vec<FigureParams> = people::NAMES
+        .iter()
+        .filter_map(|n| people::preset(n))
+        .collect();
     for (name, amount) in figures.iter().flat_map(|f| &f.head.traits.details) {
         *sums.entry(name.clone()).or_default() += amount / figures.len() as f64;
     }
@@ -173,7 +176,8 @@ impl<'m> Examples<'m> {
         let mut heads: Vec<Bound> = drafts.iter().map(|d| d.bound.clone()).collect();
         population::bring(&people, &mut heads);
         let both = drafts.into_iter().zip(heads);
-        both.map(|(draft, bound)| Draft { bound, ..draft }).collect()
+        both.map(|(draft, bound)| Draft { bound, ..draft })
+            .collect()
     }
 
     /// The head of a draft.
@@ -182,8 +186,13 @@ impl<'m> Examples<'m> {
         let params = params_of(&self.like, draft.traits.clone(), draft.bound.clone());
         let skin = BareSkin::of(&params.person, &params.head);
         let place = |name: &str| {
-            let found = skin.landmarks.iter().find(|(known, _)| known == name)?;
-            Some(skin.positions[found.1 as usize])
+            let eyes = skin.organs.eye_centres;
+            let found = skin.landmarks.iter().find(|(known, _)| known == name);
+            match name {
+                "p_l" => Some(eyes[0]),
+                "p_r" => Some(eyes[1]),
+                _ => Some(skin.positions[found?.1 as usize]),
+            }
         };
         let measures = measured_mm(&place);
         let coordinates = skin.positions.iter().flat_map(DVec3::to_array);

@@ -44,6 +44,10 @@ pub struct Label {
     of: fn(&Example) -> Option<f64>,
 }
 
+/// The group of the course of a life.
+pub const LIFE: &str = "life";
+/// From this age on nobody grows, years.
+pub const GROWN_YEARS: f64 = 20.0;
 /// The attribute's ends are so many standard deviations of the examples from their mean.
 const DEVIATIONS: f64 = 2.0;
 
@@ -131,9 +135,10 @@ const fn derived(mut label: Label, formula: &'static str) -> Label {
     label
 }
 
-/// All that can be read: Table 5.2 but for the level of caricature, which is no direction.
+/// All that can be read: Table 5.2 but for the level of caricature, which is no direction; and the course
+/// of a life, which is not straight.
 #[rustfmt::skip]
-pub const LABELS: [Label; 49] = [
+pub const LABELS: [Label; 51] = [
     label("overall", "sex", ["masculine", "feminine"], Both, |e| own(e.draft.traits.sex)),
     // Where fat shows in a face, each part in its own deviations.
     label("overall", "weight", ["slender", "obese"], Shape, |e| {
@@ -214,6 +219,9 @@ pub const LABELS: [Label; 49] = [
     amount(label("expressions", "scared", ["less", "more"], Shape, |e| e.field("scared")), 1.0),
     amount(label("expressions", "deranged", ["less", "more"], Shape, |e| e.field("deranged")), 1.0),
     amount(label("expressions", "disgusted", ["less", "more"], Shape, |e| e.field("disgusted")), 1.0),
+
+    label(LIFE, "growth", ["child", "grown"], Both, |e| own(e.draft.traits.age_years.min(GROWN_YEARS))),
+    label(LIFE, "ageing", ["young", "old"], Both, |e| own(e.draft.traits.age_years.max(GROWN_YEARS))),
 ];
 
 /// See its formula in [`LABELS`].

@@ -78,7 +78,11 @@ const ANCESTRIES: [[f64; 2]; 3] = [[0.17, 0.06], [0.27, 0.06], [0.82, 0.10]];
 #[must_use]
 pub fn random(traits: &Traits, seed: u64, index: u64) -> Look {
     // The sum of three, scaled to the deviation 1: a bell without far ends.
-    let bell = |k: i64| -> f64 { (0..3).map(|j| noise::signed(seed ^ 0x10_0c, index, 3 * k + j)).sum() };
+    let bell = |k: i64| -> f64 {
+        (0..3)
+            .map(|j| noise::signed(seed ^ 0x10_0c, index, 3 * k + j))
+            .sum()
+    };
     let around = |k: usize, mean: f64, deviation: f64| mean + deviation * bell(k as i64);
     let a = traits.ancestry;
     let whole = a.european + a.asian + a.african;
@@ -98,12 +102,20 @@ pub fn random(traits: &Traits, seed: u64, index: u64) -> Look {
     look[MOLES] = around(MOLES, 0.25, 0.15);
     look[SUN] = around(SUN, 0.1 + 0.45 * old, 0.15);
     look[VESSELS] = around(VESSELS, 0.05 + 0.35 * old * european, 0.12);
-    look[BEARD] = around(BEARD, 0.55 * (1.0 - sex) * grown, 0.05 + 0.2 * (1.0 - sex) * grown);
+    look[BEARD] = around(
+        BEARD,
+        0.55 * (1.0 - sex) * grown,
+        0.05 + 0.2 * (1.0 - sex) * grown,
+    );
     look[LIPS] = around(LIPS, 0.40 + 0.12 * sex * grown, 0.14);
     look[LASHES] = around(LASHES, 0.28 + 0.3 * sex * grown, 0.12);
     look[IRIS_LIGHT] = around(IRIS_LIGHT, 0.12 + 0.45 * european, 0.1 + 0.16 * european);
     look[IRIS_BLUE] = around(IRIS_BLUE, 0.1 + 0.5 * european, 0.08 + 0.26 * european);
-    look[BROW_LIGHT] = around(BROW_LIGHT, 0.12 + 0.3 * european + 0.2 * old, 0.06 + 0.1 * european);
+    look[BROW_LIGHT] = around(
+        BROW_LIGHT,
+        0.12 + 0.3 * european + 0.2 * old,
+        0.06 + 0.1 * european,
+    );
     look[BROW_RED] = around(BROW_RED, 0.2 + 0.25 * european - 0.2 * old, 0.12);
     look[BROW_DENSITY] = around(BROW_DENSITY, 1.0 + 0.1 * (1.0 - sex), 0.2);
     look[BROW_HEIGHT] = around(BROW_HEIGHT, 1.05 - 0.12 * sex, 0.16);
@@ -216,9 +228,18 @@ mod tests {
             let own = preset(name).expect("a figure");
             let again = dress(own.clone(), &of(&own));
             assert_eq!(again.skin, own.skin, "{name}");
-            let off = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
-            assert!(off(again.head.iris, own.head.iris) < 0.06, "{name}: {:?}", again.head.iris);
-            assert!(off(again.head.brow.colour, own.head.brow.colour) < 0.06, "{name}: {:?}", again.head.brow.colour);
+            let off =
+                |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+            assert!(
+                off(again.head.iris, own.head.iris) < 0.06,
+                "{name}: {:?}",
+                again.head.iris
+            );
+            assert!(
+                off(again.head.brow.colour, own.head.brow.colour) < 0.06,
+                "{name}: {:?}",
+                again.head.brow.colour
+            );
         }
     }
 }

@@ -14,7 +14,12 @@ impl Player {
     /// each vertex (metres, frame of the head), `organs` what lies in the head, `factors` those of the
     /// colours of each vertex, of the irises and of the brows, or nothing. Nothing happens before a `load`.
     #[wasm_bindgen(js_name = setFace)]
-    pub fn set_face(&mut self, skin: &[f64], organs: &[f64], factors: &[f64]) -> Result<(), JsError> {
+    pub fn set_face(
+        &mut self,
+        skin: &[f64],
+        organs: &[f64],
+        factors: &[f64],
+    ) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
         let Some(performer) = &mut self.performer else {
             return Ok(());

@@ -164,7 +164,8 @@ pub(super) fn tint(mesh: &mut Mesh, own: &[[f64; 3]], others: [f64; 3]) {
     let bright = |v: usize, colour: &[u8; 4], i: usize| f64::from(colour[i]) * factor(v)[i];
     let most: [f64; 3] = core::array::from_fn(|i| {
         let all = mesh.colors.iter().enumerate();
-        all.map(|(v, colour)| bright(v, colour, i)).fold(1e-6, f64::max)
+        all.map(|(v, colour)| bright(v, colour, i))
+            .fold(1e-6, f64::max)
     });
     let tinted = |(v, colour): (usize, &[u8; 4])| {
         let part = |i: usize| (255.0 * bright(v, colour, i) / most[i]).round() as u8;

@@ -50,7 +50,9 @@ fn face<'a>(skin: &'a [f64], tone: &'a [f64], organs: NewOrgans) -> NewFace<'a> 
 fn a_figure_with_its_own_face_is_itself() {
     let reshaper = sofia();
     let (skin, organs) = (own(&reshaper), organs(&reshaper));
-    let same = reshaper.with_face(&face(&skin, &[], organs)).expect("a face");
+    let same = reshaper
+        .with_face(&face(&skin, &[], organs))
+        .expect("a face");
     for (a, b) in same.meshes.iter().zip(&reshaper.figure.meshes) {
         for (p, q) in a.positions.iter().zip(&b.positions) {
             assert!((wide(*p) - wide(*q)).length() < 1e-6, "{}", a.name);
@@ -59,7 +61,9 @@ fn a_figure_with_its_own_face_is_itself() {
     let mesh = |f: &Figure| f.meshes[reshaper.head].clone();
     let (before, after) = (mesh(&reshaper.figure), mesh(&same));
     let turned = before.normals.iter().zip(&after.normals);
-    let off = turned.filter(|(a, b)| wide(**a).dot(wide(**b)) < 0.985).count();
+    let off = turned
+        .filter(|(a, b)| wide(**a).dot(wide(**b)) < 0.985)
+        .count();
     // Stored normals are rounded to 8 bits.
     assert!(off < VERTICES / 100, "{off}");
 }
@@ -71,7 +75,9 @@ fn what_lies_in_and_on_the_face_goes_along() {
     let (skin, mut organs) = (own(&reshaper), organs(&reshaper));
     let larger: Vec<f64> = skin.iter().map(|x| x * 1.04).collect();
     organs.eye_centres = organs.eye_centres.map(|p| p * 1.04);
-    let changed = reshaper.with_face(&face(&larger, &[], organs)).expect("a face");
+    let changed = reshaper
+        .with_face(&face(&larger, &[], organs))
+        .expect("a face");
     for (mesh, before) in changed.meshes.iter().zip(&reshaper.figure.meshes) {
         let pairs = mesh.positions.iter().zip(&before.positions);
         for (p, q) in pairs {
@@ -93,7 +99,9 @@ fn what_lies_in_and_on_the_face_goes_along() {
     let (was, is) = (&reshaper.figure, &changed);
     let eye = |f: &Figure| {
         let joints = f.skeleton.joints().iter();
-        let i = joints.clone().position(|j| matches!(j.drive, Drive::Eye(_)));
+        let i = joints
+            .clone()
+            .position(|j| matches!(j.drive, Drive::Eye(_)));
         f.inverse_bind[i.expect("an eye")].inverse().translation
     };
     assert!((eye(is) - eye(was) - organs.eye_centres[0] * (0.04 / 1.04)).length() < 1e-6);
@@ -113,7 +121,9 @@ fn a_tone_darkens_skin_and_hands_alike() {
     let tone: Vec<f64> = (0..3 * VERTICES as i64)
         .map(|i| 0.2 + 0.02 * noise::signed(1, 2, i))
         .collect();
-    let dark = reshaper.with_face(&face(&skin, &tone, organs)).expect("a face");
+    let dark = reshaper
+        .with_face(&face(&skin, &tone, organs))
+        .expect("a face");
     for (mesh, before) in dark.meshes.iter().zip(&reshaper.figure.meshes) {
         if mesh.material.kind != MaterialKind::Skin {
             continue;

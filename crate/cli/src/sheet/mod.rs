@@ -145,7 +145,11 @@ impl Board {
         tile: &Tile,
         headless: &mut Headless,
     ) -> Result<()> {
-        let places = self.layout.places.get(self.next).zip(self.widths.get(self.next));
+        let places = self
+            .layout
+            .places
+            .get(self.next)
+            .zip(self.widths.get(self.next));
         let (&place, &width) = places.context("more tiles than the sheet has places for")?;
         self.next += 1;
         let mut frame =

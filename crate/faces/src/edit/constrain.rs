@@ -69,21 +69,23 @@ impl Editor {
             rows.push(row);
         }
         let mut pivots: Vec<Option<usize>> = Vec::with_capacity(count);
-        for i in 0..count {
-            let size = rows[i][..count].iter().map(|x| x.abs()).fold(0.0, f64::max);
-            for j in 0..i {
-                let Some(column) = pivots[j] else { continue };
-                let factor = rows[i][column] / rows[j][column];
-                for k in 0..=count {
-                    rows[i][k] -= factor * rows[j][k];
+        for (i, constraint) in held.iter().enumerate() {
+            let (done, rest) = rows.split_at_mut(i);
+            let Some(row) = rest.first_mut() else { break };
+            let size = row[..count].iter().map(|x| x.abs()).fold(0.0, f64::max);
+            for (before, pivot) in done.iter().zip(&pivots) {
+                let Some(column) = *pivot else { continue };
+                let factor = row[column] / before[column];
+                for (x, y) in row.iter_mut().zip(before) {
+                    *x -= factor * y;
                 }
             }
-            let best = (0..count).max_by(|&a, &b| rows[i][a].abs().total_cmp(&rows[i][b].abs()));
-            let best = best.filter(|&k| rows[i][k].abs() > SAME * size);
-            if best.is_none() && rows[i][count].abs() > MEETS {
+            let best = (0..count).max_by(|&a, &b| row[a].abs().total_cmp(&row[b].abs()));
+            let best = best.filter(|&k| row[k].abs() > SAME * size);
+            if best.is_none() && row[count].abs() > MEETS {
                 return Err(FaceError::Contradiction {
-                    name: held[i].name.clone(),
-                    value: held[i].value,
+                    name: constraint.name.clone(),
+                    value: constraint.value,
                 });
             }
             pivots.push(best);

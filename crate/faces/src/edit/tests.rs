@@ -148,7 +148,8 @@ fn a_segment_changes_and_the_far_rest_does_not() {
     let other = editor.example(5).expect("a face");
     let mut face = before.clone();
     editor.import(&mut face, &other, Part::Shape, &region);
-    let rows = |rows: core::ops::Range<usize>| rows.flat_map(|r| (0..SIDE).map(move |c| r * SIDE + c));
+    let rows =
+        |rows: core::ops::Range<usize>| rows.flat_map(|r| (0..SIDE).map(move |c| r * SIDE + c));
     // In the middle it is the other's; 10 rows beyond the border, which blends, nothing.
     assert!(farthest(&face.shape, &other.shape, rows(30..32)) < 2e-4);
     assert!(farthest(&face.shape, &before.shape, rows(0..12)) < 0.05e-3);
@@ -162,7 +163,9 @@ fn a_segment_changes_and_the_far_rest_does_not() {
 #[test]
 fn halves_are_apart_and_a_move_is_one() {
     let editor = editor();
-    let left = editor.region(&["nose"], Some(Half::Left)).expect("a segment");
+    let left = editor
+        .region(&["nose"], Some(Half::Left))
+        .expect("a segment");
     let before = editor.average();
     let mut face = before.clone();
     let up = Affine {
@@ -229,7 +232,9 @@ fn constraints_hold_in_segments_through_random_edits() {
     }
     let against = [all[0].clone(), held("attribute 0", 0.9, &nose)];
     let before = face.clone();
-    let told = editor.constrain(&mut face, &against).expect_err("it cannot be");
+    let told = editor
+        .constrain(&mut face, &against)
+        .expect_err("it cannot be");
     assert!(told.to_string().contains("attribute 0 at 0.90"), "{told}");
     assert_eq!(face, before);
 }
@@ -250,9 +255,21 @@ fn what_there_is_not_is_named() {
     let editor = editor();
     let face = editor.average();
     let told = [
-        editor.example(99).map(|_| ()).expect_err("none").to_string(),
-        editor.region(&["beak"], None).map(|_| ()).expect_err("none").to_string(),
-        editor.value(&face, Part::Shape, "glow").map(|_| ()).expect_err("none").to_string(),
+        editor
+            .example(99)
+            .map(|_| ())
+            .expect_err("none")
+            .to_string(),
+        editor
+            .region(&["beak"], None)
+            .map(|_| ())
+            .expect_err("none")
+            .to_string(),
+        editor
+            .value(&face, Part::Shape, "glow")
+            .map(|_| ())
+            .expect_err("none")
+            .to_string(),
     ];
     assert!(told[0].contains("no face 99") && told[1].contains("beak") && told[2].contains("glow"));
 }

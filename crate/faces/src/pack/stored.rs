@@ -14,6 +14,12 @@ const SHAPE: &[u8; 8] = b"RFACES\x02S";
 const TEXTURE: &[u8; 8] = b"RFACES\x02T";
 /// Steps of a mode's largest number.
 const STEPS: f64 = 127.0;
+/// A step of a mode makes no less of a difference at one standard deviation: metres for shapes,
+/// logarithms for textures. Finer is not seen, and noise packs badly.
+const FINEST_SHAPE: f64 = 1.5e-5;
+const FINEST_TEXTURE: f64 = 1e-3;
+/// Steps of a standard deviation in coefficients of the database.
+const EXAMPLE_STEPS: f64 = 31.0;
 
 #[derive(Serialize, Deserialize)]
 struct StoredSpace {
@@ -23,10 +29,12 @@ struct StoredSpace {
     modes: Vec<i8>,
 }
 
+/// Effects as modes are stored: a byte a number, each row with a step of its own.
 #[derive(Serialize, Deserialize)]
 struct StoredFollower {
     mean: Vec<f32>,
-    effects: Vec<Vec<f32>>,
+    steps: Vec<f32>,
+    effects: Vec<i8>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -48,7 +56,7 @@ struct StoredShape {
     segments: Vec<Segment>,
     landmarks: Vec<(String, u32)>,
     attributes: Vec<StoredAttribute>,
-    examples: Vec<Vec<f32>>,
+    examples: Vec<Vec<i8>>,
     people: Vec<[f32; 5]>,
 }
 
@@ -57,7 +65,7 @@ struct StoredTexture {
     space: StoredSpace,
     looks: Vec<(String, f32)>,
     attributes: Vec<StoredAttribute>,
-    examples: Vec<Vec<f32>>,
+    examples: Vec<Vec<i8>>,
     figures: Vec<(String, Vec<f32>)>,
 }
 
@@ -69,14 +77,23 @@ fn double(numbers: &[f32]) -> Vec<f64> {
     numbers.iter().map(|&x| f64::from(x)).collect()
 }
 
-fn singles(rows: &[Vec<f64>]) -> Vec<Vec<f32>> {
-    rows.iter().map(|row| single(row)).collect()
+/// Coefficients in steps of the deviations.
+fn of_database(space: &FaceSpace, faces: &[Vec<f64>]) -> Vec<Vec<i8>> {
+    let one = |face: &Vec<f64>| {
+        let parts = face.iter().zip(space.deviations());
+        let step = |(c, d): (&f64, &f64)| (EXAMPLE_STEPS * c / d).round().clamp(-STEPS, STEPS);
+        parts.map(|part| step(part) as i8).collect()
+    };
+    faces.iter().map(one).collect()
 }
 
-/// Rows of a length whose numbers are finite.
-fn doubles(rows: &[Vec<f32>], length: usize) -> Option<Vec<Vec<f64>>> {
-    let row = |row: &Vec<f32>| (row.len() == length).then(|| finite(row)).flatten();
-    rows.iter().map(row).collect()
+fn database(space: &FaceSpace, faces: &[Vec<i8>]) -> Option<Vec<Vec<f64>>> {
+    let one = |face: &Vec<i8>| {
+        let parts = face.iter().zip(space.deviations());
+        let numbers = parts.map(|(&step, d)| f64::from(step) * d / EXAMPLE_STEPS);
+        (face.len() == space.dimensions()).then(|| numbers.collect())
+    };
+    faces.iter().map(one).collect()
 }
 
 /// The numbers, where all are finite.
@@ -119,14 +136,14 @@ pub(super) fn shape(model: &FaceModel) -> Result<Vec<u8>, FaceError> {
     write(
         SHAPE,
         &StoredShape {
-            space: StoredSpace::of(&model.shape),
+            space: StoredSpace::of(&model.shape, FINEST_SHAPE),
             cage: StoredFollower::of(&model.cage),
             organs: StoredFollower::of(&model.organs),
             triangles: model.triangles.clone(),
             segments: model.segments.all().to_vec(),
             landmarks: model.landmarks.clone(),
             attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
-            examples: singles(&model.examples),
+            examples: of_database(&model.shape, &model.examples),
             people: model.people.iter().map(person).collect(),
         },
     )
@@ -138,10 +155,10 @@ pub(super) fn texture(model: &TextureModel) -> Result<Vec<u8>, FaceError> {
     write(
         TEXTURE,
         &StoredTexture {
-            space: StoredSpace::of(&model.space),
+            space: StoredSpace::of(&model.space, FINEST_TEXTURE),
             looks: model.looks.iter().map(look).collect(),
             attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
-            examples: singles(&model.examples),
+            examples: of_database(&model.space, &model.examples),
             figures: model.figures.iter().map(figure).collect(),
         },
     )
@@ -159,17 +176,41 @@ pub(super) fn read_texture(bytes: &[u8]) -> Result<TextureModel, FaceError> {
     stored.read().ok_or_else(|| bad(APART))
 }
 
+/// Rows of numbers in one byte each, and the step of each row, which is not finer than is said with it.
+fn stepped<'a>(rows: impl Iterator<Item = (&'a [f64], f64)>) -> (Vec<f32>, Vec<i8>) {
+    let (mut steps, mut all) = (Vec::new(), Vec::new());
+    for (row, finest) in rows {
+        let most = row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let step = (most / STEPS).max(finest) as f32;
+        steps.push(step);
+        let part = |x: &f64| {
+            let share = if step > 0.0 { x / f64::from(step) } else { 0.0 };
+            share.round().clamp(-STEPS, STEPS) as i8
+        };
+        all.extend(row.iter().map(part));
+    }
+    (steps, all)
+}
+
+/// The rows of [`stepped`], each of a length.
+fn unstepped(steps: &[f32], all: &[i8], length: usize) -> Option<Vec<Vec<f64>>> {
+    let is_whole = all.len() == steps.len().checked_mul(length)?;
+    let steps = finite(steps).filter(|_| is_whole)?;
+    if length == 0 {
+        return Some(vec![Vec::new(); steps.len()]);
+    }
+    let rows = all.chunks_exact(length).zip(steps);
+    Some(
+        rows.map(|(row, step)| row.iter().map(|&x| f64::from(x) * step).collect())
+            .collect(),
+    )
+}
+
 impl StoredSpace {
-    fn of(space: &FaceSpace) -> Self {
-        let mut steps = Vec::new();
-        let mut modes = Vec::new();
-        for mode in (0..space.dimensions()).map(|i| space.mode(i)) {
-            let most = mode.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-            let step = f64::from((most / STEPS) as f32);
-            steps.push(step as f32);
-            let part = |x: &f64| (x / step).round().clamp(-STEPS, STEPS) as i8;
-            modes.extend(mode.iter().map(part));
-        }
+    fn of(space: &FaceSpace, finest: f64) -> Self {
+        let modes = (0..space.dimensions()).map(|i| space.mode(i));
+        let finest = space.deviations().iter().map(|d| finest / d);
+        let (steps, modes) = stepped(modes.zip(finest));
         Self {
             mean: single(space.mean()),
             deviations: single(space.deviations()),
@@ -179,31 +220,32 @@ impl StoredSpace {
     }
 
     fn read(self) -> Option<FaceSpace> {
-        let (length, count) = (self.mean.len(), self.deviations.len());
-        let is_whole =
-            self.steps.len() == count && self.modes.len() == count.checked_mul(length)?;
-        let steps = finite(&self.steps).filter(|_| is_whole)?;
-        let rows = self.modes.chunks_exact(length.max(1)).zip(steps);
-        let modes = rows
-            .flat_map(|(mode, step)| mode.iter().map(move |&x| f64::from(x) * step))
-            .collect();
-        FaceSpace::from_parts(finite(&self.mean)?, modes, double(&self.deviations))
+        let modes = unstepped(&self.steps, &self.modes, self.mean.len())?;
+        FaceSpace::from_parts(
+            finite(&self.mean)?,
+            modes.concat(),
+            double(&self.deviations),
+        )
     }
 }
 
 impl StoredFollower {
     fn of(follower: &Follower) -> Self {
+        let effects = follower.effects.iter().map(Vec::as_slice);
+        let (steps, effects) = stepped(effects.zip(core::iter::repeat(0.0)));
         Self {
             mean: single(&follower.mean),
-            effects: singles(&follower.effects),
+            steps,
+            effects,
         }
     }
 
     /// A follower of so many coefficients, or of none where it has no numbers.
     fn read(self, count: usize) -> Option<Follower> {
-        let fits = self.effects.len() == count || self.mean.is_empty();
-        Some(Follower {
-            effects: doubles(&self.effects, self.mean.len()).filter(|_| fits)?,
+        let effects = unstepped(&self.steps, &self.effects, self.mean.len())?;
+        let fits = effects.len() == count || self.mean.is_empty();
+        fits.then_some(Follower {
+            effects,
             mean: finite(&self.mean)?,
         })
     }
@@ -268,7 +310,7 @@ impl StoredShape {
             triangles: self.triangles,
             landmarks: self.landmarks,
             attributes: attributes(self.attributes, &shape)?,
-            examples: doubles(&self.examples, count)?,
+            examples: database(&shape, &self.examples)?,
             people: self.people.iter().map(person).collect::<Option<_>>()?,
             shape,
             texture: None,
@@ -297,7 +339,7 @@ impl StoredTexture {
         Some(TextureModel {
             looks: self.looks.into_iter().map(look).collect::<Option<_>>()?,
             attributes: attributes(self.attributes, &space)?,
-            examples: doubles(&self.examples, count)?,
+            examples: database(&space, &self.examples)?,
             figures: self
                 .figures
                 .into_iter()

@@ -132,7 +132,11 @@ mod tests {
                     let wide: f64 = (0..4_i64)
                         .map(|k| large[k as usize] * noise::signed(4, k as u64, n))
                         .sum();
-                    let fold = if n == 7 || n == 8 { 0.05 * small[i] } else { 0.0 };
+                    let fold = if n == 7 || n == 8 {
+                        0.05 * small[i]
+                    } else {
+                        0.0
+                    };
                     wide + fold
                 })
                 .collect()
@@ -143,7 +147,9 @@ mod tests {
     #[test]
     fn a_small_form_is_told_by_a_mode_of_its_own() {
         let (faces, small) = faces();
-        let space = FaceSpace::learn(&faces).expect("corresponding").truncated(4);
+        let space = FaceSpace::learn(&faces)
+            .expect("corresponding")
+            .truncated(4);
         let told = |space: &FaceSpace| {
             let own: Vec<Vec<f64>> = faces
                 .iter()
@@ -158,12 +164,24 @@ mod tests {
                 .sum();
             1.0 - off / small.iter().map(|s| (s - mean).powi(2)).sum::<f64>()
         };
-        let more = space.with_local(&faces, &[small.clone()]).expect("corresponding");
+        let more = space
+            .with_local(&faces, &[small.clone()])
+            .expect("corresponding");
         assert_eq!(more.dimensions(), 5);
-        assert!(told(&space) < 0.5 && told(&more) > 0.99, "{} {}", told(&space), told(&more));
+        assert!(
+            told(&space) < 0.5 && told(&more) > 0.99,
+            "{} {}",
+            told(&space),
+            told(&more)
+        );
         for i in 0..5 {
             for j in 0..=i {
-                let product: f64 = more.mode(i).iter().zip(more.mode(j)).map(|(a, b)| a * b).sum();
+                let product: f64 = more
+                    .mode(i)
+                    .iter()
+                    .zip(more.mode(j))
+                    .map(|(a, b)| a * b)
+                    .sum();
                 assert!((product - f64::from(u8::from(i == j))).abs() < 1e-9);
             }
         }

@@ -303,9 +303,7 @@ impl Bound {
     /// The crest of a brow from its inner end, mm.
     #[must_use]
     pub fn brow_of(&self, side: Side) -> Vec<DVec3> {
-        (0..)
-            .map_while(|k| self.at(Mark::Brow(k), side))
-            .collect()
+        (0..).map_while(|k| self.at(Mark::Brow(k), side)).collect()
     }
 
     /// The crest of the left brow from its inner end, symmetric.

@@ -79,21 +79,24 @@ const fn field(name: &'static str, deviation: f64, pulls: &'static [Pull]) -> Fi
 
 /// All fields; amounts belong to them in this order.
 #[rustfmt::skip]
-pub const FIELDS: [Field; 25] = [
-    field("curve of the left brow", 0.65, &[
+pub const FIELDS: [Field; 26] = [
+    field("curve of the brows", 0.5, &[
+        both(brow(3), 7.0, [0.0, 3.0, 0.0]), both(brow(1), 6.0, [0.0, -1.2, 0.0]), both(brow(5), 6.0, [0.0, -1.8, 0.0]),
+    ]),
+    field("curve of the left brow", 0.25, &[
         one(Left, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Left, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Left, brow(5), 6.0, [0.0, -1.8, 0.0]),
     ]),
-    field("curve of the right brow", 0.65, &[
+    field("curve of the right brow", 0.25, &[
         one(Right, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Right, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Right, brow(5), 6.0, [0.0, -1.8, 0.0]),
     ]),
     field("distance of the brows", 0.5, &[both(brow(0), 8.0, [3.4, 0.6, 0.0]), both(brow(1), 7.0, [2.4, 0.3, 0.0])]),
     field("height of the brows", 0.5, &[
         both(brow(1), 7.0, [0.0, 2.2, 0.0]), both(brow(3), 7.0, [0.0, 2.4, 0.0]), both(brow(5), 7.0, [0.0, 2.2, 0.0]),
     ]),
-    field("roundness of the alae", 0.9, &[
+    field("roundness of the alae", 0.7, &[
         both(grid(4, 12), 3.2, [1.3, -0.2, 1.5]), both(grid(4, 10), 3.0, [-0.9, 0.0, -0.8]), both(grid(4, 14), 3.0, [0.2, -0.4, 0.6]),
     ]),
-    field("nasolabial fold", 0.8, &[
+    field("nasolabial fold", 0.6, &[
         both(grid(5, 14), 3.6, [0.0, 0.0, -1.5]), both(grid(5, 16), 3.6, [0.0, 0.0, -1.7]), both(grid(5, 18), 3.6, [0.0, 0.0, -1.4]),
         both(grid(7, 14), 6.0, [0.3, -0.6, 1.6]), both(grid(7, 17), 6.0, [0.6, -0.8, 1.5]),
     ]),
@@ -112,26 +115,26 @@ pub const FIELDS: [Field; 25] = [
     field("pad of the chin", 0.5, &[both(grid(0, 23), 8.0, [0.0, 0.0, 2.0])]),
     field("lobe of the ear", 0.5, &[both(ear(4, 14), 6.0, [0.5, -2.8, 0.0])]),
     field("temple", 0.5, &[both(grid(9, 3), 12.0, [2.2, 0.0, 0.0])]),
-    field("smiling", 0.26, &[
+    field("smiling", 0.2, &[
         both(mouth(1, 6), 8.0, [3.6, 4.4, -1.6]), both(grid(7, 11), 13.0, [0.8, 2.4, 2.0]), both(grid(5, 15), 4.5, [1.0, 0.6, -1.0]), both(eye(3, 12), 4.5, [0.0, 0.9, 0.0]),
     ]),
-    field("angry", 0.26, &[
+    field("angry", 0.2, &[
         both(brow(0), 8.0, [-2.4, -4.2, 1.0]), both(brow(2), 7.0, [-0.8, -2.2, 0.4]), both(brow(5), 6.0, [0.0, 1.2, 0.0]), both(eye(5, 4), 4.5, [0.0, -0.9, 0.0]),
         both(mouth(1, 0), 7.0, [0.0, -0.9, 0.0]), both(mouth(1, 6), 6.0, [-1.2, -1.6, 0.0]), both(grid(4, 12), 4.0, [1.0, 0.4, 0.0]),
     ]),
-    field("surprised", 0.26, &[
+    field("surprised", 0.2, &[
         both(brow(1), 8.0, [0.0, 3.2, 0.0]), both(brow(3), 8.0, [0.0, 3.8, 0.0]), both(brow(5), 7.0, [0.0, 2.6, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.5, 0.0]),
         both(mouth(1, 6), 7.0, [-2.0, 0.0, 0.8]), both(grid(0, 23), 14.0, [0.0, -2.0, 0.0]),
     ]),
-    field("scared", 0.26, &[
+    field("scared", 0.2, &[
         both(brow(0), 8.0, [-1.8, 4.6, 0.4]), both(brow(2), 7.0, [-0.6, 1.8, 0.0]), both(brow(5), 6.0, [0.0, -1.0, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.3, 0.0]),
         both(mouth(1, 6), 8.0, [3.2, -1.8, -1.2]),
     ]),
-    field("deranged", 0.26, &[
+    field("deranged", 0.14, &[
         one(Left, brow(2), 9.0, [0.0, 5.0, 0.0]), one(Left, eye(5, 4), 5.0, [0.0, 1.5, 0.0]), one(Left, mouth(1, 6), 8.0, [3.0, 4.0, -1.2]),
         one(Right, brow(1), 8.0, [-1.6, -3.6, 0.6]), one(Right, mouth(1, 6), 8.0, [0.6, -1.8, 0.0]),
     ]),
-    field("disgusted", 0.26, &[
+    field("disgusted", 0.2, &[
         both(mouth(1, 4), 6.0, [0.0, 2.6, 0.6]), both(grid(3, 13), 6.0, [0.8, 2.0, 0.6]), both(grid(5, 14), 4.0, [0.0, 0.6, -1.6]), both(grid(2, 8), 6.0, [0.0, 0.8, 0.8]),
         both(brow(1), 8.0, [-0.8, -3.2, 0.4]), both(eye(3, 12), 4.5, [0.0, 1.0, 0.4]), both(mouth(1, 6), 6.0, [-0.4, -2.2, 0.0]), both(mouth(1, 12), 7.0, [0.0, 0.8, 1.4]),
     ]),
@@ -218,7 +221,11 @@ mod tests {
             let most = (0..rest.len()).map(step).fold(0.0, f64::max);
             assert!((0.8..9.0).contains(&most), "{}: {most}", field.name);
             let count = (0..rest.len()).filter(|&i| step(i) > 0.05).count();
-            assert!(count > 8 && count < rest.len() / 2, "{}: {count}", field.name);
+            assert!(
+                count > 8 && count < rest.len() / 2,
+                "{}: {count}",
+                field.name
+            );
         }
     }
 

@@ -101,6 +101,10 @@ mod tests {
         let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
         assert!(mean(&light) - mean(&dark) > 0.5);
         let darker = light.iter().zip(&dark).filter(|(l, d)| d <= l).count();
-        assert!(darker * 100 > light.len() * 97, "{darker} of {}", light.len());
+        assert!(
+            darker * 100 > light.len() * 97,
+            "{darker} of {}",
+            light.len()
+        );
     }
 }

@@ -60,13 +60,23 @@ impl Check {
     /// Whether the random faces are like the population.
     fn measure(&self, editor: &Editor) -> Result<bool> {
         let model = editor.model();
-        ensure!(!model.people.is_empty(), "the pack does not tell who its faces are");
+        ensure!(
+            !model.people.is_empty(),
+            "the pack does not tell who its faces are"
+        );
         let of = |seed: u64| -> Result<Vec<f64>> {
             let face = editor.random(seed);
             let places = face.shape.as_chunks::<3>().0;
             let place = |name: &str| {
-                let (_, v) = model.landmarks.iter().find(|(known, _)| known == name)?;
-                places.get(*v as usize).map(|p| DVec3::from_array(*p))
+                let eye = |i: usize| face.organs.as_chunks::<3>().0.get(i);
+                let found = model.landmarks.iter().find(|(known, _)| known == name);
+                let p = match name {
+                    // Who looks straight ahead has the pupils before the middles of the eyes.
+                    "p_l" => eye(0),
+                    "p_r" => eye(1),
+                    _ => places.get(found?.1 as usize),
+                };
+                p.map(|p| DVec3::from_array(*p))
             };
             Ok(measured_mm(&place).into_iter().map(|(_, mm)| mm).collect())
         };
@@ -75,7 +85,10 @@ impl Check {
         ensure!(found.mean.len() == all.len(), "the pack lacks landmarks");
         let wanted = Statistics::expected(&all, &model.people);
         let mut out = terminal::out();
-        writeln!(out, "measure\tmean mm\twanted\toff %\tdeviation\twanted\toff %")?;
+        writeln!(
+            out,
+            "measure\tmean mm\twanted\toff %\tdeviation\twanted\toff %"
+        )?;
         let mut is_fine = true;
         for (i, measure) in all.iter().enumerate() {
             let off = |a: f64, b: f64| a / b - 1.0;
@@ -105,7 +118,11 @@ impl Check {
                 let off = found.correlation(i, j) - wanted.correlation(i, j);
                 if off.abs() > LIMITS[2] {
                     is_fine = false;
-                    writeln!(out, "{} and {}: correlation off by {off:+.2}", all[i].name, all[j].name)?;
+                    writeln!(
+                        out,
+                        "{} and {}: correlation off by {off:+.2}",
+                        all[i].name, all[j].name
+                    )?;
                 }
             }
         }
@@ -177,7 +194,10 @@ impl Statistics {
             .iter()
             .map(|p| {
                 let norm = |m: &KnownMeasure| m.row.at(p.sex, p.age_years);
-                measures.iter().map(|m| [norm(m).mean, norm(m).sd]).collect()
+                measures
+                    .iter()
+                    .map(|m| [norm(m).mean, norm(m).sd])
+                    .collect()
             })
             .collect();
         let between: Vec<Vec<f64>> = norms
@@ -198,7 +218,9 @@ impl Statistics {
                 all.covariance[i][j] += known * within;
             }
         }
-        all.deviation = (0..measures.len()).map(|i| all.covariance[i][i].sqrt()).collect();
+        all.deviation = (0..measures.len())
+            .map(|i| all.covariance[i][i].sqrt())
+            .collect();
         all
     }
 

@@ -2,9 +2,7 @@
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use raconteur_faces::{
-    Affine, Constraint, Editor, Face, Half, Part, Region,
-};
+use raconteur_faces::{Affine, Constraint, Editor, Face, Half, Part, Region};
 
 /// Which face, and how it is changed. Every change may end in a region: `@nose`, `@eyes+mouth`,
 /// `@cheeks/left`, `@/right`; without one it is of the whole head.
@@ -77,8 +75,14 @@ fn three(text: &str) -> Result<[f64; 3]> {
 }
 
 fn number(text: &str) -> Result<f64> {
-    let number: f64 = text.trim().parse().with_context(|| format!("not a number: {text}"))?;
-    number.is_finite().then_some(number).context("a number that is finite is wanted")
+    let number: f64 = text
+        .trim()
+        .parse()
+        .with_context(|| format!("not a number: {text}"))?;
+    number
+        .is_finite()
+        .then_some(number)
+        .context("a number that is finite is wanted")
 }
 
 impl Edits {
@@ -155,7 +159,10 @@ impl Edits {
             };
             let parts: Vec<&Part> = wanted.iter().filter(has).collect();
             if parts.is_empty() {
-                bail!("no attribute {name}; there are {}", known(editor).join(", "));
+                bail!(
+                    "no attribute {name}; there are {}",
+                    known(editor).join(", ")
+                );
             }
             held.extend(parts.into_iter().map(|&part| Constraint {
                 part,
@@ -178,4 +185,18 @@ fn known(editor: &Editor) -> Vec<&str> {
     names.sort_unstable();
     names.dedup();
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_numbers_are_three_and_finite() {
+        assert_eq!(three("1, -2,0.5").expect("numbers"), [1.0, -2.0, 0.5]);
+        for wrong in ["", "1,2", "1,2,3,4", "1,2,x", "1,2,inf", "1,2,NaN"] {
+            assert!(three(wrong).is_err(), "{wrong}");
+        }
+        assert!(number("NaN").is_err() && number("1e3").is_ok());
+    }
 }

@@ -55,7 +55,7 @@ impl Learn {
             .collect();
         let [shape, texture] = [(&shapes, "shape"), (&textures, "texture")]
             .map(|(faces, name)| self.space(faces, name));
-        let shape = with_local(shape?, &shapes, &examples)?;
+        let shape = with_local(&shape?, &shapes, &examples)?;
         let mut model = shape_model(shape, &shapes, &examples)?;
         let texture = self.texture_model(texture?, &textures, &examples, &weights)?;
         let files = [
@@ -138,15 +138,15 @@ const TOLD: f64 = 0.9;
 
 /// The space with local modes: for the fields that vary by themselves, and for attributes that are
 /// smaller than what principal components keep.
-fn with_local(space: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceSpace> {
-    let own = coefficients(&space, shapes)?;
+fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceSpace> {
+    let own = coefficients(space, shapes)?;
     let fields = (0..FIELDS.len()).map(|k| examples.iter().map(|e| e.draft.fields[k]).collect());
     let mut signals: Vec<Vec<f64>> = fields.collect();
     for label in LABELS.iter().filter(|l| l.affects != Affects::Texture) {
         let labels = label.of_all(examples);
         let labels = labels.with_context(|| format!("no head has a {}", label.name))?;
-        let attribute = Attribute::learn(label.name, &space, &own, &labels)?;
-        if told(&space, &attribute, &own, &labels) < TOLD {
+        let attribute = Attribute::learn(label.name, space, &own, &labels)?;
+        if told(space, &attribute, &own, &labels) < TOLD {
             signals.push(labels);
         }
     }

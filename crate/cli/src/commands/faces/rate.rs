@@ -7,10 +7,9 @@ mod sheet;
 
 use std::path::Path;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use clap::{Args, Subcommand};
-use raconteur_faces::{FaceModel, MOST_BYTES};
-use raconteur_voice::files::input;
+use raconteur_faces::FaceModel;
 
 use crate::{Outcome, terminal};
 
@@ -31,8 +30,7 @@ impl Rate {
     pub(super) fn run(&self) -> Result<Outcome> {
         let mut out = terminal::out();
         match &self.action {
-            // What draws pictures of faces goes in here.
-            Action::Sheet(c) => c.run(None, &mut out),
+            Action::Sheet(c) => c.run(&super::sheet::for_raters, &mut out),
             Action::Learn(c) => c.run(&mut out),
         }
     }
@@ -40,6 +38,5 @@ impl Rate {
 
 /// A pack that `faces learn` wrote.
 fn read(pack: &Path) -> Result<FaceModel> {
-    let bytes = input::bytes(pack, MOST_BYTES as u64).context("the pack")?;
-    Ok(FaceModel::from_bytes(&bytes)?)
+    super::pack::read(pack)
 }

@@ -1,21 +1,22 @@
 //! `raconteur faces sheet`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
-use raconteur_body::{Figure, MaterialKind};
-use raconteur_faces::{Editor, Face, Part, Region};
+use raconteur_body::MaterialKind;
+use raconteur_faces::{Constraint, Editor, Face, FaceModel, Part, Personal, Region};
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
+use raconteur_sculpt::labels::GROWN_YEARS;
 
 use super::edits::Edits;
 use super::{pack, put_on::PutOn};
+use crate::Outcome;
 use crate::picture::{self, write_png};
 use crate::sheet::{self, Board, FaceView};
 use crate::story::find_figure;
-use crate::Outcome;
 
 /// What a sheet of faces shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -90,40 +91,20 @@ impl Sheet {
         let editor = Editor::new(pack::read(&self.pack)?)?;
         let faces = self.faces(&editor)?;
         ensure!(!faces.is_empty(), "there is nothing to show");
-        let mut figure = find_figure(&self.like)?;
-        if self.bald {
-            figure.meshes.retain(|m| m.material.kind != MaterialKind::Hair);
-        }
-        self.draw(&editor, &faces, figure)?;
-        Ok(Outcome::Fine)
-    }
-
-    fn draw(&self, editor: &Editor, faces: &[Named], figure: Figure) -> Result<()> {
-        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
-            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
-        )?;
-        picture::set_figure(&mut headless, &figure)?;
-        let on = PutOn::new(figure, editor.model())?;
-        let bar = ProgressBar::new(faces.len() as u64).with_style(ProgressStyle::with_template(
-            "{bar:30} {pos}/{len} faces, {eta} left",
-        )?);
-        let aspects = vec![1.0; faces.len() * self.view.len()];
         let columns = match self.show {
             Shown::Attributes | Shown::Modes => 3 * self.view.len() as u32,
             _ => COLUMNS,
         };
-        let mut board = Board::new(&aspects, self.size, self.grid, columns);
-        for (name, face) in faces {
-            let figure = on.figure(editor.model(), face)?;
-            headless.set_shape(&figure)?;
-            for tile in sheet::faces(&figure, &self.view, name) {
-                board.put(&figure, &tile, &mut headless)?;
-            }
-            bar.inc(1);
-        }
-        bar.finish_and_clear();
-        let picture = board.picture();
-        write_png(&self.output, picture.size(), picture.rgba())
+        let drawing = Drawing {
+            view: &self.view,
+            like: &self.like,
+            is_bald: self.bald,
+            size: self.size,
+            grid: self.grid,
+            columns,
+        };
+        drawing.draw(&editor, &faces, &self.output)?;
+        Ok(Outcome::Fine)
     }
 
     fn faces(&self, editor: &Editor) -> Result<Vec<Named>> {
@@ -160,6 +141,64 @@ impl Sheet {
         }
         Ok(out)
     }
+}
+
+/// How a sheet of faces is drawn.
+struct Drawing<'a> {
+    view: &'a [FaceView],
+    like: &'a str,
+    is_bald: bool,
+    size: u32,
+    grid: Option<u32>,
+    columns: u32,
+}
+
+impl Drawing<'_> {
+    fn draw(&self, editor: &Editor, faces: &[Named], output: &Path) -> Result<()> {
+        let mut figure = find_figure(self.like)?;
+        if self.is_bald {
+            figure
+                .meshes
+                .retain(|m| m.material.kind != MaterialKind::Hair);
+        }
+        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
+            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
+        )?;
+        picture::set_figure(&mut headless, &figure)?;
+        let on = PutOn::new(figure, editor.model())?;
+        let bar = ProgressBar::new(faces.len() as u64).with_style(ProgressStyle::with_template(
+            "{bar:30} {pos}/{len} faces, {eta} left",
+        )?);
+        let aspects = vec![1.0; faces.len() * self.view.len()];
+        let mut board = Board::new(&aspects, self.size, self.grid, self.columns);
+        for (name, face) in faces {
+            let figure = on.figure(editor.model(), face)?;
+            headless.set_shape(&figure)?;
+            for tile in sheet::faces(&figure, self.view, name) {
+                board.put(&figure, &tile, &mut headless)?;
+            }
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        let picture = board.picture();
+        write_png(output, picture.size(), picture.rgba())
+    }
+}
+
+/// Draws some faces of the database for people who rate them, with their numbers, into a folder.
+pub(super) fn for_raters(model: &FaceModel, indices: &[usize], folder: &Path) -> Result<()> {
+    let editor = Editor::new(model.clone())?;
+    let face = |index: &usize| Ok((index.to_string(), editor.example(*index)?));
+    let faces: Vec<Named> = indices.iter().map(face).collect::<Result<_>>()?;
+    let drawing = Drawing {
+        view: &[FaceView::Front, FaceView::ThreeQuarter],
+        like: "kenji",
+        is_bald: true,
+        size: 320,
+        grid: None,
+        columns: 6,
+    };
+    drawing.draw(&editor, &faces, &folder.join("faces.png"))
 }
 
 /// Names of all attributes in the order of their groups.
@@ -207,13 +246,29 @@ fn ages(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
     let people = &editor.model().people;
     ensure!(!people.is_empty(), "the pack does not tell ages");
     let count = people.len() as f64;
-    let mean = people.iter().map(|p| p.age_years).sum::<f64>() / count;
-    let square = |x: f64| (x - mean) * (x - mean);
-    let deviation = (people.iter().map(|p| square(p.age_years)).sum::<f64>() / count).sqrt();
-    // The attribute's ends are two deviations away.
+    // As the labels are: ±1 at two deviations from the mean.
+    let amount = |years: f64, of: fn(f64) -> f64| {
+        let mean = people.iter().map(|p| of(p.age_years)).sum::<f64>() / count;
+        let square = |p: &Personal| (of(p.age_years) - mean) * (of(p.age_years) - mean);
+        let deviation = (people.iter().map(square).sum::<f64>() / count).sqrt();
+        (of(years) - mean) / (2.0 * deviation)
+    };
     let one = |years: f64| {
         let mut face = base.clone();
-        add(editor, &mut face, "age", (years - mean) / (2.0 * deviation))?;
+        // Both as they go together: growth alone, and ageing alone.
+        let held = [
+            ("growth", amount(years, |y| y.min(GROWN_YEARS))),
+            ("ageing", amount(years, |y| y.max(GROWN_YEARS))),
+        ];
+        let all = [Part::Shape, Part::Texture].into_iter().flat_map(|part| {
+            held.map(|(name, value)| Constraint {
+                part,
+                name: name.to_owned(),
+                value,
+                region: Region::whole(),
+            })
+        });
+        editor.constrain(&mut face, &all.collect::<Vec<_>>())?;
         Ok((format!("{years:.0} years"), face))
     };
     AGES.into_iter().map(one).collect()

@@ -11,7 +11,7 @@ use raconteur_sculpt::model::{Detail, Model, Traits};
 use raconteur_sculpt::{build_face, examples, people};
 
 use super::bind::MODEL;
-use crate::commands::telling::{self, Told, Telling};
+use crate::commands::telling::{self, Telling, Told};
 use crate::story::StoryFiles;
 use crate::{Outcome, parallel, terminal};
 

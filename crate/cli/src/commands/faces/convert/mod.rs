@@ -103,7 +103,7 @@ impl Found {
             cage: Follower::default(),
             organs: Follower::default(),
             people: Vec::new(),
-        landmarks: Vec::new(),
+            landmarks: Vec::new(),
             texture: None,
             triangles: self.triangles,
             segments: Segments::default(),

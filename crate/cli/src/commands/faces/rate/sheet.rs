@@ -13,7 +13,7 @@ use raconteur_voice::files::disk::replace;
 use super::read;
 use crate::Outcome;
 
-/// Draw examples of a pack at random, and write a form on which people rate them.
+/// Draw examples of a pack at random: their pictures, and a form on which people rate them.
 #[derive(Args)]
 pub(super) struct Sheet {
     /// A pack that `faces learn` wrote.
@@ -32,7 +32,7 @@ pub(super) struct Sheet {
     /// Another seed draws other faces.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// The folder for the form, `ratings.tsv`.
+    /// The folder for the pictures, `faces.png`, and the form, `ratings.tsv`.
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 }
@@ -44,11 +44,7 @@ pub(super) type DrawSheet<'a> = dyn Fn(&FaceModel, &[usize], &Path) -> Result<()
 const FORM: &str = "ratings.tsv";
 
 impl Sheet {
-    pub(super) fn run(
-        &self,
-        draw_sheet: Option<&DrawSheet<'_>>,
-        out: &mut impl Write,
-    ) -> Result<Outcome> {
+    pub(super) fn run(&self, draw_sheet: &DrawSheet<'_>, out: &mut impl Write) -> Result<Outcome> {
         let names = names(&self.attributes)?;
         let model = read(&self.pack)?;
         let examples = model.examples.len();
@@ -72,9 +68,7 @@ impl Sheet {
             form.display()
         );
         replace(&form, Ratings::form(&indices, &names).as_bytes())?;
-        if let Some(draw_sheet) = draw_sheet {
-            draw_sheet(&model, &indices, &self.output)?;
-        }
+        draw_sheet(&model, &indices, &self.output)?;
         let listed: Vec<String> = indices.iter().map(usize::to_string).collect();
         writeln!(out, "faces: {}", listed.join(", "))?;
         writeln!(out, "{}: {lines} ratings", form.display())?;
@@ -137,7 +131,7 @@ mod tests {
             Ok(())
         };
         let mut out = Vec::new();
-        of.run(Some(&draw_sheet), &mut out).expect("a form");
+        of.run(&draw_sheet, &mut out).expect("a form");
         let drawn = drawn.take();
         assert_eq!(drawn, draw(40, 36, 5));
         assert_ne!(drawn, draw(40, 36, 6));
@@ -151,14 +145,19 @@ mod tests {
             "{told}"
         );
         // It may have been filled in by now.
-        let again = of.run(None, &mut Vec::new()).expect_err("a form is there");
+        let again = of
+            .run(&|_, _, _| Ok(()), &mut Vec::new())
+            .expect_err("a form is there");
         assert!(again.to_string().contains("would be lost"), "{again}");
         for faces in [0, 1, 41] {
             let of = Sheet {
                 faces,
                 ..sheet(&of.pack, folder.path())
             };
-            assert!(of.run(None, &mut Vec::new()).is_err(), "{faces}");
+            assert!(
+                of.run(&|_, _, _| Ok(()), &mut Vec::new()).is_err(),
+                "{faces}"
+            );
         }
         assert!(names(&["a".to_owned(), " a".to_owned()]).is_err());
         assert!(names(&["a\tb".to_owned()]).is_err());
