@@ -140,13 +140,20 @@ pub fn iris(look: &Look) -> [f64; 3] {
     mix(dark, bright, ops::pow(light, 1.3))
 }
 
+/// The darkest brows, linear RGB.
+const DARK_BROW: [f64; 3] = [0.014, 0.011, 0.009];
+
+/// The lightest, from blond to red.
+fn bright_brow(red: f64) -> [f64; 3] {
+    mix([0.52, 0.46, 0.38], [0.50, 0.22, 0.09], red)
+}
+
 /// Linear RGB of brows, from black to light blond, browner or redder.
 #[must_use]
 pub fn brows(look: &Look) -> [f64; 3] {
     let light = between(look[BROW_LIGHT], 0.0, 1.0);
     let red = between(look[BROW_RED], 0.0, 1.0);
-    let bright = mix([0.52, 0.46, 0.38], [0.50, 0.22, 0.09], red);
-    mix([0.014, 0.011, 0.009], bright, ops::pow(light, 1.6))
+    mix(DARK_BROW, bright_brow(red), ops::pow(light, 1.6))
 }
 
 /// A look's numbers, then those of [`COLOURS`].
@@ -198,8 +205,9 @@ pub fn of(figure: &FigureParams) -> Look {
     look[LASHES] = skin.lash_line;
     look[IRIS_LIGHT] = ops::pow(share(luma(eye), 0.034, 0.24), 1.0 / 1.3);
     look[IRIS_BLUE] = share(eye[2] / eye[0].max(1e-3), 0.3, 2.3);
-    look[BROW_LIGHT] = ops::pow(share(luma(brow), 0.011, 0.35), 1.0 / 1.6);
     look[BROW_RED] = share(brow[0] / brow[1].max(1e-3), 1.13, 2.3);
+    let lightest = luma(bright_brow(look[BROW_RED]));
+    look[BROW_LIGHT] = ops::pow(share(luma(brow), luma(DARK_BROW), lightest), 1.0 / 1.6);
     look[BROW_DENSITY] = figure.head.brow.density;
     look[BROW_HEIGHT] = figure.head.brow.height;
     look

@@ -42,7 +42,7 @@ const PLATFORM: [(&str, &[&str]); 5] = [
     ("wgpu", &["render"]),
     ("web-sys", &["render", "web"]),
     ("js-sys", &["render", "web", "say"]),
-    ("wasm-bindgen", &["render", "web", "avatar", "say"]),
+    ("wasm-bindgen", &["render", "web", "avatar", "faces", "say"]),
     ("wasm-bindgen-futures", &["render", "web"]),
 ];
 

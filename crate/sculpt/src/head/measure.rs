@@ -20,9 +20,9 @@ pub enum Measure {
     FaceBreadth,
     /// Breadth at the angles of the jaw.
     JawBreadth,
-    /// Nasion to menton.
+    /// The deepest point of the root of the nose to menton.
     FaceHeight,
-    /// Nasion to subnasale.
+    /// The deepest point of the root of the nose to subnasale.
     NoseHeight,
     /// Breadth of the alae.
     NoseBreadth,
@@ -130,10 +130,10 @@ pub(crate) const DEFINITIONS: [Definition; 22] = {
             |at| breadth(at(G(10, 8)))),
         known(M::JawBreadth, "jaw_breadth", "go_l-go_r", row!([112.0, 103.5], [9.0, 7.8], [0.909, 0.929], NO_CHANGE, JawMean),
             |at| breadth(at(G(11, 24)))),
-        known(M::FaceHeight, "face_height", "se-gn", row!([122.6, 113.1], [6.7, 6.1], [0.891, 0.916], [0.0225, 0.0373], Ansur),
-            |at| (at(G(0, 7)) - at(G(0, 24))).length()),
-        known(M::NoseHeight, "nose_height", "se-sn", row!([52.0, 48.2], [4.1, 3.8], [0.89, 0.904], [0.03, 0.03], Respirator),
-            |at| (at(G(0, 7)) - at(G(0, 14))).length()),
+        known(M::FaceHeight, "face_height", "n-gn", row!([122.6, 113.1], [6.7, 6.1], [0.891, 0.916], [0.0225, 0.0373], Ansur),
+            |at| (at(G(0, 6)) - at(G(0, 24))).length()),
+        known(M::NoseHeight, "nose_height", "n-sn", row!([52.0, 48.2], [4.1, 3.8], [0.89, 0.904], [0.03, 0.03], Respirator),
+            |at| (at(G(0, 6)) - at(G(0, 14))).length()),
         known(M::NoseBreadth, "nose_breadth", "al_l-al_r", row!([36.8, 33.2], [2.7, 2.4], [0.848, 0.898], [0.04, 0.03], FacialNorms),
             |at| breadth(at(G(4, 12)))),
         known(M::NoseProtrusion, "nose_protrusion", "sn-prn", row!([20.9, 20.0], [2.0, 1.8], [0.823, 0.84], [0.02, 0.02], FacialNorms),
