@@ -17,6 +17,8 @@ use crate::space::FaceSpace;
 
 /// A part of a pack is not larger, bytes.
 pub const MOST_BYTES: usize = 64 << 20;
+/// A space in a pack has no more modes: nobody tells faces apart by them, and reading would take long.
+pub const MOST_MODES: usize = 256;
 
 /// A face model.
 #[derive(Clone, Debug, PartialEq)]

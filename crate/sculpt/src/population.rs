@@ -34,7 +34,7 @@ const CORRELATIONS: [[f64; 8]; 8] = [
 
 const COUNT: usize = Measure::COUNT;
 /// People are not farther from the mean of their sex and age, standard deviations.
-const MOST_DEVIATIONS: f64 = 3.2;
+const MOST_DEVIATIONS: f64 = 2.8;
 /// Least eigenvalue of a matrix of correlations: below, measures would be functions of each other.
 const LEAST: f64 = 0.02;
 /// Rounds: measures are not quite linear in a head's places.

@@ -3,7 +3,7 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::{FaceModel, Follower, LookNumber, MOST_BYTES, NamedAttribute, Personal, TextureModel};
+use super::{FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel};
 use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::segment::{Segment, Segments};
@@ -206,6 +206,25 @@ fn unstepped(steps: &[f32], all: &[i8], length: usize) -> Option<Vec<Vec<f64>>> 
     )
 }
 
+/// Makes rows orthonormal again that rounding has turned by a thousandth, one after another.
+fn orthonormalize(rows: &mut [Vec<f64>]) {
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    for i in 0..rows.len() {
+        let (done, rest) = rows.split_at_mut(i);
+        let Some(row) = rest.first_mut() else { return };
+        for before in &*done {
+            let share = product(row, before);
+            for (x, b) in row.iter_mut().zip(before) {
+                *x -= share * b;
+            }
+        }
+        let length = product(row, row).sqrt();
+        if length > 0.0 {
+            row.iter_mut().for_each(|x| *x /= length);
+        }
+    }
+}
+
 impl StoredSpace {
     fn of(space: &FaceSpace, finest: f64) -> Self {
         let modes = (0..space.dimensions()).map(|i| space.mode(i));
@@ -220,7 +239,11 @@ impl StoredSpace {
     }
 
     fn read(self) -> Option<FaceSpace> {
-        let modes = unstepped(&self.steps, &self.modes, self.mean.len())?;
+        if self.deviations.len() > MOST_MODES {
+            return None;
+        }
+        let mut modes = unstepped(&self.steps, &self.modes, self.mean.len())?;
+        orthonormalize(&mut modes);
         FaceSpace::from_parts(
             finite(&self.mean)?,
             modes.concat(),

@@ -165,7 +165,7 @@ mod tests {
             1.0 - off / small.iter().map(|s| (s - mean).powi(2)).sum::<f64>()
         };
         let more = space
-            .with_local(&faces, &[small.clone()])
+            .with_local(&faces, std::slice::from_ref(&small))
             .expect("corresponding");
         assert_eq!(more.dimensions(), 5);
         assert!(

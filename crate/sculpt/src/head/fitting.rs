@@ -40,13 +40,9 @@ pub struct Aim {
 /// The measures of a head, millimetres, in the order of [`Measure::all`].
 #[must_use]
 pub fn measures(bound: &Bound) -> [f64; Measure::COUNT] {
-    let fitted = fit(bound, |_| None);
-    let at: At<'_> = &|key| fitted.points.get(&key).copied().unwrap_or(DVec3::ZERO);
-    core::array::from_fn(|i| match DEFINITIONS[i].measure {
-        // Who looks straight ahead has the pupils before the middles of the eyes.
-        Measure::PupilDistance => 2.0 * fitted.globe.x,
-        _ => (DEFINITIONS[i].take)(at),
-    })
+    let points = fit(bound, |_| None).points;
+    let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
+    core::array::from_fn(|i| (DEFINITIONS[i].take)(at))
 }
 
 /// A measure to reach.

@@ -91,10 +91,9 @@ impl Found {
     /// The model with its first modes, and what share of the variance they explain.
     fn model(self, most: Option<NonZeroUsize>) -> Result<(FaceModel, f64)> {
         let all = variance(&self.shape);
-        let shape = match most {
-            Some(most) => self.shape.truncated(most.get()),
-            None => self.shape,
-        };
+        // A pack has no more.
+        let most = most.map_or(raconteur_faces::MOST_MODES, NonZeroUsize::get);
+        let shape = self.shape.truncated(most.min(raconteur_faces::MOST_MODES));
         let explained = variance(&shape) / all;
         let own = self.examples.iter().map(|face| shape.coefficients(face));
         let model = FaceModel {
