@@ -228,7 +228,9 @@ impl Reshaper {
             let lower = own.y.min(place.y);
             (place - own) * (1.0 - smooth((from - lower) / NECK_M))
         };
-        places.iter().zip(skin).map(one).collect()
+        let moved: Vec<DVec3> = places.iter().zip(skin).map(one).collect();
+        // Vertices that a seam of the texture doubles go together.
+        self.first.iter().map(|&v| moved[v as usize]).collect()
     }
 
     fn move_skin(&self, mesh: &mut Mesh, moved: &[DVec3]) {

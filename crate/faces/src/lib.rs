@@ -25,7 +25,8 @@ pub use constraint::Constraints;
 pub use edit::{Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
 pub use pack::{
-    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel,
+    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal,
+    TextureModel,
 };
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Segment, Segments};

@@ -9,6 +9,8 @@ use crate::figure::{MaterialKind, Mesh};
 
 /// Vertices of the skin that a place goes along with.
 const COUNT: usize = 6;
+/// Vertices that are nearer are at one place, metres.
+const SAME_M: f64 = 1e-6;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
 /// Cells about a place that are looked through before all vertices are.
@@ -63,6 +65,10 @@ impl<'a> Skin<'a> {
         let mut far: Vec<(f64, u32)> = found.into_iter().map(|v| (distance(v), v)).collect();
         far.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         far.truncate(COUNT);
+        // A seam with the skin stays one.
+        if far.first().is_some_and(|f| f.0 < SAME_M * SAME_M) {
+            far.truncate(1);
+        }
         // As much as it is near, against the farthest of them.
         let most = far.last().map_or(0.0, |f| f.0) + 1e-12;
         let weight = |d: f64| (1.0 - d / most).max(1e-6) / (d + 1e-7);

@@ -114,6 +114,34 @@ fn what_lies_in_and_on_the_face_goes_along() {
     }
 }
 
+/// The bag of the mouth is sewn to the lips, and the texture has a seam: both stay closed under a face
+/// that moves every vertex by itself.
+#[test]
+fn seams_stay_closed() {
+    let reshaper = sofia();
+    let (skin, organs) = (own(&reshaper), organs(&reshaper));
+    let shaken: Vec<f64> = (0..)
+        .zip(&skin)
+        .map(|(i, x)| x + 1e-3 * noise::signed(3, 1, i))
+        .collect();
+    let changed = reshaper
+        .with_face(&face(&shaken, &[], organs))
+        .expect("a face");
+    let head = |f: &Figure| f.meshes[reshaper.head].positions[..VERTICES].to_vec();
+    let (before, after) = (head(&reshaper.figure), head(&changed));
+    let mut places = std::collections::BTreeMap::new();
+    for (p, q) in before.iter().zip(&after) {
+        assert_eq!(places.entry(p.map(f32::to_bits)).or_insert(*q), q);
+    }
+    let bag = |f: &Figure| f.meshes.iter().find(|m| m.name == "mouth_bag").cloned();
+    let bags = [&reshaper.figure, &changed].map(|f| bag(f).expect("a mouth"));
+    let pairs = bags[0].positions.iter().zip(&bags[1].positions);
+    let sewn = pairs.filter_map(|(p, q)| Some((places.get(&p.map(f32::to_bits))?, q)));
+    let sewn: Vec<_> = sewn.collect();
+    assert!(sewn.len() > 20, "{}", sewn.len());
+    assert!(sewn.iter().all(|(skin, bag)| skin == bag));
+}
+
 #[test]
 fn a_tone_darkens_skin_and_hands_alike() {
     let reshaper = sofia();

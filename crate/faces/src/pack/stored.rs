@@ -3,7 +3,9 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::{FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel};
+use super::{
+    FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel,
+};
 use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::segment::{Segment, Segments};
