@@ -110,7 +110,7 @@ fn what_lies_in_and_on_the_face_goes_along() {
         let at = wide(*q) - reshaper.origin;
         if at.y > -0.08 {
             // Those in the mouth have skin only far before them.
-            let is_inside = at.x.abs() < 0.03 && at.z < 0.06;
+            let is_inside = at.x.abs() < 0.03 && at.z < 0.075;
             let most = if is_inside { 3e-3 } else { 1e-3 };
             assert!((wide(*p) - wide(*q) - at * 0.04).length() < most, "{at}");
         }
