@@ -93,28 +93,34 @@ impl Edits {
             (_, Some(index)) => editor.example(index)?,
             _ => editor.average(),
         };
+        self.change(editor, &mut face)?;
+        Ok(face)
+    }
+
+    /// Changes a face as is asked for.
+    pub(super) fn change(&self, editor: &Editor, face: &mut Face) -> Result<()> {
         for import in &self.import {
             let (index, region) = split(editor, import)?;
             let index = index.parse().context("the number of a face")?;
             let from = editor.example(index)?;
             for part in [Part::Shape, Part::Texture] {
-                editor.import(&mut face, &from, part, &region);
+                editor.import(face, &from, part, &region);
             }
         }
-        self.transform(editor, &mut face)?;
-        self.constrain(editor, &mut face)?;
+        self.transform(editor, face)?;
+        self.constrain(editor, face)?;
         for caricature in &self.caricature {
             let (level, region) = split(editor, caricature)?;
             let level = number(level)?;
             for part in [Part::Shape, Part::Texture] {
-                editor.caricature(&mut face, part, level, &region);
+                editor.caricature(face, part, level, &region);
             }
         }
         if let Some(strength) = self.detail {
             let own = face.clone();
-            editor.add_detail(&mut face, &own, Part::Texture, strength);
+            editor.add_detail(face, &own, Part::Texture, strength);
         }
-        Ok(face)
+        Ok(())
     }
 
     fn transform(&self, editor: &Editor, face: &mut Face) -> Result<()> {

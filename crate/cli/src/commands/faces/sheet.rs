@@ -112,11 +112,17 @@ impl Sheet {
         let base = self.edits.face(editor)?;
         match self.show {
             Shown::Face => Ok(vec![(String::new(), base)]),
-            Shown::Random => Ok(numbers
-                .map(|seed| (seed.to_string(), editor.random(seed as u64)))
-                .collect()),
-            Shown::Database => numbers
-                .map(|index| Ok((index.to_string(), editor.example(index)?)))
+            // The edits are of every face of a row: constraints over the database (F&H 5.1.7).
+            Shown::Random | Shown::Database => numbers
+                .map(|number| {
+                    let mut face = if self.show == Shown::Random {
+                        editor.random(number as u64)
+                    } else {
+                        editor.example(number)?
+                    };
+                    self.edits.change(editor, &mut face)?;
+                    Ok((number.to_string(), face))
+                })
                 .collect(),
             Shown::Attributes => self.attributes(editor, &base),
             Shown::Segments => segments(editor, &base, &editor.random(self.first as u64)),
