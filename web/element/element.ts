@@ -317,13 +317,14 @@ export class RaconteurPlayer extends LitElement {
 
   /**
    * Gives the figure on stage a face of a face model, as `Faces` of `faces.js` makes it, or its own again
-   * by `undefined`; what is played goes on. It goes with the figure: another one comes with its own. Throws
-   * where there is no stage, or the figure's head is not the model's.
+   * by `undefined`; what is played goes on. It goes with the figure: another one comes with its own. Resolves
+   * when it is shown; rejects where there is no stage, or the figure's head is not the model's.
    */
-  setFace(face: FigureFace | undefined): void {
-    const { show } = this.#context;
+  async setFace(face: FigureFace | undefined): Promise<void> {
+    const { show, advance } = this.#context;
     if (show === undefined) throw new PlayerError('Nobody is on stage.');
-    show.picture.setFace(face);
+    await show.picture.setFace(face);
+    advance();
   }
 
   /**

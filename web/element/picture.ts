@@ -272,24 +272,22 @@ export class Picture {
     return { story, missing: await this.#decode(engine) };
   }
 
-  /** Gives the figure a face of a face model, or its own again. */
-  setFace(face: FigureFace | undefined): void {
+  /** Gives the figure a face of a face model, or its own again; resolves when that can be drawn as it is. */
+  async setFace(face: FigureFace | undefined): Promise<void> {
     const before = this.#face;
-    this.#face = face;
     const engine = this.#engine;
+    this.#face = face;
     if (engine === undefined) return;
     try {
       if (face !== undefined) applyFace(engine, face);
-      else if (before !== undefined) {
-        // Its own face is in its file.
-        this.#read(engine);
-        void this.#decode(engine);
-      }
+      else if (before !== undefined) this.#read(engine);
     } catch (error) {
       this.#face = before;
       throw error;
     }
     this.seek(this.#lastShown);
+    // Its own face is in its file, and comes with pictures anew.
+    if (face === undefined && before !== undefined) await this.#decode(engine);
   }
 
   /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
