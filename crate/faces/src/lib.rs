@@ -9,7 +9,6 @@ mod attribute;
 #[cfg(target_arch = "wasm32")]
 mod bindings;
 mod blend;
-mod constraint;
 mod edit;
 mod error;
 mod pack;
@@ -21,7 +20,6 @@ mod space;
 
 pub use attribute::Attribute;
 pub use blend::{Neighbours, SoftMask};
-pub use constraint::Constraints;
 pub use edit::{Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
 pub use pack::{

@@ -210,13 +210,6 @@ impl FaceSpace {
         parts.map(|((a, b), d)| (a / d) * (b / d)).sum()
     }
 
-    /// The face so many times as far from the average (F&H 3.2.2): a caricature above 1, nearer to
-    /// everybody below.
-    #[must_use]
-    pub fn caricature(coefficients: &[f64], level: f64) -> Vec<f64> {
-        coefficients.iter().map(|c| level * c).collect()
-    }
-
     /// How far the faces are from their nearest ones in the space with its first modes alone, root
     /// mean square over their numbers, for each number of modes from none to all.
     ///
@@ -385,17 +378,5 @@ mod tests {
             FaceSpace::from_parts(vec![0.0; 2], vec![0.0; 4], vec![1.0, 2.0]),
             None
         );
-    }
-
-    #[test]
-    fn a_caricature_is_as_many_times_as_far() {
-        let faces = examples(8, 30, 5);
-        let space = FaceSpace::learn(&faces).expect("corresponding");
-        let own = space.coefficients(&faces[0]).expect("corresponding");
-        for level in [0.0, 0.5, 1.0, 2.0] {
-            let face = space.face(&FaceSpace::caricature(&own, level));
-            let far = level * distance(&faces[0], space.mean());
-            assert!((distance(&face, space.mean()) - far).abs() < 1e-12);
-        }
     }
 }

@@ -35,7 +35,7 @@ enum Shown {
     Ages,
     /// The face with more of each ancestry.
     Ancestry,
-    /// Random modes: the first of the space, two deviations each way.
+    /// The first modes of shape, two standard deviations each way.
     Modes,
 }
 
