@@ -1,6 +1,8 @@
 //! Facial attributes (F&H 3.2.2): directions of face space along which one thing about a face
 //! changes and everything else as little as examples let it.
 
+mod apart;
+
 use crate::error::FaceError;
 use crate::space::FaceSpace;
 
@@ -11,8 +13,8 @@ pub struct Attribute {
     pub name: String,
     /// Δs of equation 3.4 in the coefficients of its space.
     direction: Vec<f64>,
-    /// What of the direction changes the value by 1.
-    step: f64,
+    /// The coefficients that change the value by 1.
+    change: Vec<f64>,
 }
 
 impl Attribute {
@@ -59,8 +61,8 @@ impl Attribute {
         }
         Ok(Self {
             name,
+            change: direction.iter().map(|along| step * along).collect(),
             direction,
-            step,
         })
     }
 
@@ -78,8 +80,8 @@ impl Attribute {
 
     /// Changes a face so that it has so much more of the attribute.
     pub fn add(&self, coefficients: &mut [f64], more: f64) {
-        for (c, along) in coefficients.iter_mut().zip(&self.direction) {
-            *c += more * self.step * along;
+        for (c, by) in coefficients.iter_mut().zip(&self.change) {
+            *c += more * by;
         }
     }
 
@@ -98,6 +100,8 @@ impl Attribute {
         gradient.into_iter().map(|g| g / square).collect()
     }
 }
+
+pub(crate) use apart::set_apart;
 
 #[cfg(test)]
 mod tests {
@@ -131,7 +135,10 @@ mod tests {
         let attribute = Attribute::learn("a", &space, &own, &labels).expect("a direction");
         let mean = labels.iter().sum::<f64>() / 30.0;
         let square: f64 = labels.iter().map(|w| (w - mean) * (w - mean)).sum();
-        assert!((attribute.step - 30.0 / square).abs() < 1e-9);
+        let step = 30.0 / square;
+        for (by, along) in attribute.change.iter().zip(attribute.direction()) {
+            assert!((by - step * along).abs() < 1e-9);
+        }
     }
 
     #[test]

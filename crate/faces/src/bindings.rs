@@ -179,6 +179,11 @@ impl Faces {
         Ok(self.editor.value(&self.face, part(of)?, name)?)
     }
 
+    /// How much of each attribute of a part the face has, in the order of the contents.
+    pub fn values(&self, of: &str) -> Result<Vec<f64>, JsError> {
+        Ok(self.editor.values(&self.face, part(of)?)?)
+    }
+
     /// Adds so much of an attribute in a region: segments, on a half or both; the whole head without.
     pub fn add(
         &mut self,

@@ -10,6 +10,7 @@ mod tests;
 
 use raconteur_base::{noise, ops};
 
+use crate::attribute::set_apart;
 use crate::blend::Neighbours;
 use crate::error::FaceError;
 use crate::pack::{FaceModel, NamedAttribute};
@@ -89,6 +90,9 @@ const MOST_DEVIATIONS: f64 = 3.0;
 /// Tells numbers that are drawn for textures from those for shapes.
 const TEXTURE_STREAM: u64 = 0x7E77;
 
+/// Groups of attributes that are made of many features.
+const OF_PERSONS: [&str; 3] = ["overall", "ethnicity", "life"];
+
 /// Strength of detail that F&H 5.1.9 found to look well.
 pub const USUAL_DETAIL: f64 = 0.7;
 
@@ -97,11 +101,15 @@ impl Editor {
     ///
     /// # Errors
     /// When its triangles are not of its vertices.
-    pub fn new(model: FaceModel) -> Result<Self, FaceError> {
+    pub fn new(mut model: FaceModel) -> Result<Self, FaceError> {
         let neighbours = Neighbours::of(&model.triangles, model.vertices());
         let neighbours = neighbours.ok_or_else(|| FaceError::BadPack {
             why: "its triangles are not of its vertices".to_owned(),
         })?;
+        tell_apart(&model.shape, &mut model.attributes);
+        if let Some(texture) = &mut model.texture {
+            tell_apart(&texture.space, &mut texture.attributes);
+        }
         Ok(Self { model, neighbours })
     }
 
@@ -116,7 +124,11 @@ impl Editor {
     /// # Errors
     /// As [`FaceModel::add_texture`].
     pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), FaceError> {
-        self.model.add_texture(bytes)
+        self.model.add_texture(bytes)?;
+        if let Some(texture) = &mut self.model.texture {
+            tell_apart(&texture.space, &mut texture.attributes);
+        }
+        Ok(())
     }
 
     /// The face of coefficients; missing ones are zero.
@@ -186,6 +198,17 @@ impl Editor {
             .attribute(part, name)?
             .attribute
             .value(self.space(part)?, &own))
+    }
+
+    /// How much of each attribute of a part a face has, in the order of [`Self::attributes`].
+    ///
+    /// # Errors
+    /// When the face is of another model, or there are no textures.
+    pub fn values(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
+        let space = self.space(part)?;
+        let own = self.coefficients(face, part)?;
+        let all = self.attributes(part).iter();
+        Ok(all.map(|a| a.attribute.value(space, &own)).collect())
     }
 
     /// What one more of an attribute changes in a region.
@@ -309,6 +332,14 @@ impl Editor {
             name: name.to_owned(),
         })
     }
+}
+
+/// Sets the changes of features apart; who a face is changes all of them.
+fn tell_apart(space: &FaceSpace, attributes: &mut [NamedAttribute]) {
+    let features = attributes.iter_mut();
+    let features =
+        features.filter(|a| a.derived.is_none() && !OF_PERSONS.contains(&a.group.as_str()));
+    set_apart(space, features.map(|a| &mut a.attribute).collect());
 }
 
 impl Face {
