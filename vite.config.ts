@@ -152,6 +152,7 @@ export default defineConfig(({ mode }) => {
           viewer: join(root, 'viewer/index.html'),
           gestures: join(root, 'gestures/index.html'),
           face: join(root, 'face/index.html'),
+          composite: join(root, 'composite/index.html'),
           'raconteur-player': join(root, 'web/element/index.ts'),
         },
         // The element has an address that a page can name.

@@ -327,6 +327,12 @@ export class RaconteurPlayer extends LitElement {
     advance();
   }
 
+  /** A copy of the picture on stage, as large as it is drawn; undefined where there is none. */
+  snapshot(): HTMLCanvasElement | undefined {
+    this.#frames.advance();
+    return this.#context.show?.picture.copy();
+  }
+
   /**
    * Ends what fragments say and do, those that wait and texts of `tell` included; the story goes on. The
    * voice fades out, hands and face ease back. Something new may be performed at once.

@@ -55,6 +55,7 @@ interface Model {
   random(seed: number): void;
   example(index: number): void;
   value(part: FacePart, name: string): number;
+  values(part: FacePart): Float64Array;
   add(part: FacePart, name: string, amount: number, segments: readonly string[], half?: string): void;
   caricature(part: FacePart, level: number, segments: readonly string[], half?: string): void;
   importFrom(index: number, part: FacePart, segments: readonly string[], half?: string): void;
@@ -118,6 +119,11 @@ export class Faces {
   /** How much of an attribute the face has: 0 for the average, mostly −1 to 1. */
   value(part: FacePart, name: string): number {
     return this.#model.value(part, name);
+  }
+
+  /** How much of each attribute of a part the face has, in the order of `pack.attributes`. */
+  values(part: FacePart): Float64Array {
+    return this.#model.values(part);
   }
 
   /** Adds so much of an attribute. */

@@ -305,6 +305,16 @@ export class Picture {
     return missing;
   }
 
+  /** What the canvas shows, if it was drawn just now: a canvas forgets its picture when it has gone to the screen. */
+  copy(): HTMLCanvasElement | undefined {
+    const from = this.#canvas;
+    if (from === undefined || from.width === 0 || from.height === 0) return undefined;
+    const to = document.createElement('canvas');
+    [to.width, to.height] = [from.width, from.height];
+    to.getContext('2d')?.drawImage(from, 0, 0);
+    return to;
+  }
+
   /** Size of the canvas in CSS pixels. */
   resize(width: number, height: number): void {
     this.#size = { width, height };

@@ -3,13 +3,21 @@
 import { html, type TemplateResult } from 'lit';
 import { keySteps } from '../fields.js';
 import { TURN_PER_PIXEL, zoomByKey, zoomByWheel } from '../pad.js';
-import { SIDES, type App } from './app.js';
+import { SIDES, type Look } from '../head-view.js';
+import type { App } from './app.js';
 import type { Layers } from './state.js';
 
 const LAYERS: Readonly<Record<keyof Layers, string>> = { skin: 'Skin', springs: 'Springs', muscles: 'Muscles', skull: 'Skull' };
 
+/** A page that looks at a head. */
+interface Looker {
+  readonly from: Look;
+  readonly zoom: number;
+  look(look: Partial<Look>): void;
+}
+
 /** Dragging and arrow keys turn the head's picture. */
-export function lookAround(app: App, pad: HTMLElement): void {
+export function lookAround(app: Looker, pad: HTMLElement): void {
   pad.addEventListener('pointerdown', (event) => {
     if (event.button !== 0 || !event.isPrimary) return;
     let last = { x: event.clientX, y: event.clientY };

@@ -230,7 +230,8 @@ fn orthonormalize(rows: &mut [Vec<f64>]) {
 impl StoredSpace {
     fn of(space: &FaceSpace, finest: f64) -> Self {
         let modes = (0..space.dimensions()).map(|i| space.mode(i));
-        let finest = space.deviations().iter().map(|d| finest / d);
+        // A step of 1 leaves nothing of a mode whose length is 1; deviations next to nothing lead beyond.
+        let finest = space.deviations().iter().map(|d| (finest / d).min(1.0));
         let (steps, modes) = stepped(modes.zip(finest));
         Self {
             mean: single(space.mean()),
@@ -241,7 +242,8 @@ impl StoredSpace {
     }
 
     fn read(self) -> Option<FaceSpace> {
-        if self.deviations.len() > MOST_MODES {
+        let count = self.deviations.len();
+        if count > MOST_MODES || count != self.steps.len() {
             return None;
         }
         let mut modes = unstepped(&self.steps, &self.modes, self.mean.len())?;

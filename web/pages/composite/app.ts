@@ -1,0 +1,258 @@
+/** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
+
+import type { RaconteurPlayer } from '../../element/element.js';
+import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../../element/faces.js';
+import { HeadView, SIDES, type Look } from '../head-view.js';
+import { perform, type Act } from './acts.js';
+import { Cache } from './cache.js';
+import { History, type Saved } from './history.js';
+import type { Person } from './people.js';
+
+export type Tab = 'start' | 'features' | 'parts' | 'held' | 'history';
+
+/** Values of the attributes of a face, by part. */
+type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
+
+/** So near that the head fills the picture. */
+const NEAR = 7.4;
+
+/** What the page does besides the face. */
+interface Page {
+  draw(): void;
+  /** Tells what went wrong, or well. */
+  say(text: string): void;
+  /** The history has changed. */
+  changed(): void;
+}
+
+export class App {
+  tab: Tab = 'features';
+  /** The group of attributes that is shown. */
+  group = 'overall';
+  /** A word that attributes are searched by. */
+  search = '';
+  /** Segments that are changed; all of the head where none is. */
+  readonly segments = new Set<string>();
+  half: 'left' | 'right' | undefined;
+  /** The slider of moves that is being dragged. */
+  sliding: { readonly name: string; readonly amount: number } | undefined;
+  /** Whom faces of the database are chosen by. */
+  readonly person: Person = { sex: 'any', age: 'any', ancestry: 'any' };
+  /** The first of the faces of the database that are shown, among those that were chosen. */
+  first = 0;
+  history = new History();
+  readonly #view: HeadView;
+  readonly #kept = new Cache();
+  #values: Values | undefined;
+  /** The step that a control which moves begins at, and its act by now. */
+  #moving: { readonly from: Uint8Array; readonly values: Values; act: Act | undefined } | undefined;
+  #drawn = 0;
+  #showing = false;
+  #behind = false;
+
+  constructor(
+    readonly player: RaconteurPlayer,
+    readonly faces: Faces,
+    private readonly page: Page,
+  ) {
+    this.#view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR });
+  }
+
+  // --- the view ---
+
+  get from(): Look {
+    return this.#view.from;
+  }
+
+  get zoom(): number {
+    return this.from.zoom;
+  }
+
+  look(look: Partial<Look>): void {
+    this.#view.look(look);
+    this.redraw();
+  }
+
+  centre(): void {
+    this.#view.centre();
+  }
+
+  // --- the face ---
+
+  get region(): FaceRegion {
+    return { segments: [...this.segments], half: this.half };
+  }
+
+  get held(): readonly FaceConstraint[] {
+    return this.history.heldAt(this.history.here);
+  }
+
+  /** The values of the face that is shown. */
+  get values(): Values {
+    this.#values ??= { shape: this.#read('shape'), texture: this.#read('texture') };
+    return this.#values;
+  }
+
+  /** The values before a control that moves began to. */
+  get settled(): Values {
+    return this.#moving?.values ?? this.values;
+  }
+
+  #read(part: FacePart): ReadonlyMap<string, number> {
+    const own = this.faces.pack.attributes.filter((a) => a.part === part);
+    const values = this.faces.values(part);
+    return new Map(own.map((a, i) => [a.name, values[i] ?? 0]));
+  }
+
+  /** A control moves: the face as it was before it moved, and the act. Nothing is a step yet. */
+  move(act: Act): void {
+    this.#moving ??= { from: this.faces.keep(), values: this.values, act: undefined };
+    const { from } = this.#moving;
+    this.faces.restore(from);
+    if (this.#try(act, from)) this.#moving.act = act;
+    else if (this.#moving.act !== undefined) perform(this.faces, this.#moving.act, this.held);
+    this.#changed();
+  }
+
+  /** The control rests: what it did is a step. */
+  done(): void {
+    const act = this.#moving?.act;
+    this.#moving = undefined;
+    if (act === undefined) return;
+    this.#step(act);
+  }
+
+  /** Does an act at once. Whether it could be done. */
+  do(act: Act): boolean {
+    this.done();
+    if (!this.#try(act, this.faces.keep())) return false;
+    this.#step(act);
+    return true;
+  }
+
+  /** Does an act, or leaves the face as it was and says why. */
+  #try(act: Act, from: Uint8Array): boolean {
+    try {
+      perform(this.faces, act, this.held);
+      return true;
+    } catch (error) {
+      this.faces.restore(from);
+      this.page.say(error instanceof Error ? error.message : String(error));
+      return false;
+    }
+  }
+
+  #step(act: Act): void {
+    this.#kept.keep(this.history.add(act), this.faces.keep());
+    this.page.changed();
+    this.#changed();
+  }
+
+  undo(): void {
+    this.#go(() => this.history.undo());
+  }
+
+  redo(): void {
+    this.#go(() => this.history.redo());
+  }
+
+  goTo(step: number): void {
+    this.#go(() => this.history.go(step));
+  }
+
+  #go(way: () => void): void {
+    this.done();
+    way();
+    this.#arrive();
+    this.page.changed();
+  }
+
+  /** Makes the face of the step that the history is at, from the nearest one before it that was kept. */
+  #arrive(): void {
+    const path = this.history.path();
+    let from = path.length - 1;
+    while (from > 0 && this.#kept.of(path[from] ?? 0) === undefined) from -= 1;
+    const known = this.#kept.of(path[from] ?? 0);
+    if (known === undefined) this.faces.average();
+    else this.faces.restore(known);
+    for (const step of path.slice(from + 1)) {
+      const { act, parent } = this.history.steps[step] ?? { act: { kind: 'average' }, parent: 0 };
+      perform(this.faces, act, this.history.heldAt(parent));
+      this.#kept.keep(step, this.faces.keep());
+    }
+    this.#changed();
+  }
+
+  /** Opens a history that was saved; the one before stays where it cannot be read or made again. */
+  open(saved: unknown): void {
+    const before = this.history;
+    const kept = this.faces.keep();
+    try {
+      this.history = History.read(saved, this.size);
+      this.#kept.clear();
+      this.#arrive();
+    } catch (error) {
+      this.history = before;
+      this.#kept.clear();
+      this.#kept.keep(before.here, kept);
+      this.faces.restore(kept);
+      throw error;
+    }
+  }
+
+  /** Names the face that is shown. */
+  name(name: string): void {
+    this.history.name(name);
+    this.page.changed();
+    this.redraw();
+  }
+
+  /** Begins anew. */
+  clear(): void {
+    this.history = new History();
+    this.#kept.clear();
+    this.#arrive();
+    this.page.changed();
+  }
+
+  save(): Saved {
+    return this.history.save(this.size);
+  }
+
+  /** What a session remembers of its pack. */
+  get size(): Saved['pack'] {
+    const { faces, vertices } = this.faces.pack;
+    return { faces, vertices };
+  }
+
+  #changed(): void {
+    this.#values = undefined;
+    void this.show();
+    this.redraw();
+  }
+
+  /** Puts the face on the figure; while one is put on, the next waits, and those between are never shown. */
+  async show(): Promise<void> {
+    this.#behind = true;
+    if (this.#showing) return;
+    this.#showing = true;
+    try {
+      while (this.#behind) {
+        this.#behind = false;
+        await this.player.setFace(this.faces.face(this.player.currentFigure ?? ''));
+      }
+    } catch (error) {
+      this.page.say(error instanceof Error ? error.message : String(error));
+    }
+    this.#showing = false;
+  }
+
+  /** Draws the page soon; many changes are drawn once. */
+  redraw(): void {
+    if (this.#drawn !== 0) return;
+    this.#drawn = requestAnimationFrame(() => {
+      this.#drawn = 0;
+      this.page.draw();
+    });
+  }
+}

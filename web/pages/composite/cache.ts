@@ -1,0 +1,28 @@
+/** Faces of steps, to the bit, so that undo need not make them again from the beginning. */
+
+/** The last faces that were used are kept, and of the others each so-manieth. */
+const LATEST = 64;
+const EVERY = 32;
+
+export class Cache {
+  /** In the order of their last use. */
+  readonly #faces = new Map<number, Uint8Array>();
+
+  keep(step: number, face: Uint8Array): void {
+    this.#faces.delete(step);
+    this.#faces.set(step, face);
+    let extra = this.#faces.size - LATEST;
+    for (const old of this.#faces.keys()) {
+      if (extra-- <= 0) break;
+      if (old % EVERY !== 0) this.#faces.delete(old);
+    }
+  }
+
+  of(step: number): Uint8Array | undefined {
+    return this.#faces.get(step);
+  }
+
+  clear(): void {
+    this.#faces.clear();
+  }
+}

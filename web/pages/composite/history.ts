@@ -1,0 +1,128 @@
+/** The history of a face: a tree, because who goes back and does something else keeps what was there. */
+
+import { isAct, type Act } from './acts.js';
+
+/** One step. */
+export interface Step {
+  /** The step that it goes on from; −1 for the first. */
+  readonly parent: number;
+  readonly act: Act;
+  /** A name that its author gave to the face after it. */
+  readonly name?: string;
+}
+
+/** A history as it is saved; the format of files and of what the browser keeps. */
+export interface Saved {
+  readonly format: 'raconteur-composite';
+  readonly version: 1;
+  /** How many faces and vertices the pack has that its numbers are of. */
+  readonly pack: { readonly faces: number; readonly vertices: number };
+  readonly steps: readonly Step[];
+  readonly here: number;
+}
+
+/** A file with more is not read: nobody makes so many by hand. */
+const MOST_STEPS = 1_000_000;
+
+export class History {
+  #steps: Step[] = [{ parent: -1, act: { kind: 'average' } }];
+  #here = 0;
+  /** Where one went last from each step. */
+  #next = new Map<number, number>();
+
+  get steps(): readonly Step[] {
+    return this.#steps;
+  }
+
+  /** The step whose face is shown. */
+  get here(): number {
+    return this.#here;
+  }
+
+  get canUndo(): boolean {
+    return this.#step(this.#here).parent >= 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#next.has(this.#here);
+  }
+
+  #step(index: number): Step {
+    const step = this.#steps[index];
+    if (step === undefined) throw new RangeError(`there is no step ${index}`);
+    return step;
+  }
+
+  /** Goes on by an act from here; the new step. */
+  add(act: Act): number {
+    const index = this.#steps.push({ parent: this.#here, act }) - 1;
+    this.#next.set(this.#here, index);
+    this.#here = index;
+    return index;
+  }
+
+  undo(): void {
+    const { parent } = this.#step(this.#here);
+    if (parent < 0) return;
+    this.#next.set(parent, this.#here);
+    this.#here = parent;
+  }
+
+  redo(): void {
+    this.#here = this.#next.get(this.#here) ?? this.#here;
+  }
+
+  /** Goes to any step; redo leads along the way that led there. */
+  go(index: number): void {
+    this.#here = index;
+    const path = this.path(index);
+    path.slice(1).forEach((step, i) => this.#next.set(path[i] ?? 0, step));
+  }
+
+  /** Names the face that is shown; an empty name takes it away. */
+  name(name: string): void {
+    const { parent, act } = this.#step(this.#here);
+    this.#steps[this.#here] = name === '' ? { parent, act } : { parent, act, name };
+  }
+
+  /** The steps from the first to one, which is the last. */
+  path(to: number = this.#here): number[] {
+    const path: number[] = [];
+    for (let at = to; at >= 0; at = this.#step(at).parent) path.push(at);
+    return path.reverse();
+  }
+
+  /** What is held after a step. */
+  heldAt(index: number): Extract<Act, { kind: 'hold' }>['held'] {
+    for (let at = index; at >= 0; at = this.#step(at).parent) {
+      const { act } = this.#step(at);
+      if (act.kind === 'hold') return act.held;
+    }
+    return [];
+  }
+
+  save(pack: Saved['pack']): Saved {
+    return { format: 'raconteur-composite', version: 1, pack, steps: this.#steps, here: this.#here };
+  }
+
+  /** The history that was saved; throws an `Error` that says what is wrong with it. */
+  static read(saved: unknown, pack: Saved['pack']): History {
+    const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof Saved, unknown>>;
+    if (format !== 'raconteur-composite') throw new Error('This is no session of the composite editor.');
+    if (version !== 1) throw new Error('This session was saved by a newer version of the composite editor.');
+    const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<Saved['pack']>;
+    if (faces !== pack.faces || vertices !== pack.vertices) throw new Error('This session was made with another pack of faces.');
+    if (!Array.isArray(steps) || steps.length === 0 || steps.length > MOST_STEPS) throw new Error('This session has no steps that can be read.');
+    const read = steps.map((step: unknown, i): Step => {
+      const { parent, act, name } = (typeof step === 'object' && step !== null ? step : {}) as Partial<Step>;
+      const follows = i === 0 ? parent === -1 : Number.isSafeInteger(parent) && (parent as number) >= 0 && (parent as number) < i;
+      if (!follows || !isAct(act)) throw new Error(`Step ${i + 1} of this session cannot be read.`);
+      return { parent: parent as number, act, ...(typeof name === 'string' && name !== '' ? { name: name.slice(0, 100) } : {}) };
+    });
+    if (!Number.isSafeInteger(here) || (here as number) < 0 || (here as number) >= read.length) throw new Error('This session does not say which face it shows.');
+    const history = new History();
+    history.#steps = read;
+    history.go(here as number);
+    return history;
+  }
+}

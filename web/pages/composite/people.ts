@@ -1,0 +1,44 @@
+/** Who the faces of the database are, and which of them are like a description (F&H 5.1.1). It chooses faces, and never changes one. */
+
+import type { FacePack } from '../../element/faces.js';
+
+type Personal = FacePack['people'][number];
+
+export const SEXES = { any: 'Anybody', woman: 'A woman', man: 'A man' } as const;
+export const AGES = { any: 'Any age', child: 'Under 18', young: '18 to 35', middle: '36 to 55', old: '56 and older' } as const;
+export const ANCESTRIES = { any: 'Any ancestry', european: 'European', asian: 'Asian', african: 'African', mixed: 'Mixed' } as const;
+
+/** The description. */
+export interface Person {
+  sex: keyof typeof SEXES;
+  age: keyof typeof AGES;
+  ancestry: keyof typeof ANCESTRIES;
+}
+
+const YEARS: Readonly<Record<keyof typeof AGES, readonly [from: number, below: number]>> = { any: [0, 200], child: [0, 18], young: [18, 36], middle: [36, 56], old: [56, 200] };
+/** Who has less of every ancestry is mixed. */
+const MAINLY = 0.6;
+
+function isLike({ sex, ageYears, ancestry }: Personal, wanted: Person): boolean {
+  const [from, below] = YEARS[wanted.age];
+  if (wanted.sex !== 'any' && sex >= 0.5 !== (wanted.sex === 'woman')) return false;
+  if (ageYears < from || ageYears >= below) return false;
+  if (wanted.ancestry === 'any') return true;
+  const [european, asian, african] = ancestry;
+  const shares = { european, asian, african };
+  return wanted.ancestry === 'mixed' ? Math.max(...ancestry) < MAINLY : shares[wanted.ancestry] >= MAINLY;
+}
+
+/** The numbers of the faces that are like a description. */
+export function chosen(people: FacePack['people'], wanted: Person): number[] {
+  return people.flatMap((person, i) => (isLike(person, wanted) ? [i] : []));
+}
+
+/** A face of the database in a few words. */
+export function describe({ sex, ageYears, ancestry }: Personal): string {
+  const who = ageYears < 18 ? (sex >= 0.5 ? 'Girl' : 'Boy') : sex >= 0.5 ? 'Woman' : 'Man';
+  const names = ['European', 'Asian', 'African'];
+  const most = ancestry.indexOf(Math.max(...ancestry));
+  const from = (ancestry[most] ?? 0) < MAINLY ? 'mixed' : (names[most] ?? '');
+  return `${who} of ${Math.round(ageYears)}, ${from}`;
+}

@@ -1,0 +1,56 @@
+/** Where a face comes from: the average, chance, or the faces of the database, whole or for what is chosen. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { choice } from '../fields.js';
+import type { App } from './app.js';
+import { AGES, ANCESTRIES, chosen, describe, SEXES, type Person } from './people.js';
+import type { Portraits } from './portraits.js';
+
+/** Faces of the database that are shown at once. */
+const SHOWN = 12;
+
+export function start(app: App, portraits: Portraits): TemplateResult {
+  const { people } = app.faces.pack;
+  const like = chosen(people, app.person);
+  const shown = like.slice(app.first, app.first + SHOWN);
+  portraits.want(shown, app.held);
+  const set = <K extends keyof Person>(key: K, value: Person[K]): void => {
+    app.person[key] = value;
+    app.first = 0;
+    app.redraw();
+  };
+  const leaf = (by: number): void => {
+    app.first = Math.max(0, Math.min(app.first + by, like.length - 1));
+    app.redraw();
+  };
+  const whole = app.segments.size === 0 && app.half === undefined;
+  const take = (index: number): void => {
+    if (whole) app.do({ kind: 'example', index });
+    else for (const part of ['shape', 'texture'] as const) app.do({ kind: 'import', index, part, region: app.region });
+  };
+  return html`<div class="row bar">
+      <div class="group" role="group" aria-label="Begin with">
+        <button type="button" class="plain" @click=${() => app.do({ kind: 'average' })}>Average face</button>
+        <button type="button" class="plain" @click=${() => app.do({ kind: 'random', seed: Math.floor(Math.random() * 2 ** 32) })}>By chance</button>
+      </div>
+    </div>
+    <div class="whom">
+      ${choice('sex', 'Who', app.person.sex, SEXES, (sex) => set('sex', sex))} ${choice('age', 'Age', app.person.age, AGES, (age) => set('age', age))}
+      ${choice('ancestry', 'From', app.person.ancestry, ANCESTRIES, (ancestry) => set('ancestry', ancestry))}
+    </div>
+    <p class="about">${like.length} of ${people.length} faces. ${whole ? 'A press begins with that face.' : `A press takes over ${[...app.segments].join(', ') || 'the face'}${app.half === undefined ? '' : `, ${app.half} half`}.`}</p>
+    <ul class="sheet">
+      ${shown.map((index) => {
+        const person = people[index];
+        const words = person === undefined ? `Face ${index + 1}` : describe(person);
+        const picture = portraits.of(index);
+        return html`<li><button type="button" class="plain" @click=${() => take(index)}>
+          ${picture === undefined ? html`<span class="blank" aria-hidden="true"></span>` : html`<img src=${picture} width="120" height="150" alt="" />`}<span>${words}</span></button></li>`;
+      })}
+    </ul>
+    ${portraits.busy ? html`<p class="busy"><progress aria-label="Faces are being drawn" max=${shown.length} .value=${portraits.done(shown)}></progress>Faces are being drawn</p>` : nothing}
+    <div class="group" role="group" aria-label="More faces">
+      <button type="button" class="plain" ?disabled=${app.first === 0} @click=${() => leaf(-SHOWN)}>Before</button>
+      <button type="button" class="plain" ?disabled=${app.first + SHOWN >= like.length} @click=${() => leaf(SHOWN)}>Next</button>
+    </div>`;
+}
