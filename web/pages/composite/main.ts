@@ -42,8 +42,8 @@ async function rest(): Promise<void> {
 
 async function open(): Promise<void> {
   const session = new Session(trouble);
-  const watch = (loaded: number, total: number | undefined): void => {
-    if (total !== undefined && total > 0) progress.value = loaded / total;
+  const watch = (share: number): void => {
+    progress.value = share;
   };
   const [faces, saved] = await Promise.all([openFaces(pack('people.faces'), pack('people.skins'), { progress: watch }), session.open(), rest()]);
   const app: App = new App(player, faces, {
