@@ -134,7 +134,11 @@ export function isAct(x: unknown): x is Act {
     case 'detail':
       return isNumber(x['strength']);
     case 'hold':
-      return Array.isArray(x['held']) && x['held'].length < 200 && x['held'].every((h: unknown) => isRegion(h) && isRecord(h) && isPart(h['part']) && isText(h['name']) && isNumber(h['value']));
+      return (
+        Array.isArray(x['held']) &&
+        x['held'].length < 200 &&
+        x['held'].every((h: unknown) => isRegion(h) && isRecord(h) && isPart(h['part']) && isText(h['name']) && isNumber(h['value']))
+      );
     default:
       return false;
   }

@@ -53,7 +53,8 @@ export function features(app: App): TemplateResult {
   const { attributes } = app.faces.pack;
   const groups = [...new Set(attributes.map((a) => a.group))];
   const word = app.search.trim().toLowerCase();
-  const found = word === '' ? attributes.filter((a) => a.group === app.group) : attributes.filter((a) => [a.name, a.group, ...a.terms].some((text) => text.toLowerCase().includes(word)));
+  const found =
+    word === '' ? attributes.filter((a) => a.group === app.group) : attributes.filter((a) => [a.name, a.group, ...a.terms].some((text) => text.toLowerCase().includes(word)));
   const search = (event: Event): void => {
     app.search = (event.target as HTMLInputElement).value;
     app.redraw();
@@ -167,7 +168,9 @@ export function heldList(app: App): TemplateResult {
   if (held.length === 0) return html`<p class="none">Nothing is held. <em>Hold</em> beside a feature keeps its value, whatever else you change.</p>`;
   return html`<ul class="held">
       ${held.map(
-        (h) => html`<li><span><b>${h.name}</b>, ${PARTS[h.part].toLowerCase()}: ${h.value.toFixed(2)}${(h.segments ?? []).length === 0 ? '' : ` by ${(h.segments ?? []).join(', ')}`}</span>
+        (
+          h,
+        ) => html`<li><span><b>${h.name}</b>, ${PARTS[h.part].toLowerCase()}: ${h.value.toFixed(2)}${(h.segments ?? []).length === 0 ? '' : ` by ${(h.segments ?? []).join(', ')}`}</span>
           <button type="button" class="plain" aria-label="Let go of ${h.name}" @click=${() => app.do({ kind: 'hold', held: held.filter((other) => other !== h) })}>Let go</button></li>`,
       )}
     </ul>

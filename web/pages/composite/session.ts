@@ -78,7 +78,6 @@ export class Session {
     set(this.#id, kept, this.#store).catch((error: unknown) => this.#fail(error));
   }
 
-
   #fail(error: unknown): void {
     const why = error instanceof DOMException && error.name === 'QuotaExceededError' ? 'its storage is full' : error instanceof Error ? error.message : String(error);
     this.trouble(`The browser does not keep this session: ${why}. Save it as a file to keep it.`);
