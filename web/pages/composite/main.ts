@@ -6,6 +6,7 @@ import '../player.js';
 import { lookAround } from '../face/stage.js';
 import { SIDES } from '../head-view.js';
 import { cast } from '../home-cast.js';
+import { SETTLED_SECS } from '../page-state.js';
 import { Tabs } from '../tabs.js';
 import { byId, findPlayer, onUndoKeys, save } from '../workbench.js';
 import { App, type Tab } from './app.js';
@@ -33,11 +34,11 @@ const trouble = (text: string): void => {
 };
 const progress = byId('opening') as HTMLProgressElement;
 
-/** The face on stage looks and stands still, while it is changed. */
+/** The face on stage looks ahead and stands still, while it is changed. */
 async function rest(): Promise<void> {
   player.pause();
   await player.rehearse(still);
-  player.currentTime = 1;
+  player.currentTime = SETTLED_SECS;
 }
 
 async function open(): Promise<void> {

@@ -3,6 +3,7 @@
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { FaceConstraint, Faces } from '../../element/faces.js';
 import { HeadView } from '../head-view.js';
+import { SETTLED_SECS } from '../page-state.js';
 import { still } from './script.js';
 
 /** Pictures that are kept. */
@@ -110,7 +111,7 @@ export class Portraits {
     player.figure = this.figure();
     this.place.replaceChildren(player);
     await player.rehearse(still);
-    player.currentTime = 1;
+    player.currentTime = SETTLED_SECS;
     const view = new HeadView(player, { turn: 0.25, tilt: 0.02, zoom: NEAR });
     view.look({});
     await wait(SHOWN_MS);
