@@ -56,7 +56,7 @@ interface Model {
   example(index: number): void;
   value(part: FacePart, name: string): number;
   values(part: FacePart): Float64Array;
-  add(part: FacePart, name: string, amount: number, segments: readonly string[], half?: string): void;
+  add(part: FacePart, name: string, amount: number, withAll: boolean, segments: readonly string[], half?: string): void;
   caricature(part: FacePart, level: number, segments: readonly string[], half?: string): void;
   importFrom(index: number, part: FacePart, segments: readonly string[], half?: string): void;
   transform(scale: Float64Array, turn: Float64Array, way: Float64Array, segments: readonly string[], half?: string): void;
@@ -126,9 +126,9 @@ export class Faces {
     return this.#model.values(part);
   }
 
-  /** Adds so much of an attribute. */
-  add(part: FacePart, name: string, amount: number, { segments = [], half }: FaceRegion = {}): void {
-    this.#model.add(part, name, amount, segments, half);
+  /** Adds so much of an attribute; `withAll`: and of what goes with it in people, as a narrow mouth with a small nose. */
+  add(part: FacePart, name: string, amount: number, { segments = [], half }: FaceRegion = {}, withAll = false): void {
+    this.#model.add(part, name, amount, withAll, segments, half);
   }
 
   /** Exaggerates what tells the face from the average: above 1 a caricature, below nearer to everybody. */

@@ -54,16 +54,20 @@ impl Attribute {
     /// # Errors
     /// When the direction is none.
     pub fn along(name: String, space: &FaceSpace, direction: Vec<f64>) -> Result<Self, FaceError> {
-        // N/‖w‖² where all modes are there; where some were left out, what they would have told.
-        let step = 1.0 / space.product(&direction, &direction);
-        if !step.is_finite() {
-            return Err(FaceError::NoDirection { name });
-        }
-        Ok(Self {
+        let mut attribute = Self {
             name,
-            change: direction.iter().map(|along| step * along).collect(),
+            change: Vec::new(),
             direction,
-        })
+        };
+        // N/‖w‖² where all modes are there; where some were left out, what they would have told.
+        attribute.change = attribute.with_all(space);
+        if attribute.change.iter().all(|c| c.is_finite()) {
+            Ok(attribute)
+        } else {
+            Err(FaceError::NoDirection {
+                name: attribute.name,
+            })
+        }
     }
 
     /// The direction, in coefficients.
@@ -83,6 +87,14 @@ impl Attribute {
         for (c, by) in coefficients.iter_mut().zip(&self.change) {
             *c += more * by;
         }
+    }
+
+    /// The coefficients that change the value by 1 in the way that is likeliest among the examples (equation
+    /// 3.7): what goes with the attribute in people changes with it.
+    #[must_use]
+    pub fn with_all(&self, space: &FaceSpace) -> Vec<f64> {
+        let step = 1.0 / space.product(&self.direction, &self.direction);
+        self.direction.iter().map(|along| step * along).collect()
     }
 
     /// The direction that changes the value as fast with the least change of the vector itself: what

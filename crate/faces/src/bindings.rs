@@ -185,16 +185,22 @@ impl Faces {
     }
 
     /// Adds so much of an attribute in a region: segments, on a half or both; the whole head without.
+    /// `with_all`: and of what goes with it in people.
     pub fn add(
         &mut self,
         of: &str,
         name: &str,
         amount: f64,
+        with_all: bool,
         segments: Vec<String>,
         half: Option<String>,
     ) -> Result<(), JsError> {
         let region = self.region(&segments, half.as_deref())?;
-        let change = self.editor.attribute_change(part(of)?, name, &region)?;
+        let change = if with_all {
+            self.editor.change_with_all(part(of)?, name, &region)?
+        } else {
+            self.editor.attribute_change(part(of)?, name, &region)?
+        };
         self.face.add(&change, finite(amount)?);
         Ok(())
     }

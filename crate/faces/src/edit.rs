@@ -211,7 +211,7 @@ impl Editor {
         Ok(all.map(|a| a.attribute.value(space, &own)).collect())
     }
 
-    /// What one more of an attribute changes in a region.
+    /// What one more of an attribute changes in a region; other features change little.
     ///
     /// # Errors
     /// When there is no such attribute of this part.
@@ -224,6 +224,20 @@ impl Editor {
         let mut along = vec![0.0; self.space(part)?.dimensions()];
         self.attribute(part, name)?.attribute.add(&mut along, 1.0);
         self.change_of(part, &along, region)
+    }
+
+    /// As [`Self::attribute_change`], with all that goes with the attribute in people.
+    ///
+    /// # Errors
+    /// When there is no such attribute of this part.
+    pub fn change_with_all(
+        &self,
+        part: Part,
+        name: &str,
+        region: &Region,
+    ) -> Result<Change, FaceError> {
+        let attribute = &self.attribute(part, name)?.attribute;
+        self.change_of(part, &attribute.with_all(self.space(part)?), region)
     }
 
     /// The change that coefficients make in a region.

@@ -26,11 +26,47 @@ fn value(editor: &Editor, face: &Face, name: &str) -> f64 {
 fn features_go_together_as_they_do_in_people() {
     let editor = editor();
     let mut face = editor.average();
-    add(&editor, &mut face, "width of the mouth", -1.0);
+    let name = "width of the mouth";
+    let change = editor.change_with_all(Part::Shape, name, &Region::whole());
+    face.add(&change.expect("an attribute"), -1.0);
     let of = |name: &str| value(&editor, &face, name);
     assert!(of("breadth of the alar wings") < -0.1);
     assert!(of("length of the nose") < -0.1);
     assert!(of("opening of the eyes") > 0.05);
+}
+
+/// Where one slider is to move one thing, the others stay nearer to where they were.
+#[test]
+fn features_change_apart() {
+    let editor = editor();
+    let whole = Region::whole();
+    let features: Vec<&str> = editor
+        .attributes(Part::Shape)
+        .iter()
+        .filter(|a| {
+            a.derived.is_none() && !["overall", "ethnicity", "life"].contains(&a.group.as_str())
+        })
+        .map(|a| a.attribute.name.as_str())
+        .collect();
+    let others = |face: &Face, name: &str| -> f64 {
+        let square = |other: &&&str| value(&editor, face, other).powi(2);
+        features
+            .iter()
+            .filter(|n| **n != name)
+            .map(|n| square(&n))
+            .sum()
+    };
+    for name in &features {
+        let changed = |change: Result<_, _>| {
+            let mut face = editor.average();
+            face.add(&change.expect("an attribute"), 1.0);
+            assert!((value(&editor, &face, name) - 1.0).abs() < 1e-6);
+            others(&face, name)
+        };
+        let apart = changed(editor.attribute_change(Part::Shape, name, &whole));
+        let with_all = changed(editor.change_with_all(Part::Shape, name, &whole));
+        assert!(apart < with_all, "{name}: {apart} and {with_all}");
+    }
 }
 
 /// Figure 3.8: other brows make a face look like the other sex, unless that is held.

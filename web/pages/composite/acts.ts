@@ -10,7 +10,14 @@ export type Act =
   | { readonly kind: 'random'; readonly seed: number }
   /** A face of the database. */
   | { readonly kind: 'example'; readonly index: number }
-  | { readonly kind: 'add'; readonly part: FacePart; readonly name: string; readonly amount: number; readonly region: FaceRegion }
+  | {
+      readonly kind: 'add';
+      readonly part: FacePart;
+      readonly name: string;
+      readonly amount: number;
+      readonly region: FaceRegion /** And of what goes with it in people. */;
+      readonly withAll?: boolean;
+    }
   /** More or less of the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
   | { readonly kind: 'caricature'; readonly part: FacePart; readonly level: number; readonly region: FaceRegion }
@@ -25,9 +32,16 @@ export const AGEING = 'ageing';
 
 /** Does an act; then the face holds what it is to hold. Throws what the model says, when it cannot. */
 export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[]): void {
-  alter(faces, act);
   const now = act.kind === 'hold' ? act.held : held;
-  if (now.length > 0) faces.constrain(now);
+  const reached = now.length > 0 && act.kind === 'add' ? reaches(faces, act) : undefined;
+  alter(faces, act);
+  if (now.length > 0) faces.constrain(reached === undefined ? now : [...now, reached]);
+}
+
+/** What an attribute of the whole head is to be in the end, whatever is held beside it. */
+function reaches(faces: Faces, { part, name, amount, region }: Extract<Act, { kind: 'add' }>): FaceConstraint | undefined {
+  const isWhole = (region.segments ?? []).length === 0 && region.half === undefined;
+  return isWhole ? { part, name, value: faces.value(part, name) + amount } : undefined;
 }
 
 function alter(faces: Faces, act: Act): void {
@@ -42,7 +56,7 @@ function alter(faces: Faces, act: Act): void {
       faces.example(act.index);
       break;
     case 'add':
-      faces.add(act.part, act.name, act.amount, act.region);
+      faces.add(act.part, act.name, act.amount, act.region, act.withAll === true);
       break;
     case 'age':
       for (const { part, name } of faces.pack.attributes) if (name === AGEING) faces.add(part, name, act.amount, act.region);
@@ -122,7 +136,7 @@ export function isAct(x: unknown): x is Act {
     case 'example':
       return isCount(x['index']);
     case 'add':
-      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']);
+      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && (x['withAll'] === undefined || typeof x['withAll'] === 'boolean');
     case 'age':
       return isNumber(x['amount']) && isRegion(x['region']);
     case 'caricature':

@@ -31,6 +31,8 @@ export class App {
   group = 'overall';
   /** A word that attributes are searched by. */
   search = '';
+  /** What goes with a feature in people changes with it. */
+  withAll = false;
   /** Segments that are changed; all of the head where none is. */
   readonly segments = new Set<string>();
   half: 'left' | 'right' | undefined;

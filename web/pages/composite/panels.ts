@@ -23,7 +23,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   const held = app.held.find((h) => h.part === part && h.name === name);
   const of = app.faces.pack.attributes.filter((b) => b.name === name).length > 1 ? `${name}, ${PARTS[part].toLowerCase()}` : name;
   const to = (target: number): void => {
-    if (held === undefined) app.move({ kind: 'add', part, name, amount: target - (app.settled[part].get(name) ?? 0), region: app.region });
+    if (held === undefined) app.move({ kind: 'add', part, name, amount: target - (app.settled[part].get(name) ?? 0), region: app.region, withAll: app.withAll });
     else app.move({ kind: 'hold', held: app.held.map((h) => (h === held ? { ...h, value: target } : h)) });
   };
   const step = (by: number): void => {
@@ -68,6 +68,10 @@ export function features(app: App): TemplateResult {
       <label class="select side"><span>Group</span><select @change=${choose}>${groups.map((group) => html`<option value=${group} .selected=${group === app.group}>${group}</option>`)}</select></label>
       <label class="select side"><span>Search</span><input type="search" .value=${app.search} placeholder="nose, friendly …" autocomplete="off" @input=${search} /></label>
     </div>
+    ${check('With what goes with it in people', app.withAll, (on) => {
+      app.withAll = on;
+      app.redraw();
+    })}
     <p class="about">${target(app)}</p>
     ${found.length === 0 ? html`<p class="none">No feature is called so.</p>` : nothing}
     ${(Object.keys(PARTS) as FacePart[]).map((part) => {
