@@ -1,9 +1,11 @@
 /** From where one looks at a head: around it, from above, and near. */
 
+import { html, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
 import { minus, readPose } from '../element/pose.js';
 import type { View } from '../element/types.js';
-import { leastTilt } from './pad.js';
+import { keySteps } from './fields.js';
+import { leastTilt, TURN_PER_PIXEL, zoomByKey, zoomByWheel } from './pad.js';
 
 /** Ways to look at the head: turns about it, radians. */
 export const SIDES = { 'Three-quarter': 0.6, Front: 0, Left: Math.PI / 2, Right: -Math.PI / 2 } as const;
@@ -25,6 +27,7 @@ export class HeadView {
   constructor(
     private readonly player: RaconteurPlayer,
     from: Look,
+    private readonly changed: () => void,
   ) {
     this.from = from;
     this.#view = { ...from, right: 0, up: 0 };
@@ -40,6 +43,12 @@ export class HeadView {
       zoom,
     };
     this.#aim();
+    this.changed();
+  }
+
+  /** How near one looks. */
+  get zoom(): number {
+    return this.from.zoom;
   }
 
   /** Turns the camera: its middle moves in the plane of the picture, which turns with it. */
@@ -64,4 +73,39 @@ export class HeadView {
     this.#distance = Math.hypot(...minus(pose.camera.eye, pose.camera.target)) * this.#view.zoom;
     this.#aim();
   }
+}
+
+/** Dragging and arrow keys turn the head's picture. */
+export function lookAround(view: HeadView, pad: HTMLElement): void {
+  pad.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0 || !event.isPrimary) return;
+    let last = { x: event.clientX, y: event.clientY };
+    const end = new AbortController();
+    pad.setPointerCapture(event.pointerId);
+    const move = (now: PointerEvent): void => {
+      if (now.pointerId !== event.pointerId) return;
+      view.look({ turn: view.from.turn - (now.clientX - last.x) * TURN_PER_PIXEL, tilt: view.from.tilt + (now.clientY - last.y) * TURN_PER_PIXEL });
+      last = { x: now.clientX, y: now.clientY };
+    };
+    pad.addEventListener('pointermove', move, end);
+    for (const type of ['pointerup', 'pointercancel'] as const) pad.addEventListener(type, () => end.abort(), end);
+  });
+  zoomByWheel(pad, view);
+  pad.addEventListener('keydown', (event) => {
+    const by = keySteps(event);
+    if (by !== undefined) view.look({ turn: view.from.turn + by[0] * 0.12, tilt: view.from.tilt + by[1] * 0.08, zoom: view.from.zoom * 1.1 ** -by[2] });
+    else if (event.key === 'Home') view.look({ turn: SIDES['Three-quarter'], tilt: 0.02 });
+    else if (!zoomByKey(event, view)) return;
+    event.preventDefault();
+  });
+}
+
+/** Buttons for sides to look from, and how near. */
+export function lookFrom(view: HeadView): TemplateResult {
+  const { from } = view;
+  return html`<div class="group" role="group" aria-label="View">
+    ${Object.entries(SIDES).map(([name, turn]) => html`<button type="button" class="plain" aria-pressed=${Math.abs(from.turn - turn) < 0.01} @click=${() => view.look({ turn })}>${name}</button>`)}
+    <button type="button" class="plain" aria-label="Farther" @click=${() => view.look({ zoom: from.zoom / 1.2 })}>−</button>
+    <button type="button" class="plain" aria-label="Nearer" @click=${() => view.look({ zoom: from.zoom * 1.2 })}>+</button>
+  </div>`;
 }

@@ -2,7 +2,7 @@
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../../element/faces.js';
-import { HeadView, SIDES, type Look } from '../head-view.js';
+import { HeadView, SIDES } from '../head-view.js';
 import { perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
@@ -43,7 +43,7 @@ export class App {
   /** The first of the faces of the database that are shown, among those that were chosen. */
   first = 0;
   history = new History();
-  readonly #view: HeadView;
+  readonly view: HeadView;
   readonly #kept = new Cache();
   #values: Values | undefined;
   /** The step that a control which moves begins at, and its act by now. */
@@ -57,29 +57,8 @@ export class App {
     readonly faces: Faces,
     private readonly page: Page,
   ) {
-    this.#view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR });
+    this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => this.redraw());
   }
-
-  // --- the view ---
-
-  get from(): Look {
-    return this.#view.from;
-  }
-
-  get zoom(): number {
-    return this.from.zoom;
-  }
-
-  look(look: Partial<Look>): void {
-    this.#view.look(look);
-    this.redraw();
-  }
-
-  centre(): void {
-    this.#view.centre();
-  }
-
-  // --- the face ---
 
   get region(): FaceRegion {
     return { segments: [...this.segments], half: this.half };
@@ -164,9 +143,19 @@ export class App {
 
   #go(way: () => void): void {
     this.done();
-    way();
-    this.#arrive();
-    this.page.changed();
+    const { here } = this.history;
+    const from = this.faces.keep();
+    try {
+      way();
+      this.#arrive();
+      this.page.changed();
+    } catch (error) {
+      // A step of a file need not be one that this model can do.
+      this.history.go(here);
+      this.faces.restore(from);
+      this.page.say(error instanceof Error ? error.message : String(error));
+      this.#changed();
+    }
   }
 
   /** Makes the face of the step that the history is at, from the nearest one before it that was kept. */
@@ -207,14 +196,6 @@ export class App {
     this.history.name(name);
     this.page.changed();
     this.redraw();
-  }
-
-  /** Begins anew. */
-  clear(): void {
-    this.history = new History();
-    this.#kept.clear();
-    this.#arrive();
-    this.page.changed();
   }
 
   save(): Saved {

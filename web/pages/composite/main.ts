@@ -3,8 +3,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openFaces } from '../../element/open-faces.js';
 import '../player.js';
-import { lookAround } from '../face/stage.js';
-import { SIDES } from '../head-view.js';
+import { lookAround, lookFrom, SIDES } from '../head-view.js';
 import { cast } from '../home-cast.js';
 import { SETTLED_SECS } from '../page-state.js';
 import { Tabs } from '../tabs.js';
@@ -96,8 +95,8 @@ async function open(): Promise<void> {
   places.panel.replaceChildren();
   await app.show();
   draw();
-  app.look({});
-  const centreSoon = (): unknown => setTimeout(() => app.centre(), SHOWN_MS);
+  app.view.look({});
+  const centreSoon = (): unknown => setTimeout(() => app.view.centre(), SHOWN_MS);
   centreSoon();
   // A figure of another height has its head elsewhere, and comes with its own face.
   player.addEventListener('figurechange', () => {
@@ -112,7 +111,7 @@ async function open(): Promise<void> {
 const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 function listen(app: App): void {
-  lookAround(app, byId('pad'));
+  lookAround(app.view, byId('pad'));
   cast(player, () => undefined);
   // Who types undoes letters.
   onUndoKeys(
@@ -125,7 +124,7 @@ function listen(app: App): void {
     const { target } = event;
     if (event.ctrlKey || event.metaKey || event.altKey || target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
     const turn = sides[event.key];
-    if (turn !== undefined) app.look({ turn, tilt: 0.02 });
+    if (turn !== undefined) app.view.look({ turn, tilt: 0.02 });
   });
   for (const type of ['play', 'pause', 'ended'] as const) player.addEventListener(type, () => app.redraw());
   // The sentence is said: the face holds still again.
@@ -159,7 +158,7 @@ function tools(app: App): TemplateResult {
     <button type="button" class="plain" @click=${() => save(new Blob([JSON.stringify(app.save())], { type: 'application/json' }), 'face.composite.json')}>Save</button>
     <label class="plain file"><input type="file" accept=".json,application/json" @change=${load} /><span>Open</span></label>
     <button type="button" class="plain" @click=${picture}>Picture</button>
-    <button type="button" class="plain" ?disabled=${history.steps.length === 1} @click=${() => app.clear()}>New face</button>`;
+    <button type="button" class="plain" ?disabled=${history.here === 0} @click=${() => app.goTo(0)} title="From the average again; what you have stays in the history">New face</button>`;
 }
 
 function parse(text: string): unknown {
@@ -170,15 +169,14 @@ function parse(text: string): unknown {
   }
 }
 
-function views(app: App): TemplateResult {
-  const { from } = app;
-  return html`<div class="group" role="group" aria-label="View">
-    ${Object.entries(SIDES).map(([name, turn]) => html`<button type="button" class="plain" aria-pressed=${Math.abs(from.turn - turn) < 0.01} @click=${() => app.look({ turn, tilt: 0.02 })}>${name}</button>`)}
-    <button type="button" class="plain" aria-label="From lower" @click=${() => app.look({ tilt: from.tilt - 0.1 })}>↓</button>
-    <button type="button" class="plain" aria-label="From higher" @click=${() => app.look({ tilt: from.tilt + 0.1 })}>↑</button>
-    <button type="button" class="plain" aria-label="Farther" @click=${() => app.look({ zoom: from.zoom / 1.2 })}>−</button>
-    <button type="button" class="plain" aria-label="Nearer" @click=${() => app.look({ zoom: from.zoom * 1.2 })}>+</button>
-  </div>`;
+/** Sides to look from, and how high the eyes of who saw the face were. */
+function views({ view }: App): TemplateResult {
+  const tilt = (by: number): void => view.look({ tilt: view.from.tilt + by });
+  return html`${lookFrom(view)}
+    <div class="group" role="group" aria-label="Height of the witness">
+      <button type="button" class="plain" aria-label="From lower" @click=${() => tilt(-0.1)}>↓</button>
+      <button type="button" class="plain" aria-label="From higher" @click=${() => tilt(0.1)}>↑</button>
+    </div>`;
 }
 
 /** The face speaks. */

@@ -112,7 +112,7 @@ export class Portraits {
     this.place.replaceChildren(player);
     await player.rehearse(still);
     player.currentTime = SETTLED_SECS;
-    const view = new HeadView(player, { turn: 0.25, tilt: 0.02, zoom: NEAR });
+    const view = new HeadView(player, { turn: 0.25, tilt: 0.02, zoom: NEAR }, () => undefined);
     view.look({});
     await wait(SHOWN_MS);
     view.centre();

@@ -1,7 +1,7 @@
 /** The state of the face's page: its settings, and from where one looks at the head. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
-import { HeadView, SIDES, type Look } from '../head-view.js';
+import { HeadView, SIDES } from '../head-view.js';
 import { PageState } from '../page-state.js';
 import { beginning, type State } from './state.js';
 import { write } from './write.js';
@@ -16,7 +16,7 @@ export class App extends PageState<State> {
   /** The running fetch or read that may take more than a moment; empty for none. */
   busy = '';
   #begins = false;
-  readonly #view: HeadView;
+  readonly view: HeadView;
 
   constructor(
     player: RaconteurPlayer,
@@ -24,28 +24,7 @@ export class App extends PageState<State> {
     private readonly reread: () => void,
   ) {
     super(player, beginning, write);
-    this.#view = new HeadView(player, { turn: SIDES['Three-quarter'], tilt: 0.02, zoom: NEAR });
-  }
-
-  /** From where one looks. */
-  get from(): Look {
-    return this.#view.from;
-  }
-
-  /** How near one looks. */
-  get zoom(): number {
-    return this.from.zoom;
-  }
-
-  /** Looks from elsewhere; the head stays in the middle. */
-  look(look: Partial<Look>): void {
-    this.#view.look(look);
-    this.redraw();
-  }
-
-  /** Brings the head into the middle. */
-  centre(): void {
-    this.#view.centre();
+    this.view = new HeadView(player, { turn: SIDES['Three-quarter'], tilt: 0.02, zoom: NEAR }, () => this.redraw());
   }
 
   /** Speaks from the beginning, once the text is read. */

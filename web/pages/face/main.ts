@@ -8,7 +8,8 @@ import { DIRECT, MUSCLES, namesOf, VISEMES } from './dials.js';
 import { disc } from './disc-view.js';
 import { regions } from './panels.js';
 import { speaking } from './speak.js';
-import { lookAround, views } from './stage.js';
+import { lookAround } from '../head-view.js';
+import { views } from './stage.js';
 import type { State } from './state.js';
 import { follow, measure, strip, type Strip } from './strip.js';
 
@@ -47,7 +48,7 @@ const shell = new Shell<State, Tab>(app, {
 
 /** Brings the head into the middle when the picture of now is there. */
 function centreSoon(): void {
-  setTimeout(() => app.centre(), SHOWN_MS);
+  setTimeout(() => app.view.centre(), SHOWN_MS);
 }
 
 player.addEventListener('durationchange', () => (drawn = measure(app)));
@@ -55,5 +56,5 @@ player.addEventListener('durationchange', () => (drawn = measure(app)));
 player.addEventListener('figurechange', centreSoon);
 // Another size of the picture takes another shot.
 new ResizeObserver(centreSoon).observe(player);
-lookAround(app, byId('pad'));
-void shell.open(() => app.look({}), centreSoon);
+lookAround(app.view, byId('pad'));
+void shell.open(() => app.view.look({}), centreSoon);
