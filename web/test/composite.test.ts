@@ -1,10 +1,10 @@
 /** The composite editor's history: what was done is never lost, and what is read is checked. */
 
 import { expect, test } from 'vitest';
-import { isAct, type Act } from '../pages/composite/acts.js';
-import { Cache } from '../pages/composite/cache.js';
-import { History } from '../pages/composite/history.js';
-import { chosen, describe } from '../pages/composite/people.js';
+import { isAct, type Act } from '../composite/acts.js';
+import { Cache } from '../composite/cache.js';
+import { History } from '../composite/history.js';
+import { chosen, describe } from '../composite/people.js';
 
 const pack = { faces: 10, vertices: 5 };
 const add = (amount: number): Act => ({ kind: 'add', part: 'shape', name: 'weight', amount, region: {} });

@@ -1,13 +1,13 @@
 /** The composite editor: wires the stage, the panels and the session to one history. */
 
 import { html, nothing, render, type TemplateResult } from 'lit';
-import { openFaces } from '../../element/open-faces.js';
-import '../player.js';
-import { lookAround, lookFrom, SIDES } from '../head-view.js';
-import { cast } from '../home-cast.js';
-import { SETTLED_SECS } from '../page-state.js';
-import { Tabs } from '../tabs.js';
-import { byId, findPlayer, onUndoKeys, save } from '../workbench.js';
+import { openFaces } from '../element/open-faces.js';
+import '../pages/player.js';
+import { lookAround, lookFrom, SIDES } from '../pages/head-view.js';
+import { cast } from '../pages/home-cast.js';
+import { SETTLED_SECS } from '../pages/page-state.js';
+import { Tabs } from '../pages/tabs.js';
+import { byId, findPlayer, onUndoKeys, save } from '../pages/workbench.js';
 import { App, type Tab } from './app.js';
 import { features, heldList, historyList, parts } from './panels.js';
 import { Portraits } from './portraits.js';

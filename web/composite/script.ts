@@ -1,6 +1,6 @@
 /** What the figure is told: to be still, or to say a sentence. */
 
-import { tag } from '../../speech/markup.js';
+import { tag } from '../speech/markup.js';
 
 /** How long a face that says nothing is shown, seconds; then it begins again. */
 const LENGTH_SECS = 600;

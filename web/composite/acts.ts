@@ -1,6 +1,6 @@
 /** What one does to a face, as data: histories and saved sessions are lists of it. */
 
-import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../../element/faces.js';
+import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
 
 type Three = readonly [number, number, number];
 

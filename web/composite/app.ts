@@ -1,8 +1,8 @@
 /** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
 
-import type { RaconteurPlayer } from '../../element/element.js';
-import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../../element/faces.js';
-import { HeadView, SIDES } from '../head-view.js';
+import type { RaconteurPlayer } from '../element/element.js';
+import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
+import { HeadView, SIDES } from '../pages/head-view.js';
 import { perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';

@@ -1,8 +1,8 @@
 /** The controls of the composite editor, tab by tab. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FacePack, FacePart } from '../../element/faces.js';
-import { check, choice, numberField } from '../fields.js';
+import type { FacePack, FacePart } from '../element/faces.js';
+import { check, choice, numberField } from '../pages/fields.js';
 import type { App } from './app.js';
 import { label } from './acts.js';
 

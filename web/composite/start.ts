@@ -1,7 +1,7 @@
 /** Where a face comes from: the average, chance, or the faces of the database, whole or for what is chosen. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { choice } from '../fields.js';
+import { choice } from '../pages/fields.js';
 import type { App } from './app.js';
 import { AGES, ANCESTRIES, chosen, describe, SEXES, type Person } from './people.js';
 import type { Portraits } from './portraits.js';

@@ -1,6 +1,6 @@
 /** Who the faces of the database are, and which of them are like a description (F&H 5.1.1). It chooses faces, and never changes one. */
 
-import type { FacePack } from '../../element/faces.js';
+import type { FacePack } from '../element/faces.js';
 
 type Personal = FacePack['people'][number];
 

@@ -1,9 +1,9 @@
 /** Small pictures of faces of the database, drawn by a player of their own, one after another. */
 
-import type { RaconteurPlayer } from '../../element/element.js';
-import type { FaceConstraint, Faces } from '../../element/faces.js';
-import { HeadView } from '../head-view.js';
-import { SETTLED_SECS } from '../page-state.js';
+import type { RaconteurPlayer } from '../element/element.js';
+import type { FaceConstraint, Faces } from '../element/faces.js';
+import { HeadView } from '../pages/head-view.js';
+import { SETTLED_SECS } from '../pages/page-state.js';
 import { still } from './script.js';
 
 /** Pictures that are kept. */
