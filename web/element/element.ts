@@ -27,8 +27,11 @@ import {
   type Backend,
   type Diagnostic,
   type FaceCourse,
+  type FaceSpot,
   type FigureFace,
   type Hand,
+  type Light,
+  type NaturalHair,
   type PoseNumbers,
   type Quality,
   type Statistics,
@@ -323,8 +326,38 @@ export class RaconteurPlayer extends LitElement {
   async setFace(face: FigureFace | undefined): Promise<void> {
     const { show, advance } = this.#context;
     if (show === undefined) throw new PlayerError('Nobody is on stage.');
-    await show.picture.setFace(face);
+    await show.picture.setFace(face, await this.#figures.lent(face));
     advance();
+  }
+
+  /** The place of the skin that is seen at a place of the window, once the figure has got a face; undefined beside the head. */
+  pickFace(clientX: number, clientY: number): FaceSpot | undefined {
+    const { left, top, width, height } = this.getBoundingClientRect();
+    return this.#context.show?.picture.pickFace((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+  }
+
+  /** The natural colours of hair, from dark to pale; empty while nobody is on stage. */
+  naturalHair(): readonly NaturalHair[] {
+    return this.#context.show?.picture.naturalHair() ?? [];
+  }
+
+  /** Lights the stage, the lamps turned about the figure to its left, radians. */
+  light(name: Light, turn = 0): void {
+    this.#context.show?.picture.light(name, turn);
+    if (this.paused) this.#frames.advance();
+  }
+
+  /**
+   * The figure with the face that `setFace` gave it, as a figure file for `figure` and `useFigure`; its voice and
+   * body are those of the figure on stage. Rejects while that has its own face.
+   */
+  async figureFile(name: string): Promise<Blob> {
+    const parts = await this.#context.show?.picture.faceFile(name);
+    if (parts === undefined) throw new PlayerError('The figure on stage has its own face.');
+    const { faceFile } = await import('./avatar.js').catch((error: unknown) => {
+      throw new PlayerError('The part that writes figures could not be fetched: is the network there?', { cause: error });
+    });
+    return new Blob([(await faceFile(parts)) as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
   }
 
   /** A copy of the picture on stage, as large as it is drawn; undefined where there is none. */

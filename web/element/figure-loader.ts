@@ -3,11 +3,15 @@
 import { captionsOf } from './captions.js';
 import { castFigure, USUAL_FIGURE } from './cast.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { lendersOf, type Lent } from './face-look.js';
 import type { FigureFile } from './figure.js';
-import type { Wanted } from './loader.js';
+import { fetchFigure, type Wanted } from './loader.js';
 import type { Show } from './show.js';
 import { updateMusic } from './sound.js';
-import type { Backend } from './types.js';
+import { PlayerError, type Backend, type FigureFace } from './types.js';
+
+/** Names in the library have no other letters. */
+const LIBRARY_NAME = /^[\w-]+$/;
 
 export class FigureLoader {
   readonly #context: PlayerContext;
@@ -31,6 +35,19 @@ export class FigureLoader {
     const { figure, handedness } = player;
     const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src ?? '', document.baseURI) };
     return await castFigure(wish, eml, backend, wanted, (d) => diagnostics.report(d));
+  }
+
+  /** Files of the figures of the library that lend a face hair. */
+  async lent(face: FigureFace | undefined): Promise<Lent> {
+    const names = face === undefined ? [] : lendersOf(face);
+    const library = libraryOf(this.#context.player);
+    const files = names.map(async (name): Promise<[string, Uint8Array]> => {
+      // A look may come from a stranger's file: an address would be asked for.
+      if (!LIBRARY_NAME.test(name)) throw new PlayerError(`“${name}” is no name of a figure of the library.`);
+      const { glb } = await fetchFigure(name, library, { signal: new AbortController().signal, progress: () => undefined });
+      return [name, glb];
+    });
+    return new Map(await Promise.all(files));
   }
 
   /** Fetches and reads another figure while the present one performs; what goes wrong is a diagnostic. */

@@ -1,6 +1,8 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
+import type { FaceFile } from './avatar.js';
 import { createEngine } from './backend.js';
+import { applyFace, Paint, type Lent } from './face-look.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
 import { giveBack } from './graphics.js';
@@ -11,8 +13,11 @@ import {
   type Diagnostic,
   type Engine,
   type FaceCourse,
+  type FaceSpot,
   type FigureFace,
   type Interruption,
+  type Light,
+  type NaturalHair,
   type Performance,
   type PictureStatistics,
   type Piece,
@@ -74,8 +79,11 @@ export class Picture {
   #openEnded = false;
   /** Share of the height that captions take. */
   #captions = 0;
-  /** The face that the figure has got, where it is not its own. */
+  /** The face that the figure has got, where it is not its own, what others lend it, and what is painted on it. */
   #face: FigureFace | undefined;
+  #lent: Lent = new Map();
+  #paint = new Paint();
+  #light: { readonly name: Light; readonly turn: number } | undefined;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -272,14 +280,15 @@ export class Picture {
     return { story, missing: await this.#decode(engine) };
   }
 
-  /** Gives the figure a face of a face model, or its own again; resolves when that can be drawn as it is. */
-  async setFace(face: FigureFace | undefined): Promise<void> {
+  /** Gives the figure a face of a face model, or its own again; `lent` are the files of figures that lend it hair. Resolves when that can be drawn as it is. */
+  async setFace(face: FigureFace | undefined, lent: Lent): Promise<void> {
     const before = this.#face;
     const engine = this.#engine;
     this.#face = face;
+    this.#lent = lent;
     if (engine === undefined) return;
     try {
-      if (face !== undefined) applyFace(engine, face);
+      if (face !== undefined) applyFace(engine, face, lent);
       else if (before !== undefined) this.#read(engine);
     } catch (error) {
       this.#face = before;
@@ -288,6 +297,37 @@ export class Picture {
     this.seek(this.#lastShown);
     // Its own face is in its file, and comes with pictures anew.
     if (face === undefined && before !== undefined) await this.#decode(engine);
+    else await this.#paintOver(engine);
+  }
+
+  async #paintOver(engine: Engine): Promise<void> {
+    const [figure, paint] = [this.#files.figure, this.#paint];
+    await paint.put(engine, this.#face?.marks ?? [], () => engine === this.#engine && figure === this.#files.figure && paint === this.#paint);
+  }
+
+  /** What a file of the figure with its face is made of; undefined while it has its own. */
+  async faceFile(name: string): Promise<FaceFile | undefined> {
+    const face = this.#face;
+    return face === undefined ? undefined : { name, glb: this.#files.figure.glb, face, lent: this.#lent, painted: await this.#paint.file() };
+  }
+
+  /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below. */
+  pickFace(x: number, y: number): FaceSpot | undefined {
+    const numbers = this.#guard((engine) => engine.pickFace(x, y));
+    if (numbers === undefined) return undefined;
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
+    return { corners: [a, b, c], shares: [d, e, f] };
+  }
+
+  /** The natural colours of hair. */
+  naturalHair(): readonly NaturalHair[] {
+    return this.#guard((engine) => engine.naturalHair()) ?? [];
+  }
+
+  /** Lights the stage. */
+  light(name: Light, turn: number): void {
+    this.#light = { name, turn };
+    this.#guard((engine) => engine.setLight(name, turn));
   }
 
   /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
@@ -300,6 +340,10 @@ export class Picture {
     const current = () => figure === this.#files.figure && !this.#closed;
     this.#holding = true;
     const missing = await showImages(engine, current);
+    if (current()) {
+      this.#paint = new Paint();
+      await this.#paintOver(engine);
+    }
     // The pictures of a later figure may still be decoded; it lifts the hold itself.
     if (current()) this.#holding = false;
     return missing;
@@ -459,13 +503,14 @@ export class Picture {
   #read(engine: Engine, files = this.#files, kept = false): Story {
     const { eml, bundle, figure, edited, language, problem } = files;
     applyView(engine, this.#view);
+    if (this.#light !== undefined) engine.setLight(this.#light.name, this.#light.turn);
     engine.setHandedness(figure.handedness ?? '');
     engine.setLanguage(language);
     engine.setCaptions(this.#captions);
     try {
       const told = kept ? engine.tell(eml, bundle, motionAmount()) : undefined;
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
-      if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face);
+      if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face, this.#lent);
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
       if (edited) return this.#reread(engine, files);
@@ -525,10 +570,6 @@ export class Picture {
 
 function applyView(engine: Engine, view: View | undefined): void {
   if (view !== undefined) engine.setView(view.turn, view.tilt, view.zoom, view.right, view.up);
-}
-
-function applyFace(engine: Engine, { skin, organs, factors }: FigureFace): void {
-  engine.setFace(skin, organs, factors ?? new Float64Array());
 }
 
 /** How much idle life. */

@@ -239,7 +239,21 @@ export interface Engine {
   /** The language of lips in texts that are read later, where neither they nor a voice tell it: a tag of BCP 47. */
   setLanguage(tag: string): void;
   /** Gives the figure on stage a face of a face model; what is played goes on. Without factors it keeps its colours. */
-  setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array): void;
+  setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array, look: FaceLook | undefined): void;
+  /** Whether a figure lends its hair already. */
+  lends(name: string): boolean;
+  /** Takes a figure that lends its hair to faces of so many vertices. */
+  lend(name: string, glb: Uint8Array, vertices: number): void;
+  /** The natural colours of hair, from dark to pale. */
+  naturalHair(): NaturalHair[];
+  /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below: three vertices and their shares. */
+  pickFace(x: number, y: number): Float64Array | undefined;
+  /** Where such a place lies on the picture of the skin: its texture coordinates, and their change over a metre to the right and upwards. */
+  faceChart(spot: Float64Array): Float64Array | undefined;
+  /** Which picture of the figure has the colour of its skin. */
+  skinImage(): number | undefined;
+  /** Lights the stage, the lamps turned about the figure, radians. */
+  setLight(name: Light, turn: number): void;
   /** Keeps hands and feet above captions that take this share of the picture's height at its lower edge. */
   setCaptions(share: number): void;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
@@ -351,4 +365,74 @@ export interface FigureFace {
   readonly organs: Float64Array;
   /** What the colours of each vertex, the irises and the brows are multiplied by. */
   readonly factors: Float64Array | undefined;
+  /** What hair the head has and what it wears; without, those of the figure. */
+  readonly look?: FaceLook | undefined;
+  /** What is painted on the skin. */
+  readonly marks?: readonly FaceMark[] | undefined;
 }
+
+/** Pigments of hair: eumelanin 0.05 (blond) to 1.5 (black), pheomelanin 0.1 to 0.9 (red), and the share of grey hairs. */
+export interface HairColour {
+  readonly eumelanin: number;
+  readonly pheomelanin: number;
+  readonly grey: number;
+}
+
+/** A natural colour of hair; `rgb` is linear, 0 to 1. */
+export interface NaturalHair {
+  readonly name: string;
+  readonly colour: HairColour;
+  readonly rgb: readonly [number, number, number];
+}
+
+/** Whose hair a head has, and its colour. */
+export interface HairLook {
+  /** `own`, `none`, or the name of a figure of the library that lends its own. */
+  readonly from?: string | undefined;
+  /** As it is without. */
+  readonly colour?: HairColour | undefined;
+}
+
+/** What can be worn on a head. */
+export type WearKind = 'round-glasses' | 'square-glasses' | 'sunglasses' | 'ear-studs' | 'ear-rings' | 'nose-stud' | 'knitted-cap' | 'hat' | 'headscarf';
+
+/** A thing that is worn; its colour is linear, 0 to 1. */
+export interface Wear {
+  readonly kind: WearKind;
+  readonly colour: readonly [number, number, number];
+}
+
+/** What hair a head has and what it wears. */
+export interface FaceLook {
+  readonly hair?: HairLook | undefined;
+  readonly beard?: HairLook | undefined;
+  /** How much of the beard. */
+  readonly cut?: 'full' | 'moustache' | 'goatee' | undefined;
+  /** Colour of brows and lashes. */
+  readonly brows?: HairColour | undefined;
+  readonly wear?: readonly Wear[] | undefined;
+}
+
+/** A place on the skin: three of its vertices and their shares, which sum to 1. The same place on every face. */
+export interface FaceSpot {
+  readonly corners: readonly [number, number, number];
+  readonly shares: readonly [number, number, number];
+}
+
+/** What a tattoo shows. */
+export type TattooShape = 'star' | 'heart' | 'cross' | 'anchor' | 'dots' | 'text';
+
+/** Something painted on the skin. */
+export interface FaceMark extends FaceSpot {
+  readonly kind: 'scar' | 'mole' | 'birthmark' | 'tattoo';
+  /** Its length, metres. */
+  readonly size: number;
+  /** Turned clockwise by, radians. */
+  readonly turn: number;
+  readonly shape?: TattooShape | undefined;
+  /** Letters of a tattoo. */
+  readonly text?: string | undefined;
+}
+
+/** Lights of the stage. */
+export type Light = 'stage' | 'daylight' | 'evening' | 'studio';

@@ -1,8 +1,12 @@
 //! What a page calls. The wasm file is apart from the player's: most pages never load it.
 
+use raconteur_body::figure::Image;
+use raconteur_body::reshape::{Look, NewFace, NewOrgans};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
+
+use crate::FaceFile;
 
 /// An avatar as a figure file; `Converted` in `web/element/avatar.ts`.
 #[derive(Serialize)]
@@ -58,6 +62,54 @@ pub fn convert(name: &str, bytes: &[u8]) -> Result<JsValue, JsError> {
             .collect(),
     };
     Ok(converted.serialize(&Serializer::new())?)
+}
+
+/// A figure with a face of a face model as a figure file. `skin`, `organs`, `factors` and `look` are those
+/// of `Player.setFace`; `lenders` and `files` the names and files of figures that lend hair; `painted` is
+/// the JPEG or PNG that takes the place of the skin's picture. The exception's message names the fault.
+#[wasm_bindgen(js_name = faceFile)]
+#[allow(
+    clippy::too_many_arguments,
+    clippy::needless_pass_by_value,
+    reason = "what JavaScript hands over, where lists arrive as owned only"
+)]
+pub fn face_file(
+    name: &str,
+    glb: &[u8],
+    skin: &[f64],
+    organs: &[f64],
+    factors: &[f64],
+    look: JsValue,
+    lenders: Vec<String>,
+    files: Vec<js_sys::Uint8Array>,
+    painted: Option<Vec<u8>>,
+) -> Result<Vec<u8>, JsError> {
+    let organs = NewOrgans::from_numbers(organs)
+        .ok_or_else(|| JsError::new("what lies in the head takes nine finite numbers"))?;
+    let look = if look.is_undefined() {
+        Look::default()
+    } else {
+        serde_wasm_bindgen::from_value(look)?
+    };
+    let is_png = |bytes: &[u8]| bytes.starts_with(b"\x89PNG");
+    let skin_picture = painted.map(|bytes| Image {
+        mime_type: if is_png(&bytes) {
+            "image/png"
+        } else {
+            "image/jpeg"
+        }
+        .to_owned(),
+        bytes,
+    });
+    let files = files.iter().map(js_sys::Uint8Array::to_vec);
+    Ok(crate::face_file(FaceFile {
+        name,
+        glb,
+        face: NewFace::from_numbers(skin, factors, organs),
+        look: &look,
+        lenders: lenders.into_iter().zip(files).collect(),
+        skin: skin_picture,
+    })?)
 }
 
 /// Runs when an instance is made.

@@ -4,7 +4,7 @@
 //! find how its rest pose differs from our zero pose, bind its skin to our joints, and make
 //! the face's channels from its morph targets. What cannot be kept is a [`Diagnostic`], what
 //! cannot be used an [`ImportError`]; no file makes it panic or take memory without bound.
-//! [`convert_animation`] makes clips of a file's animations.
+//! [`face_file`] writes a figure with a face of a face model. [`convert_animation`] makes clips of a file's animations.
 //! Does not: keep spring bones, cameras or lights; decode pictures.
 //!
 //! A page loads this apart from the player and hands the player what [`convert`] makes.
@@ -17,6 +17,7 @@ pub mod bindings;
 mod container;
 mod error;
 mod face;
+mod file;
 mod frames;
 mod geometry;
 mod humanoid;
@@ -30,6 +31,7 @@ use raconteur_base::{DVec3, Side};
 pub use animation::convert_animation;
 use error::Notes;
 pub use error::{Diagnostic, ImportError};
+pub use file::{FaceFile, FileError, face_file};
 use raconteur_body::figure::Figure;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::read::{ReadError, read_figure, solve_nodes};

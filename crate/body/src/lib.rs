@@ -9,6 +9,7 @@
 
 pub mod annotation;
 pub mod figure;
+mod hair_colour;
 pub mod hand_shape;
 pub mod pose;
 pub mod read;
@@ -22,6 +23,7 @@ pub mod write;
 pub use raconteur_tissue as face;
 
 pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
+pub use hair_colour::HairColour;
 pub use hand_shape::HandShape;
 pub use pose::Pose;
 pub use skeleton::{Bone, Drive, Joint, Skeleton};

@@ -2,13 +2,21 @@
 //! goes along (F&H 5.1 has no such thing; its faces do not move).
 
 mod carry;
+mod hairs;
+mod look;
+mod spot;
 #[cfg(test)]
 mod tests;
+mod wear;
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DVec3};
 
 use self::carry::{Carried, Near};
+pub use self::hairs::{BeardCut, Lender};
+pub use self::look::{Hair, Lenders, Look};
+pub use self::spot::{Chart, Spot};
+pub use self::wear::{Wear, WearKind};
 use crate::face::Tissue;
 use crate::figure::{Figure, MaterialKind, Mesh};
 use crate::skeleton::{Bone, Drive, Skeleton};
@@ -36,6 +44,24 @@ pub struct NewFace<'a> {
     pub iris: [f64; 3],
     /// Factor of the colour of brows and lashes, linear.
     pub brows: [f64; 3],
+}
+
+impl<'a> NewFace<'a> {
+    /// From the numbers of a face model: the factors are those of each vertex, of the irises and of the
+    /// brows, one after another, or none.
+    #[must_use]
+    pub fn from_numbers(skin: &'a [f64], factors: &'a [f64], organs: NewOrgans) -> Self {
+        let (tone, rest) = factors.split_at(factors.len().saturating_sub(6));
+        let colour = |rest: &[f64]| <[f64; 3]>::try_from(rest).unwrap_or([1.0; 3]);
+        let (iris, brows) = rest.split_at(rest.len() / 2);
+        Self {
+            skin,
+            tone,
+            organs,
+            iris: colour(iris),
+            brows: colour(brows),
+        }
+    }
 }
 
 /// What lies in a head, in its frame; metres and radians.
@@ -82,6 +108,9 @@ pub enum ReshapeError {
         /// Vertices of the head.
         expected: usize,
     },
+    /// Nobody of this name lends hair.
+    #[error("there is no figure {0:?} that lends its hair")]
+    NoLender(String),
     /// A number of the face is not finite.
     #[error("the face holds a number that is not finite")]
     NotFinite,

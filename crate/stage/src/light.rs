@@ -1,6 +1,6 @@
 //! Three-point light: key, fill and rim, with a soft ambient from sky and floor.
 
-use raconteur_base::{DVec3, Length};
+use raconteur_base::{DQuat, DVec3, Length};
 
 /// A light from far away.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,16 @@ impl Lighting {
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::PRESETS.iter().find(|(n, _)| *n == name);
         found.map(|(_, light)| light())
+    }
+
+    /// The same lamps turned about the character, to its left, radians.
+    #[must_use]
+    pub fn turned(mut self, turn_rad: f64) -> Self {
+        let turn = DQuat::from_rotation_y(turn_rad);
+        for lamp in [&mut self.key, &mut self.fill, &mut self.rim] {
+            lamp.towards_light_in_world = turn * lamp.towards_light_in_world;
+        }
+        self
     }
 
     /// A window to the character's left, 50° round and 25° up; the rest is the room's.
@@ -133,5 +143,18 @@ mod tests {
             );
         }
         assert_eq!(Lighting::named("moon"), None);
+    }
+
+    #[test]
+    fn lamps_turn_about_the_character() {
+        let [before, after] = [Lighting::default(), Lighting::default().turned(0.5)];
+        let (a, b) = (
+            before.rim.towards_light_in_world,
+            after.rim.towards_light_in_world,
+        );
+        assert!((a.y - b.y).abs() < 1e-12 && b.x < -1e-3 + a.x.abs());
+        let round = after.turned(std::f64::consts::TAU - 0.5);
+        let back = round.rim.towards_light_in_world - a;
+        assert!(back.length() < 1e-9);
     }
 }

@@ -1,7 +1,7 @@
 //! For pages that edit: another text for the current performer, and what to draw over the
 //! picture.
 
-use raconteur_player::stage::{Room, View};
+use raconteur_player::stage::{Lighting, Room, View};
 use wasm_bindgen::prelude::*;
 
 use crate::player::Player;
@@ -56,6 +56,17 @@ impl Player {
             });
         if let Some(performer) = &mut self.performer {
             performer.set_view(self.view);
+        }
+    }
+
+    /// Lights the stage by a light of `Lighting::PRESETS`, turned about the figure, radians; by the stage's
+    /// own where there is none of the name.
+    #[wasm_bindgen(js_name = setLight)]
+    pub fn set_light(&mut self, name: &str, turn: f64) {
+        let turn = if turn.is_finite() { turn } else { 0.0 };
+        self.lighting = Lighting::named(name).unwrap_or_default().turned(turn);
+        if let Some(performer) = &mut self.performer {
+            performer.set_lighting(self.lighting);
         }
     }
 

@@ -1,24 +1,38 @@
-//! Another face for the figure on stage.
+//! Another face for the figure on stage, with what its head wears.
 
 use std::sync::Arc;
 
-use raconteur_player::body::reshape::{NewFace, NewOrgans, Reshaper};
+use raconteur_player::base::{DVec3, ops};
+use raconteur_player::body::read::read_figure;
+use raconteur_player::body::reshape::{Lender, Look, NewFace, NewOrgans, Reshaper, Spot};
+use raconteur_player::body::{Bone, HairColour};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::activity::{Activity, ActivityGuard};
-use crate::player::Player;
+use crate::player::{Player, plain};
+
+/// A colour of hair; `NaturalHair` in `web/element/types.ts`.
+#[derive(Serialize)]
+struct NaturalHair {
+    name: &'static str,
+    colour: HairColour,
+    rgb: [f64; 3],
+}
 
 #[wasm_bindgen]
 impl Player {
     /// Gives the figure on stage a face of a face model; what is played goes on. `skin` holds x, y and z of
     /// each vertex (metres, frame of the head), `organs` what lies in the head, `factors` those of the
-    /// colours of each vertex, of the irises and of the brows, or nothing. Nothing happens before a `load`.
+    /// colours of each vertex, of the irises and of the brows, or nothing; `look` is a `FaceLook` of
+    /// `web/element/types.ts`, or undefined. Nothing happens before a `load`.
     #[wasm_bindgen(js_name = setFace)]
     pub fn set_face(
         &mut self,
         skin: &[f64],
         organs: &[f64],
         factors: &[f64],
+        look: JsValue,
     ) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
         let Some(performer) = &mut self.performer else {
@@ -26,20 +40,17 @@ impl Player {
         };
         let organs = NewOrgans::from_numbers(organs)
             .ok_or_else(|| JsError::new("what lies in the head takes nine finite numbers"))?;
-        let (tone, rest) = factors.split_at(factors.len().saturating_sub(6));
-        let colour = |rest: &[f64]| <[f64; 3]>::try_from(rest).unwrap_or([1.0; 3]);
-        let (iris, brows) = rest.split_at(rest.len() / 2);
+        let look = if look.is_undefined() {
+            Look::default()
+        } else {
+            serde_wasm_bindgen::from_value(look)?
+        };
+        let face = NewFace::from_numbers(skin, factors, organs);
         let reshaper = match self.reshaper.take() {
             Some(reshaper) => reshaper,
             None => Reshaper::new(performer.figure().as_ref().clone(), skin.len() / 3)?,
         };
-        let made = reshaper.with_face(&NewFace {
-            skin,
-            tone,
-            organs,
-            iris: colour(iris),
-            brows: colour(brows),
-        });
+        let made = reshaper.with_look(&face, &look, &self.lenders);
         // Kept whatever came of it: preparing takes longer than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
@@ -48,5 +59,66 @@ impl Player {
         }
         performer.set_face(figure);
         Ok(())
+    }
+
+    /// The natural colours of hair, from dark to pale, as `NaturalHair`s; `rgb` is linear.
+    #[wasm_bindgen(js_name = naturalHair)]
+    #[expect(clippy::unused_self, reason = "JavaScript has the instance, not the class")]
+    pub fn natural_hair(&self) -> Result<JsValue, JsError> {
+        let entries = HairColour::NATURAL.iter().map(|(name, colour)| NaturalHair {
+            name,
+            colour: *colour,
+            rgb: colour.linear_rgb(),
+        });
+        plain(&entries.collect::<Vec<_>>())
+    }
+
+    /// Whether a figure lends its hair already.
+    #[must_use]
+    pub fn lends(&self, name: &str) -> bool {
+        self.lenders.contains_key(name)
+    }
+
+    /// Takes a figure that lends its hair to faces of so many vertices.
+    pub fn lend(&mut self, name: &str, glb: &[u8], vertices: usize) -> Result<(), JsError> {
+        let _activity = ActivityGuard::new(Activity::Figure);
+        let lender = Lender::new(read_figure(name, glb)?, vertices)?;
+        self.lenders.insert(name.to_owned(), lender);
+        Ok(())
+    }
+
+    /// The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below:
+    /// three vertices and their shares; nothing beside the head, and before a face was set.
+    #[wasm_bindgen(js_name = pickFace)]
+    #[must_use]
+    pub fn pick_face(&self, x: f64, y: f64) -> Option<Vec<f64>> {
+        let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
+        let frame = performer.last_frame();
+        let camera = frame.camera;
+        let ahead = (camera.target_in_world - camera.eye_in_world).try_normalize()?;
+        let right = ahead.cross(DVec3::Y).try_normalize()?;
+        let half = ops::tan(camera.fov_y_rad / 2.0);
+        let to = ahead + right * (x * half * self.aspect) + right.cross(ahead) * (y * half);
+        let skull = frame.world_from_joint.get(Bone::Skull.index())?;
+        let spot = reshaper.pick(performer.figure(), skull, camera.eye_in_world, to)?;
+        let corners = spot.corners.map(f64::from);
+        Some(corners.into_iter().chain(spot.shares).collect())
+    }
+
+    /// Where a place of the skin, as `pickFace` gives it, lies on its picture: texture coordinates, and their
+    /// change over a metre to the right and upwards.
+    #[wasm_bindgen(js_name = faceChart)]
+    #[must_use]
+    pub fn face_chart(&self, spot: &[f64]) -> Option<Vec<f64>> {
+        let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
+        let chart = reshaper.chart(performer.figure(), &Spot::from_numbers(spot)?)?;
+        Some([chart.uv, chart.right, chart.up].concat())
+    }
+
+    /// Which picture of the figure has the colour of its skin.
+    #[wasm_bindgen(js_name = skinImage)]
+    #[must_use]
+    pub fn skin_image(&self) -> Option<usize> {
+        self.reshaper.as_ref()?.skin_picture()
     }
 }

@@ -6,9 +6,9 @@ use raconteur_player::base::Side;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::body::reshape::Reshaper;
+use raconteur_player::body::reshape::{Lenders, Reshaper};
 use raconteur_player::eml::Diagnostic;
-use raconteur_player::stage::{Frame, Room, View};
+use raconteur_player::stage::{Frame, Lighting, Room, View};
 use raconteur_player::{LanguageTag, Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Quality, RenderStatus};
 use serde::Serialize;
@@ -42,6 +42,8 @@ pub struct Player {
     pub(crate) picture: Option<CanvasTarget>,
     /// Width over height.
     pub(crate) aspect: f64,
+    /// What lights the stage.
+    pub(crate) lighting: Lighting,
     /// The view that a page chooses in place of the shot.
     pub(crate) view: Option<View>,
     /// The share of the picture's height that captions take.
@@ -52,6 +54,8 @@ pub struct Player {
     sized: bool,
     /// The figure as it came, once it has got another face.
     pub(crate) reshaper: Option<Reshaper>,
+    /// Who lends hair.
+    pub(crate) lenders: Lenders,
 }
 
 #[wasm_bindgen]
@@ -76,11 +80,13 @@ impl Player {
             picture,
             aspect: 1.0,
             view: None,
+            lighting: Lighting::default(),
             captions: 0.0,
             handedness: None,
             language: None,
             sized: false,
             reshaper: None,
+            lenders: Lenders::new(),
         })
     }
 
@@ -100,6 +106,7 @@ impl Player {
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
+        performer.set_lighting(self.lighting);
         performer.set_captions(self.captions);
         note(Activity::Figure);
         if let Some(picture) = &mut self.picture {
@@ -356,6 +363,7 @@ impl Player {
         let figure = Arc::clone(before.figure());
         let (mut performer, story) = read(eml, bundle, figure, self.options(motion, room));
         performer.set_view(self.view);
+        performer.set_lighting(self.lighting);
         performer.set_captions(self.captions);
         self.performer = Some(performer);
         plain(&story)

@@ -41,7 +41,7 @@ const ALLOWED: [(&str, &[&str]); 16] = [
 const PLATFORM: [(&str, &[&str]); 5] = [
     ("wgpu", &["render"]),
     ("web-sys", &["render", "web"]),
-    ("js-sys", &["render", "web", "say"]),
+    ("js-sys", &["render", "web", "say", "avatar"]),
     ("wasm-bindgen", &["render", "web", "avatar", "faces", "say"]),
     ("wasm-bindgen-futures", &["render", "web"]),
 ];

@@ -8,7 +8,7 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Camera, Frame, View, pupil};
+use raconteur_stage::{Camera, Frame, Lighting, View, pupil};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -341,6 +341,11 @@ impl Player {
     /// The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {
         self.picture.set_view(view);
+    }
+
+    /// What lights the stage.
+    pub fn set_lighting(&mut self, lighting: Lighting) {
+        self.frame.lighting = lighting;
     }
 
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower

@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 pub use crate::springs::HairChain;
 pub use beard::BeardParams;
 pub(crate) use cap::Cap;
-pub use colour::HairColour;
+pub use raconteur_body::HairColour;
 pub use space::Sample;
 
 use self::chains::Chains;
@@ -165,7 +165,7 @@ const LEAST_LIGHT: [f64; 2] = [0.25, 0.8];
 /// Makes the hair of a head whose neighbourhood is clothed with `clothes`, in the head's frame.
 #[must_use]
 pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
-    let palette = p.colour.palette(p.seed);
+    let palette = Palette::new(&p.colour, p.seed);
     let [r, g, b] = palette.base.map(|x| x as f32);
     let material = Material {
         kind: MaterialKind::Hair,

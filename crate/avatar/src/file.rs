@@ -1,0 +1,59 @@
+//! A figure with a face of a face model, as a file that any story can use.
+
+use raconteur_body::annotation::annotations;
+use raconteur_body::figure::Image;
+use raconteur_body::read::{ReadError, read_figure};
+use raconteur_body::reshape::{Lender, Lenders, Look, NewFace, ReshapeError, Reshaper};
+use raconteur_body::write::to_packed_glb;
+
+/// What a figure file is made of.
+#[derive(Debug)]
+pub struct FaceFile<'a> {
+    /// The name of the new figure.
+    pub name: &'a str,
+    /// The figure that gets the face.
+    pub glb: &'a [u8],
+    /// The face.
+    pub face: NewFace<'a>,
+    /// Hair and what is worn.
+    pub look: &'a Look,
+    /// Files of the figures that lend hair, by name.
+    pub lenders: Vec<(String, Vec<u8>)>,
+    /// The picture of the skin's colour where it was painted.
+    pub skin: Option<Image>,
+}
+
+/// Why there is no figure file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FileError {
+    /// A figure cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// The figure cannot have the face.
+    #[error(transparent)]
+    Reshape(#[from] ReshapeError),
+}
+
+/// Makes a figure file.
+///
+/// # Errors
+/// When a figure cannot be read or cannot have the face.
+pub fn face_file(parts: FaceFile<'_>) -> Result<Vec<u8>, FileError> {
+    let vertices = parts.face.skin.len() / 3;
+    // Its meshes keep their places, so names on them stay true.
+    let names = annotations(parts.glb)?;
+    let reshaper = Reshaper::new(read_figure(parts.name, parts.glb)?, vertices)?;
+    let mut lenders = Lenders::new();
+    for (name, glb) in parts.lenders {
+        let lender = Lender::new(read_figure(&name, &glb)?, vertices)?;
+        lenders.insert(name, lender);
+    }
+    let mut figure = reshaper.with_look(&parts.face, parts.look, &lenders)?;
+    if let (Some(image), Some(at)) = (parts.skin, reshaper.skin_picture())
+        && let Some(own) = figure.images.get_mut(at)
+    {
+        *own = image;
+    }
+    Ok(to_packed_glb(&figure, &names))
+}

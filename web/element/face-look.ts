@@ -1,0 +1,47 @@
+/** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
+
+import type { PaintedSkin } from './marks.js';
+import type { Engine, FaceMark, FigureFace } from './types.js';
+
+/** Figures that lend hair to a face, by name. */
+export function lendersOf({ look }: FigureFace): string[] {
+  const names = [look?.hair?.from, look?.beard?.from].filter((name) => name !== undefined && !['', 'own', 'none'].includes(name));
+  return [...new Set(names as string[])];
+}
+
+/** Files of figures that lend hair, by name. */
+export type Lent = ReadonlyMap<string, Uint8Array>;
+
+/** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
+export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
+  const { skin, organs, factors, look } = face;
+  for (const name of lendersOf(face)) {
+    const glb = lent.get(name);
+    if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
+  }
+  engine.setFace(skin, organs, factors ?? new Float64Array(), look);
+}
+
+/** The paint on the skin of one figure. */
+export class Paint {
+  /** What is painted now, as text. */
+  #painted = '[]';
+  #skin: PaintedSkin | undefined;
+
+  /** Paints marks on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
+  async put(engine: Engine, marks: readonly FaceMark[], current: () => boolean): Promise<void> {
+    const wanted = JSON.stringify(marks);
+    if (wanted === this.#painted) return;
+    this.#painted = wanted;
+    // Most players never paint.
+    const { openSkin } = await import('./marks.js');
+    this.#skin ??= await openSkin(engine);
+    if (this.#skin === undefined || !current() || wanted !== this.#painted) return;
+    this.#skin.paint(engine, marks);
+  }
+
+  /** The painted picture as a JPEG; undefined where nothing is painted. */
+  async file(): Promise<Uint8Array | undefined> {
+    return this.#painted === '[]' ? undefined : await this.#skin?.file();
+  }
+}
