@@ -1,6 +1,8 @@
 /** What one does to a face, as data: histories and saved sessions are lists of it. */
 
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
+import type { FaceLook, FaceMark } from '../element/types.js';
+import { isLook, isMark, MOST_MARKS } from './look.js';
 
 type Three = readonly [number, number, number];
 
@@ -21,11 +23,15 @@ export type Act =
   /** More or less of the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
   | { readonly kind: 'caricature'; readonly part: FacePart; readonly level: number; readonly region: FaceRegion }
-  | { readonly kind: 'import'; readonly index: number; readonly part: FacePart; readonly region: FaceRegion }
+  | { readonly kind: 'import'; readonly index: number; readonly part: FacePart | 'both'; readonly region: FaceRegion }
   | { readonly kind: 'transform'; readonly scale: Three; readonly turn: Three; readonly way: Three; readonly region: FaceRegion }
   | { readonly kind: 'detail'; readonly strength: number }
   /** What is held from now on. */
-  | { readonly kind: 'hold'; readonly held: readonly FaceConstraint[] };
+  | { readonly kind: 'hold'; readonly held: readonly FaceConstraint[] }
+  /** What hair the head has from now on, and what it wears. */
+  | { readonly kind: 'look'; readonly look: FaceLook; /** What of it is new. */ readonly what: string }
+  /** What is painted on the skin from now on. */
+  | { readonly kind: 'marks'; readonly marks: readonly FaceMark[]; readonly what: string };
 
 /** Attribute of shape and texture that older people have more of. */
 export const AGEING = 'ageing';
@@ -65,7 +71,7 @@ function alter(faces: Faces, act: Act): void {
       faces.caricature(act.part, act.level, act.region);
       break;
     case 'import':
-      faces.importFrom(act.index, act.part, act.region);
+      for (const part of act.part === 'both' ? (['shape', 'texture'] as const) : [act.part]) faces.importFrom(act.index, part, act.region);
       break;
     case 'transform':
       faces.transform(act, act.region);
@@ -74,6 +80,8 @@ function alter(faces: Faces, act: Act): void {
       faces.addDetail(act.strength);
       break;
     case 'hold':
+    case 'look':
+    case 'marks':
   }
 }
 
@@ -107,6 +115,9 @@ export function label(act: Act): string {
       return `detail ${signed(act.strength, 1)}`;
     case 'hold':
       return act.held.length === 0 ? 'holds nothing' : `holds ${act.held.map((h) => h.name).join(', ')}`;
+    case 'look':
+    case 'marks':
+      return act.what;
   }
 }
 
@@ -142,7 +153,7 @@ export function isAct(x: unknown): x is Act {
     case 'caricature':
       return isPart(x['part']) && isNumber(x['level']) && isRegion(x['region']);
     case 'import':
-      return isCount(x['index']) && isPart(x['part']) && isRegion(x['region']);
+      return isCount(x['index']) && (x['part'] === 'both' || isPart(x['part'])) && isRegion(x['region']);
     case 'transform':
       return isThree(x['scale']) && isThree(x['turn']) && isThree(x['way']) && isRegion(x['region']);
     case 'detail':
@@ -153,6 +164,10 @@ export function isAct(x: unknown): x is Act {
         x['held'].length < 200 &&
         x['held'].every((h: unknown) => isRegion(h) && isRecord(h) && isPart(h['part']) && isText(h['name']) && isNumber(h['value']))
       );
+    case 'look':
+      return isText(x['what']) && isLook(x['look']);
+    case 'marks':
+      return isText(x['what']) && Array.isArray(x['marks']) && x['marks'].length <= MOST_MARKS && x['marks'].every(isMark);
     default:
       return false;
   }

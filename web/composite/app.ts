@@ -2,6 +2,7 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
+import type { FaceLook, FaceMark, FigureFace } from '../element/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
@@ -15,6 +16,9 @@ type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 
 /** So near that the head fills the picture. */
 const NEAR = 7.4;
+
+/** Skin that is not chosen is so bright. */
+const UNLIT = 0.55;
 
 /** What the page does besides the face. */
 interface Page {
@@ -36,6 +40,12 @@ export class App {
   /** Segments that are changed; all of the head where none is. */
   readonly segments = new Set<string>();
   half: 'left' | 'right' | undefined;
+  /** What is chosen is lit on the face. */
+  lit = true;
+  /** What is placed on the skin by the next press. */
+  placing: FaceMark['kind'] | undefined;
+  /** What dragging on the picture does. */
+  drag: 'view' | 'move' | 'turn' | 'scale' = 'view';
   /** The slider of moves that is being dragged. */
   sliding: { readonly name: string; readonly amount: number } | undefined;
   /** Whom faces of the database are chosen by. */
@@ -66,6 +76,38 @@ export class App {
 
   get held(): readonly FaceConstraint[] {
     return this.history.heldAt(this.history.here);
+  }
+
+  /** What hair the head has and what it wears, also while a control of it moves. */
+  get look(): FaceLook {
+    const act = this.#moving?.act;
+    return act?.kind === 'look' ? act.look : this.history.lookAt(this.history.here);
+  }
+
+  /** What is painted on the skin, also while a control of it moves. */
+  get marks(): readonly FaceMark[] {
+    const act = this.#moving?.act;
+    return act?.kind === 'marks' ? act.marks : this.history.marksAt(this.history.here);
+  }
+
+  /** The face as it is shown. */
+  get face(): FigureFace {
+    const { look, marks } = this;
+    return { ...this.faces.face(this.player.currentFigure ?? ''), look, marks };
+  }
+
+  /** The face with what is chosen lit, while nothing of it moves. */
+  private get shown(): FigureFace {
+    const { face } = this;
+    if (!this.lit || this.tab !== 'parts' || this.segments.size === 0 || this.#moving !== undefined || !this.player.paused) return face;
+    const mask = this.faces.mask([...this.segments]);
+    const factors = face.factors?.slice() ?? new Float64Array(3 * mask.length + 6).fill(1);
+    const isOther = (v: number): boolean => this.half !== undefined && (face.skin[3 * v] ?? 0) > 0 !== (this.half === 'left');
+    mask.forEach((isIn, v) => {
+      if (isIn > 0 && !isOther(v)) return;
+      for (let i = 3 * v; i < 3 * v + 3; i += 1) factors[i] = (factors[i] ?? 1) * UNLIT;
+    });
+    return { ...face, factors };
   }
 
   /** The values of the face that is shown. */
@@ -208,6 +250,17 @@ export class App {
     return { faces, vertices };
   }
 
+  /** Other segments are chosen. */
+  chosen(): void {
+    void this.show();
+    this.redraw();
+  }
+
+  /** Tells what went wrong. */
+  tell(text: string): void {
+    this.page.say(text);
+  }
+
   #changed(): void {
     this.#values = undefined;
     void this.show();
@@ -222,7 +275,7 @@ export class App {
     try {
       while (this.#behind) {
         this.#behind = false;
-        await this.player.setFace(this.faces.face(this.player.currentFigure ?? ''));
+        await this.player.setFace(this.shown);
       }
     } catch (error) {
       this.page.say(error instanceof Error ? error.message : String(error));

@@ -94,11 +94,26 @@ export class History {
 
   /** What is held after a step. */
   heldAt(index: number): Extract<Act, { kind: 'hold' }>['held'] {
+    return this.#latest(index, 'hold')?.held ?? [];
+  }
+
+  /** What hair the head has after a step, and what it wears. */
+  lookAt(index: number): Extract<Act, { kind: 'look' }>['look'] {
+    return this.#latest(index, 'look')?.look ?? {};
+  }
+
+  /** What is painted on the skin after a step. */
+  marksAt(index: number): Extract<Act, { kind: 'marks' }>['marks'] {
+    return this.#latest(index, 'marks')?.marks ?? [];
+  }
+
+  /** The last act of a kind on the way to a step. */
+  #latest<K extends Act['kind']>(index: number, kind: K): Extract<Act, { kind: K }> | undefined {
     for (let at = index; at >= 0; at = this.#step(at).parent) {
       const { act } = this.#step(at);
-      if (act.kind === 'hold') return act.held;
+      if (act.kind === kind) return act as Extract<Act, { kind: K }>;
     }
-    return [];
+    return undefined;
   }
 
   save(pack: Saved['pack']): Saved {

@@ -88,6 +88,8 @@ function target(app: App): string {
 
 // --- parts ---
 
+/** What dragging on the picture does. */
+const DRAGS = { view: 'turns the head', move: 'moves', turn: 'turns', scale: 'scales' } as const;
 const HALVES = { both: 'Both', left: 'Left', right: 'Right' } as const;
 
 export function parts(app: App): TemplateResult {
@@ -95,27 +97,35 @@ export function parts(app: App): TemplateResult {
   const toggle = (name: string, on: boolean): void => {
     if (on) app.segments.add(name);
     else app.segments.delete(name);
-    app.redraw();
+    app.chosen();
   };
   const depth = (i: number): number => {
     const parent = segments[i]?.parent;
     return parent == null ? 0 : 1 + depth(parent);
   };
-  return html`<p class="about">Choose what changes: features, moves, ageing and caricature keep to it, and blend at its border.</p>
+  return html`<p class="about">Press on the face, with Shift for more than one: features, moves, ageing and caricature keep to what is chosen, and blend at its border.</p>
     <fieldset class="segments"><legend class="unseen">Segments of the face</legend>
       ${segments.map(({ name }, i) => html`<div class="depth${depth(i)}">${check(name, app.segments.has(name), (on) => toggle(name, on))}</div>`)}
     </fieldset>
     <div class="row bar">
       ${choice('half', 'Halves', app.half ?? 'both', HALVES, (half) => {
         app.half = half === 'both' ? undefined : half;
-        app.redraw();
+        app.chosen();
       })}
       <button type="button" class="plain" ?disabled=${app.segments.size === 0 && app.half === undefined} @click=${() => {
         app.segments.clear();
         app.half = undefined;
-        app.redraw();
+        app.chosen();
       }}>Whole head</button>
     </div>
+    ${check('Lit on the face', app.lit, (on) => {
+      app.lit = on;
+      app.chosen();
+    })}
+    ${choice('drag', 'Dragging on the face', app.drag, DRAGS, (drag) => {
+      app.drag = drag;
+      app.redraw();
+    })}
     ${moves(app)} ${wholes(app)}`;
 }
 

@@ -26,7 +26,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   const whole = app.segments.size === 0 && app.half === undefined;
   const take = (index: number): void => {
     if (whole) app.do({ kind: 'example', index });
-    else for (const part of ['shape', 'texture'] as const) app.do({ kind: 'import', index, part, region: app.region });
+    else app.do({ kind: 'import', index, part: 'both', region: app.region });
   };
   return html`<div class="row bar">
       <div class="group" role="group" aria-label="Begin with">

@@ -54,6 +54,8 @@ interface Model {
   average(): void;
   random(seed: number): void;
   example(index: number): void;
+  mask(segments: readonly string[]): Float64Array;
+  segmentAt(vertex: number): string | undefined;
   value(part: FacePart, name: string): number;
   values(part: FacePart): Float64Array;
   add(part: FacePart, name: string, amount: number, withAll: boolean, segments: readonly string[], half?: string): void;
@@ -114,6 +116,21 @@ export class Faces {
   /** A face of the database. */
   example(index: number): void {
     this.#model.example(index);
+  }
+
+  /** 1 for the vertices of segments and of their parts, 0 for the others. */
+  mask(segments: readonly string[]): Float64Array {
+    return this.#model.mask(segments);
+  }
+
+  /** The smallest segment that a vertex lies in; undefined for the rest of the head. */
+  segmentAt(vertex: number): string | undefined {
+    return this.#model.segmentAt(vertex);
+  }
+
+  /** x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
+  skin(): Float64Array {
+    return this.#model.skin();
   }
 
   /** How much of an attribute the face has: 0 for the average, mostly −1 to 1. */

@@ -62,7 +62,10 @@ const MOST_LETTERS = 24;
 function tattoo(context: Context, { shape = 'star', text = '' }: FaceMark): void {
   context.globalCompositeOperation = MULTIPLY;
   context.fillStyle = context.strokeStyle = 'rgb(40 52 70 / 0.88)';
-  if (shape !== 'text') return SHAPES[shape](context);
+  if (shape !== 'text') {
+    SHAPES[shape](context);
+    return;
+  }
   // Type is set in whole pixels, so it is drawn large and made small.
   context.font = '600 100px serif';
   context.textAlign = 'center';

@@ -75,10 +75,10 @@ export class HeadView {
   }
 }
 
-/** Dragging and arrow keys turn the head's picture. */
-export function lookAround(view: HeadView, pad: HTMLElement): void {
+/** Dragging and arrow keys turn the head's picture; dragging only while it `turns`. */
+export function lookAround(view: HeadView, pad: HTMLElement, turns = (): boolean => true): void {
   pad.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0 || !event.isPrimary) return;
+    if (event.button !== 0 || !event.isPrimary || !turns()) return;
     let last = { x: event.clientX, y: event.clientY };
     const end = new AbortController();
     pad.setPointerCapture(event.pointerId);

@@ -174,6 +174,24 @@ impl Faces {
         Ok(self.editor.region(&names, half(side)?)?)
     }
 
+    /// Marks with 1 the vertices of segments and of all their parts, the others with 0.
+    pub fn mask(&self, segments: Vec<String>) -> Result<Vec<f64>, JsError> {
+        let all = &self.editor.model().segments;
+        let find = |name: &String| {
+            let found = all.find(name);
+            found.ok_or_else(|| JsError::new(&format!("there is no segment {name}")))
+        };
+        let chosen: Vec<usize> = segments.iter().map(find).collect::<Result<_, _>>()?;
+        Ok(all.mask(&chosen, self.editor.model().vertices()))
+    }
+
+    /// The name of the smallest segment that a vertex lies in.
+    #[wasm_bindgen(js_name = segmentAt)]
+    pub fn segment_at(&self, vertex: u32) -> Option<String> {
+        let found = self.editor.model().segments.at(vertex);
+        found.map(|s| s.name.clone())
+    }
+
     /// How much of an attribute the face has.
     pub fn value(&self, of: &str, name: &str) -> Result<f64, JsError> {
         Ok(self.editor.value(&self.face, part(of)?, name)?)

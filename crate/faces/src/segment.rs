@@ -46,6 +46,13 @@ impl Segments {
         self.all.iter().position(|s| s.name == name)
     }
 
+    /// The segment whose own vertex this is, without those of its parts.
+    #[must_use]
+    pub fn at(&self, vertex: u32) -> Option<&Segment> {
+        let is_in = |run: &[u32; 2]| vertex >= run[0] && vertex - run[0] < run[1];
+        self.all.iter().find(|s| s.runs.iter().any(is_in))
+    }
+
     /// Marks with 1 the vertices of segments and of all their parts, the others with 0.
     #[must_use]
     pub fn mask(&self, chosen: &[usize], vertices: usize) -> Vec<f64> {

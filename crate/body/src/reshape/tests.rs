@@ -1,5 +1,7 @@
 //! Faces on a shipped figure.
 
+mod look;
+
 use raconteur_base::noise;
 
 use super::*;

@@ -1,0 +1,132 @@
+/** Hair, beard, brows, and what the head wears. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/types.js';
+import { numberField, vars } from '../pages/fields.js';
+import type { App } from './app.js';
+import { hexOf, linearOf } from './colours.js';
+import { BEARDED, BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
+
+/** What of a look has a colour of hair. */
+type Part = 'hair' | 'beard' | 'brows';
+
+/** How the colour of a part was mixed: two natural colours, a share of the second, and the share of grey. */
+interface Mixture {
+  readonly a: string;
+  readonly b: string;
+  readonly share: number;
+  readonly grey: number;
+}
+
+const UNMIXED: Mixture = { a: '', b: '', share: 0, grey: 0 };
+const ends = { 0: 'none', 1: 'all' } as const;
+
+export class LookPanel {
+  readonly #mixtures: Record<Part, Mixture> = { hair: UNMIXED, beard: UNMIXED, brows: UNMIXED };
+  #natural: readonly NaturalHair[] = [];
+
+  constructor(private readonly app: App) {}
+
+  render(): TemplateResult {
+    const { app } = this;
+    if (this.#natural.length === 0) this.#natural = app.player.naturalHair();
+    const { look } = app;
+    return html`<section class="region" aria-label="Hair"><h3>Hair</h3>
+        ${this.#select('Style', HAIR, look.hair?.from ?? 'own', (from, name) => this.#do({ ...look, hair: { ...look.hair, from } }, `hair: ${name}`))} ${this.#colour('hair')}
+      </section>
+      <section class="region" aria-label="Beard"><h3>Beard</h3>
+        ${this.#select('Style', BEARDS, beardOf(look), (style, name) => this.#do(withBeard(look, style), `beard: ${name}`))} ${this.#colour('beard')}
+      </section>
+      <section class="region" aria-label="Brows and lashes"><h3>Brows and lashes</h3>${this.#colour('brows')}</section>
+      <section class="region" aria-label="Worn"><h3>Worn</h3>
+        <div class="worn">${(Object.keys(WEAR) as WearKind[]).map((kind) => this.#worn(kind))}</div>
+      </section>`;
+  }
+
+  #do(look: FaceLook, what: string): void {
+    this.app.do({ kind: 'look', look, what });
+  }
+
+  #select<T extends string>(label: string, options: Readonly<Record<T, string>>, value: T, choose: (value: T, name: string) => void): TemplateResult {
+    const take = (event: Event): void => {
+      const chosen = (event.target as HTMLSelectElement).value as T;
+      choose(chosen, options[chosen].toLowerCase());
+    };
+    return html`<label class="select side"><span>${label}</span><select @change=${take}>${(Object.entries(options) as [T, string][]).map(
+      ([key, name]) => html`<option value=${key} .selected=${key === value}>${name}</option>`,
+    )}</select></label>`;
+  }
+
+  /** The natural colours to press, a second one to mix in, and grey. */
+  #colour(part: Part): TemplateResult {
+    const own = colourOf(this.app.look, part);
+    const mixture = own === undefined ? UNMIXED : this.#mixtures[part];
+    const find = (name: string): HairColour | undefined => this.#natural.find((n) => n.name === name)?.colour;
+    const put = (next: Mixture, moves: boolean): void => {
+      this.#mixtures[part] = next;
+      const a = find(next.a) ?? own ?? find('brown');
+      if (a === undefined) return;
+      const look = withColour(this.app.look, part, mixed(a, find(next.b) ?? a, next.share, next.grey));
+      const what = `${part} ${next.a}${next.share > 0 ? ` with ${next.b}` : ''}${next.grey > 0 ? `, ${Math.round(100 * next.grey)} % grey` : ''}`;
+      if (moves) this.app.move({ kind: 'look', look, what });
+      else this.#do(look, what);
+    };
+    const asIs = (): void => this.#do(withColour(this.app.look, part, undefined), `${part}: own colour`);
+    const slider = (label: string, key: 'share' | 'grey', text: string): TemplateResult =>
+      numberField({
+        label,
+        value: Math.round(100 * mixture[key]),
+        min: 0,
+        max: 100,
+        step: 1,
+        unit: '%',
+        text,
+        set: (percent) => put({ ...mixture, [key]: percent / 100 }, true),
+        done: () => this.app.done(),
+      });
+    return html`<div class="swatches" role="group" aria-label="Colour of ${part}">
+        <button type="button" class="plain" aria-pressed=${own === undefined} @click=${asIs}>As it is</button>
+        ${this.#natural.map(
+          ({ name, rgb }) =>
+            html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${mixture.a === name} ${vars({ '--colour': hexOf(rgb) })} @click=${() => put({ ...mixture, a: name }, false)}></button>`,
+        )}
+      </div>
+      ${own === undefined ? nothing : html`${this.#select('With', { '': '—', ...Object.fromEntries(this.#natural.map(({ name }) => [name, name])) }, mixture.b, (b) => put({ ...mixture, b, share: mixture.share || 0.5 }, false))}
+          ${mixture.b === '' ? nothing : slider('Share', 'share', `${Math.round(100 * mixture.share)} percent ${mixture.b}`)} ${slider('Grey', 'grey', ends[mixture.grey as 0 | 1] ?? `${Math.round(100 * mixture.grey)} percent`)}`}`;
+  }
+
+  #worn(kind: WearKind): TemplateResult {
+    const { look } = this.app;
+    const { name } = WEAR[kind];
+    const worn = look.wear?.find((w) => w.kind === kind);
+    const recolour = (event: Event): void => {
+      const colour = linearOf((event.target as HTMLInputElement).value);
+      const wear = (look.wear ?? []).map((w) => (w.kind === kind ? { kind, colour } : w));
+      this.#do({ ...look, wear }, `${name.toLowerCase()}: another colour`);
+    };
+    return html`<div class="item"><button type="button" class="plain" aria-pressed=${worn !== undefined} @click=${() => this.#do(toggled(look, kind), worn === undefined ? name.toLowerCase() : `no ${name.toLowerCase()}`)}>${name}</button>
+      ${worn === undefined ? nothing : html`<input type="color" aria-label="Colour of ${name.toLowerCase()}" .value=${hexOf(worn.colour)} @change=${recolour} />`}</div>`;
+  }
+}
+
+function colourOf(look: FaceLook, part: Part): HairColour | undefined {
+  return part === 'brows' ? look.brows : look[part]?.colour;
+}
+
+function withColour(look: FaceLook, part: Part, colour: HairColour | undefined): FaceLook {
+  return part === 'brows' ? { ...look, brows: colour } : { ...look, [part]: { ...look[part], colour } satisfies HairLook };
+}
+
+type BeardStyle = keyof typeof BEARDS;
+
+function beardOf({ beard, cut }: FaceLook): BeardStyle {
+  const from = beard?.from ?? 'own';
+  if (from === 'own' || from === 'none') return from;
+  return cut ?? 'full';
+}
+
+function withBeard(look: FaceLook, style: BeardStyle): FaceLook {
+  const beard = look.beard ?? {};
+  if (style === 'own' || style === 'none') return { ...look, beard: { ...beard, from: style }, cut: undefined };
+  return { ...look, beard: { ...beard, from: BEARDED }, cut: style };
+}

@@ -1,0 +1,94 @@
+/** What hair a head has, what it wears and what is painted on it: the choices there are, and whether a file's are among them. */
+
+import type { FaceLook, FaceMark, HairColour, TattooShape, Wear, WearKind } from '../element/types.js';
+
+/** The style that each figure of the library lends; where it comes from itself, nothing changes. */
+export const HAIR: Readonly<Record<string, string>> = {
+  own: 'As it is',
+  none: 'Shaved',
+  sofia: 'Bob',
+  lia: 'Long',
+  amara: 'Bun',
+  kenji: 'Short, flat',
+  nuno: 'Short, ruffled',
+  papous: 'Bald on top',
+};
+/** Beards, by who lends them and how much of it. */
+export const BEARDS = { own: 'As it is', none: 'None', full: 'Full', moustache: 'Moustache', goatee: 'Goatee' } as const;
+/** Who lends beards. */
+export const BEARDED = 'papous';
+
+export const WEAR: Readonly<Record<WearKind, { readonly name: string; readonly rgb: Wear['colour'] }>> = {
+  'round-glasses': { name: 'Round glasses', rgb: [0.03, 0.03, 0.035] },
+  'square-glasses': { name: 'Square glasses', rgb: [0.09, 0.035, 0.02] },
+  sunglasses: { name: 'Sunglasses', rgb: [0.02, 0.02, 0.02] },
+  'knitted-cap': { name: 'Knitted cap', rgb: [0.06, 0.1, 0.22] },
+  hat: { name: 'Hat', rgb: [0.12, 0.085, 0.06] },
+  headscarf: { name: 'Headscarf', rgb: [0.25, 0.05, 0.1] },
+  'ear-studs': { name: 'Ear studs', rgb: [0.8, 0.8, 0.82] },
+  'ear-rings': { name: 'Earrings', rgb: [0.75, 0.55, 0.2] },
+  'nose-stud': { name: 'Nose stud', rgb: [0.8, 0.8, 0.82] },
+};
+/** Of these a head wears one at a time. */
+export const GROUPS: readonly (readonly WearKind[])[] = [
+  ['round-glasses', 'square-glasses', 'sunglasses'],
+  ['knitted-cap', 'hat', 'headscarf'],
+  ['ear-studs', 'ear-rings'],
+];
+
+export const MARKS: Readonly<Record<FaceMark['kind'], { readonly name: string; /** Its length at first, metres. */ readonly size: number }>> = {
+  scar: { name: 'Scar', size: 0.04 },
+  mole: { name: 'Mole', size: 0.006 },
+  birthmark: { name: 'Birthmark', size: 0.03 },
+  tattoo: { name: 'Tattoo', size: 0.025 },
+};
+export const SHAPES: Readonly<Record<TattooShape, string>> = { star: 'Star', heart: 'Heart', cross: 'Cross', anchor: 'Anchor', dots: 'Three dots', text: 'Letters' };
+/** A face has no more marks. */
+export const MOST_MARKS = 100;
+/** A mark is not longer, metres. */
+export const LONGEST_MARK = 0.12;
+/** Letters in a tattoo, at most. */
+export const MOST_LETTERS = 24;
+
+/** The look with another thing worn, in the place of what it excludes; without it where it was worn. */
+export function toggled(look: FaceLook, kind: WearKind): FaceLook {
+  const { wear = [] } = look;
+  const isWorn = wear.some((w) => w.kind === kind);
+  const group = GROUPS.find((g) => g.includes(kind)) ?? [kind];
+  const others = wear.filter((w) => !group.includes(w.kind));
+  return { ...look, wear: isWorn ? others : [...others, { kind, colour: WEAR[kind].rgb }] };
+}
+
+/** A colour between two, and so grey. */
+export function mixed(a: HairColour, b: HairColour, share: number, grey: number): HairColour {
+  const between = (x: number, y: number): number => x + (y - x) * share;
+  return { eumelanin: between(a.eumelanin, b.eumelanin), pheomelanin: between(a.pheomelanin, b.pheomelanin), grey };
+}
+
+const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null;
+const isWithin = (x: unknown, from: number, to: number): boolean => typeof x === 'number' && x >= from && x <= to;
+const isColour = (x: unknown): boolean => Array.isArray(x) && x.length === 3 && x.every((part) => isWithin(part, 0, 1));
+const isPigment = (x: unknown): boolean => x === undefined || (isRecord(x) && isWithin(x['eumelanin'], 0, 3) && isWithin(x['pheomelanin'], 0, 3) && isWithin(x['grey'], 0, 1));
+const isHair = (x: unknown): boolean => x === undefined || (isRecord(x) && (x['from'] === undefined || Object.hasOwn(HAIR, String(x['from']))) && isPigment(x['colour']));
+const isWear = (x: unknown): boolean => isRecord(x) && Object.hasOwn(WEAR, String(x['kind'])) && isColour(x['colour']);
+
+/** Whether what a file holds is a look. */
+export function isLook(x: unknown): x is FaceLook {
+  if (!isRecord(x) || !isHair(x['hair']) || !isHair(x['beard']) || !isPigment(x['brows'])) return false;
+  const { wear = [], cut = 'full' } = x;
+  return ['full', 'moustache', 'goatee'].includes(cut as string) && Array.isArray(wear) && wear.length <= Object.keys(WEAR).length && wear.every(isWear);
+}
+
+/** Whether what a file holds is a mark. */
+export function isMark(x: unknown): x is FaceMark {
+  if (!isRecord(x) || !Object.hasOwn(MARKS, String(x['kind'])) || !isWithin(x['size'], 0.0005, LONGEST_MARK) || !isWithin(x['turn'], -7, 7)) return false;
+  const { corners, shares, shape = 'star', text = '' } = x;
+  const isThree = (list: unknown, is: (one: unknown) => boolean): boolean => Array.isArray(list) && list.length === 3 && list.every(is);
+  return (
+    isThree(corners, (n) => Number.isSafeInteger(n) && isWithin(n, 0, 2 ** 32 - 1)) &&
+    isThree(shares, (n) => isWithin(n, -0.01, 1.01)) &&
+    Object.hasOwn(SHAPES, String(shape)) &&
+    typeof text === 'string' &&
+    text.length <= MOST_LETTERS
+  );
+}

@@ -1,0 +1,80 @@
+/** Scars, moles, birthmarks and tattoos: what is placed next, and a list of those that are there. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { FaceMark, FaceSpot, TattooShape } from '../element/types.js';
+import { numberField } from '../pages/fields.js';
+import type { App } from './app.js';
+import { LONGEST_MARK, MARKS, MOST_LETTERS, MOST_MARKS, SHAPES } from './look.js';
+
+const DEGREE = Math.PI / 180;
+
+/** Places what is chosen on a spot of the skin; whether that could be done. */
+export function place(app: App, spot: FaceSpot): boolean {
+  const kind = app.placing;
+  if (kind === undefined) return false;
+  app.placing = undefined;
+  const mark: FaceMark = { ...spot, kind, size: MARKS[kind].size, turn: 0 };
+  return app.do({ kind: 'marks', marks: [...app.marks, mark], what: `${MARKS[kind].name.toLowerCase()} placed` });
+}
+
+export function marks(app: App): TemplateResult {
+  const { marks: all, placing } = app;
+  const choose = (kind: FaceMark['kind']): void => {
+    app.placing = placing === kind ? undefined : kind;
+    app.redraw();
+  };
+  const full = all.length >= MOST_MARKS;
+  return html`<div class="group" role="group" aria-label="Place">
+      ${(Object.keys(MARKS) as FaceMark['kind'][]).map(
+        (kind) => html`<button type="button" class="plain" ?disabled=${full} aria-pressed=${placing === kind} @click=${() => choose(kind)}>${MARKS[kind].name}</button>`,
+      )}
+    </div>
+    <p class="about" role="status">${told(app, full)}</p>
+    ${all.map((mark, i) => entry(app, mark, i))}`;
+}
+
+function told({ placing, marks: all }: App, full: boolean): string {
+  if (full) return `A face has at most ${MOST_MARKS} marks.`;
+  if (placing !== undefined) return `Press on the face where the ${MARKS[placing].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
+  return all.length === 0 ? 'Choose what to place, then press on the face.' : 'What is placed can be made longer, turned and taken away.';
+}
+
+/** The controls of one mark. */
+function entry(app: App, mark: FaceMark, i: number): TemplateResult {
+  const { name } = MARKS[mark.kind];
+  const title = `${name} ${i + 1}`;
+  const changed = (change: Partial<FaceMark>): readonly FaceMark[] => app.marks.map((m, k) => (k === i ? { ...m, ...change } : m));
+  const field = (label: string, value: number, [min, max]: readonly [number, number], step: number, unit: string, change: (value: number) => Partial<FaceMark>): TemplateResult =>
+    numberField({
+      label,
+      of: title,
+      value,
+      min,
+      max,
+      step,
+      unit,
+      set: (to) => app.move({ kind: 'marks', marks: changed(change(to)), what: `${name.toLowerCase()}: ${label.toLowerCase()}` }),
+      done: () => app.done(),
+    });
+  const alter = (change: Partial<FaceMark>, what: string): void => {
+    app.do({ kind: 'marks', marks: changed(change), what });
+  };
+  const gone = (): void => {
+    app.do({ kind: 'marks', marks: app.marks.filter((_, k) => k !== i), what: `${name.toLowerCase()} taken away` });
+  };
+  return html`<section class="region" aria-label=${title}><h3>${title}</h3>
+    ${field('Length', 1000 * mark.size, [2, 1000 * LONGEST_MARK], 1, 'mm', (mm) => ({ size: mm / 1000 }))}
+    ${mark.kind === 'mole' ? nothing : field('Turned', mark.turn / DEGREE, [-180, 180], 5, '°', (degrees) => ({ turn: degrees * DEGREE }))}
+    ${mark.kind === 'tattoo' ? motif(mark, title, alter) : nothing}
+    <button type="button" class="plain" aria-label="Take ${title.toLowerCase()} away" @click=${gone}>Take away</button>
+  </section>`;
+}
+
+function motif(mark: FaceMark, title: string, alter: (change: Partial<FaceMark>, what: string) => void): TemplateResult {
+  const shape = mark.shape ?? 'star';
+  return html`<label class="select side"><span>Motif</span><select aria-label="Motif of ${title.toLowerCase()}" @change=${(event: Event) => {
+    const to = (event.target as HTMLSelectElement).value as TattooShape;
+    alter({ shape: to, ...(to === 'text' ? { text: mark.text ?? 'Mom' } : {}) }, `tattoo: ${SHAPES[to].toLowerCase()}`);
+  }}>${(Object.entries(SHAPES) as [TattooShape, string][]).map(([key, name]) => html`<option value=${key} .selected=${key === shape}>${name}</option>`)}</select></label>
+    ${shape === 'text' ? html`<label class="select side"><span>Letters</span><input type="text" maxlength=${MOST_LETTERS} .value=${mark.text ?? ''} autocomplete="off" @change=${(event: Event) => alter({ text: (event.target as HTMLInputElement).value }, 'tattoo: letters')} /></label>` : nothing}`;
+}
