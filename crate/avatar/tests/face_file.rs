@@ -70,9 +70,12 @@ fn a_file_holds_face_hair_and_paint_and_is_read_as_any_figure() {
     let names = |glb: &[u8]| annotations(glb).expect("names");
     assert_eq!(names(&glb), names(SOFIA));
     let (again, _) = larger(&ida);
-    let pairs = again.iter().zip(&skin);
-    let face = pairs.filter(|(_, b)| **b > 0.0);
-    assert!(face.map(|(a, b)| (a / 1.03 - b).abs()).fold(0.0, f64::max) < 5e-4);
+    let pairs = again.as_chunks::<3>().0.iter().zip(skin.as_chunks::<3>().0);
+    // The neck goes over into that of the body.
+    for (now, wanted) in pairs.filter(|(_, wanted)| wanted[1] > -0.05) {
+        let off = DVec3::from_array(*now) / 1.03 - DVec3::from_array(*wanted);
+        assert!(off.length() < 5e-4, "{wanted:?} {off}");
+    }
     assert!(
         ida.meshes
             .iter()
@@ -97,7 +100,7 @@ fn what_cannot_be_written_is_named() {
         made.expect_err("a fault").to_string()
     };
     assert!(told(&SOFIA[..5000], &skin, "{}").len() > 10);
-    assert!(told(SOFIA, &skin[300..], "{}").contains("vertices"));
+    assert!(told(SOFIA, &skin[300..], "{}").contains("head"));
     let stranger = r#"{ "hair": { "from": "nobody" } }"#;
     assert!(told(SOFIA, &skin, stranger).contains("nobody"));
 }
