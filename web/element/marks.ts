@@ -108,7 +108,7 @@ function birthmark(context: Context): void {
     context.save();
     context.translate(x, y);
     context.scale(size, size);
-    spot(context, 'rgb(205 130 132)', 'rgb(255 255 255)', 0.32);
+    spot(context, 'rgb(232 184 182)', 'rgb(255 255 255)', 0.32);
     context.restore();
   }
 }
@@ -125,10 +125,10 @@ function scar(context: Context): void {
     context.quadraticCurveTo(-0.05, off - 0.07, 0.5, off + 0.03);
     context.stroke();
   };
-  line('rgb(255 214 208)', 0.17, 0, MULTIPLY);
-  line('rgb(240 160 152)', 0.09, 0, MULTIPLY);
-  line('rgb(150 84 78)', 0.03, 0.03, MULTIPLY);
-  line('rgb(255 226 216 / 0.75)', 0.035, -0.008, 'source-over');
+  line('rgb(255 236 232)', 0.17, 0, MULTIPLY);
+  line('rgb(246 205 198)', 0.09, 0, MULTIPLY);
+  line('rgb(196 146 138)', 0.025, 0.03, MULTIPLY);
+  line('rgb(255 240 235 / 0.6)', 0.035, -0.008, 'soft-light');
 }
 
 const DRAW: Readonly<Record<FaceMark['kind'], (context: Context, mark: FaceMark) => void>> = { scar, mole, birthmark, tattoo };

@@ -259,7 +259,7 @@ impl Cover {
         const ACROSS: usize = 10;
         let point = |k: usize, j: usize| {
             let turn = self.turn(j);
-            let rim = self.crease(self.place(ROWS, j, 0.005), ROWS);
+            let rim = self.crease(self.place(ROWS, j, 0.0068), ROWS);
             let out = DVec3::new(ops::sin(turn), 0.0, ops::cos(turn));
             let t = k as f64 / ACROSS as f64;
             let at_side = ops::sin(turn) * ops::sin(turn);
