@@ -1,6 +1,6 @@
 /** What a pointer does on the face: it turns the head, chooses segments, moves them, and places marks. */
 
-import { minus, readPose } from '../element/pose.js';
+import { readPose } from '../element/pose.js';
 import { lookAround } from '../pages/head-view.js';
 import type { App } from './app.js';
 import { place } from './marks-panel.js';
@@ -29,9 +29,7 @@ const within = (x: number, most: number): number => Math.min(most, Math.max(-mos
 /** Metres of the head that a pixel of the picture shows. */
 function metresPerPixel({ player }: App): number {
   const camera = readPose(player)?.camera;
-  if (camera === undefined) return 0;
-  const far = Math.hypot(...minus(camera.eye, camera.target));
-  return (2 * far * Math.tan(camera.fovY / 2)) / Math.max(1, player.clientHeight);
+  return camera === undefined ? 0 : 1 / camera.pixelsPerMetre(camera.target, Math.max(1, player.clientHeight));
 }
 
 /** The change that a drag makes, seen from `turn` radians around the head. */
