@@ -154,11 +154,12 @@ export default defineConfig(({ mode }) => {
           face: join(root, 'face/index.html'),
           composite: join(root, 'composite/index.html'),
           'raconteur-player': join(root, 'web/element/index.ts'),
+          'raconteur-composite': join(root, 'web/composite/index.ts'),
         },
-        // The element has an address that a page can name.
+        // The elements have addresses that a page can name.
         preserveEntrySignatures: 'strict',
         output: {
-          entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
+          entryFileNames: (chunk) => (chunk.name.startsWith('raconteur-') ? '[name].js' : 'app/[name]-[hash].js'),
           chunkFileNames: (chunk) => {
             const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar|faces|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
             return `app/${backend ?? '[name]'}-[hash].js`;

@@ -1,6 +1,7 @@
 /** The composite editor: features, parts, faces of the database, what is held, history, session, speech. */
 
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
+import type { CompositeEventMap, RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
 import { expect, test } from './stage.js';
@@ -13,13 +14,13 @@ async function open(page: Page): Promise<void> {
 }
 
 async function ready(page: Page): Promise<void> {
-  await expect(page.locator('#bench[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
 }
 
-const value = (page: Page, name: string) => page.getByLabel(`${name}, exactly`);
+const value = (page: Page | Locator, name: string) => page.getByLabel(`${name}, exactly`);
 
 /** Sets a feature by its number. */
-async function set(page: Page, name: string, to: string): Promise<void> {
+async function set(page: Page | Locator, name: string, to: string): Promise<void> {
   await value(page, name).fill(to);
   await value(page, name).blur();
 }
@@ -112,3 +113,121 @@ for (const { colorScheme, device, width, height } of LOOKS) {
     }
   });
 }
+
+/** An editor on a page of somebody else, and what it tells that page. */
+const embedded = (page: Page, id: string) => {
+  const editor = page.locator(`#${id}`);
+  return {
+    editor,
+    ready: () => editor.evaluate((e: RaconteurComposite) => e.ready),
+    /** Begins to write down the events. */
+    hear: () =>
+      editor.evaluate((e: RaconteurComposite) => {
+        for (const type of ['change', 'error'] as const) {
+          e.addEventListener(type, (event) => {
+            const { detail } = event as CompositeEventMap[typeof type];
+            e.dataset[type] = JSON.stringify(detail);
+          });
+        }
+      }),
+    changes: () => editor.getAttribute('data-change'),
+  };
+};
+
+test('two editors stand on a strict page of somebody else, each for itself', async ({ stage, page }) => {
+  test.setTimeout(120_000);
+  await page.setViewportSize({ width: 1300, height: 900 });
+  const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
+    <div id="there"></div>
+    <raconteur-composite id="one" assets="/assets/" session="one" label="One"></raconteur-composite>
+    <raconteur-composite id="two" assets="/assets" session="two" label="Two" figure="papous"></raconteur-composite>`;
+  await stage.open(body, { 'test.css': '#two { width: 420px; --accent: rgb(0, 90, 160); } body { margin: 0 }' });
+  const [one, two] = [embedded(page, 'one'), embedded(page, 'two')];
+  await Promise.all([one.ready(), two.ready()]);
+  await Promise.all([one.hear(), two.hear()]);
+  expect(await two.editor.evaluate((e: RaconteurComposite) => e.player?.currentFigure)).toBe('papous');
+
+  // A slider moves: one step of one editor.
+  const slider = one.editor.getByRole('slider', { name: 'weight' });
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(value(one.editor, 'weight')).toHaveValue('0.01');
+  await expect.poll(() => one.changes()).toBe('{"label":"weight +0.01","steps":1}');
+  expect(await two.changes()).toBeNull();
+  await expect(value(two.editor, 'weight')).toHaveValue('0');
+
+  // Names of radio buttons and identifiers are an editor's own.
+  for (const { editor } of [one, two]) await editor.getByRole('tab', { name: 'Parts' }).click();
+  await two.editor.locator('.choice').getByText('Right', { exact: true }).click();
+  await one.editor.locator('.choice').getByText('Left', { exact: true }).click();
+  await expect(one.editor.getByRole('radio', { name: 'Left' })).toBeChecked();
+  await expect(two.editor.getByRole('radio', { name: 'Right' })).toBeChecked();
+
+  // Keys act where the focus is, and nowhere else.
+  await page.getByLabel('Elsewhere').focus();
+  await page.keyboard.press('Control+z');
+  await two.editor.getByRole('tab', { name: 'Features' }).focus();
+  await page.keyboard.press('Control+z');
+  expect(await one.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(1);
+  await one.editor.getByRole('tab', { name: 'Features' }).click();
+  await page.keyboard.press('Control+z');
+  expect(await one.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(0);
+  await one.editor.evaluate((e: RaconteurComposite) => e.redo());
+
+  // The layout is that of its own width, the colours are those of the page.
+  const place = (editor: Locator, name: string) =>
+    editor.locator(name).evaluate((e) => e.getBoundingClientRect().left - (e.getRootNode() as ShadowRoot).host.getBoundingClientRect().left);
+  expect(await place(one.editor, '.controls')).toBeGreaterThan(500);
+  expect(await place(two.editor, '.controls')).toBeLessThan(20);
+  await expect(two.editor.getByRole('button', { name: 'Speak' })).toHaveCSS('background-color', 'rgb(0, 90, 160)');
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(1300);
+
+  // What is saved is opened by another; what cannot be is refused.
+  const moved = await one.editor.evaluate(async (e: RaconteurComposite, other) => {
+    await document.querySelector<RaconteurComposite>(other)?.open(e.save());
+    return await e.open({ format: 'nothing' }).catch((error: Error) => error.message);
+  }, '#two');
+  expect(moved).toBe('This is no session of the composite editor.');
+  expect(await two.changes()).toBe('{"label":"weight +0.01","steps":1}');
+
+  // An element that is moved goes on; one that is away for longer comes back with its face.
+  await one.editor.evaluate((e: RaconteurComposite) => document.querySelector('#there')?.append(e));
+  await expect(value(one.editor, 'weight')).toHaveValue('0.01');
+  await page.evaluate(async () => {
+    const away = document.querySelector('#two');
+    away?.remove();
+    await new Promise((later) => setTimeout(later, 300));
+    if (away !== null) document.body.append(away);
+  });
+  await two.editor.scrollIntoViewIfNeeded();
+  await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 30_000 }).toBe(2);
+  expect(await two.editor.evaluate((e: RaconteurComposite) => e.snapshot()?.width)).toBeGreaterThan(100);
+
+  // The browser keeps the work of each under its own name.
+  await one.editor.evaluate((e: RaconteurComposite) => e.undo());
+  await page.waitForTimeout(800);
+  await page.reload();
+  await Promise.all([one.ready(), two.ready()]);
+  expect(await one.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(0);
+  expect(await two.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(1);
+});
+
+test('an editor begins with a saved session, and says what it cannot open', async ({ stage, page }) => {
+  const body = (src: string) => `<script type="module" src="/raconteur-composite.js"></script><raconteur-composite id="one" src="${src}"></raconteur-composite>`;
+  await stage.open(body('missing.json'));
+  const one = embedded(page, 'one');
+  await one.ready();
+  await expect(one.editor.locator('[part="trouble"]')).toContainText('was not found at /test/missing.json');
+  const saved = await one.editor.evaluate((e: RaconteurComposite) => {
+    const start = e.save();
+    const steps = [...(start?.steps ?? []), { parent: 0, act: { kind: 'random', seed: 3 } }];
+    return JSON.stringify({ ...start, steps, here: 1 });
+  });
+  await page.unrouteAll();
+  await stage.open(body('mine.json'), { 'mine.json': saved });
+  await one.ready();
+  await one.editor.getByRole('tab', { name: 'History' }).click();
+  await expect(one.editor.locator('[aria-current="step"]')).toContainText('A face by chance');
+  // Nothing is kept where the page did not ask for it.
+  expect(await page.evaluate(async () => (await indexedDB.databases()).length)).toBe(0);
+});

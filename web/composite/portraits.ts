@@ -21,12 +21,13 @@ export class Portraits {
   #heldKey = '[]';
   #drawing = false;
 
-  /** `place` is where the player goes, unseen; `figure` tells who shows the faces; `drawn` hears of each new picture. */
+  /** `place` is where the player goes, unseen; `figure` tells who shows the faces; `drawn` hears of each new picture; `like` has the library and the back end. */
   constructor(
     private readonly faces: Faces,
     private readonly place: HTMLElement,
     private readonly figure: () => string | undefined,
     private readonly drawn: () => void,
+    private readonly like: Pick<RaconteurPlayer, 'assets' | 'backend'>,
   ) {}
 
   /** The picture of a face that holds what is held, as a data URL; undefined until it was drawn. */
@@ -53,6 +54,12 @@ export class Portraits {
     this.#held = held;
     this.#heldKey = JSON.stringify(held);
     if (!this.#drawing && this.#next() !== undefined) void this.#draw();
+  }
+
+  /** Lets go of the player; the next faces that are wanted get another. */
+  release(): void {
+    this.#player = undefined;
+    this.place.replaceChildren();
   }
 
   #next(): number | undefined {
@@ -105,7 +112,8 @@ export class Portraits {
   async #open(): Promise<RaconteurPlayer> {
     const player = document.createElement('raconteur-player');
     player.label = 'Faces of the database';
-    player.setAttribute('assets', '../assets/');
+    player.assets = this.like.assets;
+    player.backend = this.like.backend;
     player.setAttribute('quality', 'low');
     player.loading = 'eager';
     player.figure = this.figure();

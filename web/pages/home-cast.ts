@@ -9,13 +9,13 @@ type Teller = string | File | undefined;
 /** Begins the codes of what is not about a figure. */
 const OF_ELSE = /^(voice|sound|engine|mind|live|tell|figure-unusable)/;
 
-/** Connects the row of faces with a player; `changed` is called with the name of a chosen figure of the library, empty for any other. */
-export function cast(player: RaconteurPlayer, changed: (figure: string) => void): (figure: string) => void {
-  const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-figure]')];
-  const file = document.querySelector<HTMLInputElement>('#own-figure');
-  const name = document.querySelector('#own-name');
-  const trouble = document.querySelector('#cast-trouble');
-  const remarks = document.querySelector<HTMLDetailsElement>('#own-remarks');
+/** Connects the row of faces in a page, or in an element's shadow, with a player; `changed` is called with the name of a chosen figure of the library, empty for any other. */
+export function cast(player: RaconteurPlayer, changed: (figure: string) => void, root: ParentNode = document): (figure: string) => void {
+  const buttons = [...root.querySelectorAll<HTMLButtonElement>('[data-figure]')];
+  const file = root.querySelector<HTMLInputElement>('#own-figure');
+  const name = root.querySelector('#own-name');
+  const trouble = root.querySelector('#cast-trouble');
+  const remarks = root.querySelector<HTMLDetailsElement>('#own-remarks');
   const theatre = player.parentElement;
   /** Who was chosen last, and the last of those who came on stage. */
   let asked: Teller;

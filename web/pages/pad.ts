@@ -23,7 +23,7 @@ export function zoomByWheel(pad: HTMLElement, it: Zoomed): void {
     'wheel',
     (event) => {
       // The page scrolls unless the picture is in use.
-      if (!event.ctrlKey && document.activeElement !== pad) return;
+      if (!event.ctrlKey && !pad.matches(':focus')) return;
       event.preventDefault();
       it.look({ zoom: it.zoom * Math.exp(-event.deltaY * 0.0015) });
     },

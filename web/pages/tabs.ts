@@ -8,13 +8,13 @@ export function tabAt<T>(key: string, tabs: readonly T[], chosen: T): T | undefi
   return step === undefined ? undefined : tabs[(tabs.indexOf(chosen) + step + tabs.length) % tabs.length];
 }
 
-/** The tabs that stand in a page, by their `data-tab`. */
+/** The tabs that stand in a page or in an element's shadow, by their `data-tab`. */
 export class Tabs<T extends string> {
   readonly #buttons: readonly HTMLButtonElement[];
 
   /** `known` says which names there are; `choose` is called with the one that is pressed or walked to. */
-  constructor(known: (name: string) => name is T, choose: (tab: T) => void) {
-    this.#buttons = [...document.querySelectorAll<HTMLButtonElement>('[role="tab"]')];
+  constructor(known: (name: string) => name is T, choose: (tab: T) => void, root: ParentNode = document) {
+    this.#buttons = [...root.querySelectorAll<HTMLButtonElement>('[role="tab"]')];
     const take = (button: HTMLButtonElement | undefined): void => {
       const name = button?.dataset['tab'] ?? '';
       if (known(name)) choose(name);

@@ -47,9 +47,10 @@ export function saveScript(text: string, otherwise: string): string {
   return name;
 }
 
-/** Connects the keys for undo and redo with the whole page; where `leaves` says so, they keep their own meaning. */
-export function onUndoKeys(undo: () => void, redo: () => void, leaves: (event: KeyboardEvent) => boolean = () => false): void {
-  document.addEventListener('keydown', (event) => {
+/** Connects the keys for undo and redo with the whole page, or with an element's shadow; where `leaves` says so, they keep their own meaning. */
+export function onUndoKeys(undo: () => void, redo: () => void, leaves: (event: KeyboardEvent) => boolean = () => false, root: EventTarget = document): void {
+  root.addEventListener('keydown', (event) => {
+    if (!(event instanceof KeyboardEvent)) return;
     if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented || leaves(event)) return;
     const key = event.key.toLowerCase();
     if (key === 'z' && !event.shiftKey) undo();

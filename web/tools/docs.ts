@@ -164,6 +164,11 @@ ${top}
 `;
 }
 
+/** A style sheet with those that it imports in their place: nothing bundles the files of documents. */
+function withImports(path: string): string {
+  return readFileSync(path, 'utf8').replace(/^@import '(.+)';$/gm, (_, name: string) => withImports(join(dirname(path), name)));
+}
+
 /**
  * Writes the documents into `docs/` of the built site, with the files that they show or offer.
  * Throws where a document refers to a file that is not there.
@@ -174,7 +179,8 @@ export function buildDocs(root: string, site: string): void {
   const folder = join(site, 'docs');
   const top = topOf();
   mkdirSync(folder, { recursive: true });
-  for (const name of ['page.css', 'docs.css', 'icon.svg']) copyFileSync(join(root, 'web/pages', name), join(folder, name));
+  for (const name of ['docs.css', 'icon.svg']) copyFileSync(join(root, 'web/pages', name), join(folder, name));
+  writeFileSync(join(folder, 'page.css'), withImports(join(root, 'web/pages/page.css')));
   writeFileSync(join(folder, 'index.html'), layout(top, 'Documents', menu(root, ''), overview(root)));
   for (const [path, label] of present) {
     const file = (target: string): string => {

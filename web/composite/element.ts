@@ -1,0 +1,382 @@
+/** `<raconteur-composite>`: builds a face from memory on any page. */
+
+import { LitElement, unsafeCSS, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
+import type { RaconteurPlayer } from '../element/element.js';
+import type { Faces } from '../element/faces.js';
+import { openFaces } from '../element/open-faces.js';
+import type { Backend } from '../element/types.js';
+import base from '../pages/base.css?inline';
+import casting from '../pages/cast.css?inline';
+import controls from '../pages/controls.css?inline';
+import { lookAround, SIDES } from '../pages/head-view.js';
+import { cast } from '../pages/home-cast.js';
+import { Tabs } from '../pages/tabs.js';
+import viewerControls from '../pages/viewer/controls.css?inline';
+import { onUndoKeys } from '../pages/workbench.js';
+import { label } from './acts.js';
+import { App, type Tab } from './app.js';
+import look from './composite.css?inline';
+import type { Saved } from './history.js';
+import { features, heldList, historyList, parts } from './panels.js';
+import { Portraits } from './portraits.js';
+import { fetchSaved } from './saved.js';
+import { Session } from './session.js';
+import { rest, speaking, views } from './stage.js';
+import { start } from './start.js';
+import { reason, type Tell } from './tell.js';
+import { template } from './template.js';
+import { tools } from './tools.js';
+
+/** By then the requested picture is shown. */
+const SHOWN_MS = 250;
+/** Inputs in which keys write. */
+const TYPED: readonly string[] = ['number', 'text', 'search'];
+const KEYS: Readonly<Record<string, number>> = { f: SIDES.Front, t: SIDES['Three-quarter'], p: SIDES.Left };
+
+const text = { reflect: true };
+const attributes: PropertyDeclarations = { assets: text, figure: text, src: text, label: text, session: text, backend: text };
+
+/** Events of the editor's own; as those of a media element they do not bubble. */
+export interface CompositeEventMap {
+  /** The face is shown and can be changed. */
+  ready: CustomEvent<undefined>;
+  /** The history has changed: a step was done, undone, gone to or named, or another session is open. */
+  change: CustomEvent<{
+    /** The step whose face is shown, in words. */
+    readonly label: string;
+    /** How many steps the history has, on all its branches. */
+    readonly steps: number;
+  }>;
+  /** Something went wrong, as a sentence for people; it is shown, too. What was there before stays. */
+  error: CustomEvent<{ readonly message: string }>;
+}
+
+/** The custom element. Attributes mirror properties. */
+export class RaconteurComposite extends LitElement {
+  /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
+  static library = 'assets/';
+  static override styles = [base, casting, controls, viewerControls, look].map((css) => unsafeCSS(css));
+  static override properties = attributes;
+
+  /** Address of the asset library, which holds `figures/` and `faces/`; by default `assets/` beside the script. Read when the editor opens. */
+  declare assets: string;
+  /** Who shows the face: a name of the library or the address of a file, as of a player. Follows what the user chooses. */
+  declare figure: string | undefined;
+  /** Address of a saved session that the editor begins with, where the browser has kept none; a later one is opened at once. */
+  declare src: string | undefined;
+  /** What the editor is called by screen readers. */
+  declare label: string;
+  /** The browser keeps the work under this name, each name for itself; nothing is kept without one. Read when the editor opens. */
+  declare session: string | undefined;
+  /** Forces a back end of the players. Read when the editor opens. */
+  declare backend: Backend | undefined;
+
+  #player: RaconteurPlayer | undefined;
+  #app: App | undefined;
+  #portraits: Portraits | undefined;
+  #session: Session | undefined;
+  #tabs: Tabs<Tab> | undefined;
+  #share: number | undefined;
+  #trouble = '';
+  #status = '';
+  #begun = false;
+  /** Everything that a page which has no use for it any more need not hold was let go. */
+  #released = false;
+  #settle: { readonly opened: () => void; readonly failed: (error: unknown) => void } | undefined;
+  readonly #ready: Promise<void>;
+  readonly #tell: Tell = {
+    say: (status) => {
+      this.#status = status;
+      this.requestUpdate();
+    },
+    trouble: (message) => {
+      this.#trouble = message;
+      this.requestUpdate();
+      if (message !== '') this.#fire('error', { message });
+    },
+  };
+  readonly #panels: Readonly<Record<Tab, (app: App, portraits: Portraits) => TemplateResult>> = { start, features, parts, held: heldList, history: historyList };
+  readonly #resized = new ResizeObserver(() => this.#centreSoon());
+
+  constructor() {
+    super();
+    this.assets = RaconteurComposite.library;
+    this.label = 'Composite editor';
+    this.#ready = new Promise((opened, failed) => {
+      this.#settle = { opened, failed };
+    });
+    // Who does not ask is told by the event.
+    this.#ready.catch(() => undefined);
+  }
+
+  // --- for pages ---
+
+  /** Resolves when the face is shown and can be changed; rejects when the editor cannot be opened. */
+  get ready(): Promise<void> {
+    return this.#ready;
+  }
+
+  /** The player that shows the face, once the element was in a page. */
+  get player(): RaconteurPlayer | undefined {
+    return this.#player;
+  }
+
+  /** The face as numbers, once it is ready. What is changed in it directly is no step of the history. */
+  get faces(): Faces | undefined {
+    return this.#app?.faces;
+  }
+
+  /** Opens a session that `save` gave or a file holds; rejects where it cannot be read, and what was there stays. */
+  async open(saved: unknown): Promise<void> {
+    await this.#ready;
+    this.#app?.open(saved);
+    this.#changed();
+  }
+
+  /** The session as data, for `JSON.stringify`; undefined until the editor is ready. */
+  save(): Saved | undefined {
+    // A copy: the history goes on.
+    return structuredClone(this.#app?.save());
+  }
+
+  /** Takes the last step back, as far as there is one. */
+  undo(): void {
+    if (this.#app?.history.canUndo) this.#app.undo();
+  }
+
+  /** Does again what was undone, as far as something was. */
+  redo(): void {
+    if (this.#app?.history.canRedo) this.#app.redo();
+  }
+
+  /** A copy of the picture of the face, as large as it is drawn; undefined where there is none. */
+  snapshot(): HTMLCanvasElement | undefined {
+    return this.#player?.snapshot();
+  }
+
+  /** Gives the keyboard's focus to the controls. */
+  override focus(options?: FocusOptions): void {
+    this.#find('#panel')?.focus(options);
+  }
+
+  // --- life ---
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
+    if (this.#player === undefined) return;
+    this.#resized.observe(this.#player);
+    if (!this.#begun) void this.#begin();
+    if (this.#released) void this.#session?.resume();
+    this.#released = false;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#resized.disconnect();
+    // Moving an element disconnects it for a moment.
+    setTimeout(() => {
+      if (this.isConnected) return;
+      this.#released = true;
+      this.#session?.close();
+      this.#portraits?.release();
+    });
+  }
+
+  protected override firstUpdated(): void {
+    const player = (this.#player = this.#find<RaconteurPlayer>('#player'));
+    if (player === undefined) return;
+    player.assets = this.assets;
+    player.backend = this.backend;
+    player.figure = this.figure;
+    this.#tabs = new Tabs<Tab>(
+      (name): name is Tab => name in this.#panels,
+      (tab) => {
+        if (this.#app === undefined) return;
+        this.#app.tab = tab;
+        this.requestUpdate();
+      },
+      this.renderRoot,
+    );
+    this.#listen(player);
+    this.#resized.observe(player);
+    void this.#begin();
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('label')) this.setAttribute('aria-label', this.label);
+    if (this.#player === undefined) return;
+    if (changed.has('figure') && this.figure !== this.#player.figure) this.#player.figure = this.figure;
+    if (changed.has('src') && this.src && this.#app !== undefined) void this.#openSource(this.src);
+  }
+
+  protected override updated(): void {
+    const panel = this.#find('#panel');
+    if (panel !== undefined) this.#tabs?.mark(this.#app?.tab ?? 'features', panel);
+    // A button that has nothing more to do would take the focus with it, out of the editor and its keys.
+    const focused = this.shadowRoot?.activeElement;
+    if (focused instanceof HTMLButtonElement && focused.disabled) focused.parentElement?.querySelector<HTMLElement>('button:enabled')?.focus();
+  }
+
+  protected override render(): TemplateResult {
+    const state = { share: this.#share, trouble: this.#trouble, status: this.#status };
+    const [app, portraits, player] = [this.#app, this.#portraits, this.#player];
+    if (app === undefined || portraits === undefined || player === undefined) return template(state);
+    return template({
+      ...state,
+      tools: tools(app, this, this.#tell),
+      views: views(app),
+      panel: this.#panels[app.tab](app, portraits),
+      speaking: speaking(player, this.#tell),
+    });
+  }
+
+  // --- what it does ---
+
+  async #begin(): Promise<void> {
+    this.#begun = true;
+    this.#share = 0;
+    this.requestUpdate();
+    try {
+      await this.#open();
+      this.#settle?.opened();
+      this.#fire('ready', undefined);
+    } catch (error) {
+      // It begins again when it comes back.
+      this.#begun = this.isConnected;
+      if (!this.#begun) return;
+      this.#settle?.failed(error);
+      this.#tell.trouble(`The editor could not be opened: ${reason(error)}`);
+    } finally {
+      this.#share = undefined;
+      this.requestUpdate();
+    }
+  }
+
+  async #open(): Promise<void> {
+    const player = this.#player;
+    const place = this.#find('#portraits');
+    const pad = this.#find('#pad');
+    if (player === undefined || place === undefined || pad === undefined) throw new Error('it has no stage');
+    this.#session?.close();
+    this.#session = this.session ? new Session(this.session, this.#tell.trouble) : undefined;
+    const pack = (file: string): URL => new URL(`${player.assets.replace(/\/?$/, '/')}faces/${file}`, document.baseURI);
+    const progress = (share: number): void => {
+      this.#share = share;
+      this.requestUpdate();
+    };
+    const [faces, kept] = await Promise.all([openFaces(pack('people.faces'), pack('people.skins'), { progress }), this.#session?.open(), rest(player)]);
+    const app = new App(player, faces, {
+      draw: () => this.requestUpdate(),
+      say: (message) => {
+        this.#tell.trouble(message);
+        this.#tell.say(message);
+      },
+      changed: () => this.#changed(),
+    });
+    if (kept !== undefined) this.#reopen(app, kept);
+    else if (this.src) this.#reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))));
+    lookAround(app.view, pad);
+    await app.show();
+    this.#portraits = new Portraits(
+      faces,
+      place,
+      () => player.currentFigure,
+      () => app.redraw(),
+      player,
+    );
+    this.#app = app;
+    app.view.look({});
+    this.#centreSoon();
+    this.requestUpdate();
+    await this.updateComplete;
+  }
+
+  /** Begins with a session; without one where it cannot be read. */
+  #reopen(app: App, saved: unknown): void {
+    if (saved === undefined) return;
+    try {
+      app.open(saved);
+    } catch (error) {
+      this.#tell.trouble(`The last session could not be opened: ${reason(error)}`);
+    }
+  }
+
+  async #openSource(src: string): Promise<void> {
+    try {
+      await this.open(await fetchSaved(src));
+    } catch (error) {
+      this.#tell.trouble(reason(error));
+    }
+  }
+
+  #changed(): void {
+    const app = this.#app;
+    if (app === undefined) return;
+    this.#tell.trouble('');
+    this.#session?.keep(() => app.save());
+    const { steps, here } = app.history;
+    const step = steps[here];
+    this.#fire('change', { label: step === undefined ? '' : (step.name ?? label(step.act)), steps: steps.length - 1 });
+  }
+
+  #centreSoon(): void {
+    setTimeout(() => this.#app?.view.centre(), SHOWN_MS);
+  }
+
+  /** Listens on the shadow, so that only what happens in this editor is heard. */
+  #listen(player: RaconteurPlayer): void {
+    const root = this.renderRoot;
+    cast(
+      player,
+      () => {
+        this.figure = player.figure;
+      },
+      root,
+    );
+    // Who types undoes letters.
+    const types = ({ target }: Event): boolean => target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && TYPED.includes(target.type));
+    onUndoKeys(
+      () => this.undo(),
+      () => this.redo(),
+      types,
+      root,
+    );
+    root.addEventListener('keydown', (event) => {
+      if (!(event instanceof KeyboardEvent) || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement || event.target instanceof HTMLTextAreaElement) return;
+      const turn = KEYS[event.key];
+      if (turn !== undefined) this.#app?.view.look({ turn, tilt: 0.02 });
+    });
+    for (const type of ['play', 'pause', 'ended'] as const) player.addEventListener(type, () => this.#app?.redraw());
+    // The sentence is said: the face holds still again.
+    player.addEventListener('ended', () => void rest(player));
+    // A figure of another height has its head elsewhere, and comes with its own face.
+    player.addEventListener('figurechange', () => this.#dress());
+    // So does the stage of an editor that comes back to a page.
+    player.addEventListener('loadedmetadata', () => {
+      if (this.#app !== undefined) void rest(player).then(() => this.#dress());
+    });
+  }
+
+  /** Puts the face on who came on stage. */
+  #dress(): void {
+    this.#centreSoon();
+    void this.#app?.show();
+    this.#app?.redraw();
+  }
+
+  #find<E extends HTMLElement>(selector: string): E | undefined {
+    return this.renderRoot.querySelector<E>(selector) ?? undefined;
+  }
+
+  #fire<K extends keyof CompositeEventMap>(type: K, detail: CompositeEventMap[K]['detail']): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'raconteur-composite': RaconteurComposite;
+  }
+}

@@ -1,0 +1,20 @@
+/** Saved sessions as text, from a file or an address. */
+
+import { fetchText } from '../element/fetching.js';
+
+/** A saved session is not larger. */
+export const MOST_BYTES = 64e6;
+
+/** What a text holds; throws an `Error` for people. */
+export function parse(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error('This is no session of the composite editor.');
+  }
+}
+
+/** The session at an address, relative to the page. */
+export async function fetchSaved(src: string): Promise<unknown> {
+  return parse(await fetchText(new URL(src, document.baseURI), { what: 'The saved session', most: MOST_BYTES }));
+}

@@ -1,0 +1,50 @@
+/** The face on stage: it holds still while it is changed, is looked at from all sides, and says a sentence. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { RaconteurPlayer } from '../element/element.js';
+import { lookFrom } from '../pages/head-view.js';
+import { SETTLED_SECS } from '../pages/page-state.js';
+import type { App } from './app.js';
+import { saying, still } from './script.js';
+import { reason, type Tell } from './tell.js';
+
+/** As long as a sentence is. */
+const MOST_LETTERS = 300;
+
+/** The face looks ahead and stands still. */
+export async function rest(player: RaconteurPlayer): Promise<void> {
+  player.pause();
+  await player.rehearse(still);
+  player.currentTime = SETTLED_SECS;
+}
+
+/** Sides to look from, and how high the eyes of who saw the face were. */
+export function views({ view }: App): TemplateResult {
+  const tilt = (by: number): void => view.look({ tilt: view.from.tilt + by });
+  return html`${lookFrom(view)}
+    <div class="group" role="group" aria-label="Height of the witness">
+      <button type="button" class="plain" aria-label="From lower" @click=${() => tilt(-0.1)}>↓</button>
+      <button type="button" class="plain" aria-label="From higher" @click=${() => tilt(0.1)}>↑</button>
+    </div>`;
+}
+
+/** The face speaks. */
+export function speaking(player: RaconteurPlayer, tell: Tell): TemplateResult {
+  const speak = async (event: Event): Promise<void> => {
+    event.preventDefault();
+    const text = (event.currentTarget as HTMLFormElement).querySelector('input')?.value.trim().slice(0, MOST_LETTERS) ?? '';
+    if (text === '') return;
+    try {
+      await player.rehearse(saying(text));
+      player.currentTime = 0;
+      await player.play();
+    } catch (error) {
+      tell.trouble(`It cannot speak now: ${reason(error)}`);
+    }
+  };
+  return html`<form class="line" @submit=${speak}>
+    <label class="select"><span>Let this face speak</span><input type="text" name="line" maxlength=${MOST_LETTERS} value="Hello! It is good to see you." autocomplete="off" /></label>
+    <button type="submit" class="play">Speak</button>
+    ${player.paused ? nothing : html`<button type="button" class="plain" @click=${() => void rest(player)}>Stop</button>`}
+  </form>`;
+}
