@@ -29,7 +29,7 @@ export type Act =
   /** What is held from now on. */
   | { readonly kind: 'hold'; readonly held: readonly FaceConstraint[] }
   /** What hair the head has from now on, and what it wears. */
-  | { readonly kind: 'look'; readonly look: FaceLook; /** What of it is new. */ readonly what: string }
+  | { readonly kind: 'look'; readonly look: FaceLook /** What of it is new. */; readonly what: string }
   /** What is painted on the skin from now on. */
   | { readonly kind: 'marks'; readonly marks: readonly FaceMark[]; readonly what: string };
 
@@ -85,9 +85,11 @@ function alter(faces: Faces, act: Act): void {
   }
 }
 
-const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
+/** A number with its sign, as it is printed. */
+export const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
 
-function where({ segments = [], half }: FaceRegion): string {
+/** A region in words that follow others. */
+export function where({ segments = [], half }: FaceRegion): string {
   const of = half === undefined ? '' : `, ${half}`;
   return segments.length === 0 ? of : `, ${segments.join(' + ')}${of}`;
 }

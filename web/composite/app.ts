@@ -2,14 +2,14 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
-import type { FaceLook, FaceMark, FigureFace } from '../element/types.js';
+import type { FaceLook, FaceMark, FigureFace, Light } from '../element/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
 import type { Person } from './people.js';
 
-export type Tab = 'start' | 'features' | 'parts' | 'held' | 'history';
+export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
 
 /** Values of the attributes of a face, by part. */
 type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
@@ -27,6 +27,8 @@ interface Page {
   say(text: string): void;
   /** The history has changed. */
   changed(): void;
+  /** The stage shows the face. */
+  shown(): void;
 }
 
 export class App {
@@ -44,6 +46,7 @@ export class App {
   lit = true;
   /** What is placed on the skin by the next press. */
   placing: FaceMark['kind'] | undefined;
+  light: { readonly name: Light; readonly turn: number } = { name: 'stage', turn: 0 };
   /** What dragging on the picture does. */
   drag: 'view' | 'move' | 'turn' | 'scale' = 'view';
   /** The slider of moves that is being dragged. */
@@ -68,6 +71,11 @@ export class App {
     private readonly page: Page,
   ) {
     this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => this.redraw());
+  }
+
+  /** The stage shows the face of the present step, and no control moves. */
+  get resting(): boolean {
+    return this.#moving === undefined && !this.#showing;
   }
 
   get region(): FaceRegion {
@@ -250,6 +258,21 @@ export class App {
     return { faces, vertices };
   }
 
+  /** Shows another panel. */
+  turnTo(tab: Tab): void {
+    this.tab = tab;
+    this.placing = undefined;
+    // What is chosen is lit beside its panel alone.
+    this.chosen();
+  }
+
+  /** Lights the face from elsewhere. */
+  relight(light: App['light']): void {
+    this.light = light;
+    this.player.light(light.name, light.turn);
+    this.redraw();
+  }
+
   /** Other segments are chosen. */
   chosen(): void {
     void this.show();
@@ -281,6 +304,7 @@ export class App {
       this.page.say(error instanceof Error ? error.message : String(error));
     }
     this.#showing = false;
+    this.page.shown();
   }
 
   /** Draws the page soon; many changes are drawn once. */

@@ -17,6 +17,6 @@ export function hexOf(rgb: Linear): string {
 /** The linear colour of `#rrggbb`; black where it is none. */
 export function linearOf(hex: string): Linear {
   const parts = /^#([\da-f]{2})([\da-f]{2})([\da-f]{2})$/i.exec(hex)?.slice(1) ?? [];
-  const [r = 0, g = 0, b = 0] = parts.map((part) => Number((toLinear(Number.parseInt(part, 16) / 255)).toFixed(4)));
+  const [r = 0, g = 0, b = 0] = parts.map((part) => Number(toLinear(Number.parseInt(part, 16) / 255).toFixed(4)));
   return [r, g, b];
 }

@@ -8,7 +8,7 @@ import type { Backend } from '../element/types.js';
 import base from '../pages/base.css?inline';
 import casting from '../pages/cast.css?inline';
 import controls from '../pages/controls.css?inline';
-import { lookAround, SIDES } from '../pages/head-view.js';
+import { SIDES } from '../pages/head-view.js';
 import { cast } from '../pages/home-cast.js';
 import { Tabs } from '../pages/tabs.js';
 import viewerControls from '../pages/viewer/controls.css?inline';
@@ -16,15 +16,15 @@ import { onUndoKeys } from '../pages/workbench.js';
 import { label } from './acts.js';
 import { App, type Tab } from './app.js';
 import look from './composite.css?inline';
+import { Desk } from './desk.js';
+import { handle } from './hands.js';
 import type { Saved } from './history.js';
-import { features, heldList, historyList, parts } from './panels.js';
-import { Portraits } from './portraits.js';
+import pictures from './pictures.css?inline';
 import { fetchSaved } from './saved.js';
 import { Session } from './session.js';
 import { rest, speaking, views } from './stage.js';
-import { start } from './start.js';
 import { reason, type Tell } from './tell.js';
-import { template } from './template.js';
+import { TABS, template } from './template.js';
 import { tools } from './tools.js';
 
 /** By then the requested picture is shown. */
@@ -55,7 +55,7 @@ export interface CompositeEventMap {
 export class RaconteurComposite extends LitElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
-  static override styles = [base, casting, controls, viewerControls, look].map((css) => unsafeCSS(css));
+  static override styles = [base, casting, controls, viewerControls, look, pictures].map((css) => unsafeCSS(css));
   static override properties = attributes;
 
   /** Address of the asset library, which holds `figures/` and `faces/`; by default `assets/` beside the script. Read when the editor opens. */
@@ -73,7 +73,7 @@ export class RaconteurComposite extends LitElement {
 
   #player: RaconteurPlayer | undefined;
   #app: App | undefined;
-  #portraits: Portraits | undefined;
+  #desk: Desk | undefined;
   #session: Session | undefined;
   #tabs: Tabs<Tab> | undefined;
   #share: number | undefined;
@@ -95,7 +95,6 @@ export class RaconteurComposite extends LitElement {
       if (message !== '') this.#fire('error', { message });
     },
   };
-  readonly #panels: Readonly<Record<Tab, (app: App, portraits: Portraits) => TemplateResult>> = { start, features, parts, held: heldList, history: historyList };
   readonly #resized = new ResizeObserver(() => this.#centreSoon());
 
   constructor() {
@@ -179,7 +178,7 @@ export class RaconteurComposite extends LitElement {
       if (this.isConnected) return;
       this.#released = true;
       this.#session?.close();
-      this.#portraits?.release();
+      this.#desk?.release();
     });
   }
 
@@ -190,11 +189,10 @@ export class RaconteurComposite extends LitElement {
     player.backend = this.backend;
     player.figure = this.figure;
     this.#tabs = new Tabs<Tab>(
-      (name): name is Tab => name in this.#panels,
+      (name): name is Tab => name in TABS,
       (tab) => {
         if (this.#app === undefined) return;
-        this.#app.tab = tab;
-        this.requestUpdate();
+        this.#app.turnTo(tab);
       },
       this.renderRoot,
     );
@@ -219,14 +217,14 @@ export class RaconteurComposite extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    const state = { share: this.#share, trouble: this.#trouble, status: this.#status };
-    const [app, portraits, player] = [this.#app, this.#portraits, this.#player];
-    if (app === undefined || portraits === undefined || player === undefined) return template(state);
+    const state = { placing: this.#app?.placing !== undefined, share: this.#share, trouble: this.#trouble, status: this.#status };
+    const [app, desk, player] = [this.#app, this.#desk, this.#player];
+    if (app === undefined || desk === undefined || player === undefined) return template(state);
     return template({
       ...state,
       tools: tools(app, this, this.#tell),
       views: views(app),
-      panel: this.#panels[app.tab](app, portraits),
+      panel: desk.draw(app.tab),
       speaking: speaking(player, this.#tell),
     });
   }
@@ -273,18 +271,13 @@ export class RaconteurComposite extends LitElement {
         this.#tell.say(message);
       },
       changed: () => this.#changed(),
+      shown: () => this.#desk?.shown(),
     });
     if (kept !== undefined) this.#reopen(app, kept);
     else if (this.src) this.#reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))));
-    lookAround(app.view, pad);
+    handle(app, pad);
+    this.#desk = new Desk(app, place, this.#tell);
     await app.show();
-    this.#portraits = new Portraits(
-      faces,
-      place,
-      () => player.currentFigure,
-      () => app.redraw(),
-      player,
-    );
     this.#app = app;
     app.view.look({});
     this.#centreSoon();

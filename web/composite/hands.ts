@@ -90,10 +90,14 @@ export function handle(app: App, pad: HTMLElement): void {
     };
     pad.addEventListener('pointermove', move, end);
     pad.addEventListener('pointerup', up, end);
-    pad.addEventListener('pointercancel', () => {
-      end.abort();
-      app.done();
-    }, end);
+    pad.addEventListener(
+      'pointercancel',
+      () => {
+        end.abort();
+        app.done();
+      },
+      end,
+    );
   });
   pad.addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && app.placing !== undefined) {

@@ -27,7 +27,7 @@ export class LookPanel {
 
   constructor(private readonly app: App) {}
 
-  render(): TemplateResult {
+  draw(): TemplateResult {
     const { app } = this;
     if (this.#natural.length === 0) this.#natural = app.player.naturalHair();
     const { look } = app;
@@ -91,8 +91,12 @@ export class LookPanel {
             html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${mixture.a === name} ${vars({ '--colour': hexOf(rgb) })} @click=${() => put({ ...mixture, a: name }, false)}></button>`,
         )}
       </div>
-      ${own === undefined ? nothing : html`${this.#select('With', { '': '—', ...Object.fromEntries(this.#natural.map(({ name }) => [name, name])) }, mixture.b, (b) => put({ ...mixture, b, share: mixture.share || 0.5 }, false))}
-          ${mixture.b === '' ? nothing : slider('Share', 'share', `${Math.round(100 * mixture.share)} percent ${mixture.b}`)} ${slider('Grey', 'grey', ends[mixture.grey as 0 | 1] ?? `${Math.round(100 * mixture.grey)} percent`)}`}`;
+      ${
+        own === undefined
+          ? nothing
+          : html`${this.#select('With', { '': '—', ...Object.fromEntries(this.#natural.map(({ name }) => [name, name])) }, mixture.b, (b) => put({ ...mixture, b, share: mixture.share || 0.5 }, false))}
+          ${mixture.b === '' ? nothing : slider('Share', 'share', `${Math.round(100 * mixture.share)} percent ${mixture.b}`)} ${slider('Grey', 'grey', ends[mixture.grey as 0 | 1] ?? `${Math.round(100 * mixture.grey)} percent`)}`
+      }`;
   }
 
   #worn(kind: WearKind): TemplateResult {

@@ -36,7 +36,7 @@ export const GROUPS: readonly (readonly WearKind[])[] = [
   ['ear-studs', 'ear-rings'],
 ];
 
-export const MARKS: Readonly<Record<FaceMark['kind'], { readonly name: string; /** Its length at first, metres. */ readonly size: number }>> = {
+export const MARKS: Readonly<Record<FaceMark['kind'], { readonly name: string /** Its length at first, metres. */; readonly size: number }>> = {
   scar: { name: 'Scar', size: 0.04 },
   mole: { name: 'Mole', size: 0.006 },
   birthmark: { name: 'Birthmark', size: 0.03 },

@@ -35,7 +35,8 @@ export function marks(app: App): TemplateResult {
 
 function told({ placing, marks: all }: App, full: boolean): string {
   if (full) return `A face has at most ${MOST_MARKS} marks.`;
-  if (placing !== undefined) return `Press on the face where the ${MARKS[placing].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
+  if (placing !== undefined)
+    return `Press on the face where the ${MARKS[placing].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
   return all.length === 0 ? 'Choose what to place, then press on the face.' : 'What is placed can be made longer, turned and taken away.';
 }
 

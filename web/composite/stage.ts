@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
+import type { Light } from '../element/types.js';
 import { lookFrom } from '../pages/head-view.js';
 import { SETTLED_SECS } from '../pages/page-state.js';
 import type { App } from './app.js';
@@ -18,13 +19,25 @@ export async function rest(player: RaconteurPlayer): Promise<void> {
   player.currentTime = SETTLED_SECS;
 }
 
-/** Sides to look from, and how high the eyes of who saw the face were. */
-export function views({ view }: App): TemplateResult {
+const LIGHTS: Readonly<Record<Light, string>> = { stage: 'Stage', daylight: 'Window', evening: 'Lamp', studio: 'Studio' };
+/** One press turns the lamps by so much, radians. */
+const LIGHT_TURN = Math.PI / 6;
+
+/** Sides to look from, how high the eyes of who saw the face were, and where the light was. */
+export function views(app: App): TemplateResult {
+  const { view, light } = app;
+  const turn = (by: number): void => app.relight({ ...light, turn: light.turn + by });
   const tilt = (by: number): void => view.look({ tilt: view.from.tilt + by });
   return html`${lookFrom(view)}
     <div class="group" role="group" aria-label="Height of the witness">
       <button type="button" class="plain" aria-label="From lower" @click=${() => tilt(-0.1)}>↓</button>
       <button type="button" class="plain" aria-label="From higher" @click=${() => tilt(0.1)}>↑</button>
+    </div>
+    <div class="group" role="group" aria-label="Light">
+      <label class="select side"><span>Light</span><select @change=${(event: Event) => app.relight({ ...light, name: (event.target as HTMLSelectElement).value as Light })}>
+        ${(Object.entries(LIGHTS) as [Light, string][]).map(([name, text]) => html`<option value=${name} .selected=${name === light.name}>${text}</option>`)}</select></label>
+      <button type="button" class="plain" aria-label="Light more from the left" @click=${() => turn(-LIGHT_TURN)}>↶</button>
+      <button type="button" class="plain" aria-label="Light more from the right" @click=${() => turn(LIGHT_TURN)}>↷</button>
     </div>`;
 }
 

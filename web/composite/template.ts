@@ -4,7 +4,16 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Tab } from './app.js';
 import { teller } from './teller.js';
 
-const TABS: Readonly<Record<Tab, string>> = { start: 'Faces', features: 'Features', parts: 'Parts', held: 'Held', history: 'History' };
+export const TABS: Readonly<Record<Tab, string>> = {
+  start: 'Faces',
+  features: 'Features',
+  parts: 'Parts',
+  look: 'Style',
+  marks: 'Marks',
+  held: 'Held',
+  history: 'History',
+  pictures: 'Export',
+};
 const PAD = 'View: drag or press arrow keys to turn the head, plus and minus to come nearer; F, T and P for front, three-quarter and profile';
 
 /** What the template is filled with; what needs a face is not there until one is. */
@@ -13,6 +22,8 @@ export interface Layout {
   readonly views?: TemplateResult;
   readonly panel?: TemplateResult;
   readonly speaking?: TemplateResult;
+  /** Something is placed on the skin by the next press. */
+  readonly placing: boolean;
   /** How much of the faces is fetched, while they are. */
   readonly share: number | undefined;
   /** What went wrong. */
@@ -21,7 +32,7 @@ export interface Layout {
   readonly status: string;
 }
 
-export function template({ tools, views, panel, speaking, share, trouble, status }: Layout): TemplateResult {
+export function template({ tools, views, panel, speaking, placing, share, trouble, status }: Layout): TemplateResult {
   return html`<div class="viewer composite">
     <div class="bench">
       <div class="head" part="head">
@@ -32,7 +43,7 @@ export function template({ tools, views, panel, speaking, share, trouble, status
         <div class="frame" part="frame">
           <div id="portraits" class="behind" aria-hidden="true" inert></div>
           <raconteur-player id="player" part="player" label="The face"></raconteur-player>
-          <div class="pad" id="pad" tabindex="0" role="group" aria-label=${PAD}></div>
+          <div class=${placing ? 'pad placing' : 'pad'} id="pad" tabindex="0" role="group" aria-label=${PAD}></div>
         </div>
         <div class="transport" part="transport">${views ?? nothing}</div>
         <div class="saying" part="speaking">${speaking ?? nothing}</div>

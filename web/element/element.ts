@@ -360,8 +360,9 @@ export class RaconteurPlayer extends LitElement {
     return new Blob([(await faceFile(parts)) as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
   }
 
-  /** A copy of the picture on stage, as large as it is drawn; undefined where there is none. */
-  snapshot(): HTMLCanvasElement | undefined {
+  /** A copy of the picture on stage, as large as it is drawn; with a `view` from there, as `look` has it. Undefined where there is none. */
+  snapshot(view?: View): HTMLCanvasElement | undefined {
+    if (view !== undefined) this.#view(view);
     this.#frames.advance();
     return this.#context.show?.picture.copy();
   }
@@ -406,10 +407,14 @@ export class RaconteurPlayer extends LitElement {
 
   /** Shows the whole figure from another side, for pages that look behind the scenes. */
   look(view: View): void {
+    this.#view(view);
+    if (this.paused) this.#frames.advance();
+  }
+
+  #view(view: View): void {
     this.#context.view = view;
     this.#frames.keep();
     this.#context.show?.picture.look(view);
-    if (this.paused) this.#frames.advance();
   }
 
   /** What a page needs to draw over the picture shown last; `readPose` of `pose.ts` decodes it. Undefined without a story. */

@@ -35,6 +35,18 @@ export class HeadView {
 
   /** Looks from elsewhere; the head stays in the middle. */
   look(look: Partial<Look>): void {
+    this.#turn(look);
+    this.player.look(this.#view);
+    this.changed();
+  }
+
+  /** Looks from elsewhere for a picture, which is drawn once; undefined where there is none. */
+  picture(look: Partial<Look>): HTMLCanvasElement | undefined {
+    this.#turn(look);
+    return this.player.snapshot(this.#view);
+  }
+
+  #turn(look: Partial<Look>): void {
     const next = { ...this.from, ...look };
     const zoom = Math.min(12, Math.max(1.5, next.zoom));
     this.from = {
@@ -43,7 +55,6 @@ export class HeadView {
       zoom,
     };
     this.#aim();
-    this.changed();
   }
 
   /** How near one looks. */
@@ -56,7 +67,6 @@ export class HeadView {
     const { turn } = this.from;
     const [x, y, z] = this.#head;
     this.#view = { ...this.from, right: x * Math.cos(turn) - z * Math.sin(turn), up: y };
-    this.player.look(this.#view);
   }
 
   /** Finds where the head is, and brings it into the middle: figures are of different height. Read it when a picture has been drawn since the last look. */
@@ -72,6 +82,7 @@ export class HeadView {
     this.#height = skull.position[1] + MIDDLE_M[1];
     this.#distance = Math.hypot(...minus(pose.camera.eye, pose.camera.target)) * this.#view.zoom;
     this.#aim();
+    this.player.look(this.#view);
   }
 }
 

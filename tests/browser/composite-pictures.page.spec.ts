@@ -1,0 +1,146 @@
+/** What is taken away of a composite: small pictures of its steps, a picture for paper, a film, a report. */
+
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { isLong } from '../../web/test/tier.js';
+import { expectNoBarriers, LOOKS } from './access.js';
+import { expect, test } from './stage.js';
+
+/** Software draws slowly. */
+const DRAWN_MS = 100_000;
+
+async function open(page: Page): Promise<void> {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 1024, height: 700 });
+  await page.goto('/composite/');
+  await expect(page.locator('#bench[data-ready]')).toBeAttached({ timeout: 30_000 });
+}
+
+const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();
+
+async function set(page: Page, name: string, to: string): Promise<void> {
+  const value = page.getByLabel(`${name}, exactly`);
+  await value.fill(to);
+  await value.blur();
+}
+
+/** The file that a button saves. */
+async function saved(page: Page, button: string, within = DRAWN_MS): Promise<{ name: string; bytes: Buffer }> {
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: within }), page.getByRole('button', { name: button }).click()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+test('steps have small pictures, and branches say where they come from', async ({ page }) => {
+  await open(page);
+  await set(page, 'weight', '0.5');
+  await tab(page, 'History');
+  const steps = page.getByRole('list', { name: 'Steps' }).getByRole('listitem');
+  const pictures = steps.locator('img');
+  await expect(pictures.last()).toHaveAttribute('src', /^data:image\/(webp|png);/);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await tab(page, 'Features');
+  await set(page, 'weight', '-0.5');
+  await tab(page, 'History');
+  await expect(steps.nth(2)).toContainText('from the beginning');
+  await expect(steps.nth(2).locator('img')).toBeAttached();
+  await expect(steps.nth(1)).toHaveClass('aside');
+});
+
+test('a picture for paper has the size that it says', async ({ page }) => {
+  await open(page);
+  await tab(page, 'Pictures');
+  await page.getByText('Profile', { exact: true }).click();
+  const { name, bytes } = await saved(page, 'Save picture');
+  expect(name).toBe('face-profile.png');
+  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([1181, 1476]);
+  expect(bytes.subarray(37, 41).toString()).toBe('pHYs');
+  await expect(page.locator('#status')).toHaveText('face-profile.png is saved.');
+});
+
+test('a browser without an encoder saves the film as a GIF, and a film can be cancelled', async ({ page }) => {
+  await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'VideoEncoder'));
+  await open(page);
+  await tab(page, 'Pictures');
+  await page.getByRole('button', { name: 'Save film' }).click();
+  await expect(page.getByRole('progressbar', { name: 'Film' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Save picture' })).toBeDisabled();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.locator('#status')).toHaveText('Film: cancelled.');
+  await expect(page.getByRole('progressbar', { name: 'Film' })).not.toBeAttached();
+  // The player that took its pictures is gone.
+  await expect(page.locator('raconteur-player')).toHaveCount(1);
+  const { name, bytes } = await saved(page, 'Save film');
+  expect(name).toBe('face.gif');
+  expect(bytes.subarray(0, 6).toString()).toBe('GIF89a');
+  expect(bytes.length).toBeGreaterThan(50_000);
+});
+
+test('the film is a video where the browser has an encoder', async ({ page }) => {
+  // Ninety-six pictures take minutes in software.
+  test.skip(!isLong);
+  test.slow();
+  await open(page);
+  await tab(page, 'Pictures');
+  const { name, bytes } = await saved(page, 'Save film', 3 * DRAWN_MS);
+  if (name === 'face.webm') expect(bytes.readUInt32BE(0)).toBe(0x1a45dfa3);
+  else expect([name, bytes.subarray(4, 8).toString()]).toEqual(['face.mp4', 'ftyp']);
+  expect(bytes.length).toBeGreaterThan(50_000);
+});
+
+test('a report has all values, and what somebody typed is text in it', async ({ page, context }) => {
+  await open(page);
+  await set(page, 'weight', '0.5');
+  await tab(page, 'History');
+  await page.getByLabel('Name this face').fill('<img src=x> & </title>');
+  await page.getByRole('button', { name: 'Name', exact: true }).click();
+  await tab(page, 'Pictures');
+  const { name, bytes } = await saved(page, 'Save report');
+  expect(name).toBe('img-src-x-title.html');
+  const text = bytes.toString();
+  expect(text).toContain('&lt;img src=x&gt; &amp; &lt;/title&gt;');
+  expect(text).not.toMatch(/<img src="?x|<script|<!--/);
+  const reader = await context.newPage();
+  const asked: string[] = [];
+  reader.on('request', ({ url }) => {
+    if (!url().startsWith('data:')) asked.push(url());
+  });
+  await reader.setContent(text);
+  await expect(reader.locator('h1')).toHaveText('<img src=x> & </title>');
+  await expect(reader.locator('tr', { hasText: 'weight' }).first()).toContainText('+0.50');
+  await expect(reader.locator('img')).toHaveCount(3);
+  await expect(reader.locator('.steps li')).toHaveCount(2);
+  await expectNoBarriers(reader, 'the report');
+  expect(asked).toEqual([]);
+});
+
+test('on paper there is the report alone, and the screen stays as it is', async ({ page }) => {
+  await page.addInitScript(() => {
+    window.print = () => document.documentElement.setAttribute('data-printed', '');
+  });
+  await open(page);
+  await tab(page, 'Pictures');
+  await page.getByRole('button', { name: 'Print report' }).click();
+  await expect(page.locator('html[data-printed]')).toBeAttached({ timeout: DRAWN_MS });
+  const report = page.locator('body > .report');
+  await expect(report).toBeHidden();
+  await page.emulateMedia({ media: 'print' });
+  await expect(report.locator('h1')).toHaveText('Face without a name');
+  await expect(page.locator('#bench')).toBeHidden();
+  await page.emulateMedia({ media: 'screen' });
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await expect(report).not.toBeAttached();
+  await expect(page.locator('#bench')).toBeVisible();
+});
+
+for (const { colorScheme, device, width, height } of LOOKS) {
+  test(`pictures are accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await open(page);
+    await page.setViewportSize({ width, height });
+    await set(page, 'weight', '0.5');
+    for (const name of ['History', 'Pictures']) {
+      await tab(page, name);
+      await expectNoBarriers(page, name);
+    }
+  });
+}

@@ -1,0 +1,55 @@
+/** All panels of the editor, for one face. */
+
+import type { TemplateResult } from 'lit';
+import type { App, Tab } from './app.js';
+import { HistoryPanel } from './history-panel.js';
+import { LookPanel } from './look-panel.js';
+import { marks } from './marks-panel.js';
+import { features, heldList } from './panels.js';
+import { parts } from './parts-panel.js';
+import { Pictures } from './pictures-panel.js';
+import { Portraits } from './portraits.js';
+import { SegmentPictures } from './segment-pictures.js';
+import { start } from './start.js';
+import type { Tell } from './tell.js';
+import { Thumbnails } from './thumbnails.js';
+
+export class Desk {
+  readonly #portraits: Portraits;
+  readonly #thumbnails: Thumbnails;
+  readonly #panels: Readonly<Record<Tab, () => TemplateResult>>;
+
+  /** `place` is where players for pictures go, unseen. */
+  constructor(app: App, place: HTMLElement, tell: Tell) {
+    const portraits = (this.#portraits = new Portraits(app, place));
+    const thumbnails = (this.#thumbnails = new Thumbnails(app, () => app.redraw()));
+    const looks = new LookPanel(app);
+    const past = new HistoryPanel(app, thumbnails);
+    const pictures = new Pictures(app, place, tell);
+    const segments = new SegmentPictures(app.faces);
+    this.#panels = {
+      start: () => start(app, portraits),
+      features: () => features(app),
+      parts: () => parts(app, segments),
+      look: () => looks.draw(),
+      marks: () => marks(app),
+      held: () => heldList(app),
+      history: () => past.draw(),
+      pictures: () => pictures.draw(),
+    };
+  }
+
+  draw(tab: Tab): TemplateResult {
+    return this.#panels[tab]();
+  }
+
+  /** The stage shows a face. */
+  shown(): void {
+    this.#thumbnails.shown();
+  }
+
+  /** Lets go of what a page that has no use for the editor need not hold. */
+  release(): void {
+    this.#portraits.release();
+  }
+}

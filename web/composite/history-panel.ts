@@ -1,0 +1,81 @@
+/** The history as a list: small pictures and words of its steps, its branches, and the faces that were named. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { label } from './acts.js';
+import type { App } from './app.js';
+import type { Step } from './history.js';
+import type { Thumbnails } from './thumbnails.js';
+
+/** Steps that are listed at once. */
+const LISTED = 200;
+
+/** Where a step goes on from, where that is not the step before it. */
+export function branch({ parent }: Step, step: number): string | undefined {
+  if (parent === step - 1) return undefined;
+  return parent === 0 ? 'from the beginning' : `from step ${parent}`;
+}
+
+export class HistoryPanel {
+  /** The first step that is listed, where it was asked for from the present one. */
+  #asked: { readonly first: number; readonly here: number; readonly history: App['history'] } | undefined;
+
+  constructor(
+    private readonly app: App,
+    private readonly thumbnails: Thumbnails,
+  ) {}
+
+  draw(): TemplateResult {
+    const { history } = this.app;
+    const { steps, here } = history;
+    const on = new Set(history.path());
+    const first = this.#first();
+    const named = steps.flatMap((step, i) => (step.name === undefined ? [] : [{ i, step }]));
+    const entry = (i: number, step: Step): TemplateResult => this.#entry(i, step, on.has(i));
+    const name = (event: Event): void => {
+      event.preventDefault();
+      const input = (event.currentTarget as HTMLFormElement).querySelector('input');
+      this.app.name(input?.value.trim() ?? '');
+    };
+    return html`<form class="line" @submit=${name}>
+        <label class="select"><span>Name this face</span><input type="text" maxlength="60" .value=${steps[here]?.name ?? ''} autocomplete="off" /></label><button type="submit" class="plain">Name</button>
+      </form>
+      ${named.length === 0 ? nothing : html`<h3>Named</h3><ul class="steps-list" aria-label="Named faces">${named.map(({ i, step }) => entry(i, step))}</ul>`}
+      <h3>${steps.length === 1 ? 'Nothing was changed' : steps.length === 2 ? '1 step' : `${steps.length - 1} steps`}</h3>
+      ${this.#leaves(first)}
+      <ol class="steps-list" aria-label="Steps">${steps.slice(first, first + LISTED).map((step, i) => entry(first + i, step))}</ol>`;
+  }
+
+  /** Around the present step, until one leafs; a step that is gone to is listed again. */
+  #first(): number {
+    const { history } = this.app;
+    const most = Math.max(0, history.steps.length - LISTED);
+    const asked = this.#asked;
+    const follows = asked === undefined || asked.here !== history.here || asked.history !== history;
+    return Math.max(0, Math.min(most, follows ? history.here - LISTED / 2 : asked.first));
+  }
+
+  #leaves(first: number): TemplateResult | typeof nothing {
+    const { history } = this.app;
+    const { length } = history.steps;
+    if (length <= LISTED) return nothing;
+    const leaf = (by: number): void => {
+      this.#asked = { first: first + by, here: history.here, history };
+      this.app.redraw();
+    };
+    return html`<div class="group" role="group" aria-label="Steps that are listed">
+      <button type="button" class="plain" ?disabled=${first === 0} @click=${() => leaf(-LISTED)}>Earlier</button>
+      <button type="button" class="plain" ?disabled=${first + LISTED >= length} @click=${() => leaf(LISTED)}>Later</button>
+      <span class="range">${first} to ${Math.min(length, first + LISTED) - 1}</span>
+    </div>`;
+  }
+
+  #entry(i: number, step: Step, isOn: boolean): TemplateResult {
+    const picture = this.thumbnails.of(i);
+    const from = branch(step, i);
+    const current = i === this.app.history.here ? 'step' : 'false';
+    return html`<li class=${isOn ? '' : 'aside'}><button type="button" class="plain step" aria-current=${current} @click=${() => this.app.goTo(i)}>
+      <span class="count">${i}</span>
+      <span class="small">${picture === undefined ? nothing : html`<img src=${picture} width="48" height="60" alt="" loading="lazy" />`}</span>
+      <span>${step.name ?? label(step.act)}${from === undefined ? nothing : html`<small>${from}</small>`}</span></button></li>`;
+  }
+}

@@ -1,0 +1,95 @@
+/** Segments of the face, and what is done to those that are chosen. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { FacePart } from '../element/faces.js';
+import { check, choice, numberField } from '../pages/fields.js';
+import type { App } from './app.js';
+import { PARTS } from './panels.js';
+import type { SegmentPictures } from './segment-pictures.js';
+
+/** What dragging on the picture does. */
+const DRAGS = { view: 'turns the head', move: 'moves', turn: 'turns', scale: 'scales' } as const;
+const HALVES = { both: 'Both', left: 'Left', right: 'Right' } as const;
+
+export function parts(app: App, pictures: SegmentPictures): TemplateResult {
+  const { segments } = app.faces.pack;
+  const toggle = (name: string, on: boolean): void => {
+    if (on) app.segments.add(name);
+    else app.segments.delete(name);
+    app.chosen();
+  };
+  const depth = (i: number): number => {
+    const parent = segments[i]?.parent;
+    return parent == null ? 0 : 1 + depth(parent);
+  };
+  return html`<p class="about">Press on the face, with Shift for more than one: features, moves, ageing and caricature keep to what is chosen, and blend at its border.</p>
+    <fieldset class="segments"><legend class="unseen">Segments of the face</legend>
+      ${segments.map(({ name }, i) => html`<div class="depth${depth(i)}"><img src=${pictures.of(name) ?? nothing} width="28" height="36" alt="" />${check(name, app.segments.has(name), (on) => toggle(name, on))}</div>`)}
+    </fieldset>
+    <div class="row bar">
+      ${choice('half', 'Halves', app.half ?? 'both', HALVES, (half) => {
+        app.half = half === 'both' ? undefined : half;
+        app.chosen();
+      })}
+      <button type="button" class="plain" ?disabled=${app.segments.size === 0 && app.half === undefined} @click=${() => {
+        app.segments.clear();
+        app.half = undefined;
+        app.chosen();
+      }}>Whole head</button>
+    </div>
+    ${check('Lit on the face', app.lit, (on) => {
+      app.lit = on;
+      app.chosen();
+    })}
+    ${choice('drag', 'Dragging on the face', app.drag, DRAGS, (drag) => {
+      app.drag = drag;
+      app.redraw();
+    })}
+    ${moves(app)} ${wholes(app)}`;
+}
+
+/** Moves of what is chosen: each slider is back in its middle when it rests. */
+function moves(app: App): TemplateResult {
+  const none = { scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 0, 0] } as const;
+  const slider = (name: string, most: number, unit: string, change: (amount: number) => Partial<Record<keyof typeof none, readonly [number, number, number]>>): TemplateResult =>
+    numberField({
+      label: name,
+      value: app.sliding?.name === name ? app.sliding.amount : 0,
+      min: -most,
+      max: most,
+      step: most / 50,
+      unit,
+      set: (amount) => {
+        app.sliding = { name, amount };
+        app.move({ kind: 'transform', ...none, ...change(amount), region: app.region });
+      },
+      done: () => {
+        app.sliding = undefined;
+        app.done();
+      },
+    });
+  const mm = 1e-3;
+  const degree = Math.PI / 180;
+  return html`<section class="region" aria-label="Moves"><h3>Move, turn, scale</h3>
+    <div class="numbers">
+      ${slider('Sideways', 8, 'mm', (x) => ({ way: [x * mm, 0, 0] }))} ${slider('Up', 8, 'mm', (y) => ({ way: [0, y * mm, 0] }))}
+      ${slider('Forwards', 8, 'mm', (z) => ({ way: [0, 0, z * mm] }))} ${slider('Tilt', 15, '°', (a) => ({ turn: [0, 0, a * degree] }))}
+      ${slider('Size', 30, '%', (s) => ({ scale: [1 + s / 100, 1 + s / 100, 1 + s / 100] }))} ${slider('Breadth', 30, '%', (s) => ({ scale: [1 + s / 100, 1, 1] }))}
+      ${slider('Height', 30, '%', (s) => ({ scale: [1, 1 + s / 100, 1] }))}
+    </div>
+  </section>`;
+}
+
+/** What is done to all that is chosen at once. */
+function wholes(app: App): TemplateResult {
+  const { region } = app;
+  const button = (name: string, act: Parameters<App['do']>[0]): TemplateResult => html`<button type="button" class="plain" @click=${() => app.do(act)}>${name}</button>`;
+  return html`<section class="region" aria-label="Age and caricature"><h3>Age and caricature</h3>
+    <div class="group" role="group" aria-label="Age">${button('Younger', { kind: 'age', amount: -0.2, region })} ${button('Older', { kind: 'age', amount: 0.2, region })}</div>
+    ${(Object.entries(PARTS) as [FacePart, string][]).map(
+      ([part, name]) => html`<div class="group" role="group" aria-label="Caricature of ${name.toLowerCase()}"><span class="what">${name}</span>
+        ${button('More of itself', { kind: 'caricature', part, level: 1.15, region })} ${button('More like everybody', { kind: 'caricature', part, level: 0.85, region })}</div>`,
+    )}
+    <div class="group" role="group" aria-label="Detail">${button('Sharper skin', { kind: 'detail', strength: 0.7 })} ${button('Softer skin', { kind: 'detail', strength: -0.4 })}</div>
+  </section>`;
+}

@@ -1,0 +1,171 @@
+/** What one takes away of a face: pictures for paper, a film, a report. One at a time, by a player of its own. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { choice } from '../pages/fields.js';
+import { SIDES } from '../pages/head-view.js';
+import { save } from '../pages/workbench.js';
+import type { App } from './app.js';
+import { turntable } from './film.js';
+import { printPicture } from './print.js';
+import { reportOf } from './report.js';
+import { printReport, reportFile, type ReportPicture } from './report-page.js';
+import { Studio, type Watch } from './shots.js';
+
+const SIDE_NAMES = { front: 'Front', quarter: 'Three-quarter', profile: 'Profile' } as const;
+type Side = keyof typeof SIDE_NAMES;
+const TURNS: Readonly<Record<Side, number>> = { front: SIDES.Front, quarter: SIDES['Three-quarter'], profile: SIDES.Left };
+/** Sharp on paper at a third of its width, in pixels. */
+const REPORT_SIZE = { width: 640, height: 800 };
+
+/** What is being made. */
+interface Job {
+  readonly what: string;
+  readonly end: AbortController;
+  done: number;
+  of: number;
+}
+
+export class Pictures {
+  readonly #studio: Studio;
+  #side: Side = 'front';
+  #name = 'face';
+  #job: Job | undefined;
+
+  /** `place` is where the player goes, unseen; `say` tells what became of it, `trouble` what went wrong. */
+  constructor(
+    private readonly app: App,
+    place: HTMLElement,
+    private readonly page: { say(text: string): void; trouble(text: string): void },
+  ) {
+    this.#studio = new Studio(app, place);
+  }
+
+  /** The panel. */
+  draw(): TemplateResult {
+    const button = (name: string, work: () => void): TemplateResult =>
+      html`<button type="button" class="plain" ?disabled=${this.#job !== undefined} @click=${work}>${name}</button>`;
+    const choose = (side: Side): void => {
+      this.#side = side;
+      this.app.redraw();
+    };
+    return html`<section class="region" aria-label="Picture for paper"><h3>Picture for paper</h3>
+        ${choice('side', 'From', this.#side, SIDE_NAMES, choose)}
+        <div class="group">${button('Save picture', () => void this.#print())}</div>
+        <p class="about">PNG, 10 × 12.5 cm at 300 dots per inch.</p>
+      </section>
+      <section class="region" aria-label="Film"><h3>Film</h3>
+        <div class="group">${button('Save film', () => void this.#film())}</div>
+        <p class="about">The head turns once around in four seconds.</p>
+      </section>
+      <section class="region" aria-label="Report"><h3>Report</h3>
+        <div class="group">${button('Print report', () => void this.#printReport())} ${button('Save report', () => void this.#saveReport())}</div>
+        <p class="about">Three pictures, all features that differ from the average, what is held, and every step. The file is a web page that needs nothing else.</p>
+      </section>
+      <section class="region" aria-label="Figure file"><h3>Figure file</h3>
+        <div class="line"><label class="select"><span>Name of the figure</span><input type="text" maxlength="40" .value=${this.#name} autocomplete="off" @input=${(
+          event: Event,
+        ) => {
+          this.#name = (event.target as HTMLInputElement).value;
+        }} /></label>${button('Save figure', () => void this.#figure())}</div>
+        <p class="about">A figure that tells any story with this face: choose it as <em>Yours</em> beside a story, or lay it into a story's folder and name it there, as in <code>&lt;r:performer figure="${fileName(this.#name)}.glb"/&gt;</code>.</p>
+      </section>
+      ${this.#progress()}`;
+  }
+
+  #progress(): TemplateResult | typeof nothing {
+    const job = this.#job;
+    if (job === undefined) return nothing;
+    const text = `${job.what}: ${job.done === 0 ? 'getting ready' : `${job.done} of ${job.of} ${job.of === 1 ? 'picture' : 'pictures'}`}`;
+    return html`<div class="busy job"><progress aria-label=${job.what} max=${job.of} .value=${job.done}></progress><span>${text}</span>
+      <button type="button" class="plain" @click=${() => job.end.abort()}>Cancel</button></div>`;
+  }
+
+  /** Does one thing, tells how far it is, and what became of it. */
+  async #run(what: string, work: (watch: Watch, file: string) => Promise<string>): Promise<void> {
+    if (this.#job !== undefined) return;
+    const end = new AbortController();
+    // The face may get another name meanwhile.
+    const { steps, here } = this.app.history;
+    const file = fileName(steps[here]?.name);
+    const job: Job = (this.#job = { what, end, done: 0, of: 1 });
+    const progress = (done: number, of: number): void => {
+      [job.done, job.of] = [done, of];
+      this.app.redraw();
+    };
+    this.page.trouble('');
+    this.app.redraw();
+    try {
+      const became = await work({ signal: end.signal, progress }, file);
+      this.page.say(became);
+    } catch (error) {
+      if (end.signal.aborted) this.page.say(`${what}: cancelled.`);
+      else this.page.trouble(`${what} could not be made: ${error instanceof Error ? error.message : String(error)}`);
+    }
+    this.#job = undefined;
+    this.app.redraw();
+  }
+
+  #figure(): Promise<void> {
+    return this.#run('Figure', async () => {
+      const { app } = this;
+      const name = fileName(this.#name);
+      // Without what is lit of it.
+      await app.player.setFace(app.face);
+      const file = await app.player.figureFile(name);
+      await app.show();
+      return saved(file, `${name}.glb`);
+    });
+  }
+
+  #print(): Promise<void> {
+    const side = this.#side;
+    return this.#run('Picture', async (watch, file) => saved(await printPicture(this.#studio, TURNS[side], watch), `${file}-${side}.png`));
+  }
+
+  #film(): Promise<void> {
+    return this.#run('Film', async (watch, name) => {
+      const { file, extension } = await turntable(this.#studio, watch);
+      return saved(file, `${name}.${extension}`);
+    });
+  }
+
+  #printReport(): Promise<void> {
+    return this.#run('Report', async (watch) => {
+      await printReport(reportOf(this.app, new Date()), await this.#sides(watch));
+      return 'The report is ready.';
+    });
+  }
+
+  #saveReport(): Promise<void> {
+    return this.#run('Report', async (watch, file) => {
+      const report = reportOf(this.app, new Date());
+      return saved(reportFile(report, await this.#sides(watch)), `${file}.html`);
+    });
+  }
+
+  /** The pictures of the report. */
+  async #sides(watch: Watch): Promise<ReportPicture[]> {
+    const sides = Object.keys(SIDE_NAMES) as Side[];
+    const turns = sides.map((side) => TURNS[side]);
+    const pictures = await this.#studio.all(turns, REPORT_SIZE, watch);
+    return pictures.map((picture, i) => ({ name: SIDE_NAMES[sides[i] ?? 'front'], src: picture.toDataURL('image/jpeg', 0.9) }));
+  }
+}
+
+function saved(file: Blob, name: string): string {
+  save(file, name);
+  return `${name} is saved.`;
+}
+
+/** What a file may be called anywhere. */
+export function fileName(name = ''): string {
+  return (
+    name
+      .normalize('NFKD')
+      .toLowerCase()
+      .replace(/\p{M}/gu, '')
+      .replace(/[^a-z0-9]+/g, '-')
+      .replace(/^-|-$/g, '')
+      .slice(0, 40) || 'face'
+  );
+}
