@@ -48,7 +48,7 @@ test('steps have small pictures, and branches say where they come from', async (
 
 test('a picture for paper has the size that it says', async ({ page }) => {
   await open(page);
-  await tab(page, 'Pictures');
+  await tab(page, 'Export');
   await page.getByText('Profile', { exact: true }).click();
   const { name, bytes } = await saved(page, 'Save picture');
   expect(name).toBe('face-profile.png');
@@ -60,7 +60,7 @@ test('a picture for paper has the size that it says', async ({ page }) => {
 test('a browser without an encoder saves the film as a GIF, and a film can be cancelled', async ({ page }) => {
   await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'VideoEncoder'));
   await open(page);
-  await tab(page, 'Pictures');
+  await tab(page, 'Export');
   await page.getByRole('button', { name: 'Save film' }).click();
   await expect(page.getByRole('progressbar', { name: 'Film' })).toBeVisible();
   await expect(page.getByRole('button', { name: 'Save picture' })).toBeDisabled();
@@ -80,7 +80,7 @@ test('the film is a video where the browser has an encoder', async ({ page }) =>
   test.skip(!isLong);
   test.slow();
   await open(page);
-  await tab(page, 'Pictures');
+  await tab(page, 'Export');
   const { name, bytes } = await saved(page, 'Save film', 3 * DRAWN_MS);
   if (name === 'face.webm') expect(bytes.readUInt32BE(0)).toBe(0x1a45dfa3);
   else expect([name, bytes.subarray(4, 8).toString()]).toEqual(['face.mp4', 'ftyp']);
@@ -93,7 +93,7 @@ test('a report has all values, and what somebody typed is text in it', async ({ 
   await tab(page, 'History');
   await page.getByLabel('Name this face').fill('<img src=x> & </title>');
   await page.getByRole('button', { name: 'Name', exact: true }).click();
-  await tab(page, 'Pictures');
+  await tab(page, 'Export');
   const { name, bytes } = await saved(page, 'Save report');
   expect(name).toBe('img-src-x-title.html');
   const text = bytes.toString();
@@ -118,7 +118,7 @@ test('on paper there is the report alone, and the screen stays as it is', async 
     window.print = () => document.documentElement.setAttribute('data-printed', '');
   });
   await open(page);
-  await tab(page, 'Pictures');
+  await tab(page, 'Export');
   await page.getByRole('button', { name: 'Print report' }).click();
   await expect(page.locator('html[data-printed]')).toBeAttached({ timeout: DRAWN_MS });
   const report = page.locator('body > .report');
@@ -138,7 +138,7 @@ for (const { colorScheme, device, width, height } of LOOKS) {
     await open(page);
     await page.setViewportSize({ width, height });
     await set(page, 'weight', '0.5');
-    for (const name of ['History', 'Pictures']) {
+    for (const name of ['History', 'Export']) {
       await tab(page, name);
       await expectNoBarriers(page, name);
     }

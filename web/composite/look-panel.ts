@@ -20,6 +20,9 @@ interface Mixture {
 
 const UNMIXED: Mixture = { a: '', b: '', share: 0, grey: 0 };
 const ends = { 0: 'none', 1: 'all' } as const;
+/** On a head hair is as much brighter as the lamps make it. */
+const LAMPS = 2.2;
+const inLight = ([r, g, b]: NaturalHair['rgb']): NaturalHair['rgb'] => [r * LAMPS, g * LAMPS, b * LAMPS];
 
 export class LookPanel {
   readonly #mixtures: Record<Part, Mixture> = { hair: UNMIXED, beard: UNMIXED, brows: UNMIXED };
@@ -88,7 +91,7 @@ export class LookPanel {
         <button type="button" class="plain" aria-pressed=${own === undefined} @click=${asIs}>As it is</button>
         ${this.#natural.map(
           ({ name, rgb }) =>
-            html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${mixture.a === name} ${vars({ '--colour': hexOf(rgb) })} @click=${() => put({ ...mixture, a: name }, false)}></button>`,
+            html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${mixture.a === name} ${vars({ '--colour': hexOf(inLight(rgb)) })} @click=${() => put({ ...mixture, a: name }, false)}></button>`,
         )}
       </div>
       ${

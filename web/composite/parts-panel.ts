@@ -1,6 +1,7 @@
 /** Segments of the face, and what is done to those that are chosen. */
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { FacePart } from '../element/faces.js';
 import { check, choice, numberField } from '../pages/fields.js';
 import type { App } from './app.js';
@@ -18,13 +19,9 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
     else app.segments.delete(name);
     app.chosen();
   };
-  const depth = (i: number): number => {
-    const parent = segments[i]?.parent;
-    return parent == null ? 0 : 1 + depth(parent);
-  };
   return html`<p class="about">Press on the face, with Shift for more than one: features, moves, ageing and caricature keep to what is chosen, and blend at its border.</p>
     <fieldset class="segments"><legend class="unseen">Segments of the face</legend>
-      ${segments.map(({ name }, i) => html`<div class="depth${depth(i)}"><img src=${pictures.of(name) ?? nothing} width="28" height="36" alt="" />${check(name, app.segments.has(name), (on) => toggle(name, on))}</div>`)}
+      ${segments.map(({ name }) => tile(name, pictures.of(name), app.segments.has(name), (on) => toggle(name, on)))}
     </fieldset>
     <div class="row bar">
       ${choice('half', 'Halves', app.half ?? 'both', HALVES, (half) => {
@@ -46,6 +43,12 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
       app.redraw();
     })}
     ${moves(app)} ${wholes(app)}`;
+}
+
+/** A segment to choose by its picture. */
+function tile(name: string, picture: string | undefined, on: boolean, toggle: (on: boolean) => void): TemplateResult {
+  return html`<label><img src=${picture ?? nothing} width="56" height="72" alt="" />
+    <input type="checkbox" .checked=${live(on)} @change=${(event: Event) => toggle((event.target as HTMLInputElement).checked)} /><span>${name}</span></label>`;
 }
 
 /** Moves of what is chosen: each slider is back in its middle when it rests. */
