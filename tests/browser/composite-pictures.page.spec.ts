@@ -13,7 +13,7 @@ async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1024, height: 700 });
   await page.goto('/composite/');
-  await expect(page.locator('#bench[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('[data-ready]')).toBeAttached({ timeout: 30_000 });
 }
 
 const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();
@@ -125,11 +125,11 @@ test('on paper there is the report alone, and the screen stays as it is', async 
   await expect(report).toBeHidden();
   await page.emulateMedia({ media: 'print' });
   await expect(report.locator('h1')).toHaveText('Face without a name');
-  await expect(page.locator('#bench')).toBeHidden();
+  await expect(page.locator('raconteur-composite')).toBeHidden();
   await page.emulateMedia({ media: 'screen' });
   await page.evaluate(() => dispatchEvent(new Event('afterprint')));
   await expect(report).not.toBeAttached();
-  await expect(page.locator('#bench')).toBeVisible();
+  await expect(page.locator('raconteur-composite')).toBeVisible();
 });
 
 for (const { colorScheme, device, width, height } of LOOKS) {

@@ -3,8 +3,12 @@
 import { expect, test } from 'vitest';
 import { isAct, type Act } from '../composite/acts.js';
 import { Cache } from '../composite/cache.js';
+import { hexOf, linearOf } from '../composite/colours.js';
+import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
+import { toggled } from '../composite/look.js';
 import { chosen, describe } from '../composite/people.js';
+import type { FaceLook } from '../element/types.js';
 
 const pack = { faces: 10, vertices: 5 };
 const add = (amount: number): Act => ({ kind: 'add', part: 'shape', name: 'weight', amount, region: {} });
@@ -106,4 +110,70 @@ test('faces by a description', () => {
   expect(chosen(people, { sex: 'woman', age: 'old', ancestry: 'european' })).toEqual([0]);
   expect(chosen(people, { sex: 'any', age: 'any', ancestry: 'mixed' })).toEqual([2]);
   expect(people.map(describe)).toEqual(['Woman of 60, European', 'Boy of 12, Asian', 'Woman of 30, mixed']);
+});
+
+test('looks and marks of a file are those that there are', () => {
+  const look = { hair: { from: 'kenji', colour: { eumelanin: 0.1, pheomelanin: 0.2, grey: 0.5 } }, cut: 'goatee', wear: [{ kind: 'hat', colour: [0, 0.5, 1] }] };
+  const mark = { kind: 'tattoo', corners: [1, 2, 3], shares: [0.2, 0.3, 0.5], size: 0.02, turn: 0.1, shape: 'text', text: 'Mom' };
+  expect(isAct({ kind: 'look', look, what: 'hat' })).toBe(true);
+  expect(isAct({ kind: 'look', look: {}, what: '' })).toBe(true);
+  expect(isAct({ kind: 'marks', marks: [mark], what: 'tattoo' })).toBe(true);
+  const looks = [
+    { hair: { from: 'https://example.com/' } },
+    { hair: { from: '../sofia' } },
+    { hair: { from: '__proto__' } },
+    { hair: { colour: { eumelanin: -1, pheomelanin: 0, grey: 0 } } },
+    { cut: 'mohawk' },
+    { wear: [{ kind: 'crown', colour: [0, 0, 0] }] },
+    { wear: [{ kind: 'hat', colour: [0, 0, Number.NaN] }] },
+    { wear: 'hat' },
+    null,
+  ];
+  for (const broken of looks) expect(isAct({ kind: 'look', look: broken, what: '' }), JSON.stringify(broken)).toBe(false);
+  const marks = [
+    { kind: 'wart' },
+    { size: 3 },
+    { turn: Number.POSITIVE_INFINITY },
+    { corners: [1, 2] },
+    { corners: [1, 2, -1] },
+    { shares: [5, 0, 0] },
+    { shape: 'skull' },
+    { text: 'x'.repeat(30) },
+  ];
+  for (const broken of marks) expect(isAct({ kind: 'marks', marks: [{ ...mark, ...broken }], what: '' }), JSON.stringify(broken)).toBe(false);
+  expect(isAct({ kind: 'marks', marks: Array.from({ length: 101 }, () => mark), what: '' })).toBe(false);
+});
+
+test('a head wears one cover and one pair of glasses', () => {
+  let look: FaceLook = {};
+  for (const kind of ['hat', 'round-glasses', 'sunglasses', 'headscarf', 'ear-studs'] as const) look = toggled(look, kind);
+  expect(look.wear?.map((w) => w.kind)).toEqual(['sunglasses', 'headscarf', 'ear-studs']);
+  expect(toggled(look, 'headscarf').wear?.map((w) => w.kind)).toEqual(['sunglasses', 'ear-studs']);
+});
+
+test('what a step has is that of the way to it', () => {
+  const history = new History();
+  const look = { hair: { from: 'none' } } as const;
+  const shaved = history.add({ kind: 'look', look, what: 'hair: shaved' });
+  const later = history.add(add(1));
+  history.undo();
+  history.undo();
+  const free = history.add(add(2));
+  expect([shaved, later].map((step) => history.lookAt(step))).toEqual([look, look]);
+  expect([history.lookAt(free), history.marksAt(free)]).toEqual([{}, []]);
+});
+
+test('colours come back from the inputs of a browser', () => {
+  for (const hex of ['#000000', '#ffffff', '#204060', '#d7a35c']) expect(hexOf(linearOf(hex))).toBe(hex);
+  expect(linearOf('red')).toEqual([0, 0, 0]);
+});
+
+test('a drag moves in the plane of the picture, and turns and scales within bounds', () => {
+  const close = (a: readonly number[], b: readonly number[]): void => a.forEach((x, i) => expect(x).toBeCloseTo(b[i] ?? 0, 9));
+  close(changeOf('move', 10, 5, 0, 1e-4).way, [1e-3, 5e-4, 0]);
+  // From the left profile the front of the face is at the left.
+  close(changeOf('move', 10, 0, Math.PI / 2, 1e-4).way, [0, 0, -1e-3]);
+  close(changeOf('move', 1e6, -1e6, 0, 1e-4).way, [0.02, -0.02, 0]);
+  close(changeOf('scale', 0, 1e6, 0, 1).scale, [1, 1.6, 1]);
+  close(changeOf('turn', 100, 0, 0, 1).turn, [0, 0, -0.6]);
 });

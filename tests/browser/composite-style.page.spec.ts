@@ -1,0 +1,201 @@
+/** The composite editor: segments by a press, hair and what is worn, marks on the skin, figure files, and what goes wrong. */
+
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expectNoBarriers, LOOKS } from './access.js';
+import { expect, test } from './stage.js';
+
+async function open(page: Page): Promise<void> {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.goto('/composite/');
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+}
+
+const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();
+const press = (page: Page, name: string) => page.getByRole('button', { name, exact: true }).first().click();
+const present = (page: Page) => page.locator('.steps-list [aria-current="step"]');
+
+/** A place of the picture, as shares of its width and height. */
+async function at(page: Page, x: number, y: number): Promise<[number, number]> {
+  const box = await page.locator('#pad').boundingBox();
+  if (box === null) throw new Error('there is no picture');
+  return [box.x + x * box.width, box.y + y * box.height];
+}
+
+/** The picture as bytes: two are equal where nothing changed. */
+const picture = (page: Page) => page.locator('#player').evaluate((p: RaconteurPlayer) => p.snapshot()?.toDataURL() ?? '');
+
+/** A session with one more act. */
+async function session(page: Page, act: unknown): Promise<Buffer> {
+  const saved = await page.locator('raconteur-composite').evaluate((e) => (e as unknown as { save(): { steps: unknown[] } }).save());
+  return Buffer.from(JSON.stringify({ ...saved, steps: [...saved.steps, { parent: 0, act }], here: saved.steps.length }));
+}
+
+async function put(page: Page, act: unknown): Promise<void> {
+  await page.locator('.file input').setInputFiles({ name: 'it.json', mimeType: 'application/json', buffer: await session(page, act) });
+}
+
+test('a press on the face chooses a segment, and dragging moves it', async ({ page }) => {
+  await open(page);
+  await tab(page, 'Parts');
+  const chosen = page.locator('.segments :checked');
+  await page.mouse.click(...(await at(page, 0.5, 0.52)));
+  await expect(chosen).toHaveCount(1);
+  await expect(page.locator('.segments label:has(:checked)')).toContainText('nose');
+  await page.keyboard.down('Shift');
+  await page.mouse.click(...(await at(page, 0.5, 0.75)));
+  await page.keyboard.up('Shift');
+  await expect(chosen).toHaveCount(2);
+  await page.getByText('moves', { exact: true }).click();
+  const [x, y] = await at(page, 0.5, 0.5);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 30, { steps: 4 });
+  await page.mouse.up();
+  await tab(page, 'History');
+  await expect(present(page)).toContainText('moved, nose');
+  await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(2);
+  // Beside the head nothing is chosen.
+  await tab(page, 'Parts');
+  await page.getByText('turns the head', { exact: true }).click();
+  await page.mouse.click(...(await at(page, 0.03, 0.1)));
+  await expect(chosen).toHaveCount(0);
+});
+
+test('hair, its colour and what is worn are steps, kept with the session', async ({ page }) => {
+  await open(page);
+  const bare = await picture(page);
+  await tab(page, 'Style');
+  await page.getByRole('region', { name: 'Hair', exact: true }).getByLabel('Style').selectOption('Short, flat');
+  await press(page, 'red');
+  await press(page, 'Round glasses');
+  await press(page, 'Hat');
+  // One cover at a time.
+  await press(page, 'Headscarf');
+  await expect(page.getByRole('button', { name: 'Hat', exact: true })).toHaveAttribute('aria-pressed', 'false');
+  await expect(page.getByRole('button', { name: 'Round glasses' })).toHaveAttribute('aria-pressed', 'true');
+  const dressed = await picture(page);
+  expect(dressed).not.toBe(bare);
+  await page.waitForTimeout(800);
+  await page.reload();
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await tab(page, 'Style');
+  await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'true');
+  for (let i = 0; i < 5; i += 1) await press(page, 'Undo');
+  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'false');
+});
+
+test('marks are placed by a press and by the keyboard, made longer and taken away', async ({ page }) => {
+  await open(page);
+  await tab(page, 'Marks');
+  const bare = await picture(page);
+  await press(page, 'Scar');
+  await page.mouse.click(...(await at(page, 0.03, 0.1)));
+  await expect(page.locator('#trouble')).toContainText('beside the head');
+  await page.mouse.click(...(await at(page, 0.57, 0.6)));
+  const scar = page.getByRole('region', { name: 'Scar 1' });
+  await expect(scar).toBeVisible();
+  await expect.poll(() => picture(page)).not.toBe(bare);
+  await scar.getByLabel('Length, Scar 1, exactly').fill('60');
+  await scar.getByLabel('Length, Scar 1, exactly').blur();
+  await press(page, 'Mole');
+  await page.locator('#pad').focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('region', { name: 'Mole 2' })).toBeVisible();
+  await press(page, 'Take scar 1 away');
+  await press(page, 'Take mole 1 away');
+  await expect.poll(() => picture(page)).toBe(bare);
+  await press(page, 'Undo');
+  await expect(page.getByRole('region', { name: 'Mole 1' })).toBeVisible();
+});
+
+test('the figure file tells a story on another page', async ({ page }) => {
+  await open(page);
+  await tab(page, 'Style');
+  await press(page, 'Round glasses');
+  await tab(page, 'Marks');
+  await press(page, 'Tattoo');
+  await page.mouse.click(...(await at(page, 0.5, 0.3)));
+  await expect(page.getByRole('region', { name: 'Tattoo 1' })).toBeVisible();
+  await tab(page, 'Export');
+  await page.getByLabel('Name of the figure').fill('Ida');
+  const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), page.getByRole('button', { name: 'Save figure' }).click()]);
+  expect(download.suggestedFilename()).toBe('ida.glb');
+  const buffer = readFileSync(await download.path());
+  await page.goto('/');
+  await page.locator('#own-figure').setInputFiles({ name: 'ida.glb', mimeType: 'model/gltf-binary', buffer });
+  const player = page.locator('raconteur-player').first();
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentFigure), { timeout: 60_000 }).toBe('ida.glb');
+  expect(await player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => /figure|avatar/.test(d.code)))).toEqual([]);
+});
+
+test('light comes from elsewhere', async ({ page }) => {
+  await open(page);
+  const before = await picture(page);
+  await page.getByLabel('Light', { exact: true }).selectOption('Lamp');
+  await expect.poll(() => picture(page)).not.toBe(before);
+  const lamp = await picture(page);
+  await page.getByRole('button', { name: 'Light more from the right' }).click();
+  await expect.poll(() => picture(page)).not.toBe(lamp);
+});
+
+test('what cannot be is told, and nothing is lost', async ({ page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await open(page);
+  await tab(page, 'Features');
+  await page.getByLabel('weight, exactly').fill('0.5');
+  await page.getByLabel('weight, exactly').blur();
+  const trouble = page.locator('#trouble');
+  const held = [0, 1].map((value) => ({ part: 'shape', name: 'weight', value, segments: [] }));
+  const faults: [unknown, RegExp][] = [
+    [{ kind: 'hold', held }, /weight/],
+    [{ kind: 'look', what: 'x', look: { hair: { from: 'https://example.com/x.glb' } } }, /Step 3 .* cannot be read/],
+    [{ kind: 'marks', what: 'x', marks: [{ kind: 'scar', size: 1e9 }] }, /Step 3 .* cannot be read/],
+    [{ kind: 'import', index: 10 ** 9, part: 'both', region: {} }, /could not be opened/],
+  ];
+  for (const [act, told] of faults) {
+    await put(page, act);
+    await expect(trouble).toContainText(told);
+    await expect(trouble).toContainText('What you had is still here');
+    await expect(page.getByLabel('weight, exactly')).toHaveValue('0.5');
+  }
+  expect(asked.filter((url) => url.includes('example.com'))).toEqual([]);
+});
+
+test('a browser whose storage is full says so, and goes on', async ({ page }) => {
+  await page.addInitScript(() => {
+    IDBObjectStore.prototype.put = () => {
+      throw new DOMException('no room', 'QuotaExceededError');
+    };
+  });
+  await open(page);
+  await page.getByLabel('weight, exactly').fill('0.5');
+  await page.getByLabel('weight, exactly').blur();
+  await expect(page.locator('#trouble')).toContainText('its storage is full. Save it as a file');
+  await page.getByLabel('weight, exactly').fill('0.7');
+  await page.getByLabel('weight, exactly').blur();
+  await tab(page, 'History');
+  await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(3);
+});
+
+for (const { colorScheme, device, width, height } of LOOKS) {
+  test(`style and marks are accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await open(page);
+    await tab(page, 'Style');
+    await press(page, 'Round glasses');
+    await press(page, 'blond');
+    await page.setViewportSize({ width, height });
+    await expectNoBarriers(page, 'Style');
+    await tab(page, 'Marks');
+    await press(page, 'Tattoo');
+    await page.locator('#pad').focus();
+    await page.keyboard.press('Enter');
+    await expect(page.getByRole('region', { name: 'Tattoo 1' })).toBeVisible();
+    await expectNoBarriers(page, 'Marks');
+  });
+}
