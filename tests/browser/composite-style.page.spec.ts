@@ -135,7 +135,7 @@ test('the figure file tells a story on another page', async ({ page }) => {
 test('light comes from elsewhere', async ({ page }) => {
   await open(page);
   const before = await picture(page);
-  await page.getByLabel('Light', { exact: true }).selectOption('Lamp');
+  await page.getByRole('combobox', { name: 'Light' }).selectOption('Lamp');
   await expect.poll(() => picture(page)).not.toBe(before);
   const lamp = await picture(page);
   await page.getByRole('button', { name: 'Light more from the right' }).click();

@@ -17,8 +17,11 @@ export type Act =
       readonly part: FacePart;
       readonly name: string;
       readonly amount: number;
-      readonly region: FaceRegion /** And of what goes with it in people. */;
+      readonly region: FaceRegion;
+      /** And of what goes with it in people. */
       readonly withAll?: boolean;
+      /** The value changes by the whole amount, though the region is a part of what it is of. */
+      readonly exact?: boolean;
     }
   /** More or less of the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
@@ -62,7 +65,7 @@ function alter(faces: Faces, act: Act): void {
       faces.example(act.index);
       break;
     case 'add':
-      faces.add(act.part, act.name, act.amount, act.region, act.withAll === true);
+      add(faces, act);
       break;
     case 'age':
       for (const { part, name } of faces.pack.attributes) if (name === AGEING) faces.add(part, name, act.amount, act.region);
@@ -86,6 +89,18 @@ function alter(faces: Faces, act: Act): void {
 }
 
 /** A number with its sign, as it is printed. */
+/** A share of its effect that a change has in a region; with less it is not of that region. */
+const LEAST_SHARE = 0.2;
+
+function add(faces: Faces, { part, name, amount, region, withAll = false, exact = false }: Extract<Act, { kind: 'add' }>): void {
+  const before = exact ? faces.value(part, name) : 0;
+  faces.add(part, name, amount, region, withAll);
+  if (!exact || amount === 0) return;
+  // What is added in a region has its effect in proportion.
+  const share = (faces.value(part, name) - before) / amount;
+  if (share > LEAST_SHARE) faces.add(part, name, amount / share - amount, region, withAll);
+}
+
 export const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
 
 /** A region in words that follow others. */
@@ -136,6 +151,7 @@ function isRegion(x: unknown): boolean {
   return Array.isArray(segments) && segments.length < 100 && segments.every(isText) && (half === undefined || half === 'left' || half === 'right');
 }
 
+const isFlag = (x: unknown): boolean => x === undefined || typeof x === 'boolean';
 const isPart = (x: unknown): boolean => PARTS.includes(x as string);
 
 /** Whether what a file holds is an act; names and numbers of faces are the model's to refuse. */
@@ -149,7 +165,7 @@ export function isAct(x: unknown): x is Act {
     case 'example':
       return isCount(x['index']);
     case 'add':
-      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && (x['withAll'] === undefined || typeof x['withAll'] === 'boolean');
+      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && isFlag(x['withAll']) && isFlag(x['exact']);
     case 'age':
       return isNumber(x['amount']) && isRegion(x['region']);
     case 'caricature':

@@ -1,13 +1,14 @@
 /** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
+import type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../element/faces.js';
 import type { FaceLook, FaceMark, FigureFace, Light } from '../element/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
-import { perform, type Act } from './acts.js';
+import { AGEING, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
-import type { Person } from './people.js';
+import { lookOf, type Person } from './people.js';
+import { placesOf, yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
 
@@ -17,6 +18,9 @@ type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 /** So near that the head fills the picture. */
 const NEAR = 7.4;
 
+/** Lines of age that an average face has, and how many more one whose value of ageing is 1, of 1. */
+const LINES = 0.1;
+const LINES_PER_AGE = 0.75;
 /** Skin that is not chosen is so bright. */
 const UNLIT = 0.55;
 
@@ -32,9 +36,12 @@ interface Page {
 }
 
 export class App {
-  tab: Tab = 'features';
+  /** A face is best begun with one of the database. */
+  tab: Tab = 'start';
   /** The group of attributes that is shown. */
   group = 'overall';
+  /** The age that a value of its attribute stands for. */
+  readonly yearsOf: (value: number) => number;
   /** A word that attributes are searched by. */
   search = '';
   /** What goes with a feature in people changes with it. */
@@ -70,12 +77,20 @@ export class App {
     readonly faces: Faces,
     private readonly page: Page,
   ) {
+    this.yearsOf = yearsOf(faces.pack.people);
     this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => this.redraw());
   }
 
   /** The stage shows the face of the present step, and no control moves. */
   get resting(): boolean {
     return this.#moving === undefined && !this.#showing;
+  }
+
+  /** How a feature changes: in the segments that are chosen; else where it is, unless what goes with it changes too. */
+  regionOf(attribute: FacePack['attributes'][number]): { readonly region: FaceRegion; readonly withAll: boolean; readonly exact: boolean } {
+    const { region, withAll } = this;
+    const places = withAll || this.segments.size > 0 ? [] : placesOf(attribute);
+    return { region: places.length === 0 ? region : { ...region, segments: places }, withAll, exact: places.length > 0 };
   }
 
   get region(): FaceRegion {
@@ -89,7 +104,10 @@ export class App {
   /** What hair the head has and what it wears, also while a control of it moves. */
   get look(): FaceLook {
     const act = this.#moving?.act;
-    return act?.kind === 'look' ? act.look : this.history.lookAt(this.history.here);
+    if (act?.kind === 'look') return act.look;
+    const { history } = this;
+    const person = this.faces.pack.people[history.exampleAt(history.here) ?? -1];
+    return history.lookAt(history.here) ?? (person === undefined ? {} : lookOf(person, this.player.naturalHair()));
   }
 
   /** What is painted on the skin, also while a control of it moves. */
@@ -101,7 +119,14 @@ export class App {
   /** The face as it is shown. */
   get face(): FigureFace {
     const { look, marks } = this;
-    return { ...this.faces.face(this.player.currentFigure ?? ''), look, marks };
+    return { ...this.faces.face(this.player.currentFigure ?? ''), look: { ...look, lines: this.#lines() }, marks };
+  }
+
+  /** How far lines of age show at rest. */
+  #lines(): number {
+    const { texture } = this.values;
+    const ageing = Math.max(texture.get(AGEING) ?? 0, texture.get('age') ?? 0);
+    return Math.min(1, Math.max(0, LINES + ageing * LINES_PER_AGE));
   }
 
   /** The face with what is chosen lit, while nothing of it moves. */

@@ -39,7 +39,7 @@ export async function openHidden(place: HTMLElement, { label, like, quality, loo
   place.append(player);
   const close = (): void => player.remove();
   try {
-    await player.rehearse(still);
+    await player.rehearse(still, { motion: 0 });
     player.currentTime = SETTLED_SECS;
     const view = new HeadView(player, look, () => undefined);
     view.look({});

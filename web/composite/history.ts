@@ -98,8 +98,18 @@ export class History {
   }
 
   /** What hair the head has after a step, and what it wears. */
-  lookAt(index: number): Extract<Act, { kind: 'look' }>['look'] {
-    return this.#latest(index, 'look')?.look ?? {};
+  lookAt(index: number): Extract<Act, { kind: 'look' }>['look'] | undefined {
+    return this.#latest(index, 'look')?.look;
+  }
+
+  /** The face of the database that the face began with, at a step; undefined where it did not, or began anew since. */
+  exampleAt(index: number): number | undefined {
+    for (let at = index; at >= 0; at = this.#step(at).parent) {
+      const { act } = this.#step(at);
+      if (act.kind === 'example') return act.index;
+      if (act.kind === 'average' || act.kind === 'random') return undefined;
+    }
+    return undefined;
   }
 
   /** What is painted on the skin after a step. */

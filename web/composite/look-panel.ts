@@ -19,6 +19,11 @@ interface Mixture {
 }
 
 const UNMIXED: Mixture = { a: '', b: '', share: 0, grey: 0 };
+/** Grey hair, by the share of hairs without pigment. */
+const GREYS = [
+  { name: 'grey', grey: 0.6 },
+  { name: 'white', grey: 1 },
+] as const;
 const ends = { 0: 'none', 1: 'all' } as const;
 /** On a head hair is as much brighter as the lamps make it. */
 const LAMPS = 2.2;
@@ -37,12 +42,12 @@ export class LookPanel {
     return html`<section class="region" aria-label="Hair"><h3>Hair</h3>
         ${this.#select('Style', HAIR, look.hair?.from ?? 'own', (from, name) => this.#do({ ...look, hair: { ...look.hair, from } }, `hair: ${name}`))} ${this.#colour('hair')}
       </section>
-      <section class="region" aria-label="Beard"><h3>Beard</h3>
-        ${this.#select('Style', BEARDS, beardOf(look), (style, name) => this.#do(withBeard(look, style), `beard: ${name}`))} ${this.#colour('beard')}
-      </section>
       <section class="region" aria-label="Brows and lashes"><h3>Brows and lashes</h3>${this.#colour('brows')}</section>
       <section class="region" aria-label="Worn"><h3>Worn</h3>
         <div class="worn">${(Object.keys(WEAR) as WearKind[]).map((kind) => this.#worn(kind))}</div>
+      </section>
+      <section class="region" aria-label="Beard"><h3>Beard</h3>
+        ${this.#select('Style', BEARDS, beardOf(look), (style, name) => this.#do(withBeard(look, style), `beard: ${name}`))} ${this.#colour('beard')}
       </section>`;
   }
 
@@ -63,7 +68,7 @@ export class LookPanel {
   /** The natural colours to press, a second one to mix in, and grey. */
   #colour(part: Part): TemplateResult {
     const own = colourOf(this.app.look, part);
-    const mixture = own === undefined ? UNMIXED : this.#mixtures[part];
+    const mixture = this.#mixtureOf(part, own);
     const find = (name: string): HairColour | undefined => this.#natural.find((n) => n.name === name)?.colour;
     const put = (next: Mixture, moves: boolean): void => {
       this.#mixtures[part] = next;
@@ -93,6 +98,10 @@ export class LookPanel {
           ({ name, rgb }) =>
             html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${mixture.a === name} ${vars({ '--colour': hexOf(inLight(rgb)) })} @click=${() => put({ ...mixture, a: name }, false)}></button>`,
         )}
+        ${GREYS.map(
+          ({ name, grey }) =>
+            html`<button type="button" class="swatch" aria-label=${name} title=${name} aria-pressed=${own !== undefined && mixture.grey === grey} ${vars({ '--colour': hexOf([0.85 * grey, 0.83 * grey, 0.79 * grey]) })} @click=${() => put({ ...mixture, a: mixture.a || 'dark brown', grey }, false)}></button>`,
+        )}
       </div>
       ${
         own === undefined
@@ -100,6 +109,13 @@ export class LookPanel {
           : html`${this.#select('With', { '': '—', ...Object.fromEntries(this.#natural.map(({ name }) => [name, name])) }, mixture.b, (b) => put({ ...mixture, b, share: mixture.share || 0.5 }, false))}
           ${mixture.b === '' ? nothing : slider('Share', 'share', `${Math.round(100 * mixture.share)} percent ${mixture.b}`)} ${slider('Grey', 'grey', ends[mixture.grey as 0 | 1] ?? `${Math.round(100 * mixture.grey)} percent`)}`
       }`;
+  }
+
+  /** How a colour was mixed, as far as that is remembered or can be told from it. */
+  #mixtureOf(part: Part, own: HairColour | undefined): Mixture {
+    if (own === undefined) return UNMIXED;
+    const plain = this.#natural.find(({ colour }) => colour.eumelanin === own.eumelanin && colour.pheomelanin === own.pheomelanin);
+    return plain === undefined ? { ...this.#mixtures[part], grey: own.grey } : { a: plain.name, b: '', share: 0, grey: own.grey };
   }
 
   #worn(kind: WearKind): TemplateResult {

@@ -8,7 +8,7 @@ export const HAIR: Readonly<Record<string, string>> = {
   none: 'Shaved',
   sofia: 'Bob',
   lia: 'Long',
-  amara: 'Bun',
+  amara: 'Tied back in a bun',
   kenji: 'Short, flat',
   nuno: 'Short, ruffled',
   papous: 'Bald on top',

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { FacePack, FacePart } from '../element/faces.js';
 import { check, numberField } from '../pages/fields.js';
 import type { App } from './app.js';
+import { alsoCalled, isCalled } from './words.js';
 
 type Attribute = FacePack['attributes'][number];
 
@@ -22,7 +23,8 @@ function feature(app: App, a: Attribute): TemplateResult {
   const held = app.held.find((h) => h.part === part && h.name === name);
   const of = app.faces.pack.attributes.filter((b) => b.name === name).length > 1 ? `${name}, ${PARTS[part].toLowerCase()}` : name;
   const to = (target: number): void => {
-    if (held === undefined) app.move({ kind: 'add', part, name, amount: target - (app.settled[part].get(name) ?? 0), region: app.region, withAll: app.withAll });
+    const amount = target - (app.settled[part].get(name) ?? 0);
+    if (held === undefined) app.move({ kind: 'add', part, name, amount, ...app.regionOf(a) });
     else app.move({ kind: 'hold', held: app.held.map((h) => (h === held ? { ...h, value: target } : h)) });
   };
   const step = (by: number): void => {
@@ -33,7 +35,8 @@ function feature(app: App, a: Attribute): TemplateResult {
     app.do({ kind: 'hold', held: held === undefined ? [...app.held, { part, name, value, ...app.region }] : app.held.filter((h) => h !== held) });
   };
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
-    <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
+    <div class="ends" aria-hidden="true"><span>${terms[0]}</span>${/^age/.test(name) ? html`<span>about ${app.yearsOf(value)} years</span>` : nothing}<span>${terms[1]}</span></div>
+    ${alsoCalled(a) === undefined ? nothing : html`<small class="also">${alsoCalled(a)}</small>`}
     ${numberField({ label: of, value, min: -FARTHEST, max: FARTHEST, step: 0.01, text: told(value, terms), set: to, done: () => app.done() })}
     <div class="steps">
       <button type="button" class="plain" aria-label="${of}: less" title=${terms[0]} @click=${() => step(-STEP)}>−</button>
@@ -52,9 +55,8 @@ export function told(value: number, [less, more]: Attribute['terms']): string {
 export function features(app: App): TemplateResult {
   const { attributes } = app.faces.pack;
   const groups = [...new Set(attributes.map((a) => a.group))];
-  const word = app.search.trim().toLowerCase();
-  const found =
-    word === '' ? attributes.filter((a) => a.group === app.group) : attributes.filter((a) => [a.name, a.group, ...a.terms].some((text) => text.toLowerCase().includes(word)));
+  const word = app.search.trim();
+  const found = attributes.filter((a) => (word === '' ? a.group === app.group : isCalled(a, word)));
   const search = (event: Event): void => {
     app.search = (event.target as HTMLInputElement).value;
     app.redraw();
@@ -72,7 +74,7 @@ export function features(app: App): TemplateResult {
       app.withAll = on;
       app.redraw();
     })}
-    <p class="about">${target(app)}</p>
+    <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>
     ${found.length === 0 ? html`<p class="none">No feature is called so.</p>` : nothing}
     ${(Object.keys(PARTS) as FacePart[]).map((part) => {
       const own = found.filter((a) => a.part === part);
@@ -83,7 +85,8 @@ export function features(app: App): TemplateResult {
 /** What is changed now. */
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
-  return app.segments.size === 0 ? `Changes the whole head${of}.` : `Changes ${[...app.segments].join(', ')}${of}.`;
+  if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;
+  return app.withAll ? `Changes the whole head${of}.` : `A feature changes where it is, others the whole head${of}.`;
 }
 
 // --- what is held ---

@@ -1,6 +1,7 @@
 /** Who the faces of the database are, and which of them are like a description (F&H 5.1.1). It chooses faces, and never changes one. */
 
 import type { FacePack } from '../element/faces.js';
+import type { FaceLook, NaturalHair } from '../element/types.js';
 
 type Personal = FacePack['people'][number];
 
@@ -41,4 +42,18 @@ export function describe({ sex, ageYears, ancestry }: Personal): string {
   const most = ancestry.indexOf(Math.max(...ancestry));
   const from = (ancestry[most] ?? 0) < MAINLY ? 'mixed' : (names[most] ?? '');
   return `${who} of ${Math.round(ageYears)}, ${from}`;
+}
+
+/** Hair begins to be grey at this age, and is so many years later, roughly: about half of it is grey at 62. */
+const GREY_FROM_YEARS = 42;
+const GREY_IN_YEARS = 40;
+
+/** The hair that somebody of the database is shown with until its author chooses another: black or as the figure has it, and grey with the years. */
+export function lookOf({ ageYears, ancestry }: Personal, natural: readonly NaturalHair[]): FaceLook {
+  const grey = Math.min(1, Math.max(0, (ageYears - GREY_FROM_YEARS) / GREY_IN_YEARS));
+  const isDark = ancestry[0] < 0.5;
+  const own = natural.find(({ name }) => name === (isDark ? 'black' : 'dark brown'));
+  if (own === undefined || (grey === 0 && !isDark)) return {};
+  const colour = { ...own.colour, grey };
+  return { hair: { colour }, brows: { ...colour, grey: 0.7 * grey } };
 }

@@ -6,6 +6,7 @@ import type { FigureFace } from '../element/types.js';
 import type { App } from './app.js';
 import { openHidden, wait } from './hidden-player.js';
 import { Latest } from './latest.js';
+import { lookOf } from './people.js';
 
 /** Pictures that are kept. */
 const MOST = 240;
@@ -92,7 +93,8 @@ export class Portraits {
     try {
       faces.example(index);
       if (this.#held.length > 0) faces.constrain(this.#held);
-      return faces.face(player.currentFigure ?? '');
+      const person = faces.pack.people[index];
+      return { ...faces.face(player.currentFigure ?? ''), look: person === undefined ? {} : lookOf(person, player.naturalHair()) };
     } finally {
       faces.restore(own);
     }

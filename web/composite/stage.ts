@@ -15,7 +15,8 @@ const MOST_LETTERS = 300;
 /** The face looks ahead and stands still. */
 export async function rest(player: RaconteurPlayer): Promise<void> {
   player.pause();
-  await player.rehearse(still);
+  // A face that is compared with a memory does not sway.
+  await player.rehearse(still, { motion: 0 });
   player.currentTime = SETTLED_SECS;
 }
 

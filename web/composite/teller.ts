@@ -19,7 +19,7 @@ const FIGURES = [
 
 /** As `teller.html` and `cast.html` of the pages. The emblem is written here: one that `use` takes from a file of another origin is not drawn. */
 export const teller: TemplateResult = html`<div class="teller" part="teller">
-  <h2 class="unseen" id="teller-title">Who is on stage</h2>
+  <h2 id="teller-title">Body, clothes and voice of</h2>
   <div class="cast" role="group" aria-labelledby="teller-title">
     ${FIGURES.map(
       ([figure, name, portrait]) =>

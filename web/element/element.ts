@@ -400,9 +400,10 @@ export class RaconteurPlayer extends LitElement {
    * Puts another text in the place of the one on stage; figure, picture, time and whether it plays
    * stay. Works without `src`, too. What is wrong with the text is in the answer and in
    * `diagnostics`, the rest plays; rejects only when there is no stage. Live fragments end.
+   * `motion` is the amount of idle life, 0 to 1, of this text and those that come later; the user's wish without.
    */
-  rehearse(eml: string): Promise<readonly Diagnostic[]> {
-    return this.#stories.rehearse(eml);
+  rehearse(eml: string, { motion }: { readonly motion?: number } = {}): Promise<readonly Diagnostic[]> {
+    return this.#stories.rehearse(eml, motion);
   }
 
   /** Shows the whole figure from another side, for pages that look behind the scenes. */

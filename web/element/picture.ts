@@ -75,6 +75,8 @@ export class Picture {
   /** What of the figure is missing, once its pictures are decoded. */
   #decoded: Promise<Diagnostic[]> = Promise.resolve([]);
   #quality: Quality = 'auto';
+  /** The amount of idle life, where the page chooses it. */
+  #motion: number | undefined;
   #view: View | undefined;
   #openEnded = false;
   /** Share of the height that captions take. */
@@ -210,7 +212,8 @@ export class Picture {
   }
 
   /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
-  rehearse(eml: string): Story | undefined {
+  rehearse(eml: string, motion: number | undefined): Story | undefined {
+    this.#motion = motion;
     this.#files = { ...this.#files, eml, edited: true };
     const story = this.#guard((engine) => this.#reread(engine, this.#files));
     this.seek(this.#lastShown);
@@ -502,14 +505,15 @@ export class Picture {
   /** `kept`: the figure is on stage already. */
   #read(engine: Engine, files = this.#files, kept = false): Story {
     const { eml, bundle, figure, edited, language, problem } = files;
+    const motion = this.#motion ?? usualMotion();
     applyView(engine, this.#view);
     if (this.#light !== undefined) engine.setLight(this.#light.name, this.#light.turn);
     engine.setHandedness(figure.handedness ?? '');
     engine.setLanguage(language);
     engine.setCaptions(this.#captions);
     try {
-      const told = kept ? engine.tell(eml, bundle, motionAmount()) : undefined;
-      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
+      const told = kept ? engine.tell(eml, bundle, motion) : undefined;
+      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
       if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face, this.#lent);
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
@@ -524,7 +528,7 @@ export class Picture {
   }
 
   #reread(engine: Engine, files: StoryFiles): Story {
-    const story = engine.rehearse(files.eml, files.bundle, motionAmount());
+    const story = engine.rehearse(files.eml, files.bundle, this.#motion ?? usualMotion());
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
     engine.setOpenEnded(this.#openEnded);
     return this.#animate(engine, story, files) ?? story;
@@ -573,7 +577,7 @@ function applyView(engine: Engine, view: View | undefined): void {
 }
 
 /** How much idle life. */
-const motionAmount = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
+const usualMotion = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
 
 /** Gives an engine's memory back; one that trapped may refuse. */
 function release(engine: Engine): void {

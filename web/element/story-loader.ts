@@ -237,7 +237,7 @@ export class StoryLoader {
   }
 
   /** Replaces the text on stage by another; returns its problems. */
-  async rehearse(eml: string): Promise<readonly Diagnostic[]> {
+  async rehearse(eml: string, motion: number | undefined): Promise<readonly Diagnostic[]> {
     const context = this.#context;
     await context.player.updateComplete;
     const text = (context.text = String(eml));
@@ -246,7 +246,7 @@ export class StoryLoader {
     const show = await this.require();
     // The one that came last is being read already.
     if (text !== context.text || show !== context.show) return context.diagnostics.list;
-    const story = show.picture.rehearse(text);
+    const story = show.picture.rehearse(text, motion);
     if (story === undefined) return [ABSENT];
     show.files = { ...show.files, eml: text };
     this.#retell(story, true);

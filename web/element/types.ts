@@ -411,6 +411,8 @@ export interface FaceLook {
   /** Colour of brows and lashes. */
   readonly brows?: HairColour | undefined;
   readonly wear?: readonly Wear[] | undefined;
+  /** How far lines of age show at rest, 0 to 1. */
+  readonly lines?: number | undefined;
 }
 
 /** A place on the skin: three of its vertices and their shares, which sum to 1. The same place on every face. */

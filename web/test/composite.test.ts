@@ -160,7 +160,7 @@ test('what a step has is that of the way to it', () => {
   history.undo();
   const free = history.add(add(2));
   expect([shaved, later].map((step) => history.lookAt(step))).toEqual([look, look]);
-  expect([history.lookAt(free), history.marksAt(free)]).toEqual([{}, []]);
+  expect([history.lookAt(free), history.marksAt(free)]).toEqual([undefined, []]);
 });
 
 test('colours come back from the inputs of a browser', () => {

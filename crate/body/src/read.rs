@@ -12,6 +12,7 @@ mod soft;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
+use crate::face::Tissue;
 use crate::face::file::TissueError;
 use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
@@ -118,7 +119,10 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         } else {
             Side::Right
         },
-        tissue: soft::tissue(&mut source)?,
+        tissue: soft::tissue(&mut source)?.map(|tissue| Tissue {
+            lines: root.lines as f32,
+            ..tissue
+        }),
         springs,
         images: read_images(&mut source)?,
     };

@@ -288,6 +288,9 @@ fn scene_extras(buffer: &mut Buffer, figure: &Figure, annotations: &Annotations)
     if let Some(sex) = figure.sex {
         put("sex", number(sex));
     }
+    if let Some(tissue) = figure.tissue.as_ref().filter(|t| t.lines > 0.0) {
+        put("lines", number(f64::from(tissue.lines)));
+    }
     if let Some(tissue) = &figure.tissue {
         let packing = Packing::Attributes {
             stride: file::PADDING,

@@ -268,7 +268,7 @@ impl Network {
         normals_of(&tissue.quads, &self.shown, &mut self.normals);
         for (i, node) in nodes.iter_mut().enumerate() {
             node.displacement = xyz(self.shown[i] - vector(tissue.rest[i]));
-            node.wrinkles = [0.0; 3];
+            node.wrinkles = [tissue.lines.clamp(0.0, 1.0); 3];
             node.blush = self.blush * tissue.flush[i];
             node.normal_delta = xyz(self.normals[i] - self.outwards[i]);
         }

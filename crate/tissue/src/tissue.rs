@@ -155,4 +155,7 @@ pub struct Tissue {
     pub before_teeth: Vec<u16>,
     /// Upper and lower teeth.
     pub arches: [Arch; 2],
+    /// How much of the expressive wrinkles shows while no muscle contracts, 0 to 1: lines of age. A figure's
+    /// file holds it beside the tissue.
+    pub lines: f32,
 }

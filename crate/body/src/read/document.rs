@@ -157,6 +157,8 @@ pub struct Document<'a> {
     pub extensions_required: Vec<String>,
     pub stature_m: Option<f64>,
     pub lid_closure_rad: Option<[f64; 2]>,
+    /// [`Tissue::lines`](crate::face::Tissue::lines); 0 where the file has none.
+    pub lines: f64,
     pub sex: Option<f64>,
     pub is_left_handed: bool,
     /// The view that holds the tissue of the face.
@@ -408,6 +410,7 @@ impl<'a> Document<'a> {
             stature_m: extras["statureMetres"].as_f64(),
             lid_closure_rad: numbers(extras, "lidClosureRadians"),
             sex: extras["sex"].as_f64(),
+            lines: extras["lines"].as_f64().unwrap_or(0.0).clamp(0.0, 1.0),
             is_left_handed: extras["handedness"].as_str() == Some("left"),
             tissue: index(extras, "tissue"),
             nodes: all("nodes").map(node).collect(),

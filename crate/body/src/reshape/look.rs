@@ -55,6 +55,8 @@ pub struct Look {
     pub cut: BeardCut,
     /// Colour of brows and lashes; that of the face without.
     pub brows: Option<HairColour>,
+    /// Lines of age: [`Tissue::lines`](crate::face::Tissue::lines).
+    pub lines: Option<f32>,
     /// Things worn, each of a kind once.
     pub wear: Vec<Wear>,
 }
@@ -81,6 +83,9 @@ impl Reshaper {
                     hairs::colour(mesh, colour.linear_rgb());
                 }
             }
+        }
+        if let (Some(tissue), Some(lines)) = (&mut figure.tissue, look.lines) {
+            tissue.lines = lines.clamp(0.0, 1.0);
         }
         let fit = Fit::new(self, &figure, face);
         if let Some(cover) = look.wear.iter().find_map(|w| wear::cover(w.kind, &fit)) {

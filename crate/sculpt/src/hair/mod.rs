@@ -32,6 +32,8 @@ pub use crate::springs::HairChain;
 pub use beard::BeardParams;
 pub(crate) use cap::Cap;
 pub use raconteur_body::HairColour;
+
+use colour::Palette;
 pub use space::Sample;
 
 use self::chains::Chains;
