@@ -33,6 +33,8 @@ interface Page {
   changed(): void;
   /** The stage shows the face. */
   shown(): void;
+  /** The stage is to show something else. */
+  moved(): void;
 }
 
 export class App {
@@ -78,7 +80,10 @@ export class App {
     private readonly page: Page,
   ) {
     this.yearsOf = yearsOf(faces.pack.people);
-    this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => this.redraw());
+    this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => {
+      this.page.moved();
+      this.redraw();
+    });
   }
 
   /** The stage shows the face of the present step, and no control moves. */
@@ -130,7 +135,7 @@ export class App {
   }
 
   /** The face with what is chosen lit, while nothing of it moves. */
-  private get shown(): FigureFace {
+  get shown(): FigureFace {
     const { face } = this;
     if (!this.lit || this.tab !== 'parts' || this.segments.size === 0 || this.#moving !== undefined || !this.player.paused) return face;
     const mask = this.faces.mask([...this.segments]);
@@ -285,15 +290,18 @@ export class App {
 
   /** Shows another panel. */
   turnTo(tab: Tab): void {
+    // What is chosen is lit beside its panel alone.
+    const isLit = this.segments.size > 0 && (tab === 'parts') !== (this.tab === 'parts');
     this.tab = tab;
     this.placing = undefined;
-    // What is chosen is lit beside its panel alone.
-    this.chosen();
+    if (isLit) this.chosen();
+    else this.redraw();
   }
 
   /** Lights the face from elsewhere. */
   relight(light: App['light']): void {
     this.light = light;
+    this.page.moved();
     this.player.light(light.name, light.turn);
     this.redraw();
   }
@@ -318,6 +326,7 @@ export class App {
   /** Puts the face on the figure; while one is put on, the next waits, and those between are never shown. */
   async show(): Promise<void> {
     this.#behind = true;
+    this.page.moved();
     if (this.#showing) return;
     this.#showing = true;
     try {

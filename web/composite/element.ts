@@ -17,6 +17,7 @@ import { label } from './acts.js';
 import { App, type Tab } from './app.js';
 import look from './composite.css?inline';
 import { Desk } from './desk.js';
+import { Fine } from './fine.js';
 import { handle } from './hands.js';
 import type { Saved } from './history.js';
 import pictures from './pictures.css?inline';
@@ -74,6 +75,7 @@ export class RaconteurComposite extends LitElement {
   #player: RaconteurPlayer | undefined;
   #app: App | undefined;
   #desk: Desk | undefined;
+  #fine: Fine | undefined;
   #session: Session | undefined;
   #tabs: Tabs<Tab> | undefined;
   #share: number | undefined;
@@ -179,6 +181,7 @@ export class RaconteurComposite extends LitElement {
       this.#released = true;
       this.#session?.close();
       this.#desk?.release();
+      this.#fine?.release();
     });
   }
 
@@ -255,7 +258,8 @@ export class RaconteurComposite extends LitElement {
     const player = this.#player;
     const place = this.#find('#portraits');
     const pad = this.#find('#pad');
-    if (player === undefined || place === undefined || pad === undefined) throw new Error('it has no stage');
+    const over = this.#find<HTMLCanvasElement>('#fine');
+    if (player === undefined || place === undefined || pad === undefined || over === undefined) throw new Error('it has no stage');
     this.#session?.close();
     this.#session = this.session ? new Session(this.session, this.#tell.trouble) : undefined;
     const pack = (file: string): URL => new URL(`${player.assets.replace(/\/?$/, '/')}faces/${file}`, document.baseURI);
@@ -272,10 +276,12 @@ export class RaconteurComposite extends LitElement {
       },
       changed: () => this.#changed(),
       shown: () => this.#desk?.shown(),
+      moved: () => this.#fine?.changed(),
     });
     if (kept !== undefined) this.#reopen(app, kept);
     else if (this.src) this.#reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))));
     handle(app, pad);
+    this.#fine = new Fine(app, place, over);
     this.#desk = new Desk(app, place, this.#tell);
     await app.show();
     this.#app = app;
@@ -314,6 +320,7 @@ export class RaconteurComposite extends LitElement {
   }
 
   #centreSoon(): void {
+    this.#fine?.changed();
     setTimeout(() => this.#app?.view.centre(), SHOWN_MS);
   }
 
@@ -341,7 +348,12 @@ export class RaconteurComposite extends LitElement {
       const turn = KEYS[event.key];
       if (turn !== undefined) this.#app?.view.look({ turn, tilt: 0.02 });
     });
-    for (const type of ['play', 'pause', 'ended'] as const) player.addEventListener(type, () => this.#app?.redraw());
+    for (const type of ['play', 'pause', 'ended', 'seeked'] as const) {
+      player.addEventListener(type, () => {
+        this.#fine?.changed();
+        this.#app?.redraw();
+      });
+    }
     // The sentence is said: the face holds still again.
     player.addEventListener('ended', () => void rest(player));
     // A figure of another height has its head elsewhere, and comes with its own face.

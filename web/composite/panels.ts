@@ -34,9 +34,11 @@ function feature(app: App, a: Attribute): TemplateResult {
   const hold = (): void => {
     app.do({ kind: 'hold', held: held === undefined ? [...app.held, { part, name, value, ...app.region }] : app.held.filter((h) => h !== held) });
   };
+  const years = /^age/.test(name) ? `about ${app.yearsOf(value)} years; ` : '';
+  const also = `${years}${alsoCalled(a) ?? ''}`;
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
-    <div class="ends" aria-hidden="true"><span>${terms[0]}</span>${/^age/.test(name) ? html`<span>about ${app.yearsOf(value)} years</span>` : nothing}<span>${terms[1]}</span></div>
-    ${alsoCalled(a) === undefined ? nothing : html`<small class="also">${alsoCalled(a)}</small>`}
+    <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
+    ${also === '' ? nothing : html`<small class="also">${also}</small>`}
     ${numberField({ label: of, value, min: -FARTHEST, max: FARTHEST, step: 0.01, text: told(value, terms), set: to, done: () => app.done() })}
     <div class="steps">
       <button type="button" class="plain" aria-label="${of}: less" title=${terms[0]} @click=${() => step(-STEP)}>−</button>

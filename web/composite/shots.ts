@@ -70,7 +70,7 @@ export class Studio {
 }
 
 /** Gives a player as many pixels as a picture is to have, and waits until it knows. */
-async function enlarge(player: RaconteurPlayer, { width, height }: Size): Promise<void> {
+export async function enlarge(player: RaconteurPlayer, { width, height }: Size): Promise<void> {
   const dpr = Math.min(MOST_DPR, devicePixelRatio || 1);
   await new Promise<void>((resolve) => {
     // Observers are told one after another, and the player's own is older.

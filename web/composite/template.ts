@@ -43,6 +43,7 @@ export function template({ tools, views, panel, speaking, placing, share, troubl
         <div class="frame" part="frame">
           <div id="portraits" class="behind" aria-hidden="true" inert></div>
           <raconteur-player id="player" part="player" label="The face"></raconteur-player>
+          <canvas id="fine" class="fine" aria-hidden="true" hidden></canvas>
           <div class=${placing ? 'pad placing' : 'pad'} id="pad" tabindex="0" role="group" aria-label=${PAD}></div>
         </div>
         <div class="transport" part="transport">${views ?? nothing}</div>

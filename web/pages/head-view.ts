@@ -57,6 +57,11 @@ export class HeadView {
     this.#aim();
   }
 
+  /** The same for another player of this figure. */
+  get view(): View {
+    return this.#view;
+  }
+
   /** How near one looks. */
   get zoom(): number {
     return this.from.zoom;
