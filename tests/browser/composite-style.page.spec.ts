@@ -11,6 +11,7 @@ async function open(page: Page): Promise<void> {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto('/composite/');
   await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await tab(page, 'Features');
 }
 
 const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();

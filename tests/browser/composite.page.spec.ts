@@ -11,6 +11,7 @@ async function open(page: Page): Promise<void> {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto('/composite/');
   await ready(page);
+  await page.getByRole('tab', { name: 'Features' }).click();
 }
 
 async function ready(page: Page): Promise<void> {
@@ -77,6 +78,7 @@ test('what the browser kept is there again, and a hostile file loses nothing', a
   await page.waitForTimeout(800);
   await page.reload();
   await ready(page);
+  await page.getByRole('tab', { name: 'Features' }).click();
   await expect(value(page, 'weight')).toHaveValue('0.5');
   await page.locator('.file input').setInputFiles({ name: 'bad.json', mimeType: 'application/json', buffer: Buffer.from('{"format":"raconteur-composite","version":9}') });
   await expect(page.locator('#trouble')).toContainText('newer version');
@@ -145,6 +147,7 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
   const [one, two] = [embedded(page, 'one'), embedded(page, 'two')];
   await Promise.all([one.ready(), two.ready()]);
   await Promise.all([one.hear(), two.hear()]);
+  for (const { editor } of [one, two]) await editor.getByRole('tab', { name: 'Features' }).click();
   expect(await two.editor.evaluate((e: RaconteurComposite) => e.player?.currentFigure)).toBe('papous');
 
   // A slider moves: one step of one editor.
