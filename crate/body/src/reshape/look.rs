@@ -5,13 +5,10 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::hairs::{self, BeardCut, Lender, Strands};
-use super::wear::{self, Fit, Wear};
+use super::wear::{self, Fit, Wear, landmark};
 use super::{NewFace, ReshapeError, Reshaper, wide};
 use crate::HairColour;
 use crate::figure::{Figure, MaterialKind, Mesh};
-
-/// Vertex of the skin where the lips meet in the middle (stomion).
-const STOMION: usize = 12_038;
 
 /// Whose hair a head has, and its colour.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -87,6 +84,9 @@ impl Reshaper {
         if let (Some(tissue), Some(lines)) = (&mut figure.tissue, look.lines) {
             tissue.lines = lines.clamp(0.0, 1.0);
         }
+        if look.wear.is_empty() {
+            return Ok(figure);
+        }
         let fit = Fit::new(self, &figure, face);
         if let Some(cover) = look.wear.iter().find_map(|w| wear::cover(w.kind, &fit)) {
             for mesh in &mut figure.meshes {
@@ -112,7 +112,7 @@ impl Reshaper {
         if is_untouched && look.cut == BeardCut::Full {
             return Ok(());
         }
-        let lips = figure.meshes[self.head].positions[STOMION];
+        let lips = figure.meshes[self.head].positions[landmark::STOMION];
         let lips = wide(lips) - self.origin;
         let is_hair = |kind: MaterialKind| kind == MaterialKind::Hair;
         let all = std::mem::take(&mut figure.meshes);

@@ -80,6 +80,46 @@ fn check(mesh: &Mesh, joints: usize) {
 }
 
 #[test]
+fn landmarks_are_those_of_the_figures() {
+    use super::wear::landmark::{GNATHION, SELLION, STOMION, SUBAURALE, TRICHION};
+    let named = [
+        ("sba_l", SUBAURALE[0]),
+        ("sba_r", SUBAURALE[1]),
+        ("se", SELLION),
+        ("tr", TRICHION),
+        ("gn", GNATHION),
+        ("sto", STOMION),
+    ];
+    for glb in [SOFIA, PAPOUS] {
+        let names = crate::annotation::annotations(glb).expect("names");
+        for (name, vertex) in named {
+            let landmark = names.landmark(name).expect(name);
+            assert_eq!(
+                (landmark.mesh, landmark.vertex as usize),
+                (0, vertex),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn lines_of_age_are_kept_in_a_file_and_show_at_rest() {
+    let reshaper = sofia();
+    let look = Look {
+        lines: Some(0.6),
+        ..Look::default()
+    };
+    let old = with(&reshaper, &look, [1.0; 3]);
+    let again = read_figure("it", &to_packed_glb(&old, &Default::default())).expect("it");
+    for figure in [&old, &again] {
+        assert_eq!(figure.tissue.as_ref().expect("tissue").lines, 0.6);
+    }
+    let own = reshaper.figure.tissue.as_ref().expect("tissue");
+    assert_eq!(own.lines, 0.0);
+}
+
+#[test]
 fn no_look_changes_nothing() {
     let reshaper = sofia();
     let (skin, organs) = (own(&reshaper), organs(&reshaper));

@@ -48,15 +48,17 @@ pub struct Wear {
 }
 
 /// Vertices of the skin of our heads, by the names of Farkas 1994; the same in every head.
-mod landmark {
+pub(super) mod landmark {
     /// Subaurale, left and right: the lowest points of the ear lobes.
-    pub(super) const SUBAURALE: [usize; 2] = [13_928, 13_942];
+    pub(in super::super) const SUBAURALE: [usize; 2] = [13_928, 13_942];
     /// Sellion: the deepest point of the bridge of the nose.
-    pub(super) const SELLION: usize = 1_239;
+    pub(in super::super) const SELLION: usize = 1_239;
     /// Trichion: the hairline in the middle.
-    pub(super) const TRICHION: usize = 0;
+    pub(in super::super) const TRICHION: usize = 0;
     /// Gnathion: the lowest point of the chin.
-    pub(super) const GNATHION: usize = 5_874;
+    pub(in super::super) const GNATHION: usize = 5_874;
+    /// Stomion: where the lips meet in the middle.
+    pub(in super::super) const STOMION: usize = 12_038;
 }
 
 /// The head that things are made for, in its frame, metres.
@@ -64,7 +66,7 @@ pub(super) struct Fit {
     skin: Vec<DVec3>,
     normals: Vec<DVec3>,
     eyes: [DVec3; 2],
-    /// The lowest points of the left and the right wing of the nose are sought about it.
+    /// Where the frame of the head lies in the world.
     origin: DVec3,
 }
 
