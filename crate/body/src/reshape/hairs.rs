@@ -153,10 +153,9 @@ fn compact(mesh: &mut Mesh) {
     for &v in mesh.indices.iter().chain(mesh.coarser.iter().flatten()) {
         to[v as usize] = 0;
     }
-    let mut count = 0;
-    for t in to.iter_mut().filter(|t| **t != GONE) {
+    let used = to.iter_mut().filter(|t| **t != GONE);
+    for (count, t) in (0..).zip(used) {
         *t = count;
-        count += 1;
     }
     fn pick<T: Copy>(all: &mut Vec<T>, to: &[u32]) {
         let mut at = to.iter();
