@@ -63,10 +63,6 @@ impl Player {
 
     /// The natural colours of hair, from dark to pale, as `NaturalHair`s; `rgb` is linear.
     #[wasm_bindgen(js_name = naturalHair)]
-    #[expect(
-        clippy::unused_self,
-        reason = "JavaScript has the instance, not the class"
-    )]
     pub fn natural_hair(&self) -> Result<JsValue, JsError> {
         let entries = HairColour::NATURAL
             .iter()
