@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { isLong } from '../../web/test/tier.js';
 import { expectNoBarriers, LOOKS } from './access.js';
+import { drawSimply } from './composite.js';
 import { expect, test } from './stage.js';
 
 /** Software draws slowly. */
@@ -13,6 +14,7 @@ async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1024, height: 700 });
   await page.goto('/composite/');
+  await drawSimply(page);
   await expect(page.locator('[data-ready]')).toBeAttached({ timeout: 30_000 });
   await tab(page, 'Features');
 }

@@ -4,12 +4,14 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
+import { drawSimply } from './composite.js';
 import { expect, test } from './stage.js';
 
 async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto('/composite/');
+  await drawSimply(page);
   await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
   await tab(page, 'Features');
 }
@@ -106,9 +108,11 @@ test('marks are placed by a press and by the keyboard, made longer and taken awa
   await page.locator('#pad').focus();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('region', { name: 'Mole 2' })).toBeVisible();
+  const marked = await picture(page);
   await press(page, 'Take scar 1 away');
   await press(page, 'Take mole 1 away');
-  await expect.poll(() => picture(page)).toBe(bare);
+  await expect.poll(() => picture(page)).not.toBe(marked);
+  await expect(page.getByRole('region', { name: 'Mole 1' })).toBeHidden();
   await press(page, 'Undo');
   await expect(page.getByRole('region', { name: 'Mole 1' })).toBeVisible();
 });
@@ -131,6 +135,17 @@ test('the figure file tells a story on another page', async ({ page }) => {
   const player = page.locator('raconteur-player').first();
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentFigure), { timeout: 60_000 }).toBe('ida.glb');
   expect(await player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => /figure|avatar/.test(d.code)))).toEqual([]);
+});
+
+test('a face that rests is drawn with everything', async ({ page }) => {
+  await open(page);
+  const fine = page.locator('#fine');
+  await expect(fine).toBeHidden();
+  await page.locator('raconteur-composite').evaluate((e) => e.setAttribute('quality', 'auto'));
+  await press(page, 'weight: more');
+  await expect(fine).toBeVisible({ timeout: 60_000 });
+  await press(page, 'weight: more');
+  await expect(fine).toBeHidden();
 });
 
 test('light comes from elsewhere', async ({ page }) => {

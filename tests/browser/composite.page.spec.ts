@@ -4,12 +4,14 @@ import type { Locator, Page } from '@playwright/test';
 import type { CompositeEventMap, RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
+import { drawSimply } from './composite.js';
 import { expect, test } from './stage.js';
 
 async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto('/composite/');
+  await drawSimply(page);
   await ready(page);
   await page.getByRole('tab', { name: 'Features' }).click();
 }

@@ -4,7 +4,7 @@ import { LitElement, unsafeCSS, type PropertyDeclarations, type PropertyValues, 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Faces } from '../element/faces.js';
 import { openFaces } from '../element/open-faces.js';
-import type { Backend } from '../element/types.js';
+import type { Backend, Quality } from '../element/types.js';
 import base from '../pages/base.css?inline';
 import casting from '../pages/cast.css?inline';
 import controls from '../pages/controls.css?inline';
@@ -35,7 +35,7 @@ const TYPED: readonly string[] = ['number', 'text', 'search'];
 const KEYS: Readonly<Record<string, number>> = { f: SIDES.Front, t: SIDES['Three-quarter'], p: SIDES.Left };
 
 const text = { reflect: true };
-const attributes: PropertyDeclarations = { assets: text, figure: text, src: text, label: text, session: text, backend: text };
+const attributes: PropertyDeclarations = { assets: text, figure: text, src: text, label: text, session: text, backend: text, quality: text };
 
 /** Events of the editor's own; as those of a media element they do not bubble. */
 export interface CompositeEventMap {
@@ -72,6 +72,9 @@ export class RaconteurComposite extends LitElement {
   /** Forces a back end of the players. Read when the editor opens. */
   declare backend: Backend | undefined;
 
+  /** How much work goes into the picture, as of a player. With `auto`, the default, a stage that is drawn simply is drawn with everything as soon as the face rests. */
+  declare quality: Quality;
+
   #player: RaconteurPlayer | undefined;
   #app: App | undefined;
   #desk: Desk | undefined;
@@ -103,6 +106,7 @@ export class RaconteurComposite extends LitElement {
     super();
     this.assets = RaconteurComposite.library;
     this.label = 'Composite editor';
+    this.quality = 'auto';
     this.#ready = new Promise((opened, failed) => {
       this.#settle = { opened, failed };
     });
@@ -190,6 +194,7 @@ export class RaconteurComposite extends LitElement {
     if (player === undefined) return;
     player.assets = this.assets;
     player.backend = this.backend;
+    player.quality = this.quality;
     player.figure = this.figure;
     this.#tabs = new Tabs<Tab>(
       (name): name is Tab => name in TABS,
@@ -207,6 +212,7 @@ export class RaconteurComposite extends LitElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     if (this.#player === undefined) return;
+    this.#player.quality = this.quality;
     if (changed.has('figure') && this.figure !== this.#player.figure) this.#player.figure = this.figure;
     if (changed.has('src') && this.src && this.#app !== undefined) void this.#openSource(this.src);
   }

@@ -5,7 +5,7 @@ import { openHidden, type Hidden } from './hidden-player.js';
 import { enlarge } from './shots.js';
 
 /** Who goes on within this time has not come to rest. */
-const REST_MS = 700;
+const REST_MS = 1200;
 /** Qualities at which the stage lacks lines and fine hair. */
 const SIMPLE: readonly string[] = ['lowest', 'low'];
 
@@ -43,7 +43,7 @@ export class Fine {
   async #draw(): Promise<void> {
     const { app } = this;
     const { player } = app;
-    if (this.#drawing || !app.resting || !player.paused || !player.isConnected || !SIMPLE.includes(player.statistics?.quality ?? '')) return;
+    if (this.#drawing || !app.resting || !player.paused || !player.isConnected || player.quality !== 'auto' || !SIMPLE.includes(player.statistics?.quality ?? '')) return;
     this.#drawing = true;
     const before = this.#changes;
     try {
