@@ -60,9 +60,9 @@ test('a description chooses faces, and parts of them are taken over', async ({ p
   await page.getByRole('checkbox', { name: 'nose', exact: true }).check();
   await page.getByRole('tab', { name: 'Faces' }).click();
   await page.getByText('A woman', { exact: true }).click();
-  await page.getByText('56 and older', { exact: true }).click();
+  await page.getByText('66 and older', { exact: true }).click();
   const faces = page.locator('.sheet button');
-  await expect(faces.first()).toContainText(/^\s*Woman of (5[6-9]|[67]\d|80)/);
+  await expect(faces.first()).toContainText(/^\s*Woman of (6[6-9]|7\d|80)/);
   // Choosing changes nothing by itself.
   await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
   await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 30_000 });

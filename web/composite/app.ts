@@ -20,7 +20,7 @@ const NEAR = 7.4;
 
 /** Lines of age that an average face has, and how many more one whose value of ageing is 1, of 1. */
 const LINES = 0.1;
-const LINES_PER_AGE = 0.75;
+const LINES_PER_AGE = 0.7;
 /** Skin that is not chosen is so bright. */
 const UNLIT = 0.55;
 
@@ -53,8 +53,8 @@ export class App {
   half: 'left' | 'right' | undefined;
   /** What is chosen is lit on the face. */
   lit = true;
-  /** What is placed on the skin by the next press. */
-  placing: FaceMark['kind'] | undefined;
+  /** What is placed on the skin by the next press: something new, or one of the marks anew. */
+  placing: FaceMark['kind'] | number | undefined;
   light: { readonly name: Light; readonly turn: number } = { name: 'stage', turn: 0 };
   /** What dragging on the picture does. */
   drag: 'view' | 'move' | 'turn' | 'scale' = 'view';

@@ -201,6 +201,8 @@ export class RaconteurComposite extends LitElement {
       (tab) => {
         if (this.#app === undefined) return;
         this.#app.turnTo(tab);
+        // Each panel is read from its top.
+        this.#find('#panel')?.scrollTo(0, 0);
       },
       this.renderRoot,
     );

@@ -36,11 +36,19 @@ export const GROUPS: readonly (readonly WearKind[])[] = [
   ['ear-studs', 'ear-rings'],
 ];
 
-export const MARKS: Readonly<Record<FaceMark['kind'], { readonly name: string /** Its length at first, metres. */; readonly size: number }>> = {
-  scar: { name: 'Scar', size: 0.04 },
-  mole: { name: 'Mole', size: 0.006 },
-  birthmark: { name: 'Birthmark', size: 0.03 },
-  tattoo: { name: 'Tattoo', size: 0.025 },
+/** A kind of mark, and how one is at first: its length (metres), turn (radians) and strength. */
+interface FirstMark {
+  readonly name: string;
+  readonly size: number;
+  readonly turn: number;
+  readonly strength: number;
+}
+
+export const MARKS: Readonly<Record<FaceMark['kind'], FirstMark>> = {
+  scar: { name: 'Scar', size: 0.035, turn: 1, strength: 0.7 },
+  mole: { name: 'Mole', size: 0.006, turn: 0, strength: 1 },
+  birthmark: { name: 'Birthmark', size: 0.03, turn: 0, strength: 0.8 },
+  tattoo: { name: 'Tattoo', size: 0.025, turn: 0, strength: 1 },
 };
 export const SHAPES: Readonly<Record<TattooShape, string>> = { star: 'Star', heart: 'Heart', cross: 'Cross', anchor: 'Anchor', dots: 'Three dots', text: 'Letters' };
 /** A face has no more marks. */
@@ -82,11 +90,12 @@ export function isLook(x: unknown): x is FaceLook {
 /** Whether what a file holds is a mark. */
 export function isMark(x: unknown): x is FaceMark {
   if (!isRecord(x) || !Object.hasOwn(MARKS, String(x['kind'])) || !isWithin(x['size'], 0.0005, LONGEST_MARK) || !isWithin(x['turn'], -7, 7)) return false;
-  const { corners, shares, shape = 'star', text = '' } = x;
+  const { corners, shares, shape = 'star', text = '', strength = 1 } = x;
   const isThree = (list: unknown, is: (one: unknown) => boolean): boolean => Array.isArray(list) && list.length === 3 && list.every(is);
   return (
     isThree(corners, (n) => Number.isSafeInteger(n) && isWithin(n, 0, 2 ** 32 - 1)) &&
     isThree(shares, (n) => isWithin(n, -0.01, 1.01)) &&
+    isWithin(strength, 0, 1) &&
     Object.hasOwn(SHAPES, String(shape)) &&
     typeof text === 'string' &&
     text.length <= MOST_LETTERS

@@ -10,10 +10,16 @@ const DEGREE = Math.PI / 180;
 
 /** Places what is chosen on a spot of the skin; whether that could be done. */
 export function place(app: App, spot: FaceSpot): boolean {
-  const kind = app.placing;
-  if (kind === undefined) return false;
+  const { placing } = app;
+  if (placing === undefined) return false;
   app.placing = undefined;
-  const mark: FaceMark = { ...spot, kind, size: MARKS[kind].size, turn: 0 };
+  if (typeof placing === 'number') {
+    const moved = app.marks.map((mark, i) => (i === placing ? { ...mark, ...spot } : mark));
+    return app.do({ kind: 'marks', marks: moved, what: 'mark moved' });
+  }
+  const kind = placing;
+  const { size, turn, strength } = MARKS[kind];
+  const mark: FaceMark = { ...spot, kind, size, turn, strength };
   return app.do({ kind: 'marks', marks: [...app.marks, mark], what: `${MARKS[kind].name.toLowerCase()} placed` });
 }
 
@@ -35,8 +41,9 @@ export function marks(app: App): TemplateResult {
 
 function told({ placing, marks: all }: App, full: boolean): string {
   if (full) return `A face has at most ${MOST_MARKS} marks.`;
-  if (placing !== undefined)
-    return `Press on the face where the ${MARKS[placing].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
+  const what = typeof placing === 'number' ? (all[placing]?.kind ?? 'scar') : placing;
+  if (what !== undefined)
+    return `Press on the face where the ${MARKS[what].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
   return all.length === 0 ? 'Choose what to place, then press on the face.' : 'What is placed can be made longer, turned and taken away.';
 }
 
@@ -60,14 +67,22 @@ function entry(app: App, mark: FaceMark, i: number): TemplateResult {
   const alter = (change: Partial<FaceMark>, what: string): void => {
     app.do({ kind: 'marks', marks: changed(change), what });
   };
+  const move = (): void => {
+    app.placing = app.placing === i ? undefined : i;
+    app.redraw();
+  };
   const gone = (): void => {
     app.do({ kind: 'marks', marks: app.marks.filter((_, k) => k !== i), what: `${name.toLowerCase()} taken away` });
   };
   return html`<section class="region" aria-label=${title}><h3>${title}</h3>
     ${field('Length', 1000 * mark.size, [2, 1000 * LONGEST_MARK], 1, 'mm', (mm) => ({ size: mm / 1000 }))}
     ${mark.kind === 'mole' ? nothing : field('Turned', mark.turn / DEGREE, [-180, 180], 5, '°', (degrees) => ({ turn: degrees * DEGREE }))}
+    ${field('Strength', 100 * (mark.strength ?? 1), [10, 100], 5, '%', (percent) => ({ strength: percent / 100 }))}
     ${mark.kind === 'tattoo' ? motif(mark, title, alter) : nothing}
-    <button type="button" class="plain" aria-label="Take ${title.toLowerCase()} away" @click=${gone}>Take away</button>
+    <div class="group">
+      <button type="button" class="plain" aria-label="Move ${title.toLowerCase()}" aria-pressed=${app.placing === i} @click=${move}>Move</button>
+      <button type="button" class="plain" aria-label="Take ${title.toLowerCase()} away" @click=${gone}>Take away</button>
+    </div>
   </section>`;
 }
 

@@ -34,8 +34,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   const hold = (): void => {
     app.do({ kind: 'hold', held: held === undefined ? [...app.held, { part, name, value, ...app.region }] : app.held.filter((h) => h !== held) });
   };
-  const years = /^age/.test(name) ? `about ${app.yearsOf(value)} years; ` : '';
-  const also = `${years}${alsoCalled(a) ?? ''}`;
+  const also = name === 'age' ? `about ${app.yearsOf(value)} years by ${part === 'shape' ? 'its form' : 'its skin'}` : (alsoCalled(a) ?? '');
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
     <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
     ${also === '' ? nothing : html`<small class="also">${also}</small>`}
@@ -88,7 +87,7 @@ export function features(app: App): TemplateResult {
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
   if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;
-  return app.withAll ? `Changes the whole head${of}.` : `A feature changes where it is, others the whole head${of}.`;
+  return app.withAll ? `Changes the whole head${of}.` : `Features of eyes, nose, mouth and ears change there alone, all others the whole head${of}.`;
 }
 
 // --- what is held ---

@@ -6,7 +6,7 @@ import type { FaceLook, NaturalHair } from '../element/types.js';
 type Personal = FacePack['people'][number];
 
 export const SEXES = { any: 'Anybody', woman: 'A woman', man: 'A man' } as const;
-export const AGES = { any: 'Any age', child: 'Under 18', young: '18 to 35', middle: '36 to 55', old: '56 and older' } as const;
+export const AGES = { any: 'Any age', child: 'Under 18', young: '18 to 35', middle: '36 to 55', late: '56 to 65', old: '66 and older' } as const;
 export const ANCESTRIES = { any: 'Any ancestry', european: 'European', asian: 'Asian', african: 'African', mixed: 'Mixed' } as const;
 
 /** The description. */
@@ -16,7 +16,14 @@ export interface Person {
   ancestry: keyof typeof ANCESTRIES;
 }
 
-const YEARS: Readonly<Record<keyof typeof AGES, readonly [from: number, below: number]>> = { any: [0, 200], child: [0, 18], young: [18, 36], middle: [36, 56], old: [56, 200] };
+const YEARS: Readonly<Record<keyof typeof AGES, readonly [from: number, below: number]>> = {
+  any: [0, 200],
+  child: [0, 18],
+  young: [18, 36],
+  middle: [36, 56],
+  late: [56, 66],
+  old: [66, 200],
+};
 /** Who has less of every ancestry is mixed. */
 const MAINLY = 0.6;
 

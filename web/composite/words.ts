@@ -6,7 +6,6 @@ type Attribute = FacePack['attributes'][number];
 
 /** What else an attribute may be called; it is shown below its name. */
 const ALSO: Readonly<Record<string, string>> = {
-  age: 'old, young',
   ageing: 'wrinkles, lines, old skin',
   growth: 'child, grown-up',
   'lightness of the skin': 'pale, tan, dark',

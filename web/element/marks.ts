@@ -161,6 +161,7 @@ export class PaintedSkin {
       context.setTransform(rightU * width, rightV * height, -upU * width, -upV * height, u * width, v * height);
       context.rotate(mark.turn);
       context.scale(mark.size, mark.size);
+      context.globalAlpha = mark.strength ?? 1;
       context.beginPath();
       DRAW[mark.kind](context, mark);
       context.restore();

@@ -431,6 +431,8 @@ export interface FaceMark extends FaceSpot {
   readonly size: number;
   /** Turned clockwise by, radians. */
   readonly turn: number;
+  /** How strongly it shows, 0 to 1, which it is without. */
+  readonly strength?: number | undefined;
   readonly shape?: TattooShape | undefined;
   /** Letters of a tattoo. */
   readonly text?: string | undefined;

@@ -15,6 +15,9 @@ const MIDDLE_M = [0, 0.025, 0.03] as const;
 /** From where one looks at the head: how far around it and from how far above, radians, and how near. */
 export type Look = Pick<View, 'turn' | 'tilt' | 'zoom'>;
 
+/** The eyes of who looks are as high as those of the face, radians. */
+export const LEVEL = 0.02;
+
 export class HeadView {
   from: Look;
   /** The middle of the head, from what the shot of the whole figure looks at; until it is known, that of somebody of middle height. */
@@ -110,7 +113,7 @@ export function lookAround(view: HeadView, pad: HTMLElement, turns = (): boolean
   pad.addEventListener('keydown', (event) => {
     const by = keySteps(event);
     if (by !== undefined) view.look({ turn: view.from.turn + by[0] * 0.12, tilt: view.from.tilt + by[1] * 0.08, zoom: view.from.zoom * 1.1 ** -by[2] });
-    else if (event.key === 'Home') view.look({ turn: SIDES['Three-quarter'], tilt: 0.02 });
+    else if (event.key === 'Home') view.look({ turn: SIDES['Three-quarter'], tilt: LEVEL });
     else if (!zoomByKey(event, view)) return;
     event.preventDefault();
   });
@@ -120,7 +123,7 @@ export function lookAround(view: HeadView, pad: HTMLElement, turns = (): boolean
 export function lookFrom(view: HeadView): TemplateResult {
   const { from } = view;
   return html`<div class="group" role="group" aria-label="View">
-    ${Object.entries(SIDES).map(([name, turn]) => html`<button type="button" class="plain" aria-pressed=${Math.abs(from.turn - turn) < 0.01} @click=${() => view.look({ turn })}>${name}</button>`)}
+    ${Object.entries(SIDES).map(([name, turn]) => html`<button type="button" class="plain" aria-pressed=${Math.abs(from.turn - turn) < 0.01} @click=${() => view.look({ turn, tilt: LEVEL })}>${name}</button>`)}
     <button type="button" class="plain" aria-label="Farther" @click=${() => view.look({ zoom: from.zoom / 1.2 })}>−</button>
     <button type="button" class="plain" aria-label="Nearer" @click=${() => view.look({ zoom: from.zoom * 1.2 })}>+</button>
   </div>`;
