@@ -71,7 +71,7 @@ test('a browser without an encoder saves the film as a GIF, and a film can be ca
   await expect(page.locator('#status')).toHaveText('Film: cancelled.');
   await expect(page.getByRole('progressbar', { name: 'Film' })).not.toBeAttached();
   // The player that took its pictures is gone.
-  await expect(page.locator('raconteur-player')).toHaveCount(1);
+  await expect(page.getByLabel('Pictures of the face')).toHaveCount(0);
   const { name, bytes } = await saved(page, 'Save film');
   expect(name).toBe('face.gif');
   expect(bytes.subarray(0, 6).toString()).toBe('GIF89a');

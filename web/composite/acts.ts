@@ -109,6 +109,12 @@ export function where({ segments = [], half }: FaceRegion): string {
   return segments.length === 0 ? of : `, ${segments.join(' + ')}${of}`;
 }
 
+/** The latest of what is held, which stands last. */
+function holding(names: readonly string[]): string {
+  const others = names.length - 1;
+  return names.length === 0 ? 'holds nothing' : `holds ${names.at(-1)}${others === 0 ? '' : ` and ${others} more`}`;
+}
+
 /** An act in a few words. */
 export function label(act: Act): string {
   switch (act.kind) {
@@ -131,7 +137,7 @@ export function label(act: Act): string {
     case 'detail':
       return `detail ${signed(act.strength, 1)}`;
     case 'hold':
-      return act.held.length === 0 ? 'holds nothing' : `holds ${act.held.map((h) => h.name).join(', ')}`;
+      return holding(act.held.map((h) => h.name));
     case 'look':
     case 'marks':
       return act.what;
