@@ -45,7 +45,7 @@ export class HistoryPanel {
       <ol class="steps-list" aria-label="Steps">${steps.slice(first, first + LISTED).map((step, i) => entry(first + i, step))}</ol>`;
   }
 
-  /** Around the present step, until one leafs; a step that is gone to is listed again. */
+  /** Around the present step, until one turns the pages; a step that is gone to is listed again. */
   #first(): number {
     const { history } = this.app;
     const most = Math.max(0, history.steps.length - LISTED);
