@@ -21,13 +21,13 @@ const replaced = [
   { what: 'own readers of JSON and of numbers, and short names in shaders (106.4 measured at 59bf609 with typed glTF, less the 54 that went with it)', kb: 52.4, at: '2a753a2' },
 ];
 /** Scripts of pages without what they share, KB; most of the gestures' is the editor. */
-const pages = { gestures: 150, viewer: 13, face: 10 };
+const pages = { gestures: 150, viewer: 13, face: 10, composite: 300 };
 
 /**
  * What only some players fetch: the importer of foreign avatars, what speaks in the page and its engines, texts that are told,
  * what connects to a mind, music, the browser's own voice, the pitch at other speeds, and a film.
  */
-const apart = 'added avatar faces film flite here kokoro mind music say server spoken src stretch tell told worker'.split(' ');
+const apart = 'added avatar faces film flite here kokoro marks mind music say server spoken src stretch tell told worker'.split(' ');
 
 /** Node's own deflate gives up 2 % of size for speed, so the `gzip` program is used where it is installed. */
 function gzip9(part) {
