@@ -2,6 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import type { RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
 import { drawSimply } from './composite.js';
@@ -146,6 +147,24 @@ test('a face that rests is drawn with everything', async ({ page }) => {
   await expect(fine).toBeVisible({ timeout: 60_000 });
   await press(page, 'weight: more');
   await expect(fine).toBeHidden();
+});
+
+test('every feature can be changed alone', async ({ page }) => {
+  await open(page);
+  const told = await page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite) => {
+    const { faces } = e;
+    const start = e.save();
+    if (faces === undefined || start === undefined) throw new Error('it is not open');
+    const acts = faces.pack.attributes.map(({ part, name }) => ({ kind: 'add', part, name, amount: 0.1, region: {}, alone: true }));
+    await e.open({ ...start, steps: [...start.steps, ...acts.map((act, i) => ({ parent: i, act }))], here: acts.length });
+    e.undo();
+    const last = faces.pack.attributes.at(-1);
+    const before = last === undefined ? 0 : faces.value(last.part, last.name);
+    e.redo();
+    return [acts.length, last === undefined ? 0 : faces.value(last.part, last.name) - before];
+  });
+  expect(told[0]).toBeGreaterThan(49);
+  expect(told[1]).toBeCloseTo(0.1, 6);
 });
 
 test('light comes from elsewhere', async ({ page }) => {

@@ -3,6 +3,7 @@
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
 import type { FaceLook, FaceMark } from '../element/types.js';
 import { isLook, isMark, MOST_MARKS } from './look.js';
+import { keptWith } from './words.js';
 
 type Three = readonly [number, number, number];
 
@@ -20,8 +21,8 @@ export type Act =
       readonly region: FaceRegion;
       /** And of what goes with it in people. */
       readonly withAll?: boolean;
-      /** The value changes by the whole amount, though the region is a part of what it is of. */
-      readonly exact?: boolean;
+      /** Sex, weight, age and the other features of its group keep their values. */
+      readonly alone?: boolean;
     }
   /** More or less of the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
@@ -42,15 +43,26 @@ export const AGEING = 'ageing';
 /** Does an act; then the face holds what it is to hold. Throws what the model says, when it cannot. */
 export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[]): void {
   const now = act.kind === 'hold' ? act.held : held;
-  const reached = now.length > 0 && act.kind === 'add' ? reaches(faces, act) : undefined;
+  const reached = now.length > 0 && act.kind === 'add' && isWhole(act.region) ? reaches(faces, act) : undefined;
   alter(faces, act);
   if (now.length > 0) faces.constrain(reached === undefined ? now : [...now, reached]);
 }
 
+const isWhole = ({ segments = [], half }: FaceRegion): boolean => segments.length === 0 && half === undefined;
+
 /** What an attribute of the whole head is to be in the end, whatever is held beside it. */
-function reaches(faces: Faces, { part, name, amount, region }: Extract<Act, { kind: 'add' }>): FaceConstraint | undefined {
-  const isWhole = (region.segments ?? []).length === 0 && region.half === undefined;
-  return isWhole ? { part, name, value: faces.value(part, name) + amount } : undefined;
+function reaches(faces: Faces, { part, name, amount }: Extract<Act, { kind: 'add' }>): FaceConstraint {
+  return { part, name, value: faces.value(part, name) + amount };
+}
+
+function add(faces: Faces, { part, name, amount, region, withAll = false, alone = false }: Extract<Act, { kind: 'add' }>): void {
+  const { attributes } = faces.pack;
+  const attribute = alone && isWhole(region) ? attributes.find((a) => a.part === part && a.name === name) : undefined;
+  if (attribute === undefined) faces.add(part, name, amount, region, withAll);
+  else {
+    const kept = keptWith(attribute, attributes).map((a) => a.name);
+    faces.addAlone(part, name, amount, kept);
+  }
 }
 
 function alter(faces: Faces, act: Act): void {
@@ -89,18 +101,6 @@ function alter(faces: Faces, act: Act): void {
 }
 
 /** A number with its sign, as it is printed. */
-/** A share of its effect that a change has in a region; with less it is not of that region. */
-const LEAST_SHARE = 0.2;
-
-function add(faces: Faces, { part, name, amount, region, withAll = false, exact = false }: Extract<Act, { kind: 'add' }>): void {
-  const before = exact ? faces.value(part, name) : 0;
-  faces.add(part, name, amount, region, withAll);
-  if (!exact || amount === 0) return;
-  // What is added in a region has its effect in proportion.
-  const share = (faces.value(part, name) - before) / amount;
-  if (share > LEAST_SHARE) faces.add(part, name, amount / share - amount, region, withAll);
-}
-
 export const signed = (amount: number, digits = 2): string => `${amount < 0 ? '−' : '+'}${Math.abs(amount).toFixed(digits)}`;
 
 /** A region in words that follow others. */
@@ -171,7 +171,7 @@ export function isAct(x: unknown): x is Act {
     case 'example':
       return isCount(x['index']);
     case 'add':
-      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && isFlag(x['withAll']) && isFlag(x['exact']);
+      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && isFlag(x['withAll']) && isFlag(x['alone']);
     case 'age':
       return isNumber(x['amount']) && isRegion(x['region']);
     case 'caricature':

@@ -1,14 +1,14 @@
 /** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../element/faces.js';
+import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
 import type { FaceLook, FaceMark, FigureFace, Light } from '../element/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { AGEING, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
 import { lookOf, type Person } from './people.js';
-import { placesOf, yearsOf } from './words.js';
+import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
 
@@ -91,11 +91,10 @@ export class App {
     return this.#moving === undefined && !this.#showing;
   }
 
-  /** How a feature changes: in the segments that are chosen; else where it is, unless what goes with it changes too. */
-  regionOf(attribute: FacePack['attributes'][number]): { readonly region: FaceRegion; readonly withAll: boolean; readonly exact: boolean } {
+  /** How a feature changes: in the segments that are chosen, or in the whole head; alone, unless what goes with it changes too. */
+  get manner(): { readonly region: FaceRegion; readonly withAll: boolean; readonly alone: boolean } {
     const { region, withAll } = this;
-    const places = withAll || this.segments.size > 0 ? [] : placesOf(attribute);
-    return { region: places.length === 0 ? region : { ...region, segments: places }, withAll, exact: places.length > 0 };
+    return { region, withAll, alone: !withAll };
   }
 
   get region(): FaceRegion {

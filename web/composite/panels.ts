@@ -24,7 +24,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   const of = app.faces.pack.attributes.filter((b) => b.name === name).length > 1 ? `${name}, ${PARTS[part].toLowerCase()}` : name;
   const to = (target: number): void => {
     const amount = target - (app.settled[part].get(name) ?? 0);
-    if (held === undefined) app.move({ kind: 'add', part, name, amount, ...app.regionOf(a) });
+    if (held === undefined) app.move({ kind: 'add', part, name, amount, ...app.manner });
     else app.move({ kind: 'hold', held: app.held.map((h) => (h === held ? { ...h, value: target } : h)) });
   };
   const step = (by: number): void => {
@@ -87,7 +87,7 @@ export function features(app: App): TemplateResult {
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
   if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;
-  return app.withAll ? `Changes the whole head${of}.` : `Features of eyes, nose, mouth and ears change there alone, all others the whole head${of}.`;
+  return app.withAll ? `Changes the whole head${of}.` : `A feature changes alone${of}: sex, age, weight and its neighbours stay as they are.`;
 }
 
 // --- what is held ---

@@ -1,4 +1,4 @@
-/** The words that people have for features, and where on a face these are. */
+/** The words that people have for features, and what a feature is apart from. */
 
 import type { FacePack } from '../element/faces.js';
 
@@ -53,14 +53,20 @@ export function isCalled(attribute: Attribute, typed: string): boolean {
     .every((word) => text.includes(word));
 }
 
-/** Segments that the features of a group are in. */
-const PLACES: Readonly<Record<string, readonly string[]>> = { eyes: ['eyes'], nose: ['nose'], mouth: ['mouth', 'peripheral oral region'], ears: ['ears'] };
-/** Features between two parts change both. */
-const BETWEEN = /^distance between/;
+/** Impressions of a whole person, which nobody wants to change with a nose. */
+const OVERALL: readonly string[] = ['sex', 'weight', 'age'];
+/** Groups of which each feature is a measure of its own. */
+const MEASURES: readonly string[] = ['face shape', 'eyes', 'nose', 'mouth', 'ears'];
+/** Names of one thing: they go together. */
+const YEARS: readonly string[] = ['age', 'ageing', 'growth'];
 
-/** The segments that a feature is in; none where it is of the whole head. */
-export function placesOf({ name, group }: Attribute): readonly string[] {
-  return BETWEEN.test(name) ? [] : (PLACES[group] ?? []);
+/** What keeps its value while an attribute is changed alone: sex, weight and age, and the other features of its group. */
+export function keptWith(attribute: Attribute, all: readonly Attribute[]): Attribute[] {
+  const isYears = YEARS.includes(attribute.name);
+  return all.filter((other) => {
+    if (other.part !== attribute.part || other.name === attribute.name || (isYears && YEARS.includes(other.name))) return false;
+    return OVERALL.includes(other.name) || (other.group === attribute.group && MEASURES.includes(other.group));
+  });
 }
 
 /** How the age of people is spread: the ends of an attribute are two standard deviations from the mean. */

@@ -59,6 +59,7 @@ interface Model {
   value(part: FacePart, name: string): number;
   values(part: FacePart): Float64Array;
   add(part: FacePart, name: string, amount: number, withAll: boolean, segments: readonly string[], half?: string): void;
+  addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void;
   caricature(part: FacePart, level: number, segments: readonly string[], half?: string): void;
   importFrom(index: number, part: FacePart, segments: readonly string[], half?: string): void;
   transform(scale: Float64Array, turn: Float64Array, way: Float64Array, segments: readonly string[], half?: string): void;
@@ -146,6 +147,11 @@ export class Faces {
   /** Adds so much of an attribute; `withAll`: and of what goes with it in people, as a narrow mouth with a small nose. */
   add(part: FacePart, name: string, amount: number, { segments = [], half }: FaceRegion = {}, withAll = false): void {
     this.#model.add(part, name, amount, withAll, segments, half);
+  }
+
+  /** Adds so much of an attribute of the whole head; these others of its part keep their values. */
+  addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void {
+    this.#model.addAlone(part, name, amount, kept);
   }
 
   /** Exaggerates what tells the face from the average: above 1 a caricature, below nearer to everybody. */

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use crate::{Affine, Constraint, Editor, Face, FaceModel, Half, Part, Region};
+use crate::{Affine, Change, Constraint, Editor, Face, FaceModel, Half, Part, Region};
 
 /// What a pack holds; `FacePack` in `web/element/faces.ts`.
 #[derive(Serialize)]
@@ -93,6 +93,8 @@ fn finite(number: f64) -> Result<f64, JsError> {
 pub struct Faces {
     editor: Editor,
     face: Face,
+    /// The change of the attribute that was changed alone last, by what it was asked for.
+    alone: Option<(String, Change)>,
 }
 
 #[wasm_bindgen]
@@ -106,7 +108,11 @@ impl Faces {
     pub fn new(bytes: &[u8]) -> Result<Self, JsError> {
         let editor = Editor::new(FaceModel::from_bytes(bytes)?)?;
         let face = editor.average();
-        Ok(Self { editor, face })
+        Ok(Self {
+            editor,
+            face,
+            alone: None,
+        })
     }
 
     /// Reads the pack's file of textures; the face gets the average one.
@@ -220,6 +226,30 @@ impl Faces {
             self.editor.attribute_change(part(of)?, name, &region)?
         };
         self.face.add(&change, finite(amount)?);
+        Ok(())
+    }
+
+    /// Adds so much of an attribute of the whole head; others of its part keep their values.
+    #[wasm_bindgen(js_name = addAlone)]
+    pub fn add_alone(
+        &mut self,
+        of: &str,
+        name: &str,
+        amount: f64,
+        kept: Vec<String>,
+    ) -> Result<(), JsError> {
+        let amount = finite(amount)?;
+        let key = format!("{of}\n{name}\n{}", kept.join("\n"));
+        let change = match self.alone.take() {
+            // A slider that moves asks for the same again and again.
+            Some((last, change)) if last == key => change,
+            _ => {
+                let kept: Vec<&str> = kept.iter().map(String::as_str).collect();
+                self.editor.change_alone(part(of)?, name, &kept)?
+            }
+        };
+        self.face.add(&change, amount);
+        self.alone = Some((key, change));
         Ok(())
     }
 

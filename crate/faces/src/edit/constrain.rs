@@ -46,6 +46,41 @@ impl Editor {
         Ok(())
     }
 
+    /// The change of the whole head by one of an attribute while other attributes of its part keep their
+    /// values: values are linear in the face, so that it is the same for every face.
+    ///
+    /// # Errors
+    /// When an attribute is none, or one of those that are kept says what the attribute does.
+    pub fn change_alone(&self, part: Part, name: &str, kept: &[&str]) -> Result<Change, FaceError> {
+        let before = self.average();
+        let region = self.region(&[], None)?;
+        let held = |(name, more): (&str, f64)| {
+            Ok(Constraint {
+                part,
+                value: self.value(&before, part, name)? + more,
+                region: region.clone(),
+                name: name.to_owned(),
+            })
+        };
+        let names = std::iter::once((name, 1.0)).chain(kept.iter().map(|&name| (name, 0.0)));
+        let all: Vec<Constraint> = names.map(held).collect::<Result<_, FaceError>>()?;
+        let mut after = before.clone();
+        self.constrain(&mut after, &all)?;
+        let difference = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a - b).collect();
+        Ok(match part {
+            Part::Shape => Change {
+                part,
+                numbers: difference(&after.shape, &before.shape),
+                organs: difference(&after.organs, &before.organs),
+            },
+            Part::Texture => Change {
+                part,
+                numbers: difference(&after.texture, &before.texture),
+                organs: Vec::new(),
+            },
+        })
+    }
+
     /// How much of each change meets the values: the equations are solved by elimination, row by row in
     /// the order of the constraints.
     fn amounts(

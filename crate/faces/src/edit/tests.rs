@@ -141,6 +141,32 @@ fn one_more_of_an_attribute_is_one_more_of_its_value() {
 }
 
 #[test]
+fn an_attribute_changes_alone_on_every_face() {
+    let editor = editor();
+    let names: Vec<String> = editor
+        .attributes(Part::Shape)
+        .iter()
+        .map(|a| a.attribute.name.clone())
+        .collect();
+    let (first, kept) = names.split_first().expect("attributes");
+    let kept: Vec<&str> = kept.iter().map(String::as_str).collect();
+    let change = editor.change_alone(Part::Shape, first, &kept).expect("it");
+    for seed in 0..20 {
+        let mut face = editor.random(seed);
+        let value = |face: &Face, name: &str| editor.value(face, Part::Shape, name).expect("it");
+        let before: Vec<f64> = names.iter().map(|n| value(&face, n)).collect();
+        face.add(&change, 0.7);
+        for (i, (name, before)) in names.iter().zip(before).enumerate() {
+            let wanted = if i == 0 { 0.7 } else { 0.0 };
+            let now = value(&face, name) - before;
+            assert!((now - wanted).abs() < 1e-6, "{name} {now}");
+        }
+    }
+    let none = editor.change_alone(Part::Shape, "moustache", &[]);
+    assert!(none.expect_err("none").to_string().contains("moustache"));
+}
+
+#[test]
 fn a_segment_changes_and_the_far_rest_does_not() {
     let editor = editor();
     let region = editor.region(&["nose"], None).expect("a segment");

@@ -1,0 +1,14 @@
+/** What `@raconteur/player` gives: importing it makes `<raconteur-player>` an element, where there are elements. */
+
+import { register } from '../../element/register.js';
+
+export { addSpeechSource, naturalVoice, speechServer } from '../../speech/added.js';
+export type { ServerVoice, SpeechServer } from '../../speech/server.js';
+export type { Said, Saying, SpeechRequest, SpeechSource } from '../../speech/source.js';
+export { RaconteurPlayer } from '../../element/element.js';
+export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../../element/faces.js';
+export { openFaces } from '../../element/open-faces.js';
+export * from '../../element/types.js';
+
+// Where the library is, a page says by the attribute `assets`.
+register();
