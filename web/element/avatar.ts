@@ -2,7 +2,7 @@
 
 import instantiate from '../pkg/avatar/raconteur.js';
 import wasmUrl from '../pkg/avatar/raconteur_bg.wasm?url';
-import { fetchModule } from './fetching.js';
+import { fetchModule, SCRIPT } from './fetching.js';
 import type { Diagnostic, FaceLook, FigureFace } from './types.js';
 
 /** It is not larger. */
@@ -46,7 +46,7 @@ export interface FaceFile {
 /** A fresh instance each time: a hostile file can at worst end this one. */
 async function open(): Promise<Instance> {
   const instance = instantiate() as unknown as Instance;
-  const module = await fetchModule(new URL(wasmUrl, import.meta.url), { what: 'The part that reads avatars made elsewhere', most: MOST_BYTES });
+  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads avatars made elsewhere', most: MOST_BYTES });
   await instance({ module_or_path: module });
   return instance;
 }

@@ -2,7 +2,7 @@
 
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
-import { fetchModule } from './fetching.js';
+import { fetchModule, SCRIPT } from './fetching.js';
 import type { Backend, Diagnostic, Engine, Performer } from './types.js';
 
 /** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
@@ -126,7 +126,7 @@ export function panicOf(engine: Engine): string | undefined {
 function compile(url: string): Promise<WebAssembly.Module> {
   let module = modules.get(url);
   if (module === undefined) {
-    module = fetchModule(new URL(url, import.meta.url), { what: 'The player', most: MOST_BYTES });
+    module = fetchModule(new URL(url, SCRIPT), { what: 'The player', most: MOST_BYTES });
     modules.set(url, module);
     // A failure is not kept: the network may come back.
     module.catch(() => modules.delete(url));

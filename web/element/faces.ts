@@ -2,7 +2,7 @@
 
 import instantiate from '../pkg/faces/raconteur.js';
 import wasmUrl from '../pkg/faces/raconteur_bg.wasm?url';
-import { fetchBytes, fetchModule, type Progress } from './fetching.js';
+import { fetchBytes, fetchModule, SCRIPT, type Progress } from './fetching.js';
 import type { FigureFace } from './types.js';
 
 /** Neither the part that edits nor a file of a pack is larger. */
@@ -95,7 +95,7 @@ export class Faces {
     const watched = { most: MOST_BYTES, signal };
     const instance = instantiate() as unknown as Instance;
     const [module, shape, texture] = await Promise.all([
-      fetchModule(new URL(wasmUrl, import.meta.url), { ...watched, what: 'The part that edits faces' }),
+      fetchModule(new URL(wasmUrl, SCRIPT), { ...watched, what: 'The part that edits faces' }),
       fetchBytes(shapes, { ...watched, what: 'The pack of faces', progress }),
       textures === undefined ? undefined : fetchBytes(textures, { ...watched, what: 'The textures of the pack of faces' }),
     ]);

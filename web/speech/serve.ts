@@ -2,7 +2,7 @@
 
 import instantiate from '../pkg/say/raconteur.js';
 import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
-import { fetchBytes, fetchModule, type Fetching } from '../element/fetching.js';
+import { fetchBytes, fetchModule, type Fetching, SCRIPT } from '../element/fetching.js';
 import type { Ask, Part, Reply } from './messages.js';
 
 /** So long after a part the next one is sent, ms; what is made sooner goes together. */
@@ -65,7 +65,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
   const both = async () => {
     const made = instantiate() as unknown as Say;
     const { what, most } = voiceFile;
-    const [host, module] = await Promise.all([open(), fetchModule(new URL(sayUrl, import.meta.url), { what, most })]);
+    const [host, module] = await Promise.all([open(), fetchModule(new URL(sayUrl, SCRIPT), { what, most })]);
     await made({ module_or_path: module });
     progress(1);
     say = made;
