@@ -5,7 +5,7 @@ import { actionsOf } from './actions.js';
 import { attributes } from './attributes.js';
 import { pageSound } from './audio.js';
 import { FigureLoader } from './figure-loader.js';
-import { dispatch, fire, type PlayerContext } from './context.js';
+import { dispatch, fire, libraryOf, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
 import { Diagnostics } from './diagnostics.js';
 import look from './element.css?inline';
@@ -20,6 +20,7 @@ import { Playback } from './playback.js';
 import { statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
+import { spare } from './fetching.js';
 import { FrameLoop } from './frame-loop.js';
 import {
   PlayerError,
@@ -434,6 +435,7 @@ export class RaconteurPlayer extends LitElement {
     super.connectedCallback();
     if (!this.hasAttribute('tabindex')) this.tabIndex = 0;
     if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
+    spare.library ??= libraryOf(this);
     this.#resized.observe(this);
     this.#seen.observe(this);
     this.#own.watch();

@@ -28,6 +28,9 @@ export interface Fetching {
 /** What was asked for cannot be had; the message is a sentence with the address. */
 export class FetchError extends PlayerError {}
 
+/** There is no such file. */
+class MissingError extends FetchError {}
+
 /** An address for people. */
 export const shown = (url: URL): string => (url.origin === globalThis.location?.origin ? url.pathname : url.href);
 
@@ -55,7 +58,7 @@ class Watch {
     signal?.throwIfAborted();
     this.#listen();
     const response = await fetch(this.#url, { ...request, signal: this.#abort.signal });
-    if (response.status === 404) throw this.#end(new FetchError(`${what} was not found at ${shown(this.#url)}.`));
+    if (response.status === 404) throw this.#end(new MissingError(`${what} was not found at ${shown(this.#url)}.`));
     if (!response.ok) throw this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: the server answered ${response.status}.`));
     return response;
   }
@@ -139,11 +142,28 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
  */
 export const SCRIPT = import.meta.url;
 
+/** Where modules are that do not lie beside the script: `player/` of the library. A page's own build may have left them behind. */
+export const spare: { library?: URL } = {};
+
 /** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
 export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
+  try {
+    return await compiled(url, fetching);
+  } catch (error) {
+    if (!(error instanceof MissingError) || spare.library === undefined) throw error;
+    return await compiled(new URL(`player/${url.pathname.split('/').at(-1) ?? ''}`, spare.library), fetching).catch(() => {
+      throw error;
+    });
+  }
+}
+
+async function compiled(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
   return await watched(url, fetching, async (watch) => {
     const response = await watch.open();
-    if (!response.headers.get('content-type')?.startsWith('application/wasm')) {
+    const type = response.headers.get('content-type') ?? '';
+    // Servers of applications answer with their page what they do not have.
+    if (type.startsWith('text/html')) throw new MissingError(`${fetching.what} was not found at ${shown(url)}.`);
+    if (!type.startsWith('application/wasm')) {
       const chunks: Uint8Array[] = [];
       await watch.read(response, (chunk) => chunks.push(chunk));
       return await WebAssembly.compile(joined(chunks));

@@ -1,7 +1,7 @@
 // Packs the player for npm: `node web/tools/package.mjs [quick]` writes `.setup/package/*.tgz`, the player and its library
 // of assets. `quick` packs the build of the tests.
 
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'vite';
 import { main, root, run } from './steps.mjs';
@@ -72,6 +72,9 @@ await main(async () => {
   }));
   mkdirSync(join(folder, 'assets/library'), { recursive: true });
   for (const part of LIBRARY) cpSync(join(root, 'assets', part), join(folder, 'assets/library', part), { recursive: true });
+  // Where a page's build leaves modules behind, they are fetched from here.
+  const modules = readdirSync(join(folder, 'player/dist')).filter((name) => name.startsWith('raconteur_bg-'));
+  for (const name of modules) cpSync(join(folder, 'player/dist', name), join(folder, 'assets/library/player', name));
   cpSync(join(root, 'web/package/assets/copy.mjs'), join(folder, 'assets/copy.mjs'));
   pack('assets', about('@raconteur/assets', 'Figures, animations and stories for @raconteur/player.', { bin: { 'raconteur-assets': './copy.mjs' }, exports: { './library/*': './library/*', './package.json': './package.json' } }));
   console.log(`Packed in ${folder}`);
