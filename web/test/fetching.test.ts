@@ -1,7 +1,7 @@
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { fetchBytes, fetchModule, fetchText, type Fetching } from '../element/fetching.js';
+import { fetchBytes, fetchModule, fetchText, spare, type Fetching } from '../element/fetching.js';
 
 /** Answers by path; some never end. */
 const ANSWERS: { [path: string]: (response: ServerResponse) => unknown } = {
@@ -29,6 +29,8 @@ const ANSWERS: { [path: string]: (response: ServerResponse) => unknown } = {
   },
   '/broken': (response) => response.writeHead(500).end(),
   '/wasm': (response) => response.writeHead(200, { 'content-type': 'application/wasm' }).end(Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0])),
+  '/library/player/left.wasm': (response) => response.writeHead(200, { 'content-type': 'application/wasm' }).end(Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0])),
+  '/page/page.wasm': (response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>'),
   '/plain-wasm': (response) => response.end(Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0])),
   '/wasm-stalled': (response) => response.writeHead(200, { 'content-type': 'application/wasm' }).write(Buffer.from([0, 0x61])),
 };
@@ -94,4 +96,15 @@ test('wasm is compiled as it comes, and where its type is not told', async () =>
   expect(await fetchModule(at('/wasm'), fetching())).toBeInstanceOf(WebAssembly.Module);
   expect(await fetchModule(at('/plain-wasm'), fetching())).toBeInstanceOf(WebAssembly.Module);
   await expect(fetchModule(at('/good'), fetching())).rejects.toBeInstanceOf(WebAssembly.CompileError);
+});
+
+test('a module that a page left behind comes from the library', async () => {
+  await expect(fetchModule(at('/app/left.wasm'), fetching())).rejects.toThrow(/not found at .*app/);
+  spare.library = at('/library/');
+  expect(await fetchModule(at('/app/left.wasm'), fetching())).toBeInstanceOf(WebAssembly.Module);
+  // What neither has is missed where it was to be.
+  await expect(fetchModule(at('/app/none.wasm'), fetching())).rejects.toThrow(/not found at .*app/);
+  // The page of an application is no module.
+  await expect(fetchModule(at('/page/page.wasm'), fetching())).rejects.toThrow(/not found at .*page/);
+  delete spare.library;
 });

@@ -5,7 +5,7 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } f
 import { join } from 'node:path';
 import { build } from 'vite';
 import { main, root, run } from './steps.mjs';
-import { kinds } from './wasm.mjs';
+import { buildWasm, kinds } from './wasm.mjs';
 
 const folder = join(root, '.setup/package');
 const { version, license, dependencies } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
@@ -57,6 +57,7 @@ function pack(name, manifest) {
 
 await main(async () => {
   const kind = process.argv[2] === 'quick' ? kinds.quick : kinds.shipped;
+  await buildWasm(kind);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(join(folder, 'player'), { recursive: true });
   await script(kind, join(folder, 'player/dist'));
