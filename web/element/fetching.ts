@@ -58,7 +58,7 @@ class Watch {
     signal?.throwIfAborted();
     this.#listen();
     const response = await fetch(this.#url, { ...request, signal: this.#abort.signal });
-    if (response.status === 404) throw this.#end(new MissingError(`${what} was not found at ${shown(this.#url)}.`));
+    if (response.status === 404) throw this.missing();
     if (!response.ok) throw this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: the server answered ${response.status}.`));
     return response;
   }
@@ -102,6 +102,11 @@ class Watch {
     clearTimeout(this.#timer);
     const silent = () => this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: nothing has come for ${Math.round(silenceMs / 1000)} seconds.`));
     this.#timer = setTimeout(silent, silenceMs);
+  }
+
+  /** Ends it because there is no such file. */
+  missing(): FetchError {
+    return this.#end(new MissingError(`${this.#fetching.what} was not found at ${shown(this.#url)}.`));
   }
 
   #end(why: FetchError): FetchError {
@@ -162,7 +167,7 @@ async function compiled(url: URL, fetching: Fetching): Promise<WebAssembly.Modul
     const response = await watch.open();
     const type = response.headers.get('content-type') ?? '';
     // Servers of applications answer with their page what they do not have.
-    if (type.startsWith('text/html')) throw new MissingError(`${fetching.what} was not found at ${shown(url)}.`);
+    if (type.startsWith('text/html')) throw watch.missing();
     if (!type.startsWith('application/wasm')) {
       const chunks: Uint8Array[] = [];
       await watch.read(response, (chunk) => chunks.push(chunk));
