@@ -82,6 +82,14 @@ const checks = {
     await node('node_modules/vitest/vitest.mjs', ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${path}`]);
     tests.push(...unitTimes(path));
   },
+  // Two bundlers of an empty folder, and plain Node.
+  package: async () => {
+    await buildWasm(kind, await program('raconteur-bindgen'));
+    await unlessPassed('package', [...PLAYED, 'web/package', 'web/tools/package.mjs', 'web/tools/package-check.mjs'], async () => {
+      await node('web/tools/package.mjs', isLong ? [] : ['quick']);
+      await node('web/tools/package-check.mjs');
+    });
+  },
   size: async () => {
     await page(kind, await program('raconteur-bindgen'));
     await node('web/tools/size.mjs');
@@ -100,7 +108,7 @@ const checks = {
 /** Checks of the long tier alone. */
 const LONG = ['doc', 'fuzz', 'people', 'size'];
 /** Checks that run what `built` makes. */
-const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'size', 'browser'];
+const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'package', 'size', 'browser'];
 
 await main(async () => {
   const change = process.argv.includes('--changed') ? needed() : undefined;
