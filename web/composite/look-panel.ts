@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/types.js';
 import { numberField, vars } from '../pages/fields.js';
 import type { App } from './app.js';
-import { hexOf, linearOf } from './colours.js';
+import { hexOf, linearOf } from '../element/colour.js';
 import { BEARDED, BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
 
 /** What of a look has a colour of hair. */

@@ -1,7 +1,7 @@
 /** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
 
 import type { PaintedSkin } from './marks.js';
-import type { Engine, FaceMark, FigureFace } from './types.js';
+import type { Engine, FigureFace } from './types.js';
 
 /** Figures that lend hair to a face, by name. */
 export function lendersOf({ look }: FigureFace): string[] {
@@ -22,15 +22,18 @@ export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
   engine.setFace(skin, organs, factors ?? new Float64Array(), look);
 }
 
+/** The text of no marks and of hair in the figure's own colour. */
+const NOTHING = '[[],null]';
+
 /** The paint on the skin of one figure. */
 export class Paint {
   /** What is painted now, as text. */
-  #painted = '[]';
+  #painted = NOTHING;
   #skin: PaintedSkin | undefined;
 
-  /** Paints marks on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
-  async put(engine: Engine, marks: readonly FaceMark[], current: () => boolean): Promise<void> {
-    const wanted = JSON.stringify(marks);
+  /** Paints marks, and the scalp of coloured hair, on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
+  async put(engine: Engine, { marks = [], look }: Partial<FigureFace>, current: () => boolean): Promise<void> {
+    const wanted = JSON.stringify([marks, look?.hair?.colour ?? null]);
     if (wanted === this.#painted) return;
     this.#painted = wanted;
     // Most players never paint.
@@ -42,6 +45,6 @@ export class Paint {
 
   /** The painted picture as a JPEG; undefined where nothing is painted. */
   async file(): Promise<Uint8Array | undefined> {
-    return this.#painted === '[]' ? undefined : await this.#skin?.file();
+    return this.#painted === NOTHING ? undefined : await this.#skin?.file();
   }
 }

@@ -1,5 +1,6 @@
 /** Scars, moles, birthmarks and tattoos, painted into the picture of the skin; fetched only by pages that paint some. */
 
+import { hexOf } from './colour.js';
 import type { Engine, FaceMark, TattooShape } from './types.js';
 
 /** Two-dimensional, of an `OffscreenCanvas`. */
@@ -7,6 +8,8 @@ type Context = OffscreenCanvasRenderingContext2D;
 
 /** The picture multiplies the colour of the skin, so paint is what is left of each colour. */
 const MULTIPLY = 'multiply';
+/** The border of the scalp is so soft, of the picture's width. */
+const SOFT = 0.004;
 /** A picture in a figure's file is as good as this. */
 const JPEG_QUALITY = 0.92;
 
@@ -152,6 +155,8 @@ export class PaintedSkin {
     context.resetTransform();
     context.globalCompositeOperation = 'copy';
     context.drawImage(this.#bare, 0, 0);
+    const scalp = engine.scalp();
+    if (scalp !== undefined) this.#tint(scalp);
     for (const mark of marks) {
       const chart = engine.faceChart(Float64Array.from([...mark.corners, ...mark.shares]));
       if (chart === undefined) continue;
@@ -167,6 +172,24 @@ export class PaintedSkin {
       context.restore();
     }
     engine.setImage(this.#index, width, height, context.getImageData(0, 0, width, height).data);
+  }
+
+  /** Colours the skin that hair grows on, softly at its border. */
+  #tint([r = 0, g = 0, b = 0, ...corners]: Float32Array): void {
+    const context = this.#context;
+    const { width, height } = context.canvas;
+    context.beginPath();
+    corners.forEach((u, i) => {
+      if (i % 2 === 1) return;
+      const [x, y] = [u * width, (corners[i + 1] ?? 0) * height];
+      if (i % 6 === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    });
+    context.globalCompositeOperation = 'source-over';
+    context.filter = `blur(${width * SOFT}px)`;
+    context.fillStyle = hexOf([r, g, b]);
+    context.fill();
+    context.filter = 'none';
   }
 
   /** The painted picture as a JPEG. */

@@ -305,7 +305,7 @@ export class Picture {
 
   async #paintOver(engine: Engine): Promise<void> {
     const [figure, paint] = [this.#files.figure, this.#paint];
-    await paint.put(engine, this.#face?.marks ?? [], () => engine === this.#engine && figure === this.#files.figure && paint === this.#paint);
+    await paint.put(engine, this.#face ?? {}, () => engine === this.#engine && figure === this.#files.figure && paint === this.#paint);
   }
 
   /** What a file of the figure with its face is made of; undefined while it has its own. */

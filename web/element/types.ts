@@ -250,6 +250,8 @@ export interface Engine {
   pickFace(x: number, y: number): Float64Array | undefined;
   /** Where such a place lies on the picture of the skin: its texture coordinates, and their change over a metre to the right and upwards. */
   faceChart(spot: Float64Array): Float64Array | undefined;
+  /** What to paint on the picture of the skin under hair of another colour: linear red, green and blue, then the texture coordinates of triangles. */
+  scalp(): Float32Array | undefined;
   /** Which picture of the figure has the colour of its skin. */
   skinImage(): number | undefined;
   /** Lights the stage, the lamps turned about the figure, radians. */

@@ -3,7 +3,7 @@
 import { expect, test } from 'vitest';
 import { isAct, type Act } from '../composite/acts.js';
 import { Cache } from '../composite/cache.js';
-import { hexOf, linearOf } from '../composite/colours.js';
+import { hexOf, linearOf } from '../element/colour.js';
 import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
 import { toggled } from '../composite/look.js';

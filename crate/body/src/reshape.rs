@@ -4,6 +4,7 @@
 mod carry;
 mod hairs;
 mod look;
+mod scalp;
 mod spot;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ use raconteur_base::{DAffine3, DVec3};
 use self::carry::{Carried, Near};
 pub use self::hairs::{BeardCut, Lender};
 pub use self::look::{Hair, Lenders, Look};
+pub use self::scalp::ScalpPaint;
 pub use self::spot::{Chart, Spot};
 pub use self::wear::{Wear, WearKind};
 use crate::face::Tissue;

@@ -54,6 +54,7 @@ impl Player {
         // Kept whatever came of it: preparing takes longer than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
+        self.hair = look.hair.colour.map(|colour| colour.linear_rgb());
         if let Some(picture) = &mut self.picture {
             picture.set_shape(&figure)?;
         }
@@ -114,6 +115,20 @@ impl Player {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
         let chart = reshaper.chart(performer.figure(), &Spot::from_numbers(spot)?)?;
         Some([chart.uv, chart.right, chart.up].concat())
+    }
+
+    /// What to paint on that picture under hair of another colour than the figure's own: linear red, green and
+    /// blue, then the texture coordinates of triangles.
+    #[must_use]
+    pub fn scalp(&self) -> Option<Vec<f32>> {
+        let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
+        let paint = reshaper.scalp_paint(performer.figure(), self.hair?);
+        let rgb = paint.rgb.map(|x| x as f32);
+        Some(
+            rgb.into_iter()
+                .chain(paint.corners.into_iter().flatten())
+                .collect(),
+        )
     }
 
     /// Which picture of the figure has the colour of its skin.

@@ -56,6 +56,8 @@ pub struct Player {
     pub(crate) reshaper: Option<Reshaper>,
     /// Who lends hair.
     pub(crate) lenders: Lenders,
+    /// The colour of the hair, linear, where it is not the figure's own.
+    pub(crate) hair: Option<[f64; 3]>,
 }
 
 #[wasm_bindgen]
@@ -87,6 +89,7 @@ impl Player {
             sized: false,
             reshaper: None,
             lenders: Lenders::new(),
+            hair: None,
         })
     }
 

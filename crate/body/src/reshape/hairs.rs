@@ -42,7 +42,7 @@ const STUBBLE_M: f64 = 0.0065;
 const STUBBLE: f64 = 0.5;
 
 /// Whether a strand with its root at a place of the head's frame is one of those.
-fn grows(strands: Strands, root: DVec3) -> bool {
+pub(super) fn grows(strands: Strands, root: DVec3) -> bool {
     let is_beard = root.z > FACE_FROM_Z_M && root.y < FACE_BELOW_Y_M;
     let Strands::Face(cut, lips) = strands else {
         return !is_beard;
@@ -80,7 +80,7 @@ fn strands_of(mesh: &Mesh) -> Vec<u32> {
 }
 
 /// Where the strand of each vertex has its root: where v is least.
-fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
+pub(super) fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
     let of = strands_of(mesh);
     let mut roots = vec![(f32::INFINITY, DVec3::ZERO); of.len()];
     for (v, strand) in of.iter().enumerate() {

@@ -225,6 +225,24 @@ fn hair_is_shaved_and_lent() {
     assert!(made.expect_err("nobody").to_string().contains("nobody"));
 }
 
+/// The scalp is on the head and nowhere in the face, and as light as the hair.
+#[test]
+fn coloured_hair_has_a_scalp() {
+    let reshaper = sofia();
+    let figure = &reshaper.figure;
+    let [dark, light] = [0.02, 0.4].map(|x| reshaper.scalp_paint(figure, [x; 3]));
+    assert!(dark.corners.len() > 900 && dark.corners.len().is_multiple_of(3));
+    assert_eq!(dark.corners, light.corners);
+    assert!(20.0 * dark.rgb[0] <= light.rgb[0] + 1e-9 && light.rgb[0] <= 1.0);
+    let skin = &figure.meshes[reshaper.head];
+    let places = skin.positions[..VERTICES].iter();
+    for (p, is_scalp) in places.zip(reshaper.scalp()) {
+        let at = wide(*p) - reshaper.origin;
+        let is_face = at.z > 0.07 && at.y < 0.05;
+        assert!(!(is_face && is_scalp), "{at}");
+    }
+}
+
 /// Strands that a cap presses down lie under it, not through it.
 #[test]
 fn hair_lies_under_a_cap() {

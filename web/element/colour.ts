@@ -1,4 +1,4 @@
-/** Linear colours as the browser's colour inputs have them. */
+/** Linear colours as browsers write them. */
 
 type Linear = readonly [number, number, number];
 
