@@ -92,6 +92,25 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'false');
 });
 
+test('a beard is chosen, cut and taken off', async ({ page }) => {
+  await open(page);
+  await tab(page, 'Style');
+  const style = page.getByRole('region', { name: 'Beard' }).getByLabel('Style');
+  const bare = await picture(page);
+  for (const [cut, differs] of [
+    ['Full', true],
+    ['Moustache', true],
+    ['None', false],
+    ['Goatee', true],
+    ['As it is', false],
+  ] as const) {
+    await style.selectOption(cut);
+    if (differs) await expect.poll(() => picture(page)).not.toBe(bare);
+    else await expect.poll(() => picture(page)).toBe(bare);
+    await expect(page.locator('#trouble')).toHaveText('');
+  }
+});
+
 test('marks are placed by a press and by the keyboard, made longer and taken away', async ({ page }) => {
   await open(page);
   await tab(page, 'Marks');

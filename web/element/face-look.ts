@@ -1,12 +1,17 @@
 /** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
 
 import type { PaintedSkin } from './marks.js';
-import type { Engine, FigureFace } from './types.js';
+import type { Engine, FaceLook, FigureFace } from './types.js';
 
 /** Figures that lend hair to a face, by name. */
 export function lendersOf({ look }: FigureFace): string[] {
   const names = [look?.hair?.from, look?.beard?.from].filter((name) => name !== undefined && !['', 'own', 'none'].includes(name));
   return [...new Set(names as string[])];
+}
+
+/** A look as engines read it: to them a key whose value is undefined has a value. */
+export function plainLook(look: FaceLook | undefined): FaceLook | undefined {
+  return look === undefined ? undefined : (JSON.parse(JSON.stringify(look)) as FaceLook);
 }
 
 /** Files of figures that lend hair, by name. */
@@ -19,7 +24,7 @@ export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
     const glb = lent.get(name);
     if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
   }
-  engine.setFace(skin, organs, factors ?? new Float64Array(), look);
+  engine.setFace(skin, organs, factors ?? new Float64Array(), plainLook(look));
 }
 
 /** The text of no marks and of hair in the figure's own colour. */
