@@ -5,9 +5,25 @@ import { rateFrom, volumeFrom } from './media.js';
 
 const text = { reflect: true };
 const flag = { type: Boolean, reflect: true };
+/** The property is the attribute itself, as those of media elements are. */
+const itself = { noAccessor: true };
 
+/** Those of a media element. */
+export const mediaAttributes: PropertyDeclarations = {
+  src: itself,
+  preload: itself,
+  crossOrigin: { ...itself, attribute: 'crossorigin' },
+  autoplay: itself,
+  controls: itself,
+  loop: itself,
+  defaultMuted: { ...itself, attribute: 'muted' },
+  muted: { attribute: false },
+  volume: { reflect: true, converter: volumeFrom },
+  playbackRate: { reflect: true, attribute: 'playback-rate', converter: rateFrom },
+};
+
+/** Those of a storyteller. */
 export const attributes: PropertyDeclarations = {
-  src: text,
   figure: text,
   handedness: text,
   mind: text,
@@ -19,12 +35,6 @@ export const attributes: PropertyDeclarations = {
   backend: text,
   quality: text,
   loading: text,
-  controls: flag,
   captions: flag,
   remarks: flag,
-  autoplay: flag,
-  muted: flag,
-  loop: flag,
-  volume: { reflect: true, converter: volumeFrom },
-  playbackRate: { reflect: true, attribute: 'playback-rate', converter: rateFrom },
 };

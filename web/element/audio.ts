@@ -2,7 +2,7 @@
 
 import { fetchBytes } from './fetching.js';
 import type { Music } from './music.js';
-import type { Permission } from './playback.js';
+import { contextOf, hasAudio, heardOf, wake } from './outlet.js';
 import type { Manner, Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
 import { SilentVoice, type Voice } from './voice.js';
@@ -11,17 +11,10 @@ import { SilentVoice, type Voice } from './voice.js';
 const AHEAD_SECS = 20;
 /** Decoded recordings further away than this are dropped: a minute of sound is 11 MB. */
 const KEEP_SECS = 60;
-/**
- * No output is later than this; wireless ones are some tenths. A browser whose device stumbled
- * may report seconds, for minutes, and captions and lips would be that late.
- */
-const MOST_LATENCY_SECS = 1;
 /** A recording of which nothing has come for this long is given up, and the story goes on in captions. */
 const PATIENCE_MS = 20_000;
 /** No utterance is larger: it would be ten minutes of plain samples. */
 const MOST_SOUND_BYTES = 64e6;
-/** A browser that allows sound starts it within this, even on a busy machine. */
-const REFUSAL_MS = 2000;
 /** So long before what is being spoken the story stops: what has come is decoded and planned in less. */
 const BEFORE_SPEAKING_SECS = 0.05;
 /** A start or stop inside a sound fades over this, so that it does not click. */
@@ -34,40 +27,6 @@ const INTERRUPT_SECS = 0.06;
  * begins then, but a sound whose end has passed is cut off at once.
  */
 const CUT_SECS = 0.25;
-
-let shared: AudioContext | undefined;
-
-/** One context for all players of a page: browsers allow only a few. Another one in the place of one that was closed. */
-function context(): AudioContext {
-  if (shared === undefined || shared.state === 'closed') shared = new AudioContext({ latencyHint: 'interactive' });
-  return shared;
-}
-
-/** The page's sound. Call `wake` straight from a click or key, before waiting for anything. */
-export const pageSound: Permission = {
-  get likely() {
-    return !hasAudio() || shared?.state === 'running' || (navigator.userActivation?.hasBeenActive ?? false);
-  },
-  async wake() {
-    if (!hasAudio()) return true;
-    const audio = context();
-    if (audio.state === 'running') return true;
-    // resume() stays pending until the user does something, so a refusal is a matter of time.
-    const patience = navigator.userActivation?.hasBeenActive ? PATIENCE_MS : REFUSAL_MS;
-    await Promise.race([audio.resume().catch(() => undefined), new Promise((done) => setTimeout(done, patience))]);
-    return (audio.state as AudioContextState) === 'running';
-  },
-};
-
-/** Whether there is Web Audio at all. */
-function hasAudio(): boolean {
-  return typeof AudioContext !== 'undefined';
-}
-
-/** From the moment that a context computes to the one that is heard, in seconds. */
-export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outputLatency' | 'baseLatency'>): number {
-  return (outputLatency < MOST_LATENCY_SECS && outputLatency) || baseLatency || 0;
-}
 
 interface Playing {
   readonly source: AudioBufferSourceNode;
@@ -104,6 +63,12 @@ export class RecordedVoice implements Voice {
   readonly #playing = new Map<Utterance, Playing>();
   #run: Run | undefined;
   #master: GainNode | undefined;
+  /** What a stream records of it. */
+  #recorded: MediaStreamAudioDestinationNode | undefined;
+  #device: string;
+  #keepsPitch = true;
+  /** How many recordings have come. */
+  #come = 0;
   /** The context on which `resume` was called. */
   #asked: AudioContext | undefined;
   #volume = 1;
@@ -125,56 +90,83 @@ export class RecordedVoice implements Voice {
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
-   * hears of each that cannot be played, and of what else is missing.
+   * hears of each that cannot be played, and of what else is missing. `device` is one that
+   * `openDevice` has opened, or the usual one.
    */
-  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (what: Missing, message: string) => void) {
+  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (what: Missing, message: string) => void, device = '') {
+    this.#device = device;
     this.#utterances = utterances;
     this.#folder = folder;
     this.#onMissing = onMissing;
   }
 
+  /** What plays now: another one once the former was closed, or another device is to play. */
+  #context(): AudioContext {
+    return contextOf(this.#device);
+  }
+
   now(): number {
-    return context().currentTime;
+    return this.#context().currentTime;
   }
 
   heard(): number {
-    const audio = context();
-    const coarse = audio.currentTime - latency(audio);
-    // The time stamp is finer than currentTime, which moves in the device's steps; but some
-    // browsers leave it at zero or far off, and a device that stumbles leaves it behind: it
-    // is believed as far as a third of a step.
-    const stamp = audio.getOutputTimestamp();
-    if (!stamp.contextTime || !stamp.performanceTime) return coarse;
-    const fine = stamp.contextTime + (performance.now() - stamp.performanceTime) / 1000;
-    const most = Math.max(0.003, 0.3 * audio.baseLatency);
-    return Math.abs(fine - coarse) < 0.06 ? Math.min(coarse + most, Math.max(coarse - most, fine)) : coarse;
+    return heardOf(this.#context());
   }
 
   get running(): boolean {
-    const audio = context();
+    const audio = this.#context();
     // `resume` was not called yet on one that was made anew; it may run where the user has done something.
     if (audio !== this.#asked) {
       this.#asked = audio;
-      void pageSound.wake();
+      void wake(audio);
     }
     return audio.state === 'running' && (this.#run === undefined || this.#run.audio === audio);
   }
 
   /** Where all sounds of the voice go; made anew with the context. */
   #output(): GainNode {
-    const audio = context();
+    const audio = this.#context();
     if (this.#master?.context !== audio) {
       this.#master = audio.createGain();
       this.#master.gain.value = this.#volume;
       this.#master.connect(audio.destination);
+      this.#recorded = undefined;
     }
     return this.#master;
+  }
+
+  track(): MediaStreamTrack | undefined {
+    const output = this.#output();
+    if (this.#recorded === undefined) {
+      this.#recorded = this.#context().createMediaStreamDestination();
+      output.connect(this.#recorded);
+    }
+    return this.#recorded.stream.getAudioTracks()[0];
+  }
+
+  setDevice(device: string): void {
+    this.#device = device;
+  }
+
+  keepPitch(kept: boolean): void {
+    this.#keepsPitch = kept;
+    this.#music?.keepPitch(kept);
+  }
+
+  get come(): number {
+    return this.#come;
+  }
+
+  missing(): readonly Utterance[] {
+    return [...this.#utterances].filter((utterance) => {
+      const sound = this.#sounds.get(utterance);
+      return utterance.audio.length > 0 && (sound === undefined || sound === 'pending');
+    });
   }
 
   setVolume(volume: number): void {
     this.#volume = volume;
     this.#master?.gain.setTargetAtTime(volume, this.#master.context.currentTime, 0.015);
-    this.#music?.setVolume(volume);
     this.#spoken?.setVolume(volume);
   }
 
@@ -190,7 +182,8 @@ export class RecordedVoice implements Voice {
       const { Music } = await import('./music.js');
       if (this.#abort.signal.aborted) return;
       const roots = { story: new URL('../', this.#folder), library };
-      this.#music = new Music(context(), this.#volume, roots, (why) => this.#onMissing('sound', why));
+      this.#music = new Music(this.#output(), roots, (why) => this.#onMissing('sound', why));
+      this.#music.keepPitch(this.#keepsPitch);
       this.#music.set(pieces);
     } catch {
       this.#onMissing('sound', 'What plays music could not be fetched.');
@@ -263,11 +256,11 @@ export class RecordedVoice implements Voice {
 
   start(position: number, rate: number, at: number): void {
     this.#silence();
-    this.#run = { audio: context(), position, rate, at };
+    this.#run = { audio: this.#context(), position, rate, at };
     this.#rate = rate;
     if (rate !== 1) void this.#fetchStretcher();
     this.prepare(position);
-    if (this.#music !== undefined && this.#music.audio !== context()) this.#replaceMusic();
+    if (this.#music !== undefined && this.#music.audio !== this.#context()) this.#replaceMusic();
     this.#music?.start(position, rate, at);
     this.#spoken?.start(rate);
     this.#spoken?.prepare(position);
@@ -356,9 +349,10 @@ export class RecordedVoice implements Voice {
         continue;
       }
       try {
-        const sound = await context().decodeAudioData(await this.#bytes(file, url));
+        const sound = await this.#context().decodeAudioData(await this.#bytes(file, url));
         if (this.#abort.signal.aborted || this.#gone.has(utterance)) return;
         this.#sounds.set(utterance, sound);
+        this.#come += 1;
         if (this.#run) this.#plan(utterance, sound);
         return;
       } catch (error) {
@@ -387,7 +381,7 @@ export class RecordedVoice implements Voice {
     const buffer = this.#paced(utterance, sound, run.rate);
     // Without the stretcher a voice at another speed is at least heard, if higher or lower.
     const speed = buffer === sound ? run.rate : 1;
-    const audio = context();
+    const audio = this.#context();
     // In whole samples: between them a browser interpolates, which dulls the sound, and what
     // joins another would not follow it sample by sample.
     const whole = (secs: number) => Math.round(secs * audio.sampleRate) / audio.sampleRate;
@@ -451,7 +445,7 @@ export class RecordedVoice implements Voice {
       this.#stretched.clear();
       this.#stretchedRate = rate;
     }
-    if (rate === 1 || !this.#stretcher) return sound;
+    if (rate === 1 || !this.#keepsPitch || !this.#stretcher) return sound;
     const known = this.#stretched.get(utterance);
     if (known !== undefined) return known;
     const buffer = this.#stretcher(sound, rate);
@@ -461,14 +455,15 @@ export class RecordedVoice implements Voice {
 }
 
 /** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played, and whether that is speech. */
-export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string, isSpeech: boolean) => void): Voice {
+export function openVoice(utterances: Iterable<Utterance>, folder: URL, device: string, report: (message: string, isSpeech: boolean) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
-  return new RecordedVoice(utterances, folder, (what, why) => {
+  const missed = (what: Missing, why: string): void => {
     if (typeof what === 'string') {
       report(why, what === 'speech');
       return;
     }
     const words = what.words.slice(0, 4).map((w) => w.text);
     report(`The recording of “${words.join(' ')} …” cannot be played (${why}); its captions are shown.`, true);
-  });
+  };
+  return new RecordedVoice(utterances, folder, missed, device);
 }

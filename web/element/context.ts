@@ -25,6 +25,8 @@ export interface PlayerContext {
   tell(event: MindEvent): void;
   /** What is shown instead of a picture goes where the story is. */
   follow(): void;
+  /** A picture of a moment was drawn, or another canvas, voice or size is there. */
+  drawn(secs?: number): void;
   /** Draws the picture and the caption of the present audio time. */
   advance(): void;
   /** Starts and stops the loops that draw, as the state of the player needs them. */
@@ -34,11 +36,6 @@ export interface PlayerContext {
 /** Dispatches an event of the player's own. */
 export function fire<K extends keyof PlayerEventMap>(player: RaconteurPlayer, type: K, detail: PlayerEventMap[K]['detail']): void {
   player.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
-}
-
-/** Dispatches events of a media element, which do not bubble, one after another. */
-export function dispatch(player: RaconteurPlayer, ...types: readonly string[]): void {
-  for (const type of types) player.dispatchEvent(new Event(type));
 }
 
 /** The language of the page around a player, a tag of BCP 47; that of who reads where the page tells none. */

@@ -1,6 +1,7 @@
 /** What happens in a story as events of the element. */
 
-import { dispatch, fire, type PlayerContext } from './context.js';
+import { fire, type PlayerContext } from './context.js';
+import { dispatch } from './media-events.js';
 import type { Show } from './show.js';
 import type { TransportEvent } from './transport.js';
 import type { Cue } from './types.js';

@@ -1,11 +1,10 @@
 /** `<raconteur-player>`: a storyteller on a page, used like a media element. */
 
-import { LitElement, unsafeCSS, type PropertyValues } from 'lit';
+import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
 import { attributes } from './attributes.js';
-import { pageSound } from './audio.js';
 import { FigureLoader } from './figure-loader.js';
-import { dispatch, fire, libraryOf, type PlayerContext } from './context.js';
+import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
 import { Diagnostics } from './diagnostics.js';
 import look from './element.css?inline';
@@ -13,11 +12,13 @@ import { interrupt, perform, Sender } from './fragments.js';
 import { template } from './template.js';
 import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
-import { addStates, checkedRate, checkedVolume, type MediaStates } from './media.js';
+import { MediaElement, type Parts } from './media-element.js';
+import { dispatch } from './media-events.js';
 import { MindConnection } from './mind-connection.js';
+import { soundOf } from './outlet.js';
 import { OwnText } from './own-text.js';
 import { Playback } from './playback.js';
-import { statisticsOf } from './show.js';
+import { hasCaptions, statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { spare } from './fetching.js';
@@ -44,21 +45,13 @@ import {
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
 
-export interface RaconteurPlayer extends MediaStates {}
-
-/** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
-// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: `addStates` gives the class and its instances these constants.
-export class RaconteurPlayer extends LitElement {
+/** The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties. */
+export class RaconteurPlayer extends MediaElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
   static override styles = unsafeCSS(look);
   static override properties = attributes;
 
-  /**
-   * Address of the story's EML file; its voice lies in `voice/` beside it. Without it the story is what stands between
-   * the tags: plain text, or EML in a `<script type="application/eml+xml">`. With it that is for readers without scripts.
-   */
-  declare src: string | undefined;
   /**
    * Name of a figure of the library, or the address of a `.glb` or `.vrm`. Without it the figure that
    * the story chooses performs (`r:performer`), else `sofia`; `currentFigure` tells who does. The
@@ -91,23 +84,14 @@ export class RaconteurPlayer extends LitElement {
   declare quality: Quality;
   /** `lazy` loads when the player comes near the window, `eager` at once. */
   declare loading: 'lazy' | 'eager';
-  declare controls: boolean;
   declare captions: boolean;
   /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
   declare remarks: boolean;
-  /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
-  declare autoplay: boolean;
-  declare muted: boolean;
-  declare loop: boolean;
 
-  #volume = 1;
-  #rate = 1;
   #announcement = '';
   /** The place of a whole caption, while there are captions, and its share of the stage's height. */
   #captionRoom: Element | null = null;
   #captionShare = 0;
-  /** Listeners may be called in the middle of an update. */
-  #updating = false;
 
   readonly #diagnostics = new Diagnostics((diagnostic) => {
     fire(this, 'diagnostic', diagnostic);
@@ -124,11 +108,12 @@ export class RaconteurPlayer extends LitElement {
     say: (text) => this.#say(text),
     tell: (event) => this.#mind.tell(event),
     follow: () => this.#standIn.follow(),
+    drawn: (secs) => this.follow(secs),
     advance: () => this.#frames.advance(),
     keepTime: () => this.#frames.keep(),
   };
   readonly #playback = new Playback(
-    pageSound,
+    soundOf(this),
     (event) => dispatch(this, event),
     () => void this.#stories.ensure(),
   );
@@ -140,6 +125,7 @@ export class RaconteurPlayer extends LitElement {
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {
+      this.begin(languageOf(this, show.story), hasCaptions(this, show));
       this.#playback.attach(show.transport);
       void this.#mind.connect(show);
       this.#frames.keep();
@@ -151,6 +137,7 @@ export class RaconteurPlayer extends LitElement {
     failed: (message) => this.#playback.fail(message),
     closed: () => {
       this.#mind.close();
+      this.end();
       this.#playback.detach();
       this.#frames.clearCaption();
     },
@@ -178,75 +165,20 @@ export class RaconteurPlayer extends LitElement {
     this.assets = RaconteurPlayer.library;
     this.label = 'Story';
     this.loading = 'lazy';
-    this.controls = this.captions = this.remarks = this.autoplay = this.muted = this.loop = false;
+    this.captions = this.remarks = false;
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
   }
 
-  // --- as HTMLMediaElement ---
-
-  /** Story time that is heard now, seconds; setting it seeks. */
-  get currentTime(): number {
-    return this.#context.show?.transport.position ?? 0;
+  protected override get parts(): Parts {
+    return { context: this.#context, playback: this.#playback, stories: this.#stories };
   }
 
-  set currentTime(secs: number) {
-    const { show } = this.#context;
-    if (show === undefined) return;
-    this.#context.started = true;
-    show.transport.seek(secs);
-  }
-
-  /** Length of the story and of what has joined it, seconds; NaN until it is loaded, infinite while a mind is there. */
-  get duration(): number {
-    const transport = this.#context.show?.transport;
-    if (transport === undefined) return NaN;
-    return transport.openEnded ? Infinity : transport.endSecs;
-  }
-
-  get paused(): boolean {
-    return this.#playback.paused;
-  }
-
-  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for NaN. */
-  get volume(): number {
-    return this.#volume;
-  }
-
-  set volume(value: number) {
-    this.#volume = checkedVolume(value);
-  }
-
-  /** Speed, 0.5 to 2; the pitch stays. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
-  get playbackRate(): number {
-    return this.#rate;
-  }
-
-  set playbackRate(value: number) {
-    this.#rate = checkedRate(value);
-  }
-
-  get ended(): boolean {
-    return this.#context.show?.transport.ended ?? false;
-  }
-
-  /** Why the story cannot be played, or null. */
-  get error(): PlayerError | null {
-    return this.#stories.error ?? null;
-  }
-
-  /** `HAVE_NOTHING` before a story is there, `HAVE_CURRENT_DATA` while its sound is waited for, else `HAVE_ENOUGH_DATA`: as for media elements. */
-  get readyState(): number {
-    if (this.#context.show === undefined) return this.HAVE_NOTHING;
-    return this.#context.show.transport.waiting ? this.HAVE_CURRENT_DATA : this.HAVE_ENOUGH_DATA;
-  }
-
-  /** `NETWORK_NO_SOURCE` when the story cannot be had, `NETWORK_LOADING` while it is fetched: as for media elements. */
-  get networkState(): number {
-    if (this.error !== null) return this.NETWORK_NO_SOURCE;
-    if (this.#stories.share !== undefined) return this.NETWORK_LOADING;
-    return this.#context.show === undefined ? this.NETWORK_EMPTY : this.NETWORK_IDLE;
+  protected override showCaptions(shown: boolean): void {
+    if (this.#context.show !== undefined) this.#context.show.refusesCaptions = !shown;
+    this.captions = shown;
+    this.requestUpdate();
   }
 
   /** Problems of the story; the rest of it plays. */
@@ -278,33 +210,6 @@ export class RaconteurPlayer extends LitElement {
   /** The build in use, once loaded. */
   get activeBackend(): Backend | undefined {
     return this.#context.show?.picture.backend;
-  }
-
-  /**
-   * Begins or goes on; resolves when it plays. Rejects with `AbortError` when `pause()` or another
-   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first, and
-   * with `NotSupportedError` when the story cannot be played.
-   */
-  play(): Promise<void> {
-    this.#settleAttributes();
-    if (this.error !== null) return Promise.reject(new DOMException(this.error.message, 'NotSupportedError'));
-    return this.#playback.play();
-  }
-
-  pause(): void {
-    this.#settleAttributes();
-    this.#playback.pause();
-  }
-
-  /**
-   * Lets go of the story and loads it anew, also after an error; where there is a `src`, that takes the place of a
-   * text that was rehearsed. A player that comes near the window loads by itself.
-   */
-  async load(): Promise<void> {
-    this.#settleAttributes();
-    if (this.src) this.#context.text = undefined;
-    this.#stories.close();
-    await this.#stories.ensure();
   }
 
   /**
@@ -453,17 +358,6 @@ export class RaconteurPlayer extends LitElement {
     });
   }
 
-  /** A change of `src` takes effect with the next update; calls that depend on it bring that update about at once. */
-  #settleAttributes(): void {
-    if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
-  }
-
-  protected override performUpdate(): void {
-    this.#updating = true;
-    super.performUpdate();
-    this.#updating = false;
-  }
-
   protected override updated(): void {
     if (this.renderRoot.querySelector('.caption-room') !== this.#captionRoom) this.#measureRoom();
     this.#makeRoom();
@@ -477,9 +371,9 @@ export class RaconteurPlayer extends LitElement {
     this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);
     if ((changed.has('volume') || changed.has('muted')) && this.hasUpdated) dispatch(this, 'volumechange');
-    if (changed.has('playbackRate') && this.hasUpdated && this.#context.show === undefined) dispatch(this, 'ratechange');
     const { show } = this.#context;
     if (show === undefined) return;
+    this.setCaptionsShown(hasCaptions(this, show));
     show.transport.loop = this.loop;
     show.transport.setRate(this.playbackRate);
     show.picture.setQuality(this.quality);
@@ -495,23 +389,24 @@ export class RaconteurPlayer extends LitElement {
     if (figure && !replaced && show !== undefined) {
       void this.#figures.change(show).then(() => this.#stories.giveVoice());
     } else if ((replaced || figure) && this.hasUpdated) {
-      this.#stories.close();
-      if ((onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.ensure();
-    } else if (changed.has('loading') && this.loading === 'eager' && this.#stories.hasStory) {
-      void this.#stories.ensure();
+      if (replaced) this.renew();
+      else this.#stories.close();
+      if ((onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
+    } else if ((changed.has('loading') || changed.has('preload') || changed.has('autoplay')) && (onScreen || this.loading === 'eager') && this.#stories.hasStory) {
+      void this.#stories.come();
     }
   }
 
   /** Another text stands between the tags. */
   #ownChanged(): void {
     if (this.src || this.#context.text !== undefined) return;
-    this.#stories.close();
-    if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.ensure();
+    this.renew();
+    if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
   }
 
   #appeared(entries: readonly IntersectionObserverEntry[]): void {
     this.#context.onScreen = entries.at(-1)?.isIntersecting ?? false;
-    if (this.#context.onScreen && this.#stories.hasStory) void this.#stories.ensure();
+    if (this.#context.onScreen && this.#stories.hasStory) void this.#stories.come();
     this.#frames.keep();
   }
 
@@ -519,6 +414,7 @@ export class RaconteurPlayer extends LitElement {
     const { clientWidth, clientHeight } = this;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#context.show?.picture.resize(clientWidth, clientHeight);
+    this.follow();
     this.#measureRoom();
     this.#makeRoom();
     // While it plays the next frame comes by itself.
@@ -556,8 +452,6 @@ export class RaconteurPlayer extends LitElement {
     return template({ ...state, caption: this.#frames.caption, announcement: this.#announcement }, this.#actions);
   }
 }
-
-addStates(RaconteurPlayer);
 
 declare global {
   interface HTMLElementTagNameMap {

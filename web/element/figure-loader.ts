@@ -33,7 +33,7 @@ export class FigureLoader {
   async fetch(eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted): Promise<FigureFile> {
     const { player, diagnostics } = this.#context;
     const { figure, handedness } = player;
-    const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src ?? '', document.baseURI) };
+    const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src, document.baseURI) };
     return await castFigure(wish, eml, backend, wanted, (d) => diagnostics.report(d));
   }
 

@@ -1,7 +1,8 @@
 /** Live performance: EML that joins the story while it plays (docs/live.md). */
 
 import { captionsOf } from './captions.js';
-import { dispatch, languageOf, type PlayerContext } from './context.js';
+import { languageOf, type PlayerContext } from './context.js';
+import { dispatch } from './media-events.js';
 import { passCue } from './cues.js';
 import type { Show } from './show.js';
 import { speakFragment, substituteVoice, updateMusic } from './sound.js';

@@ -1,8 +1,9 @@
 /** Keeps picture, captions and events at the moment that is heard. */
 
 import { captionAt } from './captions.js';
-import { dispatch, type PlayerContext } from './context.js';
+import type { PlayerContext } from './context.js';
 import { passCue } from './cues.js';
+import { dispatch } from './media-events.js';
 import type { MindConnection } from './mind-connection.js';
 import { Pulse } from './pulse.js';
 import { Welcome } from './welcome.js';
@@ -19,6 +20,8 @@ export class FrameLoop {
   );
   readonly #welcome = new Welcome(() => this.advance());
   #caption: ReturnType<typeof captionAt>;
+  /** How many recordings had come when pages heard of that. */
+  #come = 0;
   /** The moment that was drawn last, and when. */
   #drawn = { secs: NaN, ms: 0 };
 
@@ -67,6 +70,7 @@ export class FrameLoop {
     if (this.#waits) show.picture.welcome(this.#welcome.secs);
     else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
     this.#context.follow();
+    this.#context.drawn(secs);
     // A picture may have taken long; captions follow the sound.
     const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
@@ -81,6 +85,10 @@ export class FrameLoop {
     // Pictures may come slowly; sound is not to wait for them.
     show?.voice.prepare(player.currentTime);
     if (!player.paused) dispatch(player, 'timeupdate');
+    if (show !== undefined && show.voice.come !== this.#come) {
+      this.#come = show.voice.come;
+      dispatch(player, 'progress');
+    }
     player.requestUpdate();
   }
 }

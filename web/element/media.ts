@@ -1,4 +1,4 @@
-/** What numbers and states of a media element are, by the HTML standard's interface. */
+/** What numbers, texts and states of a media element are, by the HTML standard's interface. */
 
 import { RATES } from './clock.js';
 
@@ -25,7 +25,7 @@ export function addStates(element: { prototype: object }): void {
 }
 
 /** A `double` of the interface. */
-function finite(name: string, value: unknown): number {
+export function finite(name: string, value: unknown): number {
   const number = Number(value);
   if (!Number.isFinite(number)) throw new TypeError(`Failed to set '${name}': the value is not a finite number.`);
   return number;
@@ -38,11 +38,11 @@ export function checkedVolume(value: unknown): number {
   return number;
 }
 
-/** The `playbackRate` that a page sets. */
-export function checkedRate(value: unknown): number {
-  const number = finite('playbackRate', value);
+/** The `playbackRate` or `defaultPlaybackRate` that a page sets. */
+export function checkedRate(value: unknown, name = 'playbackRate'): number {
+  const number = finite(name, value);
   if (number < RATES.min || number > RATES.max) {
-    throw new DOMException(`Failed to set 'playbackRate': ${number} is outside the range ${RATES.min} to ${RATES.max}.`, 'NotSupportedError');
+    throw new DOMException(`Failed to set '${name}': ${number} is outside the range ${RATES.min} to ${RATES.max}.`, 'NotSupportedError');
   }
   return number;
 }
@@ -61,3 +61,23 @@ const from = (check: (value: unknown) => number) => ({
 /** Lit converters of the two attributes. */
 export const volumeFrom = from(checkedVolume);
 export const rateFrom = from(checkedRate);
+
+/** What `preload` says: an attribute that is not there, or no word of the standard, is `metadata`. */
+export function preloadOf(attribute: string | null): 'none' | 'metadata' | 'auto' {
+  const word = attribute?.toLowerCase();
+  if (word === '') return 'auto';
+  return word === 'none' || word === 'auto' ? word : 'metadata';
+}
+
+/** What `crossorigin` says: whether credentials go to other origins. */
+export function crossOriginOf(attribute: string | null): 'anonymous' | 'use-credentials' | null {
+  if (attribute === null) return null;
+  return attribute.toLowerCase() === 'use-credentials' ? 'use-credentials' : 'anonymous';
+}
+
+/** How sure it is that a story of a MIME type can be told. */
+export function canPlay(type: string): CanPlayTypeResult {
+  const name = type.split(';')[0]?.trim().toLowerCase();
+  if (name === 'application/eml+xml') return 'probably';
+  return name === 'application/xml' || name === 'text/xml' ? 'maybe' : '';
+}

@@ -55,19 +55,18 @@ export class Music {
   readonly audio: AudioContext;
   readonly #roots: { readonly story: URL; readonly library: URL };
   readonly #onMissing: (message: string) => void;
-  readonly #master: GainNode;
+  readonly #output: AudioNode;
+  #keepsPitch = true;
   readonly #playing = new Map<string, Playing>();
   #pieces: readonly Piece[] = [];
   #run: { readonly position: number; readonly rate: number; readonly at: number } | undefined;
 
-  /** `story` and `library` are the folders that files are looked for in. */
-  constructor(audio: AudioContext, volume: number, roots: { story: URL; library: URL }, onMissing: (message: string) => void) {
-    this.audio = audio;
+  /** Plays into `output`; `story` and `library` are the folders that files are looked for in. */
+  constructor(output: AudioNode, roots: { story: URL; library: URL }, onMissing: (message: string) => void) {
+    this.audio = output.context as AudioContext;
+    this.#output = output;
     this.#roots = roots;
     this.#onMissing = onMissing;
-    this.#master = audio.createGain();
-    this.#master.gain.value = volume;
-    this.#master.connect(audio.destination);
   }
 
   /** Everything that is to be heard; what stays goes on. */
@@ -77,8 +76,10 @@ export class Music {
     for (const [key, playing] of this.#playing) if (!kept.has(key)) this.#drop(key, playing);
   }
 
-  setVolume(volume: number): void {
-    this.#master.gain.setTargetAtTime(volume, this.audio.currentTime, 0.015);
+  /** Whether the pitch stays at other speeds. */
+  keepPitch(kept: boolean): void {
+    this.#keepsPitch = kept;
+    for (const { sound } of this.#playing.values()) sound.preservesPitch = kept;
   }
 
   start(position: number, rate: number, at: number): void {
@@ -123,7 +124,6 @@ export class Music {
     this.stop();
     this.#pieces = [];
     for (const [key, playing] of this.#playing) this.#drop(key, playing);
-    this.#master.disconnect();
   }
 
   #drop(key: string, { sound, gain }: Playing): void {
@@ -140,10 +140,10 @@ export class Music {
     const sound = new Audio();
     sound.preload = 'auto';
     sound.loop = piece.library;
-    sound.preservesPitch = true;
+    sound.preservesPitch = this.#keepsPitch;
     const gain = this.audio.createGain();
     gain.gain.value = 0;
-    this.audio.createMediaElementSource(sound).connect(gain).connect(this.#master);
+    this.audio.createMediaElementSource(sound).connect(gain).connect(this.#output);
     const playing: Playing = { piece, sound, gain, sinceMs: performance.now(), settled: false, missing: false, setMs: 0, inTime: false };
     const root = piece.library ? this.#roots.library : this.#roots.story;
     const files = piece.file.endsWith('.opus') ? [piece.file, piece.file.replace(/opus$/, 'mp3')] : [piece.file];

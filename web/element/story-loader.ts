@@ -5,11 +5,12 @@ import { chooseBackends, decodeScript, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
-import { dispatch, languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import { PictureKeeper, type Opened } from './keeper.js';
 import { LiveScript } from './live.js';
 import { fetchStory, type StoryFiles, type StoryWish } from './loader.js';
+import { dispatch, takeBack } from './media-events.js';
 import type { OwnText } from './own-text.js';
 import type { PictureEvents } from './picture.js';
 import type { Show } from './show.js';
@@ -23,6 +24,11 @@ const EMPTY = "<eml><body><null time='0'/></body></eml>";
 
 /** The answer where there is no engine to read an edited text. */
 const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
+
+/** Pages hear of what has come no more often than this. */
+const PROGRESS_MS = 350;
+/** Nothing has come for so long: pages hear of that, too. */
+const STALLED_MS = 3000;
 
 /** There is nothing to load. */
 class NoStoryError extends PlayerError {}
@@ -54,6 +60,12 @@ export class StoryLoader {
   #bare = false;
   /** The story between the tags. */
   readonly #own: OwnText;
+  /** A story was chosen, and is fetched when it is to be played. */
+  #waits = false;
+  #address = '';
+  /** When pages heard of what has come, and what tells that nothing comes. */
+  #toldMs = 0;
+  #silence: ReturnType<typeof setTimeout> | undefined;
 
   constructor(context: PlayerContext, figures: FigureLoader, own: OwnText, events: StoryLoaderEvents) {
     this.#context = context;
@@ -72,6 +84,22 @@ export class StoryLoader {
     return this.#error;
   }
 
+  /** Whether something is fetched, or was chosen to be. */
+  get network(): 'empty' | 'idle' | 'loading' {
+    if (this.#loading !== undefined) return 'loading';
+    return this.#waits || this.#context.show !== undefined ? 'idle' : 'empty';
+  }
+
+  /** Where the story is that was chosen last. */
+  get address(): string {
+    return this.#address;
+  }
+
+  /** A story was chosen, and is fetched when it is to be played. */
+  get waits(): boolean {
+    return this.#waits;
+  }
+
   get canvas(): HTMLCanvasElement | undefined {
     return this.#canvas;
   }
@@ -84,7 +112,7 @@ export class StoryLoader {
   /** There is something to load. */
   get hasStory(): boolean {
     const { player, text } = this.#context;
-    return player.src !== undefined || text !== undefined || this.#bare || Boolean(player.mind) || this.#own.isThere;
+    return player.hasAttribute('src') || text !== undefined || this.#bare || Boolean(player.mind) || this.#own.isThere;
   }
 
   /** Loads the story if it is not loaded and there was no error; what goes wrong ends as `error`, never as a rejection. */
@@ -98,6 +126,25 @@ export class StoryLoader {
       this.#loading.done = this.#load(this.#wanted.signal);
     }
     await this.#loading?.done;
+  }
+
+  /** As `ensure`, where the page does not want that to wait for `play()`. */
+  async come(): Promise<void> {
+    const { player, show } = this.#context;
+    await player.updateComplete;
+    if (player.preload !== 'none' || player.autoplay) return await this.ensure();
+    if (this.#waits || this.network !== 'empty' || show !== undefined || this.#error !== undefined) return;
+    this.#choose();
+    this.#waits = true;
+    dispatch(player, 'suspend');
+    player.requestUpdate();
+  }
+
+  /** A story is looked for. */
+  #choose(): void {
+    const { player } = this.#context;
+    this.#address = player.src;
+    dispatch(player, 'loadstart');
   }
 
   /** As `ensure`; gives the show, and throws when there is none. */
@@ -124,7 +171,9 @@ export class StoryLoader {
   async #load(signal: AbortSignal): Promise<void> {
     const sinceMs = performance.now();
     const { player } = this.#context;
-    dispatch(player, 'loadstart');
+    if (!this.#waits) this.#choose();
+    this.#waits = false;
+    this.#listen();
     try {
       const { opened, files } = await this.#fetchAndOpen(signal);
       if (this.#context.view !== undefined) opened.picture.look(this.#context.view);
@@ -134,17 +183,39 @@ export class StoryLoader {
       if (signal.aborted) return;
       this.#fail(error);
     } finally {
-      if (!signal.aborted) this.#loading = undefined;
+      if (!signal.aborted) {
+        this.#loading = undefined;
+        clearTimeout(this.#silence);
+      }
       player.requestUpdate();
     }
+  }
+
+  /** Tells pages when nothing comes for long. */
+  #listen(): void {
+    clearTimeout(this.#silence);
+    this.#silence = setTimeout(() => dispatch(this.#context.player, 'stalled'), STALLED_MS);
+  }
+
+  /** So much has come. */
+  #hasCome(share: number): void {
+    const { player } = this.#context;
+    if (this.#loading === undefined) return;
+    this.#loading.share = share;
+    this.#listen();
+    const now = performance.now();
+    if (now - this.#toldMs > PROGRESS_MS) {
+      this.#toldMs = now;
+      dispatch(player, 'progress');
+    }
+    player.requestUpdate();
   }
 
   async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: Opened; files: StoryFiles }> {
     const { player, diagnostics } = this.#context;
     const library = libraryOf(player);
     const progress = (share: number) => {
-      if (this.#loading && !signal.aborted) this.#loading.share = share;
-      player.requestUpdate();
+      if (!signal.aborted) this.#hasCome(share);
     };
     const ranking = player.backend ? Promise.resolve([player.backend] as const) : chooseBackends();
     const choosing = ranking.then(([best]) => best);
@@ -199,7 +270,7 @@ export class StoryLoader {
     const { player, diagnostics } = this.#context;
     const { voiceFolder, figure } = files;
     const script = new LiveScript(story.utterances);
-    const voice = openVoice(script, voiceFolder, (message, isSpeech) => {
+    const voice = openVoice(script, voiceFolder, player.sinkId, (message, isSpeech) => {
       const { show } = this.#context;
       if (isSpeech && show !== undefined) show.unheard = true;
       diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
@@ -231,9 +302,10 @@ export class StoryLoader {
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) diagnostics.report(diagnostic);
     this.giveVoice();
     player.requestUpdate();
-    dispatch(player, 'durationchange', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough');
-    // A listener may have changed the story.
-    if (this.#context.show === show) this.#events.ready(show);
+    dispatch(player, 'durationchange');
+    this.#context.drawn();
+    dispatch(player, 'loadedmetadata', 'loadeddata', 'progress', 'canplay', 'canplaythrough', 'suspend');
+    this.#events.ready(show);
   }
 
   /** Replaces the text on stage by another; returns its problems. */
@@ -279,16 +351,22 @@ export class StoryLoader {
   #fail(error: unknown): void {
     const known = error instanceof PlayerError ? error : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
     this.#error = known;
-    this.#context.player.dispatchEvent(new ErrorEvent('error', { message: known.message, error: known }));
+    dispatch(this.#context.player, new ErrorEvent('error', { message: known.message, error: known }));
     this.#events.failed(known.message);
   }
 
   /** Lets go of the story; the picture is kept for the next. */
   close(): void {
     const { player, diagnostics } = this.#context;
-    const before = player.networkState;
+    // What is not told yet is of a story that goes.
+    takeBack(player);
+    const { network } = this;
+    const isUnderWay = network === 'loading' || this.#waits;
+    const hadStory = network !== 'empty' || this.#error !== undefined;
     this.#wanted?.abort();
     this.#loading = undefined;
+    this.#waits = false;
+    clearTimeout(this.#silence);
     this.#figures.cancel();
     this.#context.show?.voice.close();
     this.#context.show?.end.abort();
@@ -301,8 +379,8 @@ export class StoryLoader {
     this.#canvas = undefined;
     this.#context.keepTime();
     player.requestUpdate();
-    if (before === player.NETWORK_IDLE || before === player.NETWORK_LOADING) dispatch(player, 'abort');
-    if (before !== player.NETWORK_EMPTY) dispatch(player, 'emptied');
+    if (isUnderWay || network === 'idle') dispatch(player, 'abort');
+    if (hadStory) dispatch(player, 'emptied');
   }
 
   /** Gives back the picture, too. */
@@ -314,6 +392,7 @@ export class StoryLoader {
   #setCanvas(canvas: HTMLCanvasElement, signal: AbortSignal): void {
     if (signal.aborted) return;
     this.#canvas = canvas;
+    this.#context.drawn();
     this.#context.player.requestUpdate();
   }
 

@@ -27,13 +27,13 @@ export interface TemplateState {
 
 export function template(state: TemplateState, actions: controls.BarActions): TemplateResult {
   const { player, show, stories, idle, started, film } = state;
-  const before = show !== undefined && player.paused && (!started || player.ended);
+  const before = (show !== undefined || stories.waits) && player.paused && (!started || player.ended);
   const shown = show !== undefined && stories.lost === 'no';
   // What a film stands in for is told where it is not watched.
   const told = film === undefined || player.paused || !idle.is;
   const poster = !started || (stories.lost === 'yes' && film === undefined);
   return html`<div class="frame">
-      <div class=${classMap({ stage: true, shown, 'hide-cursor': idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => idle.tap(event, player.paused)} @click=${() => show && !idle.tapWoke && actions.toggle()}>
+      <div class=${classMap({ stage: true, shown, 'hide-cursor': idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => idle.tap(event, player.paused)} @click=${() => (show ?? stories.waits) && !idle.tapWoke && actions.toggle()}>
         ${film ?? stories.canvas}
       </div>
       ${player.poster && poster ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}

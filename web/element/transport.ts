@@ -1,7 +1,8 @@
 /** Play, pause, seek and speed, as a media element understands them, on the voice's clock. */
 
-import type { Voice } from './voice.js';
 import { clampRate, StoryClock } from './clock.js';
+import { Ranges, united, type Span } from './ranges.js';
+import type { Voice } from './voice.js';
 
 /** From a command to the first sample, so that the browser has time to plan it. */
 const LEAD_SECS = 0.03;
@@ -23,6 +24,9 @@ export class Transport {
   #waiting = false;
   #ended = false;
   #rate = 1;
+  /** What was played, but for the present run, and where that began. */
+  #played: Span[] = [];
+  #since: number | undefined;
   loop = false;
   /** The clock may pass the end, because more may come. */
   openEnded = false;
@@ -59,6 +63,11 @@ export class Transport {
     // What an open-ended performance has come to, it keeps.
     if (this.openEnded) this.extend(this.#latest);
     return Math.min(this.#latest, this.#endSecs);
+  }
+
+  /** What was played. */
+  get played(): Ranges {
+    return new Ranges(this.#since === undefined ? this.#played : [...this.#played, [this.#since, this.position]]);
   }
 
   /** When all that is known is over. */
@@ -115,11 +124,15 @@ export class Transport {
     const clamped = clampRate(rate);
     if (clamped === this.#rate) return;
     this.#rate = clamped;
-    if (this.#clock.running) {
-      this.#rest();
-      this.#run();
-    }
+    this.replan();
     this.#emit('ratechange');
+  }
+
+  /** What is planned is to be planned anew. */
+  replan(): void {
+    if (!this.#clock.running) return;
+    this.#rest();
+    this.#run();
   }
 
   /** Called for each picture and a few times a second when there is none; the story time heard. */
@@ -155,6 +168,8 @@ export class Transport {
   }
 
   #stopAt(secs: number): void {
+    if (this.#since !== undefined) this.#played = united([...this.#played, [this.#since, this.position]]);
+    this.#since = undefined;
     this.#latest = secs;
     this.#clock.rest(secs);
   }
@@ -177,6 +192,7 @@ export class Transport {
     const at = this.#voice.now() + LEAD_SECS;
     this.#voice.start(position, this.#rate, at);
     this.#clock.start(position, at, this.#rate);
+    this.#since = position;
     this.#emit('playing');
   }
 

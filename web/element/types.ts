@@ -354,9 +354,15 @@ export interface PlayerEventMap {
   figurechange: CustomEvent<{ figure: string }>;
 }
 
-/** Why a story cannot be played, as one sentence for people. */
+/** Why a story cannot be played, as one sentence for people; codes are those of `MediaError`. */
 export class PlayerError extends Error {
   override readonly name = 'PlayerError';
+  /** What is not there or cannot be read is, for a media element, not supported. */
+  readonly code = 4;
+  readonly MEDIA_ERR_ABORTED = 1;
+  readonly MEDIA_ERR_NETWORK = 2;
+  readonly MEDIA_ERR_DECODE = 3;
+  readonly MEDIA_ERR_SRC_NOT_SUPPORTED = 4;
 }
 
 /** A face of a face model, as `Faces` of `faces.ts` makes it. */

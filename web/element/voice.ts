@@ -23,6 +23,16 @@ export interface Voice {
   /** Whether the sound at `position` is there, or known to be missing. */
   ready(position: number): boolean;
   setVolume(volume: number): void;
+  /** Whether the pitch stays at other speeds. What is planned already is not changed. */
+  keepPitch(kept: boolean): void;
+  /** Plays on another device, one that `openDevice` has opened. */
+  setDevice(device: string): void;
+  /** All that is heard, as a track of a stream; undefined where nothing is. */
+  track(): MediaStreamTrack | undefined;
+  /** What has a recording that is not here. */
+  missing(): readonly Utterance[];
+  /** How many recordings have come so far. */
+  readonly come: number;
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
   /** Takes sounds that were made here, by the names that the utterances have for them. */
@@ -61,7 +71,19 @@ export class SilentVoice implements Voice {
     return true;
   }
 
+  readonly come = 0;
   setVolume(): void {}
+  keepPitch(): void {}
+  setDevice(): void {}
+
+  track(): undefined {
+    return undefined;
+  }
+
+  missing(): readonly Utterance[] {
+    return [];
+  }
+
   setMusic(): void {}
   give(): void {}
   forget(): void {}

@@ -84,7 +84,7 @@ export class Lines {
     } else if (course.names.length === 0) {
       this.#set(new Map());
       this.#places.note.textContent = 'Nothing is said in this story.';
-    } else if (src !== undefined) {
+    } else if (src !== '') {
       const script = await this.#fetch(src, course);
       if (script !== undefined && src === this.#player.src && this.#own === undefined) this.#set(new Map(script.entries()));
     }

@@ -34,15 +34,15 @@ function choose(name: string): void {
   const src = address(story);
   // A text of the visitor's own may have taken the story's place.
   if (owned) shown?.tell(undefined);
-  if (owned && player.src === src) void player.load();
+  // The same address again loads its story anew.
+  if (owned || player.getAttribute('src') !== src) player.src = src;
   owned = false;
-  player.src = src;
   if (script?.closest('details')?.open) void readScript();
 }
 
 /** Shows the text of the story that is on the stage. */
 async function readScript(): Promise<void> {
-  if (script === null || player?.src === undefined) return;
+  if (script === null || !player?.src) return;
   const src = player.src;
   try {
     const response = await fetch(src);

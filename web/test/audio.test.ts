@@ -1,6 +1,7 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { latency, RecordedVoice } from '../element/audio.js';
+import { RecordedVoice } from '../element/audio.js';
 import { LiveScript } from '../element/live.js';
+import { latency } from '../element/outlet.js';
 import type { Utterance } from '../element/types.js';
 
 afterEach(() => {

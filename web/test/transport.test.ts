@@ -17,6 +17,11 @@ class FakeVoice implements Voice {
   prepare = () => undefined;
   ready = (position: number) => position < this.missingFrom;
   setVolume = () => undefined;
+  keepPitch = () => undefined;
+  setDevice = () => undefined;
+  track = () => undefined;
+  missing = () => [];
+  readonly come = 0;
   setMusic = () => undefined;
   give = () => undefined;
   hold = () => undefined;

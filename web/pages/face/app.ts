@@ -38,7 +38,7 @@ export class App extends PageState<State> {
 
   protected override follow(): string {
     const { story } = this.state;
-    if ((this.player.src ?? '') !== story) this.player.src = story === '' ? undefined : story;
+    if ((this.player.getAttribute('src') ?? '') !== story) this.player.src = story === '' ? undefined : story;
     return write(this.state);
   }
 

@@ -1,0 +1,450 @@
+/** The interface of `HTMLMediaElement` and what of `HTMLVideoElement` applies (HTML, 4.8.8 to 4.8.11), over a player's parts. */
+
+import { LitElement } from 'lit';
+import { mediaAttributes } from './attributes.js';
+import type { PlayerContext } from './context.js';
+import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './media.js';
+import { dispatch, isPending } from './media-events.js';
+import { openDevice } from './outlet.js';
+import { Capture, FrameCallbacks, PictureInPicture } from './outputs.js';
+import type { Playback } from './playback.js';
+import { Ranges, without } from './ranges.js';
+import type { StoryLoader } from './story-loader.js';
+import { StoryTextTracks, type StoryTextTrack } from './text-tracks.js';
+import type { PlayerError } from './types.js';
+
+/** The parts of a player that the interface speaks for. */
+export interface Parts {
+  readonly context: PlayerContext;
+  readonly playback: Playback;
+  readonly stories: StoryLoader;
+}
+
+/** Properties that are attributes. */
+const THEMSELVES: ReadonlyMap<string, string> = new Map([
+  ['src', 'src'],
+  ['preload', 'preload'],
+  ['crossorigin', 'crossOrigin'],
+  ['autoplay', 'autoplay'],
+  ['controls', 'controls'],
+  ['loop', 'loop'],
+]);
+
+export interface MediaElement extends MediaStates {}
+
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: `addStates` gives the class and its instances these constants.
+export abstract class MediaElement extends LitElement {
+  static override properties = mediaAttributes;
+
+  declare muted: boolean;
+  #volume = 1;
+  #rate = 1;
+  #defaultRate = 1;
+  #keepsPitch = true;
+  #device = '';
+  /** Where the story begins once it is there. */
+  #startSecs = 0;
+  /** Listeners may be called in the middle of an update. */
+  #updating = false;
+  readonly #tracks = new StoryTextTracks((shown) => this.showCaptions(shown));
+  readonly #frames = new FrameCallbacks();
+  readonly #capture = new Capture();
+  readonly #pictureInPicture = new PictureInPicture(this.#capture);
+  #size = { width: 0, height: 0 };
+
+  constructor() {
+    super();
+    this.muted = false;
+  }
+
+  protected abstract get parts(): Parts;
+
+  /** A page switches the story's captions by their track. */
+  protected abstract showCaptions(shown: boolean): void;
+
+  // --- what is played ---
+
+  /**
+   * Address of the story's EML file, absolute; its voice lies in `voice/` beside it. Without it, `''`, the story is what
+   * stands between the tags: plain text, or EML in a `<script type="application/eml+xml">`. With it that is for readers
+   * without scripts.
+   */
+  get src(): string {
+    const address = this.getAttribute('src');
+    if (!address || !URL.canParse(address, document.baseURI)) return address ?? '';
+    return new URL(address, document.baseURI).href;
+  }
+
+  set src(address: string | undefined | null) {
+    this.#set('src', address);
+  }
+
+  /** The address of the story that was chosen last; `''` where it has none. */
+  get currentSrc(): string {
+    return this.parts.stories.address;
+  }
+
+  /** Whether credentials are sent to servers of other origins: `null` and `anonymous` send none. */
+  get crossOrigin(): 'anonymous' | 'use-credentials' | null {
+    return crossOriginOf(this.getAttribute('crossorigin'));
+  }
+
+  set crossOrigin(value: string | null) {
+    this.#set('crossorigin', value);
+  }
+
+  /** `none`: nothing is fetched before the story is to be played. `metadata`, the default, and `auto`: as `loading` says. */
+  get preload(): 'none' | 'metadata' | 'auto' {
+    return preloadOf(this.getAttribute('preload'));
+  }
+
+  set preload(value: string) {
+    this.setAttribute('preload', value);
+  }
+
+  /** How sure it is that a story of a MIME type can be told: `probably`, `maybe` or `''`. */
+  canPlayType(type: string): CanPlayTypeResult {
+    return canPlay(String(type));
+  }
+
+  /** Why the story cannot be played, or null. */
+  get error(): PlayerError | null {
+    return this.parts.stories.error ?? null;
+  }
+
+  /** `NETWORK_NO_SOURCE` when the story cannot be had or is about to be looked for, `NETWORK_LOADING` while it is fetched. */
+  get networkState(): number {
+    if (this.error !== null) return this.NETWORK_NO_SOURCE;
+    const { network } = this.parts.stories;
+    if (network === 'empty' && this.isUpdatePending && this.src !== '') return this.NETWORK_NO_SOURCE;
+    return { empty: this.NETWORK_EMPTY, idle: this.NETWORK_IDLE, loading: this.NETWORK_LOADING }[network];
+  }
+
+  /** `HAVE_NOTHING` before a story is there, `HAVE_CURRENT_DATA` while its sound is waited for, else `HAVE_ENOUGH_DATA`. */
+  get readyState(): number {
+    const { show } = this.parts.context;
+    if (show === undefined) return this.HAVE_NOTHING;
+    return show.transport.waiting ? this.HAVE_CURRENT_DATA : this.HAVE_ENOUGH_DATA;
+  }
+
+  /**
+   * Lets go of the story and loads it anew, also after an error; where there is a `src`, that takes the place of a
+   * text that was rehearsed. A player that comes near the window loads by itself.
+   */
+  async load(): Promise<void> {
+    this.settleAttributes();
+    if (this.src) this.parts.context.text = undefined;
+    this.renew();
+    await this.parts.stories.ensure();
+  }
+
+  /** Lets go of the story for another one. */
+  protected renew(): void {
+    const moved = this.currentTime !== 0;
+    this.parts.stories.close();
+    if (moved) dispatch(this, 'timeupdate');
+    this.#startSecs = 0;
+    if (!this.hasAttribute('playback-rate') || this.#defaultRate !== 1) this.playbackRate = this.#defaultRate;
+  }
+
+  // --- time ---
+
+  /** Story time that is heard now, seconds; setting it seeks. Before the story is there, where it will begin. Throws `TypeError` for NaN. */
+  get currentTime(): number {
+    return this.parts.context.show?.transport.position ?? this.#startSecs;
+  }
+
+  set currentTime(value: number) {
+    const secs = finite('currentTime', value);
+    const { context } = this.parts;
+    if (context.show === undefined) {
+      this.#startSecs = Math.max(0, secs);
+      return;
+    }
+    context.started = true;
+    context.show.transport.seek(secs);
+  }
+
+  /** As setting `currentTime`, which is as fast. */
+  fastSeek(secs: number): void {
+    this.currentTime = secs;
+  }
+
+  /** The story is being moved to another time. */
+  get seeking(): boolean {
+    return isPending(this, 'seeked');
+  }
+
+  /** Length of the story and of what has joined it, seconds; NaN until it is loaded, infinite while a mind is there. */
+  get duration(): number {
+    const transport = this.parts.context.show?.transport;
+    if (transport === undefined) return NaN;
+    return transport.openEnded ? Infinity : transport.endSecs;
+  }
+
+  /** The times whose sound is here. */
+  get buffered(): TimeRanges {
+    const { show } = this.parts.context;
+    if (show === undefined) return new Ranges([]);
+    const missing = show.voice.missing().map(({ startSecs, durationSecs }) => [startSecs, startSecs + durationSecs] as const);
+    return new Ranges(without(show.transport.endSecs, missing));
+  }
+
+  /** All of the story, once it is there. */
+  get seekable(): TimeRanges {
+    const { show } = this.parts.context;
+    return new Ranges(show === undefined ? [] : [[0, show.transport.endSecs]]);
+  }
+
+  /** The times that were heard. */
+  get played(): TimeRanges {
+    return this.parts.context.show?.transport.played ?? new Ranges([]);
+  }
+
+  // --- playing ---
+
+  get paused(): boolean {
+    return this.parts.playback.paused;
+  }
+
+  get ended(): boolean {
+    return this.parts.context.show?.transport.ended ?? false;
+  }
+
+  /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
+  get autoplay(): boolean {
+    return this.hasAttribute('autoplay');
+  }
+
+  set autoplay(value: boolean) {
+    this.toggleAttribute('autoplay', Boolean(value));
+  }
+
+  get loop(): boolean {
+    return this.hasAttribute('loop');
+  }
+
+  set loop(value: boolean) {
+    this.toggleAttribute('loop', Boolean(value));
+  }
+
+  /**
+   * Begins or goes on; resolves when it plays. Rejects with `AbortError` when `pause()` or another
+   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first, and
+   * with `NotSupportedError` when the story cannot be played.
+   */
+  play(): Promise<void> {
+    this.settleAttributes();
+    if (this.error !== null) return Promise.reject(new DOMException(this.error.message, 'NotSupportedError'));
+    return this.parts.playback.play();
+  }
+
+  pause(): void {
+    this.settleAttributes();
+    this.parts.playback.pause();
+  }
+
+  /** Speed, 0.5 to 2. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
+  get playbackRate(): number {
+    return this.#rate;
+  }
+
+  set playbackRate(value: number) {
+    const before = this.#rate;
+    this.#rate = checkedRate(value);
+    if (before !== this.#rate && this.parts.context.show === undefined) dispatch(this, 'ratechange');
+  }
+
+  /** The speed that the next story begins with. Throws as `playbackRate`. */
+  get defaultPlaybackRate(): number {
+    return this.#defaultRate;
+  }
+
+  set defaultPlaybackRate(value: number) {
+    const before = this.#defaultRate;
+    this.#defaultRate = checkedRate(value, 'defaultPlaybackRate');
+    if (before !== this.#defaultRate) dispatch(this, 'ratechange');
+  }
+
+  /** The pitch stays at other speeds. */
+  get preservesPitch(): boolean {
+    return this.#keepsPitch;
+  }
+
+  set preservesPitch(value: boolean) {
+    const kept = Boolean(value);
+    if (kept === this.#keepsPitch) return;
+    this.#keepsPitch = kept;
+    const { show } = this.parts.context;
+    show?.voice.keepPitch(kept);
+    if (this.#rate !== 1) show?.transport.replan();
+  }
+
+  // --- what is heard ---
+
+  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for NaN. */
+  get volume(): number {
+    return this.#volume;
+  }
+
+  set volume(value: number) {
+    this.#volume = checkedVolume(value);
+  }
+
+  /** The attribute `muted`: whether the player is silent at first. */
+  get defaultMuted(): boolean {
+    return this.hasAttribute('muted');
+  }
+
+  set defaultMuted(value: boolean) {
+    this.toggleAttribute('muted', Boolean(value));
+  }
+
+  /** The device that plays the sound; `''` is the user's usual one. */
+  get sinkId(): string {
+    return this.#device;
+  }
+
+  /** Plays the sound on another device. Rejects with `NotFoundError` for one that there is not, and with `NotSupportedError` where a browser has no choice. */
+  async setSinkId(device: string): Promise<void> {
+    await openDevice(String(device));
+    this.#device = String(device);
+    this.parts.context.show?.voice.setDevice(this.#device);
+  }
+
+  // --- what is seen ---
+
+  get controls(): boolean {
+    return this.hasAttribute('controls');
+  }
+
+  set controls(value: boolean) {
+    this.toggleAttribute('controls', Boolean(value));
+  }
+
+  /** Width of the picture, device pixels; 0 before there is one. */
+  get videoWidth(): number {
+    return this.#size.width;
+  }
+
+  /** Height of the picture, device pixels; 0 before there is one. */
+  get videoHeight(): number {
+    return this.#size.height;
+  }
+
+  /** The story's captions, while there is a story, and what `addTextTrack` added. */
+  get textTracks(): StoryTextTracks {
+    return this.#tracks;
+  }
+
+  /** Adds a track for cues of the page's own, which are told at their times. Throws `TypeError` for a kind that there is not. */
+  addTextTrack(kind: TextTrackKind, label = '', language = ''): StoryTextTrack {
+    return this.#tracks.add(kind, String(label), String(language));
+  }
+
+  /** Calls back when the next picture has been drawn; gives a handle for `cancelVideoFrameCallback`. */
+  requestVideoFrameCallback(callback: VideoFrameRequestCallback): number {
+    return this.#frames.request(callback);
+  }
+
+  cancelVideoFrameCallback(handle: number): void {
+    this.#frames.cancel(handle);
+  }
+
+  /** How many pictures were drawn since the player was made. */
+  getVideoPlaybackQuality(): VideoPlaybackQuality {
+    return { creationTime: performance.now(), totalVideoFrames: this.#frames.count, droppedVideoFrames: 0, corruptedVideoFrames: 0 };
+  }
+
+  /** Picture and sound as a stream, with at most so many pictures a second; volume and mute count. */
+  captureStream(rate?: number): MediaStream {
+    return this.#capture.open(rate, true);
+  }
+
+  get disablePictureInPicture(): boolean {
+    return this.hasAttribute('disablepictureinpicture');
+  }
+
+  set disablePictureInPicture(value: boolean) {
+    this.toggleAttribute('disablepictureinpicture', Boolean(value));
+  }
+
+  /** Shows the picture in a window over all others. Rejects as a `<video>` does: `InvalidStateError` where there is no picture or it is disabled. */
+  async requestPictureInPicture(): Promise<PictureInPictureWindow> {
+    if (!document.pictureInPictureEnabled) throw new DOMException('This browser, or this page, has no picture in picture.', 'NotSupportedError');
+    if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
+    if (this.disablePictureInPicture) throw new DOMException('The page does not want it.', 'InvalidStateError');
+    return await this.#pictureInPicture.open(this.renderRoot as ShadowRoot, (event) => this.dispatchEvent(event));
+  }
+
+  // --- for the parts ---
+
+  /** The story is on stage: where it begins, and its captions as a track. */
+  protected begin(language: string, shown: boolean): void {
+    const { show } = this.parts.context;
+    this.#tracks.setStory(language, shown);
+    show?.voice.keepPitch(this.#keepsPitch);
+    if (this.#startSecs > 0) this.currentTime = this.#startSecs;
+    this.#startSecs = 0;
+  }
+
+  /** The story is gone. */
+  protected end(): void {
+    this.#tracks.setStory(undefined, false);
+    this.follow();
+  }
+
+  /** Captions are shown, or not. */
+  protected setCaptionsShown(shown: boolean): void {
+    this.#tracks.setShown(shown);
+  }
+
+  /** A picture of a moment was drawn, or there is another canvas, voice or size. */
+  protected follow(drawnSecs?: number): void {
+    const { context, stories } = this.parts;
+    const { canvas } = stories;
+    const { width = 0, height = 0 } = (context.show && canvas) ?? {};
+    this.#capture.follow({ canvas: context.show && canvas, voice: context.show?.voice });
+    if (width !== this.#size.width || height !== this.#size.height) {
+      this.#size = { width, height };
+      if (width > 0) dispatch(this, 'resize');
+    }
+    if (drawnSecs === undefined || context.show === undefined) return;
+    if (width > 0) this.#frames.drawn(drawnSecs, this.#size);
+    if (this.#tracks.march(context.show.captions, drawnSecs) && !this.paused) this.pause();
+  }
+
+  /** A change of `src` takes effect with the next update; calls that depend on it bring that update about at once. */
+  protected settleAttributes(): void {
+    if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
+  }
+
+  protected override performUpdate(): void {
+    this.#updating = true;
+    super.performUpdate();
+    this.#updating = false;
+  }
+
+  override attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    const property = THEMSELVES.get(name);
+    if (property !== undefined) {
+      // A story is loaded anew also where it is the same one.
+      if (before !== after || name === 'src') this.requestUpdate(property, {});
+    } else if (name === 'muted') {
+      // It says how the player begins.
+      if (!this.hasUpdated) this.muted = after !== null;
+    } else {
+      const { playbackRate } = this;
+      super.attributeChangedCallback(name, before, after);
+      // Written by a page, not by the property that it mirrors.
+      if (name === 'playback-rate' && playbackRate !== this.playbackRate) this.#defaultRate = this.playbackRate;
+    }
+  }
+
+  #set(attribute: string, value: string | null | undefined): void {
+    if (value === null || value === undefined) this.removeAttribute(attribute);
+    else this.setAttribute(attribute, value);
+  }
+}
+
+addStates(MediaElement);

@@ -1,0 +1,118 @@
+/** Where else a player's picture and sound go: callbacks of frames, streams, and a window over other windows. */
+
+import type { Voice } from './voice.js';
+
+/** What was drawn, for `requestVideoFrameCallback`. */
+type FrameCallback = (nowMs: number, frame: VideoFrameCallbackMetadata) => void;
+
+/** Calls back once for the next picture (https://wicg.github.io/video-rvfc/). */
+export class FrameCallbacks {
+  #callbacks = new Map<number, FrameCallback>();
+  #last = 0;
+  #frames = 0;
+
+  /** How many pictures were drawn. */
+  get count(): number {
+    return this.#frames;
+  }
+
+  request(callback: FrameCallback): number {
+    this.#last += 1;
+    this.#callbacks.set(this.#last, callback);
+    return this.#last;
+  }
+
+  cancel(handle: number): void {
+    this.#callbacks.delete(handle);
+  }
+
+  /** A picture of a moment was drawn. */
+  drawn(secs: number, { width, height }: { readonly width: number; readonly height: number }): void {
+    this.#frames += 1;
+    if (this.#callbacks.size === 0) return;
+    const now = performance.now();
+    const frame = { presentationTime: now, expectedDisplayTime: now, width, height, mediaTime: secs, presentedFrames: this.#frames };
+    const called = this.#callbacks;
+    // Those that are asked for meanwhile wait for the next one.
+    this.#callbacks = new Map();
+    for (const callback of called.values()) callback(now, frame);
+  }
+}
+
+/** What plays now. */
+export interface Playing {
+  readonly canvas: HTMLCanvasElement | undefined;
+  readonly voice: Voice | undefined;
+}
+
+/** Streams of picture and sound. They follow the player to its next canvas and its next story. */
+export class Capture {
+  readonly #streams: { readonly stream: MediaStream; readonly rate: number | undefined; readonly hasSound: boolean }[] = [];
+  #playing: Playing = { canvas: undefined, voice: undefined };
+
+  /** `rate`: at most so many pictures a second. */
+  open(rate: number | undefined, hasSound: boolean): MediaStream {
+    const stream = new MediaStream();
+    this.#streams.push({ stream, rate, hasSound });
+    this.#fill();
+    return stream;
+  }
+
+  /** Another canvas or voice plays from now on. */
+  follow(playing: Playing): void {
+    if (playing.canvas === this.#playing.canvas && playing.voice === this.#playing.voice) return;
+    for (const { stream } of this.#streams) {
+      for (const track of stream.getTracks()) {
+        stream.removeTrack(track);
+        // Sound belongs to the voice, which others may hear.
+        if (track.kind === 'video') track.stop();
+      }
+    }
+    this.#playing = playing;
+    this.#fill();
+  }
+
+  #fill(): void {
+    const { canvas, voice } = this.#playing;
+    for (const { stream, rate, hasSound } of this.#streams) {
+      if (stream.getTracks().length > 0) continue;
+      for (const track of canvas?.captureStream(rate).getTracks() ?? []) stream.addTrack(track);
+      const sound = hasSound ? voice?.track() : undefined;
+      if (sound !== undefined) stream.addTrack(sound);
+    }
+  }
+}
+
+/** A window over all others that shows the player's picture (https://w3c.github.io/picture-in-picture/). */
+export class PictureInPicture {
+  #video: HTMLVideoElement | undefined;
+  readonly #capture: Capture;
+
+  constructor(capture: Capture) {
+    this.#capture = capture;
+  }
+
+  /** Opens it; `root` belongs to the player, so that the document names the player as what is shown. Rejects as a `<video>` does. */
+  async open(root: ShadowRoot, tell: (event: Event) => void): Promise<PictureInPictureWindow> {
+    const video = (this.#video ??= makeVideo(root, this.#capture, tell));
+    if (video.readyState < video.HAVE_METADATA) await new Promise((there) => video.addEventListener('loadedmetadata', there, { once: true }));
+    return await video.requestPictureInPicture();
+  }
+}
+
+function makeVideo(root: ShadowRoot, capture: Capture, tell: (event: Event) => void): HTMLVideoElement {
+  const video = document.createElement('video');
+  // It is only there for the window; the player itself is heard.
+  Object.assign(video, { muted: true, playsInline: true, srcObject: capture.open(undefined, false) });
+  video.className = 'pip';
+  video.setAttribute('aria-hidden', 'true');
+  root.append(video);
+  void video.play().catch(() => undefined);
+  for (const type of ['enterpictureinpicture', 'leavepictureinpicture']) {
+    video.addEventListener(type, (event) => {
+      const { pictureInPictureWindow } = event as PictureInPictureEvent;
+      tell(new PictureInPictureEvent(type, { bubbles: true, pictureInPictureWindow }));
+    });
+  }
+  return video;
+}

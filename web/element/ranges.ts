@@ -1,0 +1,55 @@
+/** Spans of time as media elements tell them (HTML, `TimeRanges`). */
+
+export type Span = readonly [startSecs: number, endSecs: number];
+
+/** Spans in order that neither touch nor overlap: a snapshot, as the interface has it. */
+export class Ranges implements TimeRanges {
+  readonly #spans: readonly Span[];
+
+  constructor(spans: readonly Span[]) {
+    this.#spans = united(spans);
+  }
+
+  get length(): number {
+    return this.#spans.length;
+  }
+
+  /** Throws `IndexSizeError` beyond the last. */
+  start(index: number): number {
+    return this.#at(index)[0];
+  }
+
+  /** Throws `IndexSizeError` beyond the last. */
+  end(index: number): number {
+    return this.#at(index)[1];
+  }
+
+  #at(index: number): Span {
+    const span = this.#spans[index];
+    if (span === undefined) throw new DOMException(`There is no range ${index}.`, 'IndexSizeError');
+    return span;
+  }
+}
+
+/** The same times as the fewest spans, in order. */
+export function united(spans: readonly Span[]): Span[] {
+  const found: Span[] = [];
+  for (const [start, end] of [...spans].sort(([a], [b]) => a - b)) {
+    const last = found.at(-1);
+    if (last !== undefined && start <= last[1]) found[found.length - 1] = [last[0], Math.max(last[1], end)];
+    else found.push([start, end]);
+  }
+  return found;
+}
+
+/** What is left of the time from 0 to an end without some spans. */
+export function without(endSecs: number, spans: readonly Span[]): Span[] {
+  const left: Span[] = [];
+  let from = 0;
+  for (const [start, end] of united(spans)) {
+    if (start > from) left.push([from, Math.min(start, endSecs)]);
+    from = Math.max(from, end);
+  }
+  if (from < endSecs) left.push([from, endSecs]);
+  return left;
+}
