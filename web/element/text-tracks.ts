@@ -52,6 +52,13 @@ export class StoryTextTrack extends EventTarget {
     this.#changed(this);
   }
 
+  /** The player, not the page, shows it or not; whether that is new. */
+  setShown(shown: boolean): boolean {
+    if (shown === (this.#mode === 'showing')) return false;
+    this.#mode = shown ? 'showing' : 'disabled';
+    return true;
+  }
+
   /** In order of time; null while the track is disabled. */
   get cues(): CueList | null {
     return this.#mode === 'disabled' ? null : this.#cues;
@@ -160,8 +167,7 @@ export class StoryTextTracks extends EventTarget {
 
   /** The captions of the story are shown, or not. */
   setShown(shown: boolean): void {
-    const own = this.#own;
-    if (own !== undefined && shown !== (own.mode === 'showing')) own.mode = shown ? 'showing' : 'disabled';
+    if (this.#own?.setShown(shown)) this.#tell();
   }
 
   /** Brings the tracks to a moment of the story; whether a cue wants it to pause there. */
