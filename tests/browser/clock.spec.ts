@@ -4,7 +4,7 @@
  */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import type { PlayerEventMap } from '../../web/element/types.js';
+import type { PlayerEventMap } from '../../web/element/events.js';
 import { stretch } from '../../web/element/stretch.js';
 import { isLong, sized } from '../../web/test/tier.js';
 import { find, loudness } from './sought.js';

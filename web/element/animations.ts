@@ -1,6 +1,6 @@
 /** Texts of animations: fetched by name, each once for all players of a page. */
 
-import { fetchBytes, type Fetching } from './fetching.js';
+import { fetchBytes, type Credentials, type Fetching } from './fetching.js';
 import { Shared } from './shared.js';
 import type { Engine, Story } from './types.js';
 
@@ -23,8 +23,8 @@ export function addressOf(name: string, library: URL, story: URL): URL | undefin
 }
 
 /** The text of a clip; an animation of a glTF, GLB or VRM file is converted to one. */
-async function fetchClip(url: URL, signal: AbortSignal): Promise<string> {
-  const fetching: Fetching = { what: 'The animation', most: MOST_BYTES, signal };
+async function fetchClip(url: URL, signal: AbortSignal, credentials: Credentials): Promise<string> {
+  const fetching: Fetching = { what: 'The animation', most: MOST_BYTES, signal, credentials };
   const bytes = await fetchBytes(url, fetching);
   if (url.pathname.endsWith('.json')) return new TextDecoder().decode(bytes);
   const { convertAnimation } = await import('./avatar.js');
@@ -46,6 +46,7 @@ export class Animations {
     readonly library: URL,
     readonly story: URL,
     readonly signal: AbortSignal,
+    readonly credentials: Credentials = 'same-origin',
   ) {}
 
   /** Hands over what has come; undefined when that is nothing. */
@@ -83,7 +84,7 @@ export class Animations {
 
   #begin({ href }: URL): Promise<void> {
     const coming = shared
-      .get(href, this.signal, (signal) => fetchClip(new URL(href), signal))
+      .get(href, this.signal, (signal) => fetchClip(new URL(href), signal, this.credentials))
       .then(
         (text) => void this.#texts.set(href, text),
         () => void (this.signal.aborted || this.#texts.set(href, '')),

@@ -17,6 +17,7 @@ export const mediaAttributes: PropertyDeclarations = {
   controls: itself,
   loop: itself,
   defaultMuted: { ...itself, attribute: 'muted' },
+  disablePictureInPicture: { ...itself, attribute: 'disablepictureinpicture' },
   muted: { attribute: false },
   volume: { reflect: true, converter: volumeFrom },
   playbackRate: { reflect: true, attribute: 'playback-rate', converter: rateFrom },

@@ -1,6 +1,6 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
-import { fetchBytes } from './fetching.js';
+import { fetchBytes, type Credentials } from './fetching.js';
 import type { Music } from './music.js';
 import { contextOf, hasAudio, heardOf, wake } from './outlet.js';
 import type { Manner, Spoken } from './spoken.js';
@@ -45,9 +45,18 @@ interface Run {
 type Missing = Utterance | 'speech' | 'sound';
 
 /** Speaks a story's utterances. */
+/** Where recordings lie, and how they are fetched and played. */
+export interface Recordings {
+  readonly folder: URL;
+  readonly credentials: Credentials;
+  /** One that `openDevice` has opened, or `''`, the usual one. */
+  readonly device: string;
+}
+
 export class RecordedVoice implements Voice {
   readonly #utterances: Iterable<Utterance>;
   readonly #folder: URL;
+  readonly #credentials: Credentials;
   readonly #onMissing: (what: Missing, message: string) => void;
   readonly #abort = new AbortController();
   /** Decoded sounds; null for one that cannot be had. */
@@ -89,14 +98,14 @@ export class RecordedVoice implements Voice {
   readonly #gone = new WeakSet<Utterance>();
 
   /**
-   * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
-   * hears of each that cannot be played, and of what else is missing. `device` is one that
-   * `openDevice` has opened, or the usual one.
+   * `utterances` may come and go, in any order; `onMissing` hears of each that cannot be played, and of
+   * what else is missing.
    */
-  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (what: Missing, message: string) => void, device = '') {
+  constructor(utterances: Iterable<Utterance>, { folder, credentials, device }: Recordings, onMissing: (what: Missing, message: string) => void) {
     this.#device = device;
     this.#utterances = utterances;
     this.#folder = folder;
+    this.#credentials = credentials;
     this.#onMissing = onMissing;
   }
 
@@ -181,8 +190,8 @@ export class RecordedVoice implements Voice {
     try {
       const { Music } = await import('./music.js');
       if (this.#abort.signal.aborted) return;
-      const roots = { story: new URL('../', this.#folder), library };
-      this.#music = new Music(this.#output(), roots, (why) => this.#onMissing('sound', why));
+      const from = { story: new URL('../', this.#folder), library, credentials: this.#credentials };
+      this.#music = new Music(this.#output(), from, (why) => this.#onMissing('sound', why));
       this.#music.keepPitch(this.#keepsPitch);
       this.#music.set(pieces);
     } catch {
@@ -369,7 +378,7 @@ export class RecordedVoice implements Voice {
     const given = this.#given.get(file);
     // Decoding takes the bytes away.
     if (given !== undefined) return given.slice().buffer;
-    return (await fetchBytes(url, { what: 'The recording', most: MOST_SOUND_BYTES, signal: this.#abort.signal, silenceMs: PATIENCE_MS })).buffer;
+    return (await fetchBytes(url, { what: 'The recording', most: MOST_SOUND_BYTES, signal: this.#abort.signal, credentials: this.#credentials, silenceMs: PATIENCE_MS })).buffer;
   }
 
   /** Plans a decoded sound on the audio clock, once for each run. */
@@ -455,7 +464,7 @@ export class RecordedVoice implements Voice {
 }
 
 /** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played, and whether that is speech. */
-export function openVoice(utterances: Iterable<Utterance>, folder: URL, device: string, report: (message: string, isSpeech: boolean) => void): Voice {
+export function openVoice(utterances: Iterable<Utterance>, recordings: Recordings, report: (message: string, isSpeech: boolean) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
   const missed = (what: Missing, why: string): void => {
     if (typeof what === 'string') {
@@ -465,5 +474,5 @@ export function openVoice(utterances: Iterable<Utterance>, folder: URL, device: 
     const words = what.words.slice(0, 4).map((w) => w.text);
     report(`The recording of “${words.join(' ')} …” cannot be played (${why}); its captions are shown.`, true);
   };
-  return new RecordedVoice(utterances, folder, missed, device);
+  return new RecordedVoice(utterances, recordings, missed);
 }

@@ -2,9 +2,11 @@
 
 import type { Diagnostics } from './diagnostics.js';
 import type { RaconteurPlayer } from './element.js';
+import type { PlayerEventMap } from './events.js';
+import type { Credentials } from './fetching.js';
 import type { MindEvent } from './mind.js';
 import type { Show } from './show.js';
-import type { PlayerEventMap, Story, View } from './types.js';
+import type { Story, View } from './types.js';
 
 export interface PlayerContext {
   readonly player: RaconteurPlayer;
@@ -46,6 +48,11 @@ export function languageAround(player: RaconteurPlayer): string {
 /** What tells no language is said, and read, in this one. */
 export function languageOf(player: RaconteurPlayer, story: Story): string {
   return player.lang || story.performer.language || languageAround(player);
+}
+
+/** To whom the files of a player's story are asked for with cookies and the like. */
+export function credentialsOf({ crossOrigin }: RaconteurPlayer): Credentials {
+  return crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
 }
 
 /** Where the asset library of a player is. */

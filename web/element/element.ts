@@ -6,6 +6,7 @@ import { attributes } from './attributes.js';
 import { FigureLoader } from './figure-loader.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
+import type { ElementEventMap, Listener } from './events.js';
 import { Diagnostics } from './diagnostics.js';
 import look from './element.css?inline';
 import { interrupt, perform, Sender } from './fragments.js';
@@ -45,7 +46,40 @@ import {
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
 
-/** The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties. */
+/**
+ * The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties.
+ *
+ * @tag raconteur-player
+ * @cssprop --raconteur-accent - Of what is chosen, the played part of the time line and the ring of the focus
+ * @cssprop --raconteur-control-color - Of signs and texts
+ * @cssprop --raconteur-background - Behind the stage, and before there is a picture
+ * @cssprop --raconteur-bar-background - Behind the controls
+ * @cssprop --raconteur-radius - Of the corners
+ * @cssprop --raconteur-caption-size - Of the letters of captions
+ * @cssprop --raconteur-caption-color - Of captions
+ * @cssprop --raconteur-caption-background - Behind captions
+ * @cssprop --raconteur-caption-word - Of the word that is being said
+ * @csspart stage - All that the picture takes
+ * @csspart poster - The picture before the story is played
+ * @csspart big-play - The button over the stage
+ * @csspart controls - The bar below
+ * @csspart button - Each button of it, and those that try again
+ * @csspart play - Its button that plays and pauses
+ * @csspart seek - Its time line
+ * @csspart time - Its times
+ * @csspart mute - Its button that mutes
+ * @csspart volume - Its slider of loudness
+ * @csspart speed - Its list of speeds
+ * @csspart captions-button - Its button of captions
+ * @csspart fullscreen - Its button of the whole screen
+ * @csspart captions - The captions
+ * @csspart caption-word - The word that is being said
+ * @csspart diagnostics - The list of `remarks`
+ * @csspart error - What is shown where the story cannot be played
+ * @csspart picture-lost - What is shown where the picture is lost
+ * @csspart retry - The button that tries again
+ */
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the interface types the listeners of events that the class dispatches.
 export class RaconteurPlayer extends MediaElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
@@ -84,6 +118,7 @@ export class RaconteurPlayer extends MediaElement {
   declare quality: Quality;
   /** `lazy` loads when the player comes near the window, `eager` at once. */
   declare loading: 'lazy' | 'eager';
+  /** Shows what is said. */
   declare captions: boolean;
   /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
   declare remarks: boolean;
@@ -451,6 +486,13 @@ export class RaconteurPlayer extends MediaElement {
     const state = { player: this, show, started, stories: this.#stories, idle: this.#idle, film: this.#standIn.video, changing: this.#figures.busy };
     return template({ ...state, caption: this.#frames.caption, announcement: this.#announcement }, this.#actions);
   }
+}
+
+export interface RaconteurPlayer {
+  addEventListener<K extends keyof ElementEventMap>(type: K, listener: Listener<this, K>, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<K extends keyof ElementEventMap>(type: K, listener: Listener<this, K>, options?: boolean | EventListenerOptions): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | EventListenerOptions): void;
 }
 
 declare global {

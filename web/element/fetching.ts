@@ -11,6 +11,9 @@ export type Progress = (share: number) => void;
 /** A server that has sent nothing for so long will not. */
 const SILENCE_MS = 20_000;
 
+/** To whom cookies and the like are sent: to no server of another origin, unless the page's `crossorigin` says so. */
+export type Credentials = 'same-origin' | 'include';
+
 /** What is fetched, and how far. */
 export interface Fetching {
   /** What it is, as the beginning of a sentence. */
@@ -22,7 +25,8 @@ export interface Fetching {
   readonly progress?: Progress | undefined;
   /** Nothing has come for so long: it will not. */
   readonly silenceMs?: number;
-  readonly request?: Omit<RequestInit, 'signal'>;
+  readonly credentials?: Credentials | undefined;
+  readonly request?: Omit<RequestInit, 'signal' | 'credentials'>;
 }
 
 /** What was asked for cannot be had; the message is a sentence with the address. */
@@ -54,10 +58,10 @@ class Watch {
   }
 
   async open(): Promise<Response> {
-    const { what, signal, request } = this.#fetching;
+    const { what, signal, credentials = 'same-origin', request } = this.#fetching;
     signal?.throwIfAborted();
     this.#listen();
-    const response = await fetch(this.#url, { ...request, signal: this.#abort.signal });
+    const response = await fetch(this.#url, { ...request, credentials, signal: this.#abort.signal });
     if (response.status === 404) throw this.missing();
     if (!response.ok) throw this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: the server answered ${response.status}.`));
     return response;

@@ -2,7 +2,7 @@
 
 import { captionsOf } from './captions.js';
 import { castFigure, USUAL_FIGURE } from './cast.js';
-import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { credentialsOf, fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import { lendersOf, type Lent } from './face-look.js';
 import type { FigureFile } from './figure.js';
 import { fetchFigure, type Wanted } from './loader.js';
@@ -34,7 +34,7 @@ export class FigureLoader {
     const { player, diagnostics } = this.#context;
     const { figure, handedness } = player;
     const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src, document.baseURI) };
-    return await castFigure(wish, eml, backend, wanted, (d) => diagnostics.report(d));
+    return await castFigure(wish, eml, backend, { ...wanted, credentials: credentialsOf(player) }, (d) => diagnostics.report(d));
   }
 
   /** Files of the figures of the library that lend a face hair. */

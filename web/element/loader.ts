@@ -2,7 +2,7 @@
 
 import { Animations } from './animations.js';
 import type { Script } from './backend.js';
-import { fetchBytes, shown, tooLarge, type Progress } from './fetching.js';
+import { fetchBytes, shown, tooLarge, type Credentials, type Progress } from './fetching.js';
 import { prepareFigure, type FigureFile } from './figure.js';
 import { Shared } from './shared.js';
 import { PlayerError, type Diagnostic } from './types.js';
@@ -37,6 +37,7 @@ export interface StoryFiles {
 export interface Wanted {
   readonly signal: AbortSignal;
   readonly progress: Progress;
+  readonly credentials?: Credentials;
 }
 
 /** Which story is to be fetched. */
@@ -49,11 +50,12 @@ export interface StoryWish {
   readonly language: string;
   /** Lines may come that the story's own text does not have. */
   readonly expectsLines: boolean;
+  readonly credentials: Credentials;
 }
 
 /** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
 export async function fetchStory(
-  { src, text, edited, language, expectsLines }: StoryWish,
+  { src, text, edited, language, expectsLines, credentials }: StoryWish,
   library: URL,
   decode: (bytes: Uint8Array) => Promise<Script>,
   figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
@@ -68,7 +70,8 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const script = text === undefined ? fetchBytes(story, { what: 'The story', most: MOST_STORY_BYTES, signal, progress: part(0) }).then(decode) : Promise.resolve<Script>({ text });
+  const script =
+    text === undefined ? fetchBytes(story, { what: 'The story', most: MOST_STORY_BYTES, signal, credentials, progress: part(0) }).then(decode) : Promise.resolve<Script>({ text });
   const told = script.then((script) => script.text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story without speech has no recordings.
@@ -76,7 +79,7 @@ export async function fetchStory(
       part(1)(1);
       return undefined;
     }
-    return await fetchBytes(new URL('speech.json', voiceFolder), { what: 'The voice', most: MOST_STORY_BYTES, signal, progress: part(1) }).catch((error: unknown) => {
+    return await fetchBytes(new URL('speech.json', voiceFolder), { what: 'The voice', most: MOST_STORY_BYTES, signal, credentials, progress: part(1) }).catch((error: unknown) => {
       // A story without a recorded voice plays with captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
@@ -84,7 +87,7 @@ export async function fetchStory(
   };
   const [{ text: eml, problem }, bundle, who] = await Promise.all([script, voice(), figure(told, part(2))]);
   signal.throwIfAborted();
-  return { eml, problem, language, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal), edited };
+  return { eml, problem, language, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story, signal, credentials), edited };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */
@@ -97,8 +100,8 @@ const figures = new Shared<Uint8Array>();
 
 /** A figure by its name in the library or its address, or where it lies for certain. */
 export async function fetchFigure(figure: string, library: URL, wanted: Wanted, url = urlOfFigure(figure, library)): Promise<FigureFile> {
-  const { signal, progress } = wanted;
-  const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MOST_FIGURE_BYTES, signal, progress }));
+  const { signal, progress, credentials } = wanted;
+  const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MOST_FIGURE_BYTES, signal, credentials, progress }));
   progress(1);
   return await prepareFigure(figure, shown(url), bytes);
 }

@@ -28,6 +28,7 @@ const THEMSELVES: ReadonlyMap<string, string> = new Map([
   ['autoplay', 'autoplay'],
   ['controls', 'controls'],
   ['loop', 'loop'],
+  ['disablepictureinpicture', 'disablePictureInPicture'],
 ]);
 
 export interface MediaElement extends MediaStates {}
@@ -36,6 +37,7 @@ export interface MediaElement extends MediaStates {}
 export abstract class MediaElement extends LitElement {
   static override properties = mediaAttributes;
 
+  /** The story is silent; `volume` stays. */
   declare muted: boolean;
   #volume = 1;
   #rate = 1;
@@ -84,7 +86,7 @@ export abstract class MediaElement extends LitElement {
     return this.parts.stories.address;
   }
 
-  /** Whether credentials are sent to servers of other origins: `null` and `anonymous` send none. */
+  /** Whether cookies and the like are sent to servers of other origins that have the story's files: `null` and `anonymous` send none. */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null {
     return crossOriginOf(this.getAttribute('crossorigin'));
   }
@@ -203,10 +205,12 @@ export abstract class MediaElement extends LitElement {
 
   // --- playing ---
 
+  /** The story does not play, nor is about to. */
   get paused(): boolean {
     return this.parts.playback.paused;
   }
 
+  /** It has come to its end, and does not begin again. */
   get ended(): boolean {
     return this.parts.context.show?.transport.ended ?? false;
   }
@@ -220,6 +224,7 @@ export abstract class MediaElement extends LitElement {
     this.toggleAttribute('autoplay', Boolean(value));
   }
 
+  /** It begins again at its end. */
   get loop(): boolean {
     return this.hasAttribute('loop');
   }
@@ -239,6 +244,7 @@ export abstract class MediaElement extends LitElement {
     return this.parts.playback.play();
   }
 
+  /** Rests where it is; promises of `play()` that are not kept yet are rejected. */
   pause(): void {
     this.settleAttributes();
     this.parts.playback.pause();
@@ -314,6 +320,7 @@ export abstract class MediaElement extends LitElement {
 
   // --- what is seen ---
 
+  /** Shows controls. */
   get controls(): boolean {
     return this.hasAttribute('controls');
   }
@@ -347,6 +354,7 @@ export abstract class MediaElement extends LitElement {
     return this.#frames.request(callback);
   }
 
+  /** Takes such a call back. */
   cancelVideoFrameCallback(handle: number): void {
     this.#frames.cancel(handle);
   }
@@ -361,6 +369,7 @@ export abstract class MediaElement extends LitElement {
     return this.#capture.open(rate, true);
   }
 
+  /** The page wants no window over others. */
   get disablePictureInPicture(): boolean {
     return this.hasAttribute('disablepictureinpicture');
   }

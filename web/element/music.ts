@@ -3,6 +3,7 @@
  * by players whose story has music.
  */
 
+import type { Credentials } from './fetching.js';
 import type { Piece } from './types.js';
 
 /** Pieces this far ahead are fetched. */
@@ -49,11 +50,18 @@ interface Playing {
   inTime: boolean;
 }
 
+/** The folders that files are looked for in, and how they are fetched. */
+interface From {
+  readonly story: URL;
+  readonly library: URL;
+  readonly credentials: Credentials;
+}
+
 /** Plays the music of a story. */
 export class Music {
   /** What it is played with. */
   readonly audio: AudioContext;
-  readonly #roots: { readonly story: URL; readonly library: URL };
+  readonly #from: From;
   readonly #onMissing: (message: string) => void;
   readonly #output: AudioNode;
   #keepsPitch = true;
@@ -61,11 +69,11 @@ export class Music {
   #pieces: readonly Piece[] = [];
   #run: { readonly position: number; readonly rate: number; readonly at: number } | undefined;
 
-  /** Plays into `output`; `story` and `library` are the folders that files are looked for in. */
-  constructor(output: AudioNode, roots: { story: URL; library: URL }, onMissing: (message: string) => void) {
+  /** Plays into `output`. */
+  constructor(output: AudioNode, from: From, onMissing: (message: string) => void) {
     this.audio = output.context as AudioContext;
     this.#output = output;
-    this.#roots = roots;
+    this.#from = from;
     this.#onMissing = onMissing;
   }
 
@@ -138,6 +146,8 @@ export class Music {
   /** A piece that is being fetched: the first of its files that the browser can play. */
   #open(piece: Piece): Playing {
     const sound = new Audio();
+    // Without it the sound of another origin is silence to an audio graph.
+    sound.crossOrigin = this.#from.credentials === 'include' ? 'use-credentials' : 'anonymous';
     sound.preload = 'auto';
     sound.loop = piece.library;
     sound.preservesPitch = this.#keepsPitch;
@@ -145,7 +155,7 @@ export class Music {
     gain.gain.value = 0;
     this.audio.createMediaElementSource(sound).connect(gain).connect(this.#output);
     const playing: Playing = { piece, sound, gain, sinceMs: performance.now(), settled: false, missing: false, setMs: 0, inTime: false };
-    const root = piece.library ? this.#roots.library : this.#roots.story;
+    const root = piece.library ? this.#from.library : this.#from.story;
     const files = piece.file.endsWith('.opus') ? [piece.file, piece.file.replace(/opus$/, 'mp3')] : [piece.file];
     if (!sound.canPlayType('audio/ogg; codecs=opus')) files.reverse();
     const next = (): void => {

@@ -5,7 +5,7 @@ import { chooseBackends, decodeScript, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
-import { languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { credentialsOf, languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import { PictureKeeper, type Opened } from './keeper.js';
 import { LiveScript } from './live.js';
@@ -243,7 +243,7 @@ export class StoryLoader {
   async #wish(): Promise<StoryWish> {
     const { player, text, diagnostics } = this.#context;
     const { src, mind } = player;
-    const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined };
+    const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined, credentials: credentialsOf(player) };
     if (src || text !== undefined) return wish;
     const own = await this.#own.eml(wish.language, (d) => diagnostics.report(d));
     if (own !== undefined) return { ...wish, text: own };
@@ -270,7 +270,7 @@ export class StoryLoader {
     const { player, diagnostics } = this.#context;
     const { voiceFolder, figure } = files;
     const script = new LiveScript(story.utterances);
-    const voice = openVoice(script, voiceFolder, player.sinkId, (message, isSpeech) => {
+    const voice = openVoice(script, { folder: voiceFolder, credentials: credentialsOf(player), device: player.sinkId }, (message, isSpeech) => {
       const { show } = this.#context;
       if (isSpeech && show !== undefined) show.unheard = true;
       diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });

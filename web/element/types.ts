@@ -336,24 +336,6 @@ export interface Statistics extends PictureStatistics {
 /** The two builds. */
 export type Backend = 'webgpu' | 'webgl';
 
-/** The events of the element besides those of a media element. */
-export interface PlayerEventMap {
-  word: CustomEvent<{ word: Word; utterance: number; index: number }>;
-  phone: CustomEvent<Extract<Cue, { kind: 'phone' }>>;
-  utterance: CustomEvent<Extract<Cue, { kind: 'utterance' }>>;
-  clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
-  storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
-  diagnostic: CustomEvent<Diagnostic>;
-  /** The mind at `mind` came or went. */
-  mindchange: CustomEvent<{ state: MindState }>;
-  /** How much of what speaks here is fetched, 0 to 1. */
-  voiceprogress: CustomEvent<{ share: number }>;
-  /** Something in the page begins to speak a text: its name, and what it is in a sentence. */
-  voicechange: CustomEvent<{ name: string; about: string; license: string }>;
-  /** Another figure took the stage. */
-  figurechange: CustomEvent<{ figure: string }>;
-}
-
 /** Why a story cannot be played, as one sentence for people; codes are those of `MediaError`. */
 export class PlayerError extends Error {
   override readonly name = 'PlayerError';

@@ -54,8 +54,8 @@ export class Lines {
     for (const type of ['loadedmetadata', 'durationchange', 'figurechange']) player.addEventListener(type, () => void this.#read());
     for (const type of ['play', 'seeking']) player.addEventListener(type, () => (this.#isBegun = true));
     for (const type of ['timeupdate', 'seeked', 'ended']) player.addEventListener(type, () => this.#light());
-    player.addEventListener('utterance', (event) => this.#hear((event as PlayerEventMap['utterance']).detail));
-    player.addEventListener('word', (event) => this.#hearWord((event as PlayerEventMap['word']).detail));
+    player.addEventListener('utterance', ({ detail }) => this.#hear(detail));
+    player.addEventListener('word', ({ detail }) => this.#hearWord(detail));
     this.#wide.addEventListener('change', () => void this.#read());
     for (const type of ['wheel', 'touchmove']) places.box.addEventListener(type, () => (this.#readsUntilMs = performance.now() + READING_MS), { passive: true });
   }

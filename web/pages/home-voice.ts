@@ -1,6 +1,6 @@
 /** Who says the visitor's words: what speaks a language, what it is, and what better voice there is. */
 
-import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
+import type { RaconteurPlayer } from '../element/index.js';
 import { addSpeechSource, naturalVoice } from '../speech/added.js';
 import type { SpeechSource } from '../speech/source.js';
 
@@ -29,13 +29,13 @@ export class Voices {
   constructor(player: RaconteurPlayer, places: Places) {
     this.#player = player;
     this.#places = places;
-    player.addEventListener('voicechange', (event) => {
-      const { name, about, license } = (event as PlayerEventMap['voicechange']).detail;
+    player.addEventListener('voicechange', ({ detail }) => {
+      const { name, about, license } = detail;
       places.note.textContent = this.#speaks = `${name} speaks (${license}). ${about}`;
       if (name === 'flite') void this.#lookForBetter();
     });
-    player.addEventListener('voiceprogress', (event) => {
-      const { share } = (event as PlayerEventMap['voiceprogress']).detail;
+    player.addEventListener('voiceprogress', ({ detail }) => {
+      const { share } = detail;
       places.note.textContent = share < 1 ? `A voice is being fetched, once: ${Math.round(100 * share)} %` : this.#speaks;
     });
     places.better.querySelector('button')?.addEventListener('click', () => void this.#use());

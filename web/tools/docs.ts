@@ -25,6 +25,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     'On your page',
     [
       ['docs/embedding.md', 'Embedding', 'A script tag or a package, what to serve, what fails.'],
+      ['docs/element.md', 'The element', 'Every attribute, property, method and event.'],
       ['docs/live.md', 'Live', 'Minds that send EML while a story plays.'],
       ['docs/figures.md', 'Figures', 'The figures of the library and how they are made.'],
       ['docs/avatars.md', 'Avatars', 'Your own glTF and VRM files.'],

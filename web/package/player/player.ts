@@ -6,6 +6,7 @@ export { addSpeechSource, naturalVoice, speechServer } from '../../speech/added.
 export type { ServerVoice, SpeechServer } from '../../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../../speech/source.js';
 export { RaconteurPlayer } from '../../element/element.js';
+export type { ElementEventMap, MediaEventMap, PlayerEventMap } from '../../element/events.js';
 export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../../element/faces.js';
 export { openFaces } from '../../element/open-faces.js';
 export * from '../../element/types.js';

@@ -1,0 +1,118 @@
+// What the element is, read from its source: `custom-elements.json` for editors and catalogues of components, and the
+// reference in docs/element.md. `node web/tools/elements.mjs` writes the reference anew.
+
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { create, ts } from '@custom-elements-manifest/analyzer';
+import { runnerImport } from 'vite';
+import { main, root } from './steps.mjs';
+
+const SOURCES = ['element', 'media-element', 'events'];
+const CLASS = 'RaconteurPlayer';
+const reference = join(root, 'docs/element.md');
+
+const parse = (name) => ts.createSourceFile(`web/element/${name}.ts`, readFileSync(join(root, `web/element/${name}.ts`), 'utf8'), ts.ScriptTarget.ES2022, true);
+
+/** The members of the interfaces of events. */
+function eventsOf(source) {
+  return source.statements.filter((statement) => ts.isInterfaceDeclaration(statement) && /^(Media|Player)EventMap$/.test(statement.name.text)).flatMap(({ name, members }) =>
+    members.map((member) => ({
+      name: member.name.text,
+      type: { text: member.type.getText() },
+      description: ts.getJSDocCommentsAndTags(member).map(({ comment }) => comment).join(' '),
+      inheritedFrom: name.text === 'MediaEventMap' ? { name: 'MediaElement' } : undefined,
+    })),
+  );
+}
+
+/** The attributes and the properties that they become. */
+async function attributesOf(members) {
+  const { module } = await runnerImport(join(root, 'web/element/attributes.ts'), { root, configFile: false, logLevel: 'error' });
+  return Object.entries({ ...module.mediaAttributes, ...module.attributes }).flatMap(([fieldName, { attribute = fieldName }]) => {
+    if (attribute === false) return [];
+    const { description, type, inheritedFrom } = members.find(({ name }) => name === fieldName) ?? {};
+    return [{ name: attribute, fieldName, type, description, inheritedFrom }];
+  });
+}
+
+/** What a page may use: no private parts, nothing that is there for the parts of the player. */
+const isPublic = ({ privacy, name, static: isStatic }) => privacy === undefined && !isStatic && !/^(#|update|render|willUpdate|performUpdate|connected|disconnected|attributeChanged)/.test(name);
+
+/** The manifest (custom-elements.json, schema 1.0.0); `script` is the module that defines the element, `version` that of the package. */
+export async function manifest(script) {
+  const sources = SOURCES.map(parse);
+  const { schemaVersion, modules } = create({ modules: sources });
+  const { description, members, cssProperties, cssParts } = modules.flatMap(({ declarations }) => declarations).find(({ name }) => name === CLASS);
+  const shown = members.filter(isPublic).map(({ inheritedFrom, ...member }) => ({ ...member, ...(inheritedFrom && { inheritedFrom: { name: inheritedFrom.name } }) }));
+  const declaration = {
+    kind: 'class',
+    customElement: true,
+    name: CLASS,
+    tagName: 'raconteur-player',
+    description,
+    superclass: { name: 'LitElement', package: 'lit' },
+    attributes: await attributesOf(shown),
+    members: shown,
+    events: eventsOf(sources.at(-1)),
+    cssProperties,
+    cssParts,
+  };
+  const exported = { kind: 'js', name: CLASS, declaration: { name: CLASS, module: script } };
+  return { schemaVersion, readme: 'README.md', modules: [{ kind: 'javascript-module', path: script, declarations: [declaration], exports: [exported, { ...exported, kind: 'custom-element-definition', name: 'raconteur-player' }] }] };
+}
+
+const line = (text = '') => text.replaceAll(/\s+/g, ' ').trim().replaceAll('|', '\\|');
+const table = (heads, rows) => [`| ${heads.join(' | ')} |`, `|${heads.map(() => '---|').join('')}`, ...rows.map((row) => `| ${row.join(' | ')} |`)].join('\n');
+const code = (text) => `\`${line(text)}\``;
+const call = ({ name, parameters = [] }) => `${name}(${parameters.map((p) => (p.optional || p.default !== undefined ? `${p.name}?` : p.name)).join(', ')})`.replaceAll(/\{[^}]*\}/g, 'options');
+
+/** The reference of the element, Markdown. */
+export async function referenceText() {
+  const [{ declarations: [{ attributes, members, events, cssProperties, cssParts }] }] = (await manifest('')).modules;
+  const own = (list) => list.filter(({ inheritedFrom }) => inheritedFrom === undefined);
+  const media = (list) => list.filter(({ inheritedFrom }) => inheritedFrom !== undefined);
+  const named = new Set(attributes.map(({ fieldName }) => fieldName));
+  const fields = (list) => table(['property', 'type', 'is'], list.filter(({ kind }) => kind === 'field').map(({ name, type, readonly, description }) => [code(name), code(type?.text), `${readonly ? 'Read only. ' : ''}${line(description)}`]));
+  const methods = (list) => table(['method', 'gives', 'does'], list.filter(({ kind }) => kind === 'method').map((method) => [code(call(method)), code(method.return?.type?.text ?? 'void'), line(method.description)]));
+  const told = (list) => table(['event', 'what a listener is given', 'when'], list.map(({ name, type, description }) => [code(name), code(type.text), line(description)]));
+  const plain = (list) => table(['name', 'is'], list.map(({ name, description }) => [code(name), line(description)]));
+  return `# \`<raconteur-player>\`
+
+The reference of the element, made from its source by \`web/tools/elements.mjs\`. It has the interface of a media element of HTML, so
+that what is made for \`<video>\` drives it, and that of a storyteller. How it comes into a page is told in [embedding](embedding.md).
+
+## Attributes
+
+${table(['attribute', 'type', 'is'], attributes.map(({ name, type, description }) => [code(name), code(type?.text), line(description)]))}
+
+## As a media element
+
+${fields(media(members).filter(({ name }) => !named.has(name)))}
+
+${methods(media(members))}
+
+${told(media(events))}
+
+## As a storyteller
+
+${fields(own(members).filter(({ name }) => !named.has(name)))}
+
+${methods(own(members))}
+
+${told(own(events))}
+
+## Its look
+
+Custom properties:
+
+${plain(cssProperties)}
+
+Parts, for \`::part()\`:
+
+${plain(cssParts)}
+`;
+}
+
+if (process.argv[1] === import.meta.filename) {
+  await main(async () => writeFileSync(reference, await referenceText()));
+}
