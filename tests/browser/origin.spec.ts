@@ -1,38 +1,12 @@
 /** The script of one server on the page of another. */
 
-import { createReadStream, existsSync, statSync } from 'node:fs';
-import { createServer, type Server } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { extname, join, normalize } from 'node:path';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { kind } from '../../web/test/tier.js';
+import { serveElsewhere } from './elsewhere.js';
 import { story } from './fixture.js';
 import { expect, ready, test } from './stage.js';
 
-const TYPES: { [ending: string]: string } = { '.js': 'text/javascript', '.wasm': 'application/wasm', '.html': 'text/html' };
-
-/** Serves the built page from the folder `/player/`, to any page, and records requests. */
-async function serve(asked: string[]): Promise<{ server: Server; origin: string }> {
-  const dist = join(import.meta.dirname, '../..', kind.site);
-  const server = createServer((request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    asked.push(pathname);
-    const path = normalize(pathname);
-    const file = join(dist, path.replace(/^\/player\//, ''));
-    if (!path.startsWith('/player/') || !existsSync(file) || statSync(file).isDirectory()) {
-      response.writeHead(404, { 'Access-Control-Allow-Origin': '*' }).end();
-      return;
-    }
-    response.writeHead(200, { 'Access-Control-Allow-Origin': '*', 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream' });
-    createReadStream(file).pipe(response);
-  });
-  await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
-  return { server, origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}` };
-}
-
 test('a script from another server finds its figures, its code and its animations there', async ({ stage, page }) => {
-  const asked: string[] = [];
-  const { server, origin } = await serve(asked);
+  const { origin, asked, close } = await serveElsewhere();
   try {
     await page.context().grantPermissions(['local-network-access']);
     await page.route('**/elsewhere/**', (route) => {
@@ -56,6 +30,6 @@ test('a script from another server finds its figures, its code and its animation
     await page.locator('#other').evaluate((p: RaconteurPlayer) => void p.rehearse('<eml><body><null time="1"/></body></eml>').catch(() => undefined));
     await wanted;
   } finally {
-    server.close();
+    close();
   }
 });

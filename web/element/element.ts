@@ -182,6 +182,7 @@ export class RaconteurPlayer extends MediaElement {
       passTransport(this.#context, event);
       this.#standIn.follow();
       if (event === 'playing') this.#playback.started();
+      if (event === 'play' || event === 'seeking' || event === 'ended') this.capture(event !== 'ended');
     },
   });
   readonly #idle = new Idle(
@@ -389,7 +390,10 @@ export class RaconteurPlayer extends MediaElement {
     this.#own.rest();
     // Moving an element disconnects it for a moment.
     setTimeout(() => {
-      if (!this.isConnected) this.#stories.release();
+      if (this.isConnected) return;
+      if (!this.paused) this.pause();
+      // That is told before the story goes.
+      queueMicrotask(() => !this.isConnected && this.#stories.release());
     });
   }
 
@@ -405,7 +409,6 @@ export class RaconteurPlayer extends MediaElement {
     this.#loadChanged(changed);
     this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);
-    if ((changed.has('volume') || changed.has('muted')) && this.hasUpdated) dispatch(this, 'volumechange');
     const { show } = this.#context;
     if (show === undefined) return;
     this.setCaptionsShown(hasCaptions(this, show));

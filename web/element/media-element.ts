@@ -10,7 +10,8 @@ import { Capture, FrameCallbacks, PictureInPicture } from './outputs.js';
 import type { Playback } from './playback.js';
 import { Ranges, without } from './ranges.js';
 import type { StoryLoader } from './story-loader.js';
-import { StoryTextTracks, type StoryTextTrack } from './text-tracks.js';
+import type { StoryTextTrack } from './text-track.js';
+import { StoryTextTracks } from './text-tracks.js';
 import type { PlayerError } from './types.js';
 
 /** The parts of a player that the interface speaks for. */
@@ -37,27 +38,26 @@ export interface MediaElement extends MediaStates {}
 export abstract class MediaElement extends LitElement {
   static override properties = mediaAttributes;
 
-  /** The story is silent; `volume` stays. */
-  declare muted: boolean;
   #volume = 1;
+  #muted = false;
   #rate = 1;
   #defaultRate = 1;
   #keepsPitch = true;
   #device = '';
   /** Where the story begins once it is there. */
   #startSecs = 0;
+  /** A source is being looked for. */
+  #looks = false;
   /** Listeners may be called in the middle of an update. */
   #updating = false;
-  readonly #tracks = new StoryTextTracks((shown) => this.showCaptions(shown));
+  readonly #tracks = new StoryTextTracks(
+    (shown) => this.showCaptions(shown),
+    () => this.#march(this.currentTime),
+  );
   readonly #frames = new FrameCallbacks();
   readonly #capture = new Capture();
   readonly #pictureInPicture = new PictureInPicture(this.#capture);
   #size = { width: 0, height: 0 };
-
-  constructor() {
-    super();
-    this.muted = false;
-  }
 
   protected abstract get parts(): Parts;
 
@@ -118,7 +118,7 @@ export abstract class MediaElement extends LitElement {
   get networkState(): number {
     if (this.error !== null) return this.NETWORK_NO_SOURCE;
     const { network } = this.parts.stories;
-    if (network === 'empty' && this.isUpdatePending && this.src !== '') return this.NETWORK_NO_SOURCE;
+    if (network === 'empty' && this.#looks) return this.NETWORK_NO_SOURCE;
     return { empty: this.NETWORK_EMPTY, idle: this.NETWORK_IDLE, loading: this.NETWORK_LOADING }[network];
   }
 
@@ -134,6 +134,7 @@ export abstract class MediaElement extends LitElement {
    * text that was rehearsed. A player that comes near the window loads by itself.
    */
   async load(): Promise<void> {
+    this.#look();
     this.settleAttributes();
     if (this.src) this.parts.context.text = undefined;
     this.renew();
@@ -164,6 +165,7 @@ export abstract class MediaElement extends LitElement {
       return;
     }
     context.started = true;
+    this.#tracks.leap(secs);
     context.show.transport.seek(secs);
   }
 
@@ -174,7 +176,8 @@ export abstract class MediaElement extends LitElement {
 
   /** The story is being moved to another time. */
   get seeking(): boolean {
-    return isPending(this, 'seeked');
+    // Its end is told by both.
+    return isPending(this, 'timeupdate') && isPending(this, 'seeked');
   }
 
   /** Length of the story and of what has joined it, seconds; NaN until it is loaded, infinite while a mind is there. */
@@ -212,7 +215,7 @@ export abstract class MediaElement extends LitElement {
 
   /** It has come to its end, and does not begin again. */
   get ended(): boolean {
-    return this.parts.context.show?.transport.ended ?? false;
+    return !this.loop && (this.parts.context.show?.transport.ended ?? false);
   }
 
   /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
@@ -239,6 +242,7 @@ export abstract class MediaElement extends LitElement {
    * with `NotSupportedError` when the story cannot be played.
    */
   play(): Promise<void> {
+    this.#look();
     this.settleAttributes();
     if (this.error !== null) return Promise.reject(new DOMException(this.error.message, 'NotSupportedError'));
     return this.parts.playback.play();
@@ -246,6 +250,7 @@ export abstract class MediaElement extends LitElement {
 
   /** Rests where it is; promises of `play()` that are not kept yet are rejected. */
   pause(): void {
+    this.#look();
     this.settleAttributes();
     this.parts.playback.pause();
   }
@@ -294,7 +299,20 @@ export abstract class MediaElement extends LitElement {
   }
 
   set volume(value: number) {
+    const before = this.#volume;
     this.#volume = checkedVolume(value);
+    if (before !== this.#volume) dispatch(this, 'volumechange');
+  }
+
+  /** The story is silent; `volume` stays. */
+  get muted(): boolean {
+    return this.#muted;
+  }
+
+  set muted(value: boolean) {
+    const before = this.#muted;
+    this.#muted = Boolean(value);
+    if (before !== this.#muted) dispatch(this, 'volumechange');
   }
 
   /** The attribute `muted`: whether the player is silent at first. */
@@ -399,6 +417,7 @@ export abstract class MediaElement extends LitElement {
 
   /** The story is gone. */
   protected end(): void {
+    this.#tracks.rest();
     this.#tracks.setStory(undefined, false);
     this.follow();
   }
@@ -420,7 +439,18 @@ export abstract class MediaElement extends LitElement {
     }
     if (drawnSecs === undefined || context.show === undefined) return;
     if (width > 0) this.#frames.drawn(drawnSecs, this.#size);
-    if (this.#tracks.march(context.show.captions, drawnSecs) && !this.paused) this.pause();
+    this.#march(drawnSecs);
+  }
+
+  /** Playing goes on, or has come to its end. */
+  protected capture(goesOn: boolean): void {
+    this.#capture.setLive(goesOn);
+  }
+
+  /** Brings text tracks to a moment. Time passes for them once the story was played or sought. */
+  #march(secs: number): void {
+    const { show, started } = this.parts.context;
+    if (show !== undefined && started) this.#tracks.march(show.captions, secs, () => !this.paused && this.pause());
   }
 
   /** A change of `src` takes effect with the next update; calls that depend on it bring that update about at once. */
@@ -439,15 +469,22 @@ export abstract class MediaElement extends LitElement {
     if (property !== undefined) {
       // A story is loaded anew also where it is the same one.
       if (before !== after || name === 'src') this.requestUpdate(property, {});
+      if (name === 'src' && after !== null) this.#look();
     } else if (name === 'muted') {
       // It says how the player begins.
-      if (!this.hasUpdated) this.muted = after !== null;
+      if (!this.hasUpdated) this.#muted = after !== null;
     } else {
       const { playbackRate } = this;
       super.attributeChangedCallback(name, before, after);
       // Written by a page, not by the property that it mirrors.
       if (name === 'playback-rate' && playbackRate !== this.playbackRate) this.#defaultRate = this.playbackRate;
     }
+  }
+
+  /** A source is looked for, until the running script is over (HTML, the resource selection algorithm, steps 1 and 4). */
+  #look(): void {
+    this.#looks = true;
+    queueMicrotask(() => (this.#looks = false));
   }
 
   #set(attribute: string, value: string | null | undefined): void {

@@ -8,6 +8,8 @@ type FrameCallback = (nowMs: number, frame: VideoFrameCallbackMetadata) => void;
 /** Calls back once for the next picture (https://wicg.github.io/video-rvfc/). */
 export class FrameCallbacks {
   #callbacks = new Map<number, FrameCallback>();
+  /** Those that are being called. */
+  #called = new Map<number, FrameCallback>();
   #last = 0;
   #frames = 0;
 
@@ -24,6 +26,7 @@ export class FrameCallbacks {
 
   cancel(handle: number): void {
     this.#callbacks.delete(handle);
+    this.#called.delete(handle);
   }
 
   /** A picture of a moment was drawn. */
@@ -32,10 +35,11 @@ export class FrameCallbacks {
     if (this.#callbacks.size === 0) return;
     const now = performance.now();
     const frame = { presentationTime: now, expectedDisplayTime: now, width, height, mediaTime: secs, presentedFrames: this.#frames };
-    const called = this.#callbacks;
+    this.#called = this.#callbacks;
     // Those that are asked for meanwhile wait for the next one.
     this.#callbacks = new Map();
-    for (const callback of called.values()) callback(now, frame);
+    for (const callback of this.#called.values()) callback(now, frame);
+    this.#called.clear();
   }
 }
 
@@ -45,10 +49,14 @@ export interface Playing {
   readonly voice: Voice | undefined;
 }
 
-/** Streams of picture and sound. They follow the player to its next canvas and its next story. */
+/**
+ * Streams of picture and sound. They follow the player to its next canvas and its next story; those with sound, which pages
+ * have asked for, end with the story (https://w3c.github.io/mediacapture-fromelement/).
+ */
 export class Capture {
   readonly #streams: { readonly stream: MediaStream; readonly rate: number | undefined; readonly hasSound: boolean }[] = [];
   #playing: Playing = { canvas: undefined, voice: undefined };
+  #isLive = true;
 
   /** `rate`: at most so many pictures a second. */
   open(rate: number | undefined, hasSound: boolean): MediaStream {
@@ -61,25 +69,35 @@ export class Capture {
   /** Another canvas or voice plays from now on. */
   follow(playing: Playing): void {
     if (playing.canvas === this.#playing.canvas && playing.voice === this.#playing.voice) return;
-    for (const { stream } of this.#streams) {
-      for (const track of stream.getTracks()) {
-        stream.removeTrack(track);
-        // Sound belongs to the voice, which others may hear.
-        if (track.kind === 'video') track.stop();
-      }
-    }
+    for (const { stream } of this.#streams) empty(stream);
     this.#playing = playing;
+    this.#fill();
+  }
+
+  /** The story plays, or has come to its end. */
+  setLive(isLive: boolean): void {
+    if (isLive === this.#isLive) return;
+    this.#isLive = isLive;
+    for (const { stream, hasSound } of this.#streams) if (!isLive && hasSound) empty(stream);
     this.#fill();
   }
 
   #fill(): void {
     const { canvas, voice } = this.#playing;
     for (const { stream, rate, hasSound } of this.#streams) {
-      if (stream.getTracks().length > 0) continue;
+      if (stream.getTracks().length > 0 || (hasSound && !this.#isLive)) continue;
       for (const track of canvas?.captureStream(rate).getTracks() ?? []) stream.addTrack(track);
       const sound = hasSound ? voice?.track() : undefined;
-      if (sound !== undefined) stream.addTrack(sound);
+      // Others may hear the voice, too.
+      if (sound !== undefined) stream.addTrack(sound.clone());
     }
+  }
+}
+
+function empty(stream: MediaStream): void {
+  for (const track of stream.getTracks()) {
+    track.stop();
+    stream.removeTrack(track);
   }
 }
 

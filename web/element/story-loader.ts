@@ -173,6 +173,7 @@ export class StoryLoader {
     const { player } = this.#context;
     if (!this.#waits) this.#choose();
     this.#waits = false;
+    player.requestUpdate();
     this.#listen();
     try {
       const { opened, files } = await this.#fetchAndOpen(signal);
@@ -296,13 +297,13 @@ export class StoryLoader {
       end: new AbortController(),
     };
     this.#context.show = show;
+    dispatch(player, 'durationchange');
     updateMusic(this.#context, show);
     this.#context.started = false;
     this.#events.opened(show);
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) diagnostics.report(diagnostic);
     this.giveVoice();
     player.requestUpdate();
-    dispatch(player, 'durationchange');
     this.#context.drawn();
     dispatch(player, 'loadedmetadata', 'loadeddata', 'progress', 'canplay', 'canplaythrough', 'suspend');
     this.#events.ready(show);
@@ -383,9 +384,9 @@ export class StoryLoader {
     if (hadStory) dispatch(player, 'emptied');
   }
 
-  /** Gives back the picture, too. */
+  /** Gives back the picture, too; why there is no story stays. */
   release(): void {
-    this.close();
+    if (this.#error === undefined) this.close();
     this.#keeper.close();
   }
 

@@ -93,6 +93,7 @@ describe('callbacks of frames', () => {
 class FakeCue extends EventTarget {
   id = '';
   pauseOnExit = false;
+  track: unknown;
   constructor(
     readonly startTime: number,
     readonly endTime: number,
@@ -110,11 +111,17 @@ const captions: readonly Caption[] = [0, 2, 3].map((startSecs) => ({
 }));
 
 describe('text tracks', () => {
-  beforeEach(() => void vi.stubGlobal('VTTCue', FakeCue));
+  beforeEach(() => {
+    vi.stubGlobal('VTTCue', FakeCue);
+    vi.stubGlobal('TrackEvent', Event);
+  });
   afterEach(() => void vi.unstubAllGlobals());
 
   it('tell cues as they begin and end', () => {
-    const tracks = new StoryTextTracks(() => undefined);
+    const tracks = new StoryTextTracks(
+      () => undefined,
+      () => undefined,
+    );
     tracks.setStory('en', false);
     const track = tracks[0];
     expect([track?.mode, track?.cues, track?.language]).toEqual(['disabled', null, 'en']);
@@ -122,26 +129,71 @@ describe('text tracks', () => {
     track.mode = 'hidden';
     const told: number[] = [];
     track.oncuechange = () => told.push(track.activeCues?.length ?? NaN);
-    for (const secs of [0, 0.5, 1.5, 2.5, 3, 9, 0]) tracks.march(captions, secs);
+    for (const secs of [0, 0.5, 1.5, 2.5, 3, 9, 0]) tracks.march(captions, secs, () => undefined);
     expect(told).toEqual([1, 0, 1, 1, 0, 1]);
     expect((track.cues?.[0] as VTTCue | undefined)?.text).toBe('Fish\n&amp; &lt;chips>');
   });
 
+  it('tell what began and ended between two moments, but not what was passed by a leap; one that wants it pauses first', () => {
+    const told: string[] = [];
+    const tracks = new StoryTextTracks(
+      () => undefined,
+      () => undefined,
+    );
+    const track = tracks.add('metadata', '', '');
+    const cues = [
+      [1, 2],
+      [1.2, 1.3],
+      [3, -10],
+      [5, 6],
+    ].map(([start = 0, end = 0], i) => {
+      const cue = Object.assign(new FakeCue(start, end, ''), { pauseOnExit: i === 0 }) as unknown as TextTrackCue;
+      for (const type of ['enter', 'exit']) cue.addEventListener(type, () => told.push(`${type === 'enter' ? '+' : '-'}${i}`));
+      track.addCue(cue);
+      return cue;
+    });
+    const to = (secs: number): string => {
+      tracks.march([], secs, () => told.push('pause'));
+      return told.splice(0).join(' ');
+    };
+    expect([to(0), to(1.1), to(1.5), to(2.5), to(4)]).toEqual(['', '+0', '+1 -1', 'pause -0', '+2 -2']);
+    tracks.leap(0);
+    expect(to(0)).toBe('');
+    tracks.leap(5);
+    expect([to(5), track.activeCues?.length]).toEqual(['+3', 1]);
+    const [, , , last] = cues;
+    if (last !== undefined) track.removeCue(last);
+    expect([track.activeCues?.length, last?.track]).toEqual([0, null]);
+  });
+
   it('keep cues in order, and refuse those of others', () => {
-    const track = new StoryTextTracks(() => undefined).add('metadata', '', '');
+    const track = new StoryTextTracks(
+      () => undefined,
+      () => undefined,
+    ).add('metadata', '', '');
     const cues = [5, 1, 3, 1].map((start, i) => Object.assign(new FakeCue(start, start + 1 + i, ''), { id: `${i}` }) as unknown as TextTrackCue);
     for (const cue of cues) track.addCue(cue);
     expect([...(track.cues ?? [])].map(({ id }) => id)).toEqual(['3', '1', '2', '0']);
     expect(track.cues?.getCueById('2')).toBe(cues[2]);
+    Object.assign(cues[2] ?? {}, { startTime: 0 });
+    expect([...(track.cues ?? [])].map(({ id }) => id)).toEqual(['2', '3', '1', '0']);
     const [first] = cues;
     if (first !== undefined) track.removeCue(first);
     expect(() => first && track.removeCue(first)).toThrow(expect.objectContaining({ name: 'NotFoundError' }));
-    expect(() => new StoryTextTracks(() => undefined).add('songs' as TextTrackKind, '', '')).toThrow(TypeError);
+    expect(() =>
+      new StoryTextTracks(
+        () => undefined,
+        () => undefined,
+      ).add('songs' as TextTrackKind, '', ''),
+    ).toThrow(TypeError);
   });
 
   it('are listed by number and name, and a list tells of its changes', async () => {
     const shown: boolean[] = [];
-    const tracks = new StoryTextTracks((is) => shown.push(is));
+    const tracks = new StoryTextTracks(
+      (is) => shown.push(is),
+      () => undefined,
+    );
     const told: string[] = [];
     for (const type of ['addtrack', 'removetrack', 'change']) tracks.addEventListener(type, (event) => told.push(`${type} ${(event as TrackEvent).track?.kind ?? ''}`));
     const own = tracks.add('metadata', '', '');

@@ -1,0 +1,152 @@
+/**
+ * A text track of a player (HTML, 4.8.11.11). The browser's own class belongs to its own media elements, so this is
+ * like it; its cues are the browser's `VTTCue`.
+ */
+
+const MODES: readonly string[] = ['disabled', 'hidden', 'showing'];
+/** A cue at the very time from which the story is told is told, too. */
+const AT_ONCE_SECS = 1e-9;
+
+/** Cues by time, and by their `id`. */
+export class CueList extends Array<TextTrackCue> {
+  getCueById(id: string): TextTrackCue | null {
+    return this.find((cue) => id !== '' && cue.id === id) ?? null;
+  }
+}
+
+/** What a moment brings to a track. */
+export interface Step {
+  /** A cue that ends wants the story to pause. */
+  readonly pauses: boolean;
+  /** Tells the cues and the track of it. */
+  tell(): void;
+}
+
+interface Told {
+  readonly cue: TextTrackCue;
+  readonly type: 'enter' | 'exit';
+  readonly secs: number;
+}
+
+/** Cues in order of time; of two that begin together the longer one is first. */
+const byTime = (a: TextTrackCue, b: TextTrackCue): number => a.startTime - b.startTime || b.endTime - a.endTime;
+
+/** A row of timed texts. */
+export class StoryTextTrack extends EventTarget {
+  readonly kind: TextTrackKind;
+  readonly label: string;
+  readonly language: string;
+  readonly id: string;
+  oncuechange: ((event: Event) => unknown) | null = null;
+  /** Called when a page sets another mode, or adds a cue. */
+  readonly #changed: (track: StoryTextTrack, isCue: boolean) => void;
+  #mode: TextTrackMode;
+  readonly #cues = new CueList();
+  readonly #active = new CueList();
+  /** What begins later than this has not been told. */
+  #toldSecs = -AT_ONCE_SECS;
+
+  constructor(about: { kind: TextTrackKind; label: string; language: string; id?: string }, mode: TextTrackMode, changed: (track: StoryTextTrack, isCue: boolean) => void) {
+    super();
+    this.kind = about.kind;
+    this.label = about.label;
+    this.language = about.language;
+    this.id = about.id ?? '';
+    this.#mode = mode;
+    this.#changed = changed;
+    this.addEventListener('cuechange', (event) => this.oncuechange?.(event));
+  }
+
+  /** `disabled`: nobody looks at it; `hidden`: its cues are told; `showing`: and seen, where it is the story's own. */
+  get mode(): TextTrackMode {
+    return this.#mode;
+  }
+
+  set mode(mode: TextTrackMode) {
+    // As for any attribute of an enumeration, another text changes nothing.
+    if (!MODES.includes(mode) || mode === this.#mode) return;
+    this.#mode = mode;
+    this.#changed(this, false);
+  }
+
+  /** The player, not the page, shows it or not; whether that is new. */
+  setShown(shown: boolean): boolean {
+    if (shown === (this.#mode === 'showing')) return false;
+    this.#mode = shown ? 'showing' : 'disabled';
+    return true;
+  }
+
+  /** In order of time; null while the track is disabled. */
+  get cues(): CueList | null {
+    return this.#mode === 'disabled' ? null : this.#cues.sort(byTime);
+  }
+
+  /** Those of the present moment; null while the track is disabled. */
+  get activeCues(): CueList | null {
+    return this.#mode === 'disabled' ? null : this.#active;
+  }
+
+  /** Adds a cue, which leaves the track where it was before. */
+  addCue(cue: TextTrackCue): void {
+    cue.track?.removeCue(cue);
+    this.#cues.push(cue);
+    setTrack(cue, this);
+    this.#changed(this, true);
+  }
+
+  /** Throws `NotFoundError` for a cue of another track. */
+  removeCue(cue: TextTrackCue): void {
+    const at = this.#cues.indexOf(cue);
+    if (at < 0) throw new DOMException('The cue is not in this track.', 'NotFoundError');
+    this.#cues.splice(at, 1);
+    if (this.#active.includes(cue)) this.#active.splice(this.#active.indexOf(cue), 1);
+    setTrack(cue, null);
+  }
+
+  /** Other cues in the place of all. */
+  replaceCues(cues: readonly TextTrackCue[]): void {
+    this.#cues.splice(0, Infinity, ...cues);
+    for (const cue of cues) setTrack(cue, this);
+  }
+
+  /** The story goes on from elsewhere: what lies between is not told. */
+  leap(secs: number): void {
+    this.#toldSecs = secs - AT_ONCE_SECS;
+  }
+
+  /** The story is gone. */
+  rest(): void {
+    this.#active.splice(0);
+    this.leap(0);
+  }
+
+  /** Brings it to a moment (HTML, “time marches on”): cues that begin and end, also those that did both since the moment before. */
+  march(secs: number): Step | undefined {
+    if (this.#mode === 'disabled') return undefined;
+    if (secs < this.#toldSecs) this.leap(secs);
+    const cues = this.#cues.sort(byTime);
+    const now = cues.filter(({ startTime, endTime }) => startTime <= secs && secs < endTime);
+    const missed = cues.filter(({ startTime, endTime }) => startTime > this.#toldSecs && startTime <= secs && endTime <= secs);
+    const over = [...this.#active.filter((cue) => !now.includes(cue)), ...missed];
+    const begun = [...now.filter((cue) => !this.#active.includes(cue)), ...missed];
+    this.#toldSecs = secs;
+    if (over.length + begun.length === 0) return undefined;
+    this.#active.splice(0, Infinity, ...now);
+    const told: Told[] = [
+      ...begun.map((cue) => ({ cue, type: 'enter' as const, secs: cue.startTime })),
+      ...over.map((cue) => ({ cue, type: 'exit' as const, secs: Math.max(cue.startTime, cue.endTime) })),
+    ];
+    // The order of what comes at one time is that of the list.
+    told.sort((a, b) => a.secs - b.secs);
+    const tell = (): void => {
+      for (const { cue, type } of told) cue.dispatchEvent(new Event(type));
+      this.dispatchEvent(new Event('cuechange'));
+    };
+    return { pauses: over.some(({ pauseOnExit }) => pauseOnExit), tell };
+  }
+}
+
+/** The browser's own property only knows tracks of its own. */
+function setTrack(cue: TextTrackCue, value: StoryTextTrack | null): void {
+  Object.defineProperty(cue, 'track', { value, configurable: true });
+}
