@@ -15,10 +15,12 @@ const made = [{ text: 'One two three', msec: 1000 * SECS }];
 const files = { 'story.eml': story("<voice-text time='0'>One two three</voice-text>"), ...voiceFiles(made) };
 const player = (attributes = '') => `<raconteur-player src="story.eml" quality="lowest" loading="eager" label="Counting" ${attributes}></raconteur-player>`;
 
-test('in a sandboxed frame of another server it plays', async ({ stage, page }) => {
+test('in a sandboxed frame of another server it plays, and asks nobody else', async ({ stage, page }) => {
   const frame = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Frame</title><script type="module" src="/player/raconteur-player.js"></script>
     <body><raconteur-player src="/story.eml" backend="${stage.backend}" speech="browser" quality="lowest" loading="eager" controls></raconteur-player></body></html>`;
   const { origin, close } = await serveElsewhere({ '/frame.html': frame, '/story.eml': story("<null time='1.5'/>") });
+  const asked = new Set<string>();
+  page.on('request', (request) => asked.add(new URL(request.url()).origin));
   try {
     await page.context().grantPermissions(['local-network-access']);
     await stage.open(`<iframe sandbox="allow-scripts" allow="autoplay" src="${origin}/frame.html" width="400" height="300" title="Frame"></iframe>`, files, '', false);
@@ -29,6 +31,9 @@ test('in a sandboxed frame of another server it plays', async ({ stage, page }) 
     await page.frameLocator('iframe').getByRole('button', { name: 'Play the story' }).click();
     await expect.poll(() => inside.evaluate((p: RaconteurPlayer) => p.ended), { timeout: 60_000 }).toBe(true);
     expect((await stage.picture(inside)).spread).toBeGreaterThan(4);
+    // What scripts make is of no server.
+    asked.delete('null');
+    expect([...asked].sort()).toEqual([origin, new URL(page.url()).origin].sort());
   } finally {
     close();
   }

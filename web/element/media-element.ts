@@ -40,6 +40,8 @@ export abstract class MediaElement extends LitElement {
 
   #volume = 1;
   #muted = false;
+  /** A page has said whether it is silent: the attribute, which says how it begins, has no effect any more. */
+  #isMutedSet = false;
   #rate = 1;
   #defaultRate = 1;
   #keepsPitch = true;
@@ -310,6 +312,7 @@ export abstract class MediaElement extends LitElement {
   }
 
   set muted(value: boolean) {
+    this.#isMutedSet = true;
     const before = this.#muted;
     this.#muted = Boolean(value);
     if (before !== this.#muted) dispatch(this, 'volumechange');
@@ -470,9 +473,9 @@ export abstract class MediaElement extends LitElement {
       // A story is loaded anew also where it is the same one.
       if (before !== after || name === 'src') this.requestUpdate(property, {});
       if (name === 'src' && after !== null) this.#look();
+      if (this.disablePictureInPicture && document.pictureInPictureElement === this) void document.exitPictureInPicture();
     } else if (name === 'muted') {
-      // It says how the player begins.
-      if (!this.hasUpdated) this.#muted = after !== null;
+      if (!this.#isMutedSet && !this.hasUpdated) this.#muted = after !== null;
     } else {
       const { playbackRate } = this;
       super.attributeChangedCallback(name, before, after);

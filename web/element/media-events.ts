@@ -22,9 +22,10 @@ function pass(media: EventTarget): void {
   }
 }
 
-/** Takes back what has not come yet. */
+/** Takes back what has not come yet of a story that goes; loudness is not of a story. */
 export function takeBack(media: EventTarget): void {
-  queues.get(media)?.splice(0);
+  const queue = queues.get(media);
+  queue?.splice(0, Infinity, ...queue.filter(({ type }) => type === 'volumechange'));
 }
 
 /** Whether an event of a type has not come yet. */

@@ -136,8 +136,8 @@ export class StoryTextTrack extends EventTarget {
       ...begun.map((cue) => ({ cue, type: 'enter' as const, secs: cue.startTime })),
       ...over.map((cue) => ({ cue, type: 'exit' as const, secs: Math.max(cue.startTime, cue.endTime) })),
     ];
-    // The order of what comes at one time is that of the list.
-    told.sort((a, b) => a.secs - b.secs);
+    // At one time the cues come in their order, and each is told first that it begins.
+    told.sort((a, b) => a.secs - b.secs || byTime(a.cue, b.cue));
     const tell = (): void => {
       for (const { cue, type } of told) cue.dispatchEvent(new Event(type));
       this.dispatchEvent(new Event('cuechange'));
