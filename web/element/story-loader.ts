@@ -63,6 +63,8 @@ export class StoryLoader {
   /** A story was chosen, and is fetched when it is to be played. */
   #waits = false;
   #address = '';
+  /** The story is there, and its sound is waited for. */
+  #lingers = false;
   /** When pages heard of what has come, and what tells that nothing comes. */
   #toldMs = 0;
   #silence: ReturnType<typeof setTimeout> | undefined;
@@ -276,7 +278,7 @@ export class StoryLoader {
       if (isSpeech && show !== undefined) show.unheard = true;
       diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
     });
-    const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
+    const transport = new Transport(voice, story.durationSecs, (event) => this.#pass(event), player.playbackRate);
     const captions = captionsOf(story.utterances, languageOf(player, story));
     const show: Show = {
       story,
@@ -305,8 +307,18 @@ export class StoryLoader {
     this.giveVoice();
     player.requestUpdate();
     this.#context.drawn();
-    dispatch(player, 'loadedmetadata', 'loadeddata', 'progress', 'canplay', 'canplaythrough', 'suspend');
+    dispatch(player, 'loadedmetadata', 'loadeddata', 'progress', 'canplay');
     this.#events.ready(show);
+    this.#lingers = transport.waiting;
+    if (!this.#lingers) dispatch(player, 'canplaythrough', 'suspend');
+  }
+
+  /** The transport tells something; what plays at once is told of before it is known that it can be played through. */
+  #pass(event: TransportEvent): void {
+    this.#events.transport(event);
+    if (!this.#lingers || (event !== 'playing' && event !== 'pause')) return;
+    this.#lingers = false;
+    dispatch(this.#context.player, 'canplaythrough', 'suspend');
   }
 
   /** Replaces the text on stage by another; returns its problems. */
@@ -366,7 +378,7 @@ export class StoryLoader {
     const hadStory = network !== 'empty' || this.#error !== undefined;
     this.#wanted?.abort();
     this.#loading = undefined;
-    this.#waits = false;
+    this.#waits = this.#lingers = false;
     clearTimeout(this.#silence);
     this.#figures.cancel();
     this.#context.show?.voice.close();
