@@ -3,34 +3,8 @@
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { isLong } from '../../web/test/tier.js';
 import { story, voiceFiles } from './fixture.js';
+import { ask, openKit, type Kit, type Question, type Tag } from './media-kit.js';
 import { expect, test, type Stage } from './stage.js';
-
-/** The common interface; a question runs in the page. */
-type Media = HTMLMediaElement | RaconteurPlayer;
-
-interface Kit {
-  readonly media: Media;
-  /** Two things to play, and one that is not there. */
-  readonly good: string;
-  readonly other: string;
-  readonly absent: string;
-  /** A speed beyond what it can. */
-  readonly fast: number;
-  /** What became of a promise: nothing or the error's name. */
-  settle(promise: Promise<unknown> | undefined): Promise<string>;
-  /** The name of the exception. */
-  thrown(work: () => void): string;
-  event(type: string): Promise<unknown>;
-  /** The names of the events since the last call; those that come by themselves are left out. */
-  events(): string[];
-}
-
-declare global {
-  interface Window {
-    /** One of the questions. */
-    ask(kit: Kit): unknown;
-  }
-}
 
 /** The questions; the answers must be the same. */
 const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
@@ -202,93 +176,16 @@ const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
   },
 };
 
-/** Asks the page's question of one kind of element. */
-async function answers(stage: Stage, kind: 'audio' | 'raconteur-player'): Promise<unknown> {
-  return await stage.page.evaluate(
-    async ([tag, backend]) => {
-      document.querySelector('main')?.replaceChildren();
-      const media = document.createElement(tag) as Media;
-      if (tag === 'raconteur-player') {
-        for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'lowest' })) media.setAttribute(key, value);
-      } else {
-        (media as HTMLMediaElement).preload = 'auto';
-      }
-      const told: string[] = [];
-      const types = [
-        'loadstart',
-        'loadedmetadata',
-        'loadeddata',
-        'canplay',
-        'canplaythrough',
-        'play',
-        'playing',
-        'pause',
-        'ended',
-        'seeking',
-        'seeked',
-        'emptied',
-        'abort',
-        'error',
-        'ratechange',
-      ];
-      for (const type of types) {
-        // A browser tells after each seek that it can play.
-        media.addEventListener(type, () => told.push(type), { once: type.startsWith('canplay') });
-      }
-      document.querySelector('main')?.append(media);
-      // A media element is there at once; ours is drawn once first.
-      await (media as RaconteurPlayer).updateComplete;
-      const ours = tag === 'raconteur-player';
-      const kit: Kit = {
-        media,
-        good: ours ? 'good/story.eml' : 'good/voice/u0.wav',
-        other: ours ? 'other/story.eml' : 'other/voice/u0.wav',
-        absent: ours ? 'absent/story.eml' : 'absent.wav',
-        fast: ours ? 9 : 99,
-        settle: async (promise) =>
-          await Promise.resolve(promise).then(
-            () => 'kept',
-            (error: Error) => error.name,
-          ),
-        thrown: (work) => {
-          try {
-            work();
-            return 'nothing';
-          } catch (error) {
-            return (error as Error).name;
-          }
-        },
-        event: (type) => new Promise((done) => media.addEventListener(type, done, { once: true })),
-        events: () => told.splice(0),
-      };
-      const answer = await window.ask(kit);
-      media.pause();
-      media.remove();
-      return JSON.parse(JSON.stringify(answer ?? null)) as unknown;
-    },
-    [kind, stage.backend] as const,
-  );
-}
-
 test.describe('as a media element', () => {
   const names = Object.keys(QUESTIONS);
   // Making a picture takes longer than all the rest: in the gate every fourth question is asked with one.
   const seen = names.filter((_, i) => isLong || i % 4 === 0);
   for (const { name, hasPicture } of [...names.map((name) => ({ name, hasPicture: false })), ...seen.map((name) => ({ name, hasPicture: true }))]) {
-    test(hasPicture ? `${name}, with a picture` : name, async ({ stage, page }) => {
-      const made = [{ text: 'One two three', msec: 1500, samples: new Float32Array(66_150) }];
-      const files = (folder: string) =>
-        Object.fromEntries(
-          Object.entries({ ...voiceFiles(made), 'story.eml': story("<voice-text time='0'>One two three</voice-text>") }).map(([path, file]) => [`${folder}/${path}`, file]),
-        );
-      if (!hasPicture) await page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
-      await page.addInitScript({ content: `window.ask = ${QUESTIONS[name]?.toString()};` });
-      await stage.open('<main></main>', { 'test.css': 'main * { width: 48px; height: 48px; aspect-ratio: auto }', ...files('good'), ...files('other') });
-      await page.waitForFunction(() => customElements.get('raconteur-player') !== undefined);
-      // A click allows sound.
-      await page.mouse.click(300, 300);
-      const expected = await answers(stage, 'audio');
-      expect(await answers(stage, 'raconteur-player')).toEqual(expected);
+    test(hasPicture ? `${name}, with a picture` : name, async ({ stage }) => {
+      await openKit(stage, { [name]: QUESTIONS[name] as Question }, { hasPicture });
+      const asked = (tag: Tag) => ask(stage.page, tag, { name, backend: stage.backend });
+      const expected = await asked('audio');
+      expect(await asked('raconteur-player')).toEqual(expected);
     });
   }
 });

@@ -145,14 +145,20 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
 
+/** Some bundlers write here where the file was on their own machine, and addresses from the page's. */
+const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.location?.protocol ?? 'file:').startsWith('file:');
+
 /**
  * Where this script is, for addresses that a build has made of its files. Under another name than the module's own: bundlers take
  * `new URL(…, import.meta.url)` for a file of the page that they build.
  */
-export const SCRIPT = import.meta.url;
+export const SCRIPT = isPlaceOfBuild ? globalThis.location.href : import.meta.url;
 
 /** Where modules are that do not lie beside the script: `player/` of the library. A page's own build may have left them behind. */
 export const spare: { library?: URL } = {};
+
+/** Where a module of the player is in the library. */
+const spareOf = ({ pathname }: URL, library: URL): URL => new URL(`player/${pathname.split('/').at(-1) ?? ''}`, library);
 
 /** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
 export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
@@ -160,10 +166,22 @@ export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAsse
     return await compiled(url, fetching);
   } catch (error) {
     if (!(error instanceof MissingError) || spare.library === undefined) throw error;
-    return await compiled(new URL(`player/${url.pathname.split('/').at(-1) ?? ''}`, spare.library), fetching).catch(() => {
+    return await compiled(spareOf(url, spare.library), fetching).catch(() => {
       throw error;
     });
   }
+}
+
+/** Where a script of the player is that the browser itself fetches: beside this one, else in the library. */
+export async function placeOf(url: URL): Promise<URL> {
+  const { library } = spare;
+  if (library === undefined) return url;
+  // Servers of applications answer with their page what they do not have.
+  const isThere = await fetch(url, { method: 'HEAD' }).then(
+    ({ status, headers }) => status !== 404 && !headers.get('content-type')?.startsWith('text/html'),
+    () => true,
+  );
+  return isThere ? url : spareOf(url, library);
 }
 
 async function compiled(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {

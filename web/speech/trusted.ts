@@ -1,5 +1,7 @@
 /** What a page with trusted types lets become a script: files beside this one. */
 
+import { placeOf, SCRIPT, spare } from '../element/fetching.js';
+
 interface Rules {
   createScriptURL(address: string): string;
 }
@@ -11,7 +13,9 @@ interface TrustedTypes {
 const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
 const rules: Rules = {
   createScriptURL(address) {
-    if (new URL(address, import.meta.url).origin !== new URL(import.meta.url).origin) throw new TypeError('A worker is a file of the player.');
+    // A worker that imports one is the page's own.
+    const own = [new URL(SCRIPT).origin, spare.library?.origin, globalThis.location?.origin];
+    if (!own.includes(new URL(address, SCRIPT).origin)) throw new TypeError('A worker is a file of the player.');
     return address;
   },
 };
@@ -19,11 +23,17 @@ const rules: Rules = {
 let policy: ReturnType<TrustedTypes['createPolicy']> | undefined;
 
 /** Starts a worker from a file of the player. */
-export function openWorker(address: string, name = ''): Worker {
+export async function openWorker(address: string, name = ''): Promise<Worker> {
   policy ??= trustedTypes?.createPolicy('raconteur', rules);
-  const { href } = new URL(address, import.meta.url);
+  const href = startOf(await placeOf(new URL(address, SCRIPT)));
   // The type of workers' constructors does not know trusted addresses.
   return new Worker((policy?.createScriptURL(href) ?? href) as string, { type: 'module', name });
+}
+
+/** Browsers start workers from the page's own origin alone; a file of another one is imported by a worker of the page's. */
+function startOf({ href, origin }: URL): string {
+  if (origin === globalThis.location.origin) return href;
+  return URL.createObjectURL(new Blob([`import ${JSON.stringify(href)};`], { type: 'text/javascript' }));
 }
 
 /** Within a worker: has plain addresses of such files trusted, for code that knows no trusted types. False where the page's policy does not allow that. */

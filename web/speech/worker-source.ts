@@ -8,7 +8,7 @@ const PATIENCE_MS = 60_000;
 
 /** The engine: what it is, what it speaks, and its worker. */
 export interface Engine extends Pick<SpeechSource, 'name' | 'about' | 'license' | 'speaks' | 'voiceOf'> {
-  worker(): Worker;
+  worker(): Promise<Worker>;
 }
 
 interface Waiting extends Saying {
@@ -22,7 +22,7 @@ export class WorkerSource implements SpeechSource {
   readonly about: string;
   readonly license: string;
   readonly #engine: Engine;
-  #worker: Worker | undefined;
+  #worker: Promise<Worker> | undefined;
   #ready = false;
   #next = 0;
   readonly #waiting = new Map<number, Waiting>();
@@ -47,7 +47,8 @@ export class WorkerSource implements SpeechSource {
   async speak(request: SpeechRequest, saying: Saying): Promise<void> {
     const { signal } = saying;
     signal.throwIfAborted();
-    const worker = this.#open();
+    const worker = await this.#open();
+    signal.throwIfAborted();
     const id = this.#next++;
     const stop = () => {
       worker.postMessage({ kind: 'stop', id } satisfies Ask);
@@ -75,13 +76,14 @@ export class WorkerSource implements SpeechSource {
     }
   }
 
-  #open(): Worker {
-    if (this.#worker !== undefined) return this.#worker;
-    const worker = this.#engine.worker();
-    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#hear(data);
-    worker.onerror = () => this.#end('The voice could not be started.');
-    this.#worker = worker;
-    return worker;
+  #open(): Promise<Worker> {
+    this.#worker ??= this.#engine.worker().then((worker) => {
+      worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#hear(data);
+      worker.onerror = () => this.#end('The voice could not be started.');
+      return worker;
+    });
+    this.#worker.catch(() => (this.#worker = undefined));
+    return this.#worker;
   }
 
   #hear(reply: Reply): void {
@@ -103,7 +105,7 @@ export class WorkerSource implements SpeechSource {
 
   /** The next text gets a fresh worker. */
   #end(message: string): void {
-    this.#worker?.terminate();
+    void this.#worker?.then((worker) => worker.terminate());
     this.#worker = undefined;
     this.#ready = false;
     for (const { reject } of this.#waiting.values()) reject(new Error(message));

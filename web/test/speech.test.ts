@@ -28,6 +28,9 @@ class FakeWorker {
   }
 }
 
+/** A worker is looked for before it is asked. */
+const asked = (): Promise<void> => new Promise((done) => setTimeout(done));
+
 let flite: SpeechSource;
 let aborts: AbortController;
 const last = (): FakeWorker => {
@@ -45,6 +48,8 @@ const speak = async (eml: string, progress: (share: number) => void = () => unde
 beforeEach(async () => {
   FakeWorker.all = [];
   vi.stubGlobal('Worker', FakeWorker);
+  // Where the script is, so that no other origin starts it.
+  vi.stubGlobal('location', new URL(import.meta.url));
   vi.resetModules();
   ({ flite } = await import('../speech/flite.js'));
   aborts = new AbortController();
@@ -54,6 +59,7 @@ test('each text gets its own answer, in any order, from one worker', async () =>
   const shares: number[] = [];
   const [one, two] = [speak('one', (share) => shares.push(share)), speak('two')];
   expect(flite.ready).toBe(false);
+  await asked();
   last().onmessage?.({ data: { kind: 'progress', share: 0.5 } });
   last().say(1);
   last().say(0);
@@ -71,6 +77,7 @@ test('two hundred texts, ended at random, leave nothing behind', async () => {
       () => (said += 1),
       () => (ended += 1),
     );
+    await asked();
     if ((i * 7919) % 3 === 0) aborts.abort();
     last().say(i);
     await saying;
@@ -82,18 +89,28 @@ test('two hundred texts, ended at random, leave nothing behind', async () => {
 
 test('a voice that breaks down is told, and the next text gets a fresh one', async () => {
   const broken = speak('one');
+  await asked();
   last().onmessage?.({ data: { kind: 'failed', id: 0, message: 'unreachable', dead: true } });
   await expect(broken).rejects.toThrow('unreachable');
   expect(last().ended).toBe(true);
   const again = speak('two');
+  await asked();
   expect(FakeWorker.all).toHaveLength(2);
   last().say(1);
   await again;
   // What it only cannot say does not end it.
   const strange = speak('three');
+  await asked();
   last().onmessage?.({ data: { kind: 'failed', id: 2, message: 'too long', dead: false } });
   await expect(strange).rejects.toThrow('too long');
   expect(last().ended).toBe(false);
+});
+
+test('what is not wanted any more before there is a worker is not asked for', async () => {
+  const saying = speak('one');
+  aborts.abort();
+  await expect(saying).rejects.toThrow();
+  expect(last().asked).toEqual([]);
 });
 
 test('English alone is spoken, and figures have voices', () => {

@@ -25,6 +25,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     'On your page',
     [
       ['docs/embedding.md', 'Embedding', 'A script tag or a package, what to serve, what fails.'],
+      ['examples/README.md', 'Examples', 'Small applications with React, Vue, Svelte, Solid, Next, and without any of them.'],
       ['docs/element.md', 'The element', 'Every attribute, property, method and event.'],
       ['docs/live.md', 'Live', 'Minds that send EML while a story plays.'],
       ['docs/figures.md', 'Figures', 'The figures of the library and how they are made.'],
@@ -66,7 +67,8 @@ const FILE = /\.(png|webp|svg|json|rng)$/;
 /** A document's page, beside those of the others. */
 export function pageOf(path: string): string {
   const folder = /^assets\/([\w-]+)\/README\.md$/.exec(path)?.[1];
-  return folder === undefined ? `${basename(path, '.md').toLowerCase()}.html` : `library-${folder}.html`;
+  if (folder !== undefined) return `library-${folder}.html`;
+  return path === 'examples/README.md' ? 'examples.html' : `${basename(path, '.md').toLowerCase()}.html`;
 }
 
 /** A heading's text as a name for links, as code hosts make it. */

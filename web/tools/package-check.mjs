@@ -2,23 +2,18 @@
 // defaults and plays a story in a browser. `npm run package` has packed them.
 
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
-import { createServer } from 'node:http';
-import { extname, join } from 'node:path';
-import { chromium } from '@playwright/test';
-import { chromiumArgs } from './chromium.mjs';
-import { ask, main, root, run, start, Stop } from './steps.mjs';
+import { join } from 'node:path';
+import { importBare, importInWorker } from './package-bare.mjs';
+import { openBrowser, PARTS, play, serve, STORY } from './package-play.mjs';
+import { main, root, run, start, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
 const folder = join(root, '.setup/package-check');
-const STORY = 'raconteur/stories/hello-world/story.eml';
-const PLAYED_MS = 60_000;
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.css': 'text/css' };
 
-const page = (script) => `<!doctype html>
+const page = (script, library = '/') => `<!doctype html>
 <html lang="en">
   <head><meta charset="utf-8" /><title>An application</title><script type="module" src="${script}"></script></head>
-  <body><raconteur-player src="/${STORY}" assets="/raconteur/" loading="eager" label="Hello world"></raconteur-player></body>
+  <body><raconteur-player src="${library}${STORY}" assets="${library}raconteur/" loading="eager" label="Hello world"></raconteur-player></body>
 </html>
 `;
 
@@ -37,66 +32,56 @@ function install(app, name) {
   return to;
 }
 
-async function serve(served) {
-  const server = createServer(async ({ url = '/' }, response) => {
-    const path = decodeURIComponent(url.split('?')[0] ?? '/');
-    const file = join(served, path.endsWith('/') ? `${path}index.html` : path);
-    const bytes = await readFile(file).catch(() => undefined);
-    if (bytes === undefined) response.writeHead(404).end();
-    else response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(bytes);
-  });
-  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
-  return server;
+/** An application's folder with the packed files and a page. */
+function lay(name, script) {
+  const app = join(folder, name);
+  install(app, 'player');
+  const assets = install(app, 'assets');
+  writeFileSync(join(app, 'package.json'), '{ "type": "module" }\n');
+  writeFileSync(join(app, 'main.js'), "import '@raconteur/player';\n");
+  writeFileSync(join(app, 'index.html'), page(script));
+  run(process.execPath, [join(assets, 'copy.mjs'), join(app, 'public/raconteur'), '--only', PARTS], { stdio: 'ignore', why: 'Copying the library' });
+  return app;
 }
 
-/** Plays the story to its end; what was said. */
-async function play(browser, address) {
-  const tab = await browser.newPage();
-  const faults = [];
-  tab.on('pageerror', (error) => faults.push(error.message));
-  await tab.goto(address);
-  const told = await tab.evaluate(async (most) => {
-    const player = document.querySelector('raconteur-player');
-    const words = [];
-    player.addEventListener('word', ({ detail }) => words.push(detail.word.text));
-    const ended = new Promise((done) => player.addEventListener('ended', () => done('ended')));
-    const late = new Promise((done) => setTimeout(() => done('late'), most));
-    await customElements.whenDefined('raconteur-player');
-    await player.play();
-    return { outcome: await Promise.race([ended, late]), words, error: player.error?.message };
-  }, PLAYED_MS);
-  await tab.close();
-  return { ...told, faults };
+/** A script tag that names a file on another server, which has the package and the library, as servers of packages have. */
+async function checkScriptTag(browser, app) {
+  const packages = await serve(app, { cors: true });
+  const script = `${packages.address}node_modules/@raconteur/player/dist/standalone.js`;
+  const bare = join(folder, 'script-tag');
+  mkdirSync(bare, { recursive: true });
+  writeFileSync(join(bare, 'index.html'), page(script, packages.address));
+  const site = await serve(bare);
+  try {
+    const { words } = await play(browser, 'A script tag that names another server', site.address);
+    console.log(`  script tag: says ${words.join(' ')}`);
+  } finally {
+    packages.close();
+    site.close();
+  }
 }
 
 await main(async () => {
   if (!existsSync(packed)) throw new Stop('There are no packed files: run "npm run package" first.');
   rmSync(folder, { recursive: true, force: true });
-  // Where there are no elements, importing it does nothing.
-  const first = join(folder, 'vite');
-  install(first, 'player');
-  writeFileSync(join(first, 'package.json'), '{ "type": "module" }\n');
-  writeFileSync(join(first, 'import.js'), "import { RaconteurPlayer } from '@raconteur/player';\nconsole.log(typeof RaconteurPlayer);\n");
-  if (ask(process.execPath, [join(first, 'import.js')])?.trim() !== 'function') throw new Stop('The package cannot be imported in Node.');
-  const system = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
-  const browser = await chromium.launch({ args: chromiumArgs, ...(existsSync(system) ? { executablePath: system } : {}) });
+  const browser = await openBrowser();
   try {
     for (const [name, { script, served, build }] of Object.entries(BUNDLERS)) {
-      const app = join(folder, name);
-      if (app !== first) install(app, 'player');
-      const assets = install(app, 'assets');
-      writeFileSync(join(app, 'package.json'), '{ "type": "module" }\n');
-      writeFileSync(join(app, 'main.js'), "import '@raconteur/player';\n");
-      writeFileSync(join(app, 'index.html'), page(script));
-      run(process.execPath, [join(assets, 'copy.mjs'), join(app, 'public/raconteur'), '--only', 'figures,animations,stories,player'], { stdio: 'ignore', why: 'Copying the library' });
-      if (served === '.') symlinkSync(join(app, 'public/raconteur'), join(app, 'raconteur'));
+      const app = lay(name, script);
+      if (served === '.') symlinkSync(join(app, 'public/raconteur'), join(app, 'raconteur'), 'junction');
       await build(app);
       const server = await serve(join(app, served));
-      const told = await play(browser, `http://127.0.0.1:${server.address().port}/`);
-      server.close();
-      if (told.outcome !== 'ended' || told.words.join(' ') !== 'Hello world!' || told.faults.length > 0) throw new Stop(`A page that ${name} builds does not play: ${JSON.stringify(told)}`);
-      console.log(`  ${name}: says ${told.words.join(' ')}`);
+      try {
+        const { words } = await play(browser, `A page that ${name} builds`, server.address);
+        console.log(`  ${name}: says ${words.join(' ')}`);
+      } finally {
+        server.close();
+      }
     }
+    const app = join(folder, 'rolldown');
+    await checkScriptTag(browser, app);
+    importBare(app);
+    await importInWorker(browser, app);
   } finally {
     await browser.close();
   }

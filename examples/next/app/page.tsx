@@ -1,0 +1,9 @@
+import { Story } from './story';
+
+export default function Page() {
+  return (
+    <main>
+      <Story />
+    </main>
+  );
+}

@@ -1,0 +1,13 @@
+/** Types of the element in Svelte 5: `import type {} from '@raconteur/player/svelte'`. Listeners are `onword`. */
+
+import type { HTMLAttributes } from 'svelte/elements';
+import type { PlayerAttributes, PlayerHandlers, RaconteurPlayer } from './attributes.js';
+
+/** Svelte has types of its own for some of the events. */
+type Common = Omit<HTMLAttributes<RaconteurPlayer>, keyof PlayerAttributes | keyof PlayerHandlers<'on'>>;
+
+declare module 'svelte/elements' {
+  interface SvelteHTMLElements {
+    'raconteur-player': Common & PlayerAttributes & PlayerHandlers<'on'>;
+  }
+}

@@ -1,0 +1,6 @@
+/** What the guide shows of an example's file, line by line. */
+export function shown(text: string): string[];
+/** The guide with the examples as they are now. */
+export function written(text: string): string;
+/** The guide as it is. */
+export function read(): string;
