@@ -52,15 +52,18 @@ async function perform({ most, button }) {
     document.querySelector(button).click();
   }
   const outcome = await Promise.race([ended, late]);
-  const told = { outcome, words: [...words], shown: [...shown], error: player.error?.message };
-  if (outcome !== 'ended') return told;
-  // What speaks here is a worker of its own, with modules of its own.
+  return { outcome, words, shown, error: player.error?.message };
+}
+
+/** In the page: has a text spoken that has no recording; who speaks it. That is a worker of its own, with modules of its own. */
+async function speak(most) {
+  const player = document.querySelector('raconteur-player');
   const voice = new Promise((done) => player.addEventListener('voicechange', ({ detail }) => done(detail.name)));
   await player.rehearse("<eml><body><voice-text time='0'>Good morning.</voice-text></body></eml>");
   player.currentTime = 0;
   player.play();
   const silence = new Promise((done) => setTimeout(() => done(undefined), most));
-  return { ...told, voice: await Promise.race([voice, silence]), problems: player.diagnostics.map(({ message }) => message) };
+  return { voice: await Promise.race([voice, silence]), problems: player.diagnostics.map(({ message }) => message) };
 }
 
 /** Plays the story of a page to its end. Stops where it is not told as it should be. `button`: the one that plays; `picture`: where a picture of the end is written. */
@@ -71,8 +74,9 @@ export async function play(browser, name, address, { button, picture } = {}) {
   try {
     // Pages that a server has made are idle when their scripts have taken them over.
     await tab.goto(address, { waitUntil: 'networkidle' });
-    const told = await Promise.race([tab.evaluate(perform, { most: PLAYED_MS, button }), undefinedElement(tab)]);
+    const played = await Promise.race([tab.evaluate(perform, { most: PLAYED_MS, button }), undefinedElement(tab)]);
     if (picture !== undefined) await tab.screenshot({ path: picture });
+    const told = { ...played, ...(played.outcome === 'ended' && (await tab.evaluate(speak, PLAYED_MS))) };
     // On a slow machine one picture may come after several words.
     const isShown = button === undefined || told.shown.at(-1) === told.words.at(-1);
     if (told.outcome !== 'ended' || told.words.join(' ') !== SAID || !isShown || told.voice !== VOICE || faults.length > 0) throw new Stop(`${name} does not play: ${JSON.stringify({ ...told, faults })}`);
