@@ -3,6 +3,7 @@ import { dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 import { kind as tested } from './web/test/tier.js';
+import { course } from './web/tools/course.js';
 import { buildDocs } from './web/tools/docs.js';
 import { deadLinks } from './web/tools/links.js';
 import { notices } from './web/tools/notices.js';
@@ -136,7 +137,7 @@ export default defineConfig(({ mode }) => {
     publicDir: false,
     // Imports name the builds that ship; those of the tests lie elsewhere.
     resolve: { alias: [{ find: /^\.\.\/pkg\//, replacement: `${join(root, kind.folder)}/` }] },
-    plugins: [parts(), library(), folders(), clips()],
+    plugins: [parts(), library(), folders(), clips(), course()],
     // Its files are called as the page's are.
     worker: { format: 'es', rolldownOptions: { output: { entryFileNames: 'app/[name]-[hash].js', assetFileNames } } },
     build: {
@@ -155,6 +156,7 @@ export default defineConfig(({ mode }) => {
           composite: join(root, 'composite/index.html'),
           'raconteur-player': join(root, 'web/element/index.ts'),
           'raconteur-composite': join(root, 'web/composite/index.ts'),
+          'raconteur-course': join(root, 'web/course/index.ts'),
         },
         // The elements have addresses that a page can name.
         preserveEntrySignatures: 'strict',

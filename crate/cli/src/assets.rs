@@ -86,6 +86,23 @@ pub(crate) fn read(path: &str) -> Result<Cow<'static, [u8]>> {
     }
 }
 
+/// The library's animations in the program, by their file names: a few kilobytes each.
+pub(crate) fn animations() -> impl Iterator<Item = (String, &'static [u8])> {
+    ANIMATIONS.files().filter_map(|file| {
+        let name = file
+            .path()
+            .to_str()
+            .filter(|name| name.ends_with(".json"))?;
+        Some((name.to_owned(), file.contents()))
+    })
+}
+
+/// The page that `npm run build` has made beside the library.
+pub(crate) fn built_page() -> Option<PathBuf> {
+    let built = folder()?.parent()?.join("dist");
+    built.is_dir().then_some(built)
+}
+
 /// The names of the library's figures: those in the program, and those of its folder.
 pub(crate) fn figure_names() -> BTreeSet<String> {
     let listed = folder().and_then(|folder| std::fs::read_dir(folder.join("figures")).ok());

@@ -72,6 +72,8 @@ enum Command {
     Sweep(commands::sweep::Sweep),
     /// Play a score on the built-in synthesiser.
     Compose(commands::compose::Compose),
+    /// Pack a story as a course for a learning management system, or for a plain site.
+    Export(commands::export::Export),
     /// Perform what minds send while the story plays.
     Serve(commands::serve::Serve),
     /// Make figures and look at them.
@@ -93,6 +95,7 @@ impl Command {
             Self::Voice(c) => c.run(),
             Self::Sweep(c) => c.run(),
             Self::Compose(c) => c.run(),
+            Self::Export(c) => c.run(),
             Self::Serve(c) => c.run(),
             Self::Figure(c) => c.run(),
             Self::Faces(c) => c.run(),

@@ -1,0 +1,191 @@
+//! What goes into the package, by its path there.
+
+use std::collections::BTreeMap;
+use std::io::{Cursor, Write as _};
+use std::path::Path;
+
+use anyhow::{Context as _, Result};
+use raconteur_player::Player;
+use raconteur_speech::Bundle;
+use raconteur_voice::files::{disk, input, inside};
+use serde::Deserialize;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+use super::player_folder;
+use crate::assets;
+use crate::story::{StoryFiles, USUAL_FIGURE};
+
+/// Names the files of a built page that a course needs.
+pub(super) const LIST: &str = "course.json";
+
+/// The largest file of a package, bytes.
+const LARGEST: u64 = 512 << 20;
+
+/// The list, as the build of the page writes it.
+#[derive(Deserialize)]
+struct Built {
+    /// The script of the page and all that it fetches.
+    player: Vec<String>,
+    /// What only stories fetch that are spoken in the page.
+    speech: Vec<String>,
+}
+
+/// The files of a package.
+pub(super) struct Parts {
+    files: BTreeMap<String, Vec<u8>>,
+    /// What is added where the page has to speak, with the folder that it lies in.
+    speech: Vec<String>,
+    built: std::path::PathBuf,
+    story: String,
+}
+
+impl Parts {
+    /// The player of a built page.
+    pub(super) fn of_player(named: Option<&Path>) -> Result<Self> {
+        let built = player_folder(named)?;
+        let list = input::text(&built.join(LIST), input::LONGEST_TEXT)?;
+        let Built { player, speech } = serde_json::from_str(&list)
+            .with_context(|| format!("the list {LIST} of the player"))?;
+        let mut parts = Self {
+            files: BTreeMap::new(),
+            speech,
+            built,
+            story: String::new(),
+        };
+        parts.add_built(&player)?;
+        Ok(parts)
+    }
+
+    fn add_built(&mut self, files: &[String]) -> Result<()> {
+        for file in files {
+            let bytes = beside(&self.built, file)?
+                .with_context(|| format!("the player's build lacks {file}"))?;
+            self.add(&format!("player/{file}"), bytes);
+        }
+        Ok(())
+    }
+
+    /// A story with its voice, its own animations and its music, and what it uses of the library.
+    pub(super) fn add_story(&mut self, files: &StoryFiles, player: &Player) -> Result<()> {
+        let folder = files.folder();
+        let script = files
+            .script
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy();
+        self.story = format!("story/{script}");
+        self.add(&self.story.clone(), files.text.clone().into_bytes());
+        let mut own = Vec::new();
+        if let Some(json) = files.bundle() {
+            let bundle = Bundle::from_json(&json).context("the speech bundle")?;
+            let sounds = bundle.utterances.iter().flat_map(|u| &u.audio);
+            own.extend(sounds.map(|sound| format!("voice/{}", sound.file)));
+            self.add("story/voice/speech.json", json);
+        }
+        for name in player.needed_animations() {
+            if name.contains(['/', '.']) {
+                own.push(name.split('#').next().unwrap_or_default().to_owned());
+            }
+        }
+        for (name, bytes) in assets::animations() {
+            self.add(&format!("library/animations/{name}"), bytes.to_vec());
+        }
+        for cue in player.music() {
+            if cue.library {
+                self.add_music(&cue.file)?;
+            } else {
+                own.push(cue.file);
+            }
+        }
+        for path in own {
+            // What is not there was told as a problem of the story.
+            if let Some(bytes) = beside(folder, &path)? {
+                self.add(&format!("story/{path}"), bytes);
+            }
+        }
+        if player
+            .utterances()
+            .iter()
+            .any(|u| u.timed.utterance.audio.is_empty())
+        {
+            let speech = std::mem::take(&mut self.speech);
+            self.add_built(&speech)?;
+        }
+        Ok(())
+    }
+
+    /// A piece of the library, with the encoding that other browsers play.
+    fn add_music(&mut self, file: &str) -> Result<()> {
+        for path in [file.to_owned(), file.replace(".opus", ".mp3")] {
+            if let Ok(bytes) = assets::read(&format!("music/{path}")) {
+                self.add(&format!("library/music/{path}"), bytes.into_owned());
+            } else if path == file {
+                anyhow::bail!("no {path} in the library; name its folder with --assets");
+            }
+        }
+        Ok(())
+    }
+
+    /// Who performs: a figure of the library, or a file beside the story.
+    pub(super) fn add_figure(&mut self, files: &StoryFiles, name: Option<&str>) -> Result<()> {
+        let name = name.unwrap_or(USUAL_FIGURE);
+        if let Some(bytes) = Path::new(name)
+            .extension()
+            .map_or(Ok(None), |_| beside(files.folder(), name))?
+        {
+            self.add(&format!("story/{name}"), bytes);
+        }
+        // A figure of the library is there in any case: it performs where the other cannot.
+        let usual = if Path::new(name).extension().is_some() {
+            USUAL_FIGURE
+        } else {
+            name
+        };
+        let read = assets::read(&format!("figures/{usual}.glb"));
+        let (usual, bytes) = match read {
+            Ok(bytes) => (usual, bytes),
+            Err(_) => (
+                USUAL_FIGURE,
+                assets::read(&format!("figures/{USUAL_FIGURE}.glb"))?,
+            ),
+        };
+        self.add(&format!("library/figures/{usual}.glb"), bytes.into_owned());
+        Ok(())
+    }
+
+    /// A file at a path of the package.
+    pub(super) fn add(&mut self, path: &str, bytes: Vec<u8>) {
+        self.files.insert(path.to_owned(), bytes);
+    }
+
+    /// Where the script is.
+    pub(super) fn story(&self) -> &str {
+        &self.story
+    }
+
+    /// The paths of all files, in order.
+    pub(super) fn paths(&self) -> Vec<String> {
+        self.files.keys().cloned().collect()
+    }
+
+    /// Writes the package: the same bytes for the same files. Nothing is left of one that could not
+    /// be written whole.
+    pub(super) fn write(&self, to: &Path) -> Result<()> {
+        let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .last_modified_time(zip::DateTime::default());
+        for (path, bytes) in &self.files {
+            zip.start_file(path.as_str(), options)?;
+            zip.write_all(bytes)?;
+        }
+        disk::replace(to, zip.finish()?.get_ref())
+    }
+}
+
+/// A file in a folder, by its path there; none where there is none.
+fn beside(folder: &Path, path: &str) -> Result<Option<Vec<u8>>> {
+    let found = inside::find(folder, path)?;
+    found.map(|found| input::bytes(&found, LARGEST)).transpose()
+}

@@ -1,0 +1,117 @@
+/** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
+
+import type { RaconteurPlayer } from '../element/element.js';
+import { united, type Span } from '../element/ranges.js';
+import type { Happening, Record, Report } from './report.js';
+import { readMemory, shareOf, writeMemory } from './seen.js';
+
+/** What the author asks of a learner. */
+export interface Rules {
+  /** The share of the story that has to be seen, 0 to 1. */
+  readonly watched: number;
+}
+
+/** What was told is kept no more often than this, but at once where something is complete. */
+const KEEP_MS = 10_000;
+
+export class Course {
+  readonly #player: RaconteurPlayer;
+  readonly #record: Record;
+  readonly #rules: Rules;
+  readonly #end = new AbortController();
+  /** What was seen in this session and in those before. */
+  #seen: readonly Span[] = [];
+  #isComplete = false;
+  /** Where the learner was when that was told last. */
+  #placeSecs = 0;
+  #keptMs = -Infinity;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(player: RaconteurPlayer, record: Record, rules: Rules) {
+    this.#player = player;
+    this.#record = record;
+    this.#rules = rules;
+  }
+
+  /** Begins the session: the story stands where the learner left it. Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same. */
+  async begin(): Promise<void> {
+    const { memory, isComplete } = await this.#record.open();
+    const { placeSecs, seen } = readMemory(memory);
+    this.#seen = seen;
+    this.#isComplete = isComplete;
+    if (placeSecs > 0) this.#return(placeSecs);
+    this.#listen();
+    this.#tell();
+  }
+
+  #return(placeSecs: number): void {
+    const player = this.#player;
+    const go = () => {
+      if (placeSecs < player.duration) player.currentTime = placeSecs;
+    };
+    if (player.readyState > 0) go();
+    else player.addEventListener('loadedmetadata', go, { once: true });
+  }
+
+  #listen(): void {
+    const { signal } = this.#end;
+    const tell = () => this.#tell();
+    for (const type of ['timeupdate', 'ended'] as const) this.#player.addEventListener(type, tell, { signal });
+    const note = (kind: Happening['kind']) => () => this.#note({ kind });
+    this.#player.addEventListener('playing', note('played'), { signal });
+    this.#player.addEventListener('pause', note('paused'), { signal });
+    this.#player.addEventListener('seeked', () => this.#note({ kind: 'seeked', fromSecs: this.#placeSecs }), { signal });
+    // A tab that is hidden may be closed without a word.
+    document.addEventListener('visibilitychange', () => document.hidden && this.#keep(), { signal });
+    addEventListener('pagehide', () => this.close(), { signal });
+  }
+
+  /** Ends the session. */
+  close(): void {
+    if (this.#end.signal.aborted) return;
+    this.#tell();
+    this.#end.abort();
+    clearTimeout(this.#timer);
+    this.#record.close();
+  }
+
+  #report(): Report {
+    const { duration, currentTime, ended, played } = this.#player;
+    const now = Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
+    this.#seen = united([...this.#seen, ...now]);
+    const progress = shareOf(this.#seen, duration);
+    // Who comes back to a story that has ended sees it from the start.
+    const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
+    return {
+      placeSecs,
+      durationSecs: duration,
+      progress,
+      seen: this.#seen,
+      isComplete: this.#isComplete || progress >= this.#rules.watched,
+      memory: writeMemory({ placeSecs, seen: this.#seen }),
+    };
+  }
+
+  #note(what: Happening): void {
+    this.#tell();
+    this.#record.note?.(what);
+  }
+
+  #tell(): void {
+    // Before the story is there nothing is known of the learner's place in it.
+    if (this.#player.readyState === 0) return;
+    const report = this.#report();
+    const isNews = report.isComplete && !this.#isComplete;
+    this.#isComplete = report.isComplete;
+    this.#record.tell(report);
+    if (isNews) this.#keep();
+    else this.#timer ??= setTimeout(() => this.#keep(), Math.max(0, this.#keptMs + KEEP_MS - performance.now()));
+  }
+
+  #keep(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    this.#keptMs = performance.now();
+    this.#record.keep();
+  }
+}

@@ -1,0 +1,51 @@
+/** What a course tells of a learner, whoever keeps it. */
+
+import type { Span } from '../element/ranges.js';
+
+/** Where a learner is and how far they have come. */
+export interface Report {
+  /** Story time, seconds. */
+  readonly placeSecs: number;
+  readonly durationSecs: number;
+  /** How much of the story was seen, 0 to 1. */
+  readonly progress: number;
+  /** What of it, in order and apart. */
+  readonly seen: readonly Span[];
+  /** The author's rule of completion is met. It stays so. */
+  readonly isComplete: boolean;
+  /** What brings the learner back to where they were; only the course itself reads it. */
+  readonly memory: string;
+}
+
+/** What a learner has just done. */
+export interface Happening {
+  readonly kind: 'played' | 'paused' | 'seeked';
+  /** Where the story was before a seek, seconds. */
+  readonly fromSecs?: number;
+}
+
+/** What a system knew of the learner when the course began. */
+export interface Known {
+  /** The `memory` of the last report; empty at the first time. */
+  readonly memory: string;
+  readonly isComplete: boolean;
+}
+
+/** Where reports go: a learning management system, a record store, or the browser itself. */
+export interface Record {
+  /** Begins a session. Rejects with a `RecordError` where there is none to be had. */
+  open(): Promise<Known>;
+  /** Takes the last state; cheap, and as often as there is something new. */
+  tell(report: Report): void;
+  /** Takes what the learner has just done, after `tell`; for those who keep that. */
+  note?(what: Happening): void;
+  /** Has what was told kept for good, as far as that can be said now. */
+  keep(): void;
+  /** Ends the session with what was told; the learner comes back to it. Safe to call in `pagehide`. */
+  close(): void;
+}
+
+/** There is nobody who keeps what the learner does; the message is a sentence for people. */
+export class RecordError extends Error {
+  override readonly name = 'RecordError';
+}

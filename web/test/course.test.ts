@@ -1,0 +1,294 @@
+import { Scorm12API, Scorm2004API } from 'scorm-again';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { Course } from '../course/course.js';
+import { RecordError } from '../course/report.js';
+import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
+import { readMemory, shareOf, writeMemory } from '../course/seen.js';
+import { BrowserRecord } from '../course/storage.js';
+import type { RaconteurPlayer } from '../element/element.js';
+import { Ranges, united, type Span } from '../element/ranges.js';
+import { sized } from './tier.js';
+
+/** A random number from 0 to 1, the same for the same seed. */
+function random(seed: number): () => number {
+  let state = seed * 2654435761 + 1;
+  return () => {
+    state = Math.imul(state ^ (state >>> 15), 0x2c1b3c6d) + 0x9e3779b9;
+    return ((state ^ (state >>> 13)) >>> 0) / 2 ** 32;
+  };
+}
+
+/** A player without pictures: time passes when the test says so. */
+class FakePlayer extends EventTarget {
+  readyState = 4;
+  duration = 60;
+  currentTime = 0;
+  #spans: Span[] = [];
+
+  get played(): TimeRanges {
+    return new Ranges(this.#spans);
+  }
+
+  get ended(): boolean {
+    return this.currentTime >= this.duration;
+  }
+
+  play(secs: number): void {
+    const from = this.ended ? 0 : this.currentTime;
+    this.currentTime = Math.min(this.duration, from + secs);
+    this.#spans = united([...this.#spans, [from, this.currentTime]]);
+    this.dispatchEvent(new Event('timeupdate'));
+    if (this.ended) this.dispatchEvent(new Event('ended'));
+  }
+
+  seek(secs: number): void {
+    this.currentTime = secs;
+    this.dispatchEvent(new Event('seeked'));
+  }
+}
+
+/** The page around the course: what it listens to, and the window in which the system is looked for. */
+let page: EventTarget & { hidden: boolean };
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  page = Object.assign(new EventTarget(), { hidden: false });
+  vi.stubGlobal('document', page);
+  vi.stubGlobal('addEventListener', page.addEventListener.bind(page));
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+/** What the text that brings learners back may lose of what they saw: hundredths of a second at the ends of spans. */
+const MISSED = 0.005;
+
+/** The two versions, each with the system that others have made. */
+const SYSTEMS = [
+  { name: 'SCORM 1.2', version: SCORM_12, object: 'API', open: () => new Scorm12API({ autocommit: false, logLevel: 5 }), status: 'cmi.core.lesson_status', get: 'LMSGetValue' },
+  {
+    name: 'SCORM 2004',
+    version: SCORM_2004,
+    object: 'API_1484_11',
+    open: () => new Scorm2004API({ autocommit: false, logLevel: 5 }),
+    status: 'cmi.completion_status',
+    get: 'GetValue',
+  },
+] as const;
+
+type System = (typeof SYSTEMS)[number];
+type Api = { readonly [method: string]: (...given: string[]) => string } & { renderCMIToJSONObject(): object; loadFromJSON(data: object, at: string): void };
+
+/** A window with the system's object, in a frame of a frame. */
+function windowWith(object: string, api: Api): Window {
+  const top: { [name: string]: unknown } = { [object]: api };
+  top['parent'] = top;
+  const middle = { parent: top };
+  return { parent: middle } as unknown as Window;
+}
+
+/** A session in a new page; `before` is what the system has kept. */
+async function session(system: System, before: object | undefined, player = new FakePlayer()): Promise<{ api: Api; player: FakePlayer; course: Course }> {
+  const api = system.open() as unknown as Api;
+  if (before !== undefined) api.loadFromJSON(before, '');
+  const course = new Course(player as unknown as RaconteurPlayer, new Scorm(system.version, windowWith(system.object, api)), { watched: 0.9 });
+  await course.begin();
+  return { api, player, course };
+}
+
+const statusOf = (system: System, api: Api): string =>
+  system.version === SCORM_12
+    ? (api as never as { cmi: { core: { lesson_status: string } } }).cmi.core.lesson_status
+    : (api as never as { cmi: { completion_status: string } }).cmi.completion_status;
+const memoryOf = (api: Api): string => (api as never as { cmi: { suspend_data: string } }).cmi.suspend_data;
+
+for (const system of SYSTEMS) {
+  describe(`A course with ${system.name}`, () => {
+    it('is incomplete, and complete once enough was seen', async () => {
+      const { api, player, course } = await session(system, undefined);
+      expect(statusOf(system, api)).toBe('incomplete');
+      player.play(50);
+      expect(statusOf(system, api)).toBe('incomplete');
+      player.play(5);
+      expect(statusOf(system, api)).toBe('completed');
+      course.close();
+      course.close();
+    });
+
+    it('brings a learner back to the place, and adds what is seen in several sessions', async () => {
+      const first = await session(system, undefined);
+      first.player.play(30);
+      first.course.close();
+      const second = await session(system, first.api.renderCMIToJSONObject());
+      expect(second.player.currentTime).toBe(30);
+      expect(statusOf(system, second.api)).toBe('incomplete');
+      second.player.play(26);
+      expect(statusOf(system, second.api)).toBe('completed');
+    });
+
+    it('does not take completion back, and tells nothing while somebody looks at it', async () => {
+      const first = await session(system, undefined);
+      first.player.play(60);
+      first.course.close();
+      const again = await session(system, first.api.renderCMIToJSONObject());
+      expect(statusOf(system, again.api)).toBe('completed');
+      again.player.play(1);
+      expect(statusOf(system, again.api)).toBe('completed');
+    });
+
+    it('skipping is not seeing', async () => {
+      const { api, player } = await session(system, undefined);
+      player.seek(59);
+      player.play(1);
+      expect(statusOf(system, api)).toBe('incomplete');
+    });
+
+    it(`keeps what ${sized(200, 1000)} random learners have seen, and claims no more`, async () => {
+      for (let learner = 0; learner < sized(200, 1000); learner++) {
+        const next = random(learner + 1);
+        let kept: object | undefined;
+        let seen: Span[] = [];
+        for (let visit = 0; visit < 3; visit++) {
+          const { api, player, course } = await session(system, kept);
+          const known = readMemory(memoryOf(api)).seen;
+          expect(shareOf(known, 60)).toBeLessThanOrEqual(shareOf(seen, 60) + 1e-9);
+          expect(shareOf(known, 60)).toBeGreaterThan(shareOf(seen, 60) - MISSED);
+          for (let act = 0; act < 6; act++) {
+            if (next() < 0.4) player.seek(60 * next());
+            const from = player.ended ? 0 : player.currentTime;
+            player.play(12 * next());
+            seen = united([...seen, [from, player.currentTime]]);
+            if (next() < 0.3) vi.advanceTimersByTime(20_000);
+          }
+          // A tab is closed, hidden for ever, or its machine goes down after a while.
+          const end = next();
+          if (end < 0.4) page.dispatchEvent(new Event('pagehide'));
+          else if (end < 0.7) {
+            page.hidden = true;
+            page.dispatchEvent(new Event('visibilitychange'));
+            page.hidden = false;
+          } else vi.advanceTimersByTime(20_000);
+          course.close();
+          const told = statusOf(system, api);
+          if (told === 'completed') expect(shareOf(seen, 60)).toBeGreaterThanOrEqual(0.9);
+          else expect(shareOf(seen, 60)).toBeLessThan(0.9 + MISSED);
+          kept = api.renderCMIToJSONObject();
+        }
+      }
+    });
+
+    it('says in a sentence that there is no system', async () => {
+      const alone = { opener: null } as unknown as { parent: unknown };
+      alone.parent = alone;
+      const course = new Course(new FakePlayer() as unknown as RaconteurPlayer, new Scorm(system.version, alone as unknown as Window), { watched: 0.9 });
+      await expect(course.begin()).rejects.toThrow(RecordError);
+    });
+  });
+}
+
+describe('A system that misbehaves', () => {
+  const broken = { LMSInitialize: () => 'true', LMSGetValue: () => '', LMSGetLastError: () => '0' };
+
+  it('ends no story: what it refuses is told again', async () => {
+    let fails = true;
+    const values = new Map<string, string>();
+    const api = {
+      ...broken,
+      LMSSetValue: (element: string, value: string) => {
+        if (fails) throw new Error('the server is away');
+        values.set(element, value);
+        return 'true';
+      },
+      LMSCommit: () => (fails ? 'false' : 'true'),
+      LMSFinish: () => 'true',
+    };
+    const player = new FakePlayer();
+    const course = new Course(player as unknown as RaconteurPlayer, new Scorm(SCORM_12, windowWith('API', api as unknown as Api)), { watched: 0.9 });
+    await course.begin();
+    player.play(57);
+    expect(values.size).toBe(0);
+    fails = false;
+    player.play(1);
+    expect(values.get('cmi.core.lesson_status')).toBe('completed');
+    course.close();
+    expect(values.get('cmi.core.exit')).toBe('suspend');
+  });
+
+  it('commits at most once in ten seconds, and at once what is complete', async () => {
+    const commits: number[] = [];
+    const api = { ...broken, LMSSetValue: () => 'true', LMSCommit: () => String(commits.push(Date.now()) > 0), LMSFinish: () => 'true' };
+    const player = new FakePlayer();
+    await new Course(player as unknown as RaconteurPlayer, new Scorm(SCORM_12, windowWith('API', api as unknown as Api)), { watched: 0.9 }).begin();
+    for (let i = 0; i < 120; i++) {
+      player.play(0.25);
+      vi.advanceTimersByTime(250);
+    }
+    expect(commits.length).toBeGreaterThanOrEqual(3);
+    expect(commits.length).toBeLessThanOrEqual(4);
+    const before = commits.length;
+    player.play(30);
+    expect(commits.length).toBe(before + 1);
+  });
+});
+
+describe('A memory', () => {
+  it('is read as it was written, whatever was seen, and is short', () => {
+    const next = random(7);
+    for (let i = 0; i < 300; i++) {
+      const spans = united(Array.from({ length: Math.floor(400 * next()) }, (): Span => [10_000 * next(), 0]).map(([from]): Span => [from, from + 5 * next()]));
+      const text = writeMemory({ placeSecs: 10_000 * next(), seen: spans });
+      expect(text.length).toBeLessThanOrEqual(SCORM_12.mostMemory);
+      const read = readMemory(text);
+      expect(writeMemory(read)).toBe(text);
+      expect(shareOf(read.seen, 10_000)).toBeLessThanOrEqual(shareOf(spans, 10_000));
+    }
+  });
+
+  it('of another kind is none', () => {
+    for (const text of [
+      '',
+      'x',
+      '[]',
+      '{}',
+      'null',
+      '{"v":2,"at":1,"seen":[]}',
+      '{"v":1,"at":1,"seen":[1]}',
+      '{"v":1,"at":1,"seen":[1,"2"]}',
+      '{"v":1,"at":1,"seen":[-1,2]}',
+      `{"v":1,"seen":[${'0,1,'.repeat(300)}0,1]}`,
+    ]) {
+      expect(readMemory(text)).toEqual({ placeSecs: 0, seen: [] });
+    }
+    expect(readMemory('{"v":1,"at":-5,"seen":[3,1,2,4]}')).toEqual({ placeSecs: 0, seen: [[2, 4]] });
+  });
+});
+
+describe('A course on a plain site', () => {
+  it('is kept by the browser, and plays where that keeps nothing', async () => {
+    const values = new Map<string, string>();
+    const storage = { getItem: (key: string) => values.get(key) ?? null, setItem: (key: string, value: string) => void values.set(key, value) };
+    const first = new FakePlayer();
+    const course = new Course(first as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 });
+    await course.begin();
+    first.play(31);
+    course.close();
+    const again = new FakePlayer();
+    await new Course(again as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 }).begin();
+    expect(again.currentTime).toBe(31);
+    expect(JSON.parse(values.get('raconteur-course:x') ?? '')).toMatchObject({ isComplete: true });
+    const full = {
+      getItem: () => '{',
+      setItem: () => {
+        throw new Error('full');
+      },
+    };
+    for (const storage of [full, undefined]) {
+      const player = new FakePlayer();
+      const course = new Course(player as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 });
+      await course.begin();
+      player.play(31);
+      course.close();
+    }
+  });
+});
