@@ -217,7 +217,9 @@ export abstract class MediaElement extends LitElement {
 
   /** It has come to its end, and does not begin again. */
   get ended(): boolean {
-    return !this.loop && (this.parts.context.show?.transport.ended ?? false);
+    // Nothing that lasts no time begins again.
+    const repeats = this.loop && this.duration > 0;
+    return !repeats && (this.parts.context.show?.transport.ended ?? false);
   }
 
   /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
