@@ -31,6 +31,8 @@ export interface PlayerContext {
   drawn(secs?: number): void;
   /** Draws the picture and the caption of the present audio time. */
   advance(): void;
+  /** The picture is in a window of its own, or in a stream that is taken. */
+  isWatchedElsewhere(): boolean;
   /** Starts and stops the loops that draw, as the state of the player needs them. */
   keepTime(): void;
 }

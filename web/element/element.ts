@@ -145,6 +145,7 @@ export class RaconteurPlayer extends MediaElement {
     follow: () => this.#standIn.follow(),
     drawn: (secs) => this.follow(secs),
     advance: () => this.#frames.advance(),
+    isWatchedElsewhere: () => this.isWatchedElsewhere,
     keepTime: () => this.#frames.keep(),
   };
   readonly #playback = new Playback(

@@ -17,6 +17,7 @@ export class FrameLoop {
   readonly #pulse = new Pulse(
     () => this.advance(),
     () => this.#beat(),
+    () => this.#context.isWatchedElsewhere(),
   );
   readonly #welcome = new Welcome(() => this.advance());
   #caption: ReturnType<typeof captionAt>;

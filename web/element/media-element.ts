@@ -389,7 +389,9 @@ export abstract class MediaElement extends LitElement {
 
   /** Picture and sound as a stream, with at most so many pictures a second; volume and mute count. */
   captureStream(rate?: number): MediaStream {
-    return this.#capture.open(rate, true);
+    const stream = this.#capture.open(rate, true);
+    this.parts.context.keepTime();
+    return stream;
   }
 
   /** The page wants no window over others. */
@@ -406,7 +408,9 @@ export abstract class MediaElement extends LitElement {
     if (!document.pictureInPictureEnabled) throw new DOMException('This browser, or this page, has no picture in picture.', 'NotSupportedError');
     if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
     if (this.disablePictureInPicture) throw new DOMException('The page does not want it.', 'InvalidStateError');
-    return await this.#pictureInPicture.open(this.renderRoot as ShadowRoot, (event) => this.dispatchEvent(event));
+    const opened = await this.#pictureInPicture.open(this.renderRoot as ShadowRoot, (event) => this.dispatchEvent(event));
+    this.parts.context.keepTime();
+    return opened;
   }
 
   // --- for the parts ---
@@ -445,6 +449,10 @@ export abstract class MediaElement extends LitElement {
     if (drawnSecs === undefined || context.show === undefined) return;
     if (width > 0) this.#frames.drawn(drawnSecs, this.#size);
     this.#march(drawnSecs);
+  }
+
+  protected get isWatchedElsewhere(): boolean {
+    return document.pictureInPictureElement === this || this.#capture.isTaken;
   }
 
   /** Playing goes on, or has come to its end. */

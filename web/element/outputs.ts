@@ -58,6 +58,11 @@ export class Capture {
   #playing: Playing = { canvas: undefined, voice: undefined };
   #isLive = true;
 
+  /** A page has a stream whose tracks are not stopped. */
+  get isTaken(): boolean {
+    return this.#streams.some(({ stream, hasSound }) => hasSound && stream.active);
+  }
+
   /** `rate`: at most so many pictures a second. */
   open(rate: number | undefined, hasSound: boolean): MediaStream {
     const stream = new MediaStream();

@@ -2,6 +2,8 @@
 
 /** `timeupdate`, and everything while the page is hidden, comes this often; media elements do about the same. */
 const BEAT_MS = 250;
+/** Where a hidden page is watched elsewhere, in a window over others or as a stream, pictures come this often. */
+const ELSEWHERE_MS = 40;
 
 /** The loops of one player. */
 export class Pulse {
@@ -9,11 +11,14 @@ export class Pulse {
   readonly #onBeat: () => void;
   #animation = 0;
   #beat: ReturnType<typeof setInterval> | undefined;
+  readonly #isElsewhere: () => boolean;
+  #elsewhere: ReturnType<typeof setInterval> | undefined;
 
-  /** `picture` is called for each picture of the screen, and with the beat where there are none; `beat` with each beat. */
-  constructor(picture: () => void, beat: () => void) {
+  /** `picture` is called for each picture of the screen, and with the beat where there are none, more often where `isElsewhere`; `beat` with each beat. */
+  constructor(picture: () => void, beat: () => void, isElsewhere: () => boolean) {
     this.#picture = picture;
     this.#onBeat = beat;
+    this.#isElsewhere = isElsewhere;
   }
 
   /** Whether the screen requests pictures. */
@@ -33,6 +38,8 @@ export class Pulse {
       clearInterval(this.#beat);
       this.#beat = undefined;
     }
+    if (playing && this.#isElsewhere()) this.#elsewhere ??= setInterval(() => this.#beatElsewhere(), ELSEWHERE_MS);
+    else this.#restElsewhere();
     if (playing && onScreen && this.#animation === 0) {
       const frame = () => {
         this.#animation = requestAnimationFrame(frame);
@@ -43,5 +50,15 @@ export class Pulse {
       cancelAnimationFrame(this.#animation);
       this.#animation = 0;
     }
+  }
+
+  #beatElsewhere(): void {
+    if (!this.#isElsewhere()) this.#restElsewhere();
+    else if (!this.drawing) this.#picture();
+  }
+
+  #restElsewhere(): void {
+    clearInterval(this.#elsewhere);
+    this.#elsewhere = undefined;
   }
 }
