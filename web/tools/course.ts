@@ -7,6 +7,9 @@ const ENTRY = 'raconteur-course.js';
 /** What speaks in a page, with its workers and engines: some 20 MB that only stories without recordings fetch. */
 const SPEECH = /^app\/here-/;
 
+/** Whose work it is: written when the site is built, and goes where its files go. */
+const NOTICES = ['LICENSE-APACHE', 'LICENSE-MIT', 'THIRD-PARTY-NOTICES.txt'];
+
 /** A file with all that it names, directly or through others. Files of the build have names of their own, so that a name is enough. */
 function reach(texts: ReadonlyMap<string, string>, start: string, without: RegExp): Set<string> {
   const found = new Set([start]);
@@ -26,7 +29,7 @@ export function course(): Plugin {
       const texts = new Map(Object.values(bundle).map((part) => [part.fileName, part.type === 'chunk' ? part.code : part.fileName.endsWith('js') ? String(part.source) : '']));
       const player = reach(texts, ENTRY, SPEECH);
       const all = reach(texts, ENTRY, /^$/);
-      const list = { player: [...player].sort(), speech: [...all].filter((file) => !player.has(file)).sort() };
+      const list = { player: [...player, ...NOTICES].sort(), speech: [...all].filter((file) => !player.has(file)).sort() };
       this.emitFile({ type: 'asset', fileName: 'course.json', source: JSON.stringify(list, undefined, 2) });
     },
   };

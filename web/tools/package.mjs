@@ -4,7 +4,7 @@
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
+import { build, runnerImport } from 'vite';
 import { manifest } from './elements.mjs';
 import { main, root, run } from './steps.mjs';
 import { buildWasm, kinds } from './wasm.mjs';
@@ -104,6 +104,8 @@ await main(async () => {
   await script(kind, dist, 'standalone', { plugins: [litAnywhere] });
   types(join(folder, 'player/types'));
   writeFileSync(join(folder, 'player/custom-elements.json'), `${JSON.stringify(await manifest('dist/player.js'), undefined, 2)}\n`);
+  const { module: written } = await runnerImport(join(root, 'web/tools/notices.ts'), { root, configFile: false, logLevel: 'error' });
+  writeFileSync(join(folder, 'player/THIRD-PARTY-NOTICES.txt'), written.notices(root));
   pack('player', packageOf('@raconteur/player', 'A virtual storyteller as a custom element: a text in, a speaking and gesturing human figure out.', {
     keywords: ['custom-element', 'storytelling', 'virtual-human', 'lip-sync', 'webgpu', 'wasm'],
     exports: entries(),
