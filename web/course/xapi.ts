@@ -114,6 +114,8 @@ export class XapiRecord implements Record {
     const state = await store.state(opened.owner, STATE);
     const { memory = '', isComplete = false } = remembered(state ?? '');
     this.#kept = state ?? '';
+    // Who leaves before the story is there has seen nothing new.
+    this.#last = { ...this.#last, memory };
     this.#isComplete = isComplete;
     this.#say('initialized');
     return { memory, isComplete };

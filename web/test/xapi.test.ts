@@ -147,6 +147,21 @@ for (const isCmi5 of [false, true]) {
       expect(verbs(store).filter((verb) => verb === 'completed')).toHaveLength(1);
     });
 
+    it('is left as it was by who leaves before there is a story', async () => {
+      const first = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
+      await first.open();
+      first.tell(report(20));
+      first.close();
+      await settled();
+      for (let visit = 0; visit < 2; visit++) {
+        store.tokens = 0;
+        const again = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
+        expect(await again.open()).toEqual({ memory: 'at 20', isComplete: false });
+        again.close();
+        await settled();
+      }
+    });
+
     it(`loses nothing and doubles nothing while the store is away, for ${sized(200, 1000)} random learners`, async () => {
       for (let learner = 0; learner < sized(200, 1000); learner++) {
         store = new FakeStore();
