@@ -12,6 +12,8 @@ import { RecordStore, type Access, type Owner } from './store.js';
 const STATE = 'raconteur';
 const CMI5 = 'https://w3id.org/xapi/cmi5/context/categories/';
 const NOT_FOUND = 'Nothing is recorded.';
+/** After each of them a store that is away is asked again: some two minutes in all. */
+const WAITS_MS = [1000, 2000, 4000, 8000, 16_000, 30_000, 60_000];
 
 /** What the course's author says of it. */
 export interface Course {
@@ -77,10 +79,20 @@ async function tokenOf(address: string): Promise<string> {
   return `Basic ${token}`;
 }
 
+/** A document of the state, as soon as the store can be asked: what is not known must not be written over. */
+async function stateOf(store: RecordStore, owner: Owner, id: string): Promise<string> {
+  for (const waitMs of WAITS_MS) {
+    const text = await store.state(owner, id);
+    if (text !== undefined) return text;
+    await new Promise((over) => setTimeout(over, waitMs));
+  }
+  throw new RecordError(`The record store cannot be reached. ${NOT_FOUND}`);
+}
+
 /** What the system says of the launch (cmi5, 10). */
 async function launchData(access: Access, owner: Owner): Promise<object> {
-  const text = await new RecordStore(access).state(owner, 'LMS.LaunchData');
-  const data = text === undefined || text === '' ? undefined : parsed(text);
+  const text = await stateOf(new RecordStore(access), owner, 'LMS.LaunchData');
+  const data = text === '' ? undefined : parsed(text);
   if (typeof data !== 'object' || data === null) throw new RecordError(`The record store does not say how this course is to be opened. ${NOT_FOUND}`);
   return data;
 }
@@ -111,9 +123,9 @@ export class XapiRecord implements Record {
     const store = (this.#store = new RecordStore(opened.access));
     const { registration = '', activityId } = opened.owner;
     this.#outbox = new Outbox(`raconteur-statements:${registration || activityId}`, this.#shelf, (statement) => store.put(statement));
-    const state = await store.state(opened.owner, STATE);
-    const { memory = '', isComplete = false } = remembered(state ?? '');
-    this.#kept = state ?? '';
+    const state = await stateOf(store, opened.owner, STATE);
+    const { memory = '', isComplete = false } = remembered(state);
+    this.#kept = state;
     // Who leaves before the story is there has seen nothing new.
     this.#last = { ...this.#last, memory };
     this.#isComplete = isComplete;

@@ -147,6 +147,35 @@ for (const isCmi5 of [false, true]) {
       expect(verbs(store).filter((verb) => verb === 'completed')).toHaveLength(1);
     });
 
+    it('waits for a store that is away, and writes over nothing that it does not know', async () => {
+      const first = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
+      await first.open();
+      first.tell(report(20));
+      first.close();
+      await settled();
+      store.tokens = 0;
+      const again = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
+      const opened = again.open();
+      // The token has come; then the network goes.
+      for (let i = 0; i < 3; i++) await Promise.resolve();
+      store.isAway = true;
+      await vi.advanceTimersByTimeAsync(20_000);
+      again.keep();
+      store.isAway = false;
+      await vi.advanceTimersByTimeAsync(40_000);
+      expect(await opened).toEqual({ memory: 'at 20', isComplete: false });
+    });
+
+    it('is told in a sentence where the store does not come', async () => {
+      const record = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
+      const opened = expect(record.open()).rejects.toThrow(isCmi5 ? /did not let it in|cannot be reached/ : 'cannot be reached');
+      store.isAway = true;
+      await vi.advanceTimersByTimeAsync(300_000);
+      await opened;
+      record.close();
+      expect(store.states.size).toBe(1);
+    });
+
     it('is left as it was by who leaves before there is a story', async () => {
       const first = new XapiRecord(launchOf(isCmi5), COURSE, undefined);
       await first.open();
