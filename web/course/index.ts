@@ -45,4 +45,6 @@ async function begin(): Promise<void> {
 
 // The library lies beside the page of the course.
 register(new URL('library/', document.baseURI).href);
+// A session that was closed is not opened anew in a page that the browser has kept.
+addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
 void begin();

@@ -52,7 +52,7 @@ pub(crate) struct Export {
     #[arg(long, default_value_t = 90, value_parser = clap::value_parser!(u8).range(0..=100))]
     watched: u8,
     /// A figure of the library; without it, the story's choice, else sofia.
-    #[arg(long)]
+    #[arg(long, value_parser = parse_figure)]
     figure: Option<String>,
     /// The folder that `npm run build` has made; else `dist` beside the folder of the library.
     #[arg(long, value_name = "FOLDER")]
@@ -146,6 +146,14 @@ impl Export {
     }
 }
 
+/// Files of other folders are not packed: who has one lays it beside the story, which then names it.
+fn parse_figure(name: &str) -> Result<String, String> {
+    if name.is_empty() || name.contains(['/', '\\', '.']) {
+        return Err("the name of a figure of the library, such as sofia".into());
+    }
+    Ok(name.to_owned())
+}
+
 fn parse_iri(text: &str) -> Result<String, String> {
     let (scheme, rest) = text.split_once(':').unwrap_or_default();
     let is_scheme = scheme.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -198,12 +206,20 @@ fn player_folder(named: Option<&Path>) -> Result<PathBuf> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse_iri, slug};
+    use super::{parse_figure, parse_iri, slug};
 
     #[test]
     fn identifiers_are_plain_names() {
         assert_eq!(slug("The White Rabbit!"), "the-white-rabbit");
         assert_eq!(slug("«»"), "story");
+    }
+
+    #[test]
+    fn figures_are_of_the_library() {
+        assert!(parse_figure("papous").is_ok());
+        for bad in ["", "a.glb", "../papous", "a\\b"] {
+            assert!(parse_figure(bad).is_err(), "{bad}");
+        }
     }
 
     #[test]
