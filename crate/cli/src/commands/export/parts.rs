@@ -156,7 +156,7 @@ impl Parts {
 
     /// A file at a path of the package.
     pub(super) fn add(&mut self, path: &str, bytes: Vec<u8>) {
-        self.files.insert(path.to_owned(), bytes);
+        self.files.insert(plain(path), bytes);
     }
 
     /// Where the script is.
@@ -184,8 +184,24 @@ impl Parts {
     }
 }
 
+/// A path as addresses come to it: without steps that go nowhere.
+fn plain(path: &str) -> String {
+    let steps = path.split('/').filter(|step| !matches!(*step, "" | "."));
+    steps.collect::<Vec<_>>().join("/")
+}
+
 /// A file in a folder, by its path there; none where there is none.
 fn beside(folder: &Path, path: &str) -> Result<Option<Vec<u8>>> {
     let found = inside::find(folder, path)?;
     found.map(|found| input::bytes(&found, LARGEST)).transpose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plain;
+
+    #[test]
+    fn paths_have_no_steps_that_go_nowhere() {
+        assert_eq!(plain("story/./moves//a.json"), "story/moves/a.json");
+    }
 }
