@@ -1,7 +1,7 @@
 /** Packages of `raconteur export` in a learning management system: scorm-again, which others have made. */
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import type { Page } from '@playwright/test';
@@ -15,11 +15,16 @@ const root = join(import.meta.dirname, '../..');
 const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'debug/raconteur');
 const TYPES: { [ending: string]: string } = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 
+const HELLO = join(root, 'assets/stories/hello-world');
+/** A story that asks. */
+const ASKING = `<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><null time='1'/>
+  <r:ask time='0' name='who' prompt='Who sang?' points='2' tries='2'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/>
+  <r:answer to='right'><null time='0.5'/></r:answer><r:answer to='wrong'><null time='5'/></r:answer></r:ask><null time='1'/></seq></body></eml>`;
+
 /** The files of a package. */
-function exported(standard: string): { readonly [path: string]: Uint8Array } {
+function exported(standard: string, story = HELLO): { readonly [path: string]: Uint8Array } {
   const file = join(mkdtempSync(join(tmpdir(), 'raconteur-')), 'course.zip');
-  const story = join(root, 'assets/stories/hello-world');
-  execFileSync(program, ['export', story, `--${standard}`, '--player', join(root, kind.site), '--title', 'Hello & welcome', '--output', file]);
+  execFileSync(program, ['export', story, `--${standard}`, '--player', join(root, kind.site), '--title', 'Hello & welcome', '--pass', '50', '--output', file]);
   return unzipSync(readFileSync(file));
 }
 
@@ -41,8 +46,8 @@ const pageOf = ({ object, made, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]
   <iframe src="course/index.html" title="The course" width="460" height="340" allow="autoplay"></iframe></html>`;
 
 /** Serves a system with a package, and tells what was asked for in vain. */
-async function serve(page: Page, standard: keyof typeof SYSTEMS): Promise<string[]> {
-  const files = exported(standard);
+async function serve(page: Page, standard: keyof typeof SYSTEMS, story = HELLO): Promise<string[]> {
+  const files = exported(standard, story);
   const system = SYSTEMS[standard];
   const missing: string[] = [];
   await page.route('**/lms/**', (route) => {
@@ -90,6 +95,35 @@ for (const [standard, system] of Object.entries(SYSTEMS) as [keyof typeof SYSTEM
     expect(missing.filter((path) => path !== 'favicon.ico')).toEqual([]);
   });
 }
+
+test('answers are kept at once, and a learner who comes back in the middle of a question is asked it again', async ({ page }) => {
+  const story = join(mkdtempSync(join(tmpdir(), 'raconteur-')), 'story.eml');
+  writeFileSync(story, ASKING);
+  await serve(page, 'scorm2004', story);
+  const form = page.frameLocator('iframe').locator('[part~=question]');
+  const answer = async (text: string) => {
+    await form.getByLabel(text).check();
+    await form.getByRole('button', { name: 'Answer' }).click();
+  };
+  await ready(playerIn(page));
+  await page.frameLocator('iframe').getByRole('button', { name: 'Play the story' }).click();
+  await expect(form).toBeVisible();
+  await answer('A stone');
+  const replies = async () =>
+    Object.values((await kept(page, ['interactions'])) as { [n: string]: { learner_response: string; result: string } }).map((it) => [it.learner_response, it.result]);
+  await expect.poll(replies).toEqual([['stone', 'incorrect']]);
+  // The tab is closed while the question is open.
+  await page.goto('/lms/');
+  await ready(playerIn(page));
+  await expect(form).toBeVisible();
+  await answer('A frog');
+  await expect.poll(replies).toEqual([
+    ['stone', 'incorrect'],
+    ['frog', 'correct'],
+  ]);
+  await expect.poll(() => kept(page, ['completion_status']), { timeout: 60_000 }).toBe('completed');
+  expect([await kept(page, ['success_status']), Number(await kept(page, ['score', 'raw'])), Number(await kept(page, ['score', 'scaled']))]).toEqual(['passed', 2, 1]);
+});
 
 test('the page of a course has no barriers, and no sideways scroll', async ({ page }) => {
   const files = exported('html');

@@ -1,6 +1,7 @@
 /** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
 
 import type { RaconteurPlayer } from '../element/element.js';
+import type { Answered } from '../element/lesson.js';
 import { united, type Span } from '../element/ranges.js';
 import type { Happening, Record, Report } from './report.js';
 import { readMemory, shareOf, writeMemory } from './seen.js';
@@ -9,6 +10,8 @@ import { readMemory, shareOf, writeMemory } from './seen.js';
 export interface Rules {
   /** The share of the story that has to be seen, 0 to 1. */
   readonly watched: number;
+  /** The share of the points that is enough, 0 to 1; undefined: nobody passes or fails. */
+  readonly pass?: number | undefined;
 }
 
 /** What was told is kept no more often than this, but at once where something is complete. */
@@ -36,18 +39,18 @@ export class Course {
   /** Begins the session: the story stands where the learner left it. Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same. */
   async begin(): Promise<void> {
     const { memory, isComplete } = await this.#record.open();
-    const { placeSecs, seen } = readMemory(memory);
+    const { placeSecs, seen, answered } = readMemory(memory);
     this.#seen = seen;
     this.#isComplete = isComplete;
-    if (placeSecs > 0) this.#return(placeSecs);
+    if (placeSecs > 0 || answered !== undefined) this.#return(placeSecs, answered);
     this.#listen();
     this.#tell();
   }
 
-  #return(placeSecs: number): void {
+  #return(placeSecs: number, answered: unknown): void {
     const player = this.#player;
     const go = () => {
-      if (placeSecs < player.duration) player.currentTime = placeSecs;
+      player.restore({ placeSecs: placeSecs < player.duration ? placeSecs : 0, answered });
     };
     if (player.readyState > 0) go();
     else player.addEventListener('loadedmetadata', go, { once: true });
@@ -61,6 +64,9 @@ export class Course {
     this.#player.addEventListener('playing', note('played'), { signal });
     this.#player.addEventListener('pause', note('paused'), { signal });
     this.#player.addEventListener('seeked', () => this.#note({ kind: 'seeked', fromSecs: this.#placeSecs }), { signal });
+    let askedMs = performance.now();
+    this.#player.addEventListener('question', () => (askedMs = performance.now()), { signal });
+    this.#player.addEventListener('answer', ({ detail }) => this.#reply(detail, performance.now() - askedMs), { signal });
     // A tab that is hidden may be closed without a word.
     document.addEventListener('visibilitychange', () => document.hidden && this.#keep(), { signal });
     addEventListener('pagehide', () => this.close(), { signal });
@@ -76,20 +82,36 @@ export class Course {
   }
 
   #report(): Report {
-    const { duration, currentTime, ended, played } = this.#player;
+    const { duration, currentTime, ended, played, score } = this.#player;
     const now = Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
     this.#seen = united([...this.#seen, ...now]);
-    const progress = shareOf(this.#seen, duration);
+    const answers = this.#player.questions.map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
+    const progress = shareOf(this.#seen, duration, answers);
     // Who comes back to a story that has ended sees it from the start.
     const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
+    const asks = score.most > 0;
+    const share = asks ? score.points / score.most : 0;
+    const { pass } = this.#rules;
+    const isOver = this.#isComplete || progress >= this.#rules.watched;
     return {
       placeSecs,
+      score: asks ? score : undefined,
+      isPassed: pass === undefined || !asks || !isOver ? undefined : share >= pass,
       durationSecs: duration,
       progress,
       seen: this.#seen,
-      isComplete: this.#isComplete || progress >= this.#rules.watched,
-      memory: writeMemory({ placeSecs, seen: this.#seen }),
+      isComplete: isOver,
+      memory: writeMemory({ placeSecs, seen: this.#seen, answered: this.#player.state().answered }),
     };
+  }
+
+  #reply(answered: Answered, latencyMs: number): void {
+    const question = this.#player.questions.find(({ name }) => name === answered.name);
+    if (question === undefined) return;
+    this.#tell();
+    this.#record.reply?.({ question, answered, atMs: Date.now(), latencyMs });
+    // What was answered is not to be lost.
+    this.#keep();
   }
 
   #note(what: Happening): void {

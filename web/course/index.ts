@@ -25,13 +25,18 @@ function storage(): Storage | undefined {
   }
 }
 
+/** A share that the page tells, 0 to 1. */
+function share(text: string | undefined): number | undefined {
+  const number = Number(text);
+  return text && number >= 0 && number <= 1 ? number : undefined;
+}
+
 async function begin(): Promise<void> {
-  const { record = 'html', course = '', watched = '' } = document.body.dataset;
+  const { record = 'html', course = '', watched, pass } = document.body.dataset;
   const player = document.querySelector('raconteur-player');
   const note = document.querySelector('output');
   if (player === null) return;
-  const wanted = Number(watched);
-  const rules = { watched: watched !== '' && wanted >= 0 && wanted <= 1 ? wanted : 0.9 };
+  const rules = { watched: share(watched) ?? 0.9, pass: share(pass) };
   const about = { ...rules, activityId: course, title: document.title, language: document.documentElement.lang };
   const open = RECORDS[record] ?? RECORDS['html'];
   if (open === undefined) return;

@@ -1,6 +1,8 @@
 /** What a course tells of a learner, whoever keeps it. */
 
+import type { Answered, Score } from '../element/lesson.js';
 import type { Span } from '../element/ranges.js';
+import type { Question } from '../element/types.js';
 
 /** Where a learner is and how far they have come. */
 export interface Report {
@@ -13,6 +15,10 @@ export interface Report {
   readonly seen: readonly Span[];
   /** The author's rule of completion is met. It stays so. */
   readonly isComplete: boolean;
+  /** Points of the story's questions; undefined where it asks nothing. */
+  readonly score: Score | undefined;
+  /** Enough points for the author's rule; undefined while that is open, or where there is no such rule. */
+  readonly isPassed: boolean | undefined;
   /** What brings the learner back to where they were; only the course itself reads it. */
   readonly memory: string;
 }
@@ -22,6 +28,15 @@ export interface Happening {
   readonly kind: 'played' | 'paused' | 'seeked';
   /** Where the story was before a seek, seconds. */
   readonly fromSecs?: number;
+}
+
+/** An answer to a question. */
+export interface Reply {
+  readonly question: Question;
+  readonly answered: Answered;
+  /** When it was given, and how long after it was asked. */
+  readonly atMs: number;
+  readonly latencyMs: number;
 }
 
 /** What a system knew of the learner when the course began. */
@@ -39,6 +54,8 @@ export interface Record {
   tell(report: Report): void;
   /** Takes what the learner has just done, after `tell`; for those who keep that. */
   note?(what: Happening): void;
+  /** Takes an answer, after `tell`. */
+  reply?(reply: Reply): void;
   /** Has what was told kept for good, as far as that can be said now. */
   keep(): void;
   /** Ends the session with what was told; the learner comes back to it. Safe to call in `pagehide`. */

@@ -3,7 +3,8 @@
  * names of its data (SCORM 1.2 Run-Time Environment, 3.4; SCORM 2004 4th Edition Run-Time Environment, 4.2).
  */
 
-import { RecordError, type Known, type Record, type Report } from './report.js';
+import { interaction12, interaction2004, type Elements } from './interactions.js';
+import { RecordError, type Known, type Record, type Reply, type Report } from './report.js';
 
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
@@ -24,12 +25,17 @@ interface Version {
     readonly status: string;
     readonly exit: string;
     readonly spent: string;
-    /** Only the newer one has a share. */
+    /** Only the newer one has a share, and a success apart from completion. */
     readonly progress?: string;
+    readonly success?: string;
+    readonly scaled?: string;
+    /** Of the score: with `raw`, `min` and `max` after it. */
+    readonly score: string;
   };
   /** Texts of a status that is not to be taken back. */
   readonly complete: readonly string[];
   spent(ms: number): string;
+  interaction(n: number, reply: Reply): Elements;
   /** The most characters of `memory`. */
   readonly mostMemory: number;
 }
@@ -52,9 +58,11 @@ export const SCORM_12: Version = {
     status: 'cmi.core.lesson_status',
     exit: 'cmi.core.exit',
     spent: 'cmi.core.session_time',
+    score: 'cmi.core.score',
   },
   complete: ['completed', 'passed', 'failed'],
   spent: (ms) => `${String(Math.min(9999, Math.floor(ms / 3_600_000))).padStart(4, '0')}:${two(Math.floor(ms / 60_000) % 60)}:${hundredths(ms)}`,
+  interaction: interaction12,
   mostMemory: 4096,
 };
 
@@ -72,9 +80,13 @@ export const SCORM_2004: Version = {
     exit: 'cmi.exit',
     spent: 'cmi.session_time',
     progress: 'cmi.progress_measure',
+    success: 'cmi.success_status',
+    scaled: 'cmi.score.scaled',
+    score: 'cmi.score',
   },
   complete: ['completed'],
   spent: (ms) => `PT${Math.floor(ms / 3_600_000)}H${Math.floor(ms / 60_000) % 60}M${Number(hundredths(ms))}S`,
+  interaction: interaction2004,
   mostMemory: 64_000,
 };
 
@@ -109,6 +121,8 @@ export class Scorm implements Record {
   #isReview = false;
   #wasComplete = false;
   #isKept = true;
+  /** How many answers the system has. */
+  #replies = 0;
 
   /** `from`: the window in and around which the system is looked for. */
   constructor(version: Version, from: Window = window) {
@@ -124,15 +138,31 @@ export class Scorm implements Record {
     const mode = this.#get(names.mode);
     this.#isReview = mode === 'review' || mode === 'browse';
     this.#wasComplete = complete.includes(this.#get(names.status));
+    this.#replies = Number(this.#get('cmi.interactions._count')) || 0;
     return Promise.resolve({ memory: this.#get(names.memory), isComplete: this.#wasComplete });
   }
 
-  tell({ placeSecs, progress, isComplete, memory }: Report): void {
+  tell({ placeSecs, progress, isComplete, memory, score, isPassed }: Report): void {
     const { names, mostMemory } = this.#version;
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
     if (names.progress !== undefined) this.#put(names.progress, String(Math.round(progress * 10_000) / 10_000));
     if (memory.length <= mostMemory) this.#put(names.memory, memory);
-    if (!this.#wasComplete) this.#put(names.status, isComplete ? 'completed' : 'incomplete');
+    if (score !== undefined) {
+      this.#put(`${names.score}.min`, '0');
+      this.#put(`${names.score}.max`, String(score.most));
+      this.#put(`${names.score}.raw`, String(score.points));
+      if (names.scaled !== undefined && score.most > 0) this.#put(names.scaled, String(Math.round((score.points / score.most) * 10_000) / 10_000));
+    }
+    const outcome = isPassed === undefined ? undefined : isPassed ? 'passed' : 'failed';
+    if (outcome !== undefined && names.success !== undefined) this.#put(names.success, outcome);
+    // The older one has one status for both.
+    const done = names.success === undefined && outcome !== undefined ? outcome : 'completed';
+    if (!this.#wasComplete) this.#put(names.status, isComplete ? done : 'incomplete');
+  }
+
+  reply(reply: Reply): void {
+    for (const [element, value] of this.#version.interaction(this.#replies, reply)) this.#put(element, value);
+    this.#replies += 1;
   }
 
   keep(): void {

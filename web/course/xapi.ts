@@ -106,7 +106,7 @@ export class XapiRecord implements Record {
   #launched: Launched | undefined;
   #store: RecordStore | undefined;
   #outbox: Outbox | undefined;
-  #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: '' };
+  #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: '', score: undefined, isPassed: undefined };
   #isComplete = false;
   /** The memory that the store has. */
   #kept = '';

@@ -5,6 +5,7 @@ import type { RaconteurPlayer } from './element.js';
 import type { PlayerEventMap } from './events.js';
 import type { Credentials } from './fetching.js';
 import type { MindEvent } from './mind.js';
+import type { Questioner } from './questioner.js';
 import type { Show } from './show.js';
 import type { Story, View } from './types.js';
 
@@ -31,6 +32,8 @@ export interface PlayerContext {
   drawn(secs?: number): void;
   /** Draws the picture and the caption of the present audio time. */
   advance(): void;
+  /** The questions of the story. */
+  readonly questioner: Questioner;
   /** The picture is in a window of its own, or in a stream that is taken. */
   isWatchedElsewhere(): boolean;
   /** Starts and stops the loops that draw, as the state of the player needs them. */

@@ -24,6 +24,7 @@ export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, 
 export function passTransport(context: PlayerContext, event: TransportEvent): void {
   const { player, say, tell } = context;
   if (event === 'seeking') {
+    context.questioner.sought();
     dispatch(player, 'seeking');
     return;
   }

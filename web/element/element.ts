@@ -23,6 +23,8 @@ import { hasCaptions, statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { spare } from './fetching.js';
+import type { Answered, Score } from './lesson.js';
+import { Questioner } from './questioner.js';
 import { FrameLoop } from './frame-loop.js';
 import {
   PlayerError,
@@ -37,6 +39,7 @@ import {
   type NaturalHair,
   type PoseNumbers,
   type Quality,
+  type Question,
   type Statistics,
   type Telling,
   type View,
@@ -74,6 +77,9 @@ const MOST_CAPTIONS = 0.2;
  * @csspart fullscreen - Its button of the whole screen
  * @csspart captions - The captions
  * @csspart caption-word - The word that is being said
+ * @csspart question - The form of a question
+ * @csspart option - What one may answer there
+ * @csspart submit - Its button
  * @csspart diagnostics - The list of `remarks`
  * @csspart error - What is shown where the story cannot be played
  * @csspart picture-lost - What is shown where the picture is lost
@@ -128,6 +134,7 @@ export class RaconteurPlayer extends MediaElement {
   #captionRoom: Element | null = null;
   #captionShare = 0;
 
+  readonly #questioner = new Questioner(() => this.#context);
   readonly #diagnostics = new Diagnostics((diagnostic) => {
     fire(this, 'diagnostic', diagnostic);
     this.requestUpdate();
@@ -145,6 +152,7 @@ export class RaconteurPlayer extends MediaElement {
     follow: () => this.#standIn.follow(),
     drawn: (secs) => this.follow(secs),
     advance: () => this.#frames.advance(),
+    questioner: this.#questioner,
     isWatchedElsewhere: () => this.isWatchedElsewhere,
     keepTime: () => this.#frames.keep(),
   };
@@ -349,6 +357,38 @@ export class RaconteurPlayer extends MediaElement {
     return this.#stories.rehearse(eml, motion);
   }
 
+  /** All that the story asks, by time. */
+  get questions(): readonly Question[] {
+    return this.#context.show?.story.questions ?? [];
+  }
+
+  /** What the story asks now, while it rests for that. */
+  get question(): Question | undefined {
+    return this.#questioner.lesson.asked;
+  }
+
+  /** Answers what is asked by the names of options; undefined where nothing is, or where that is no answer. The story goes on once it is answered for good. */
+  answer(...options: readonly string[]): Answered | undefined {
+    return this.#questioner.answer(options);
+  }
+
+  /** Points so far, and the most that there are. */
+  get score(): Score {
+    return this.#questioner.lesson.score;
+  }
+
+  /** Where the learner is and what they have answered, as data for `restore`: for pages that keep it themselves. */
+  state(): PlayerState {
+    return { placeSecs: this.currentTime, answered: this.#questioner.lesson.state() };
+  }
+
+  /** Brings back what `state` told, once the story is there. What does not fit the story is left out. */
+  restore({ placeSecs, answered }: PlayerState): void {
+    this.#questioner.lesson.restore(answered);
+    if (Number.isFinite(placeSecs)) this.currentTime = placeSecs;
+    this.requestUpdate();
+  }
+
   /** Shows the whole figure from another side, for pages that look behind the scenes. */
   look(view: View): void {
     this.#view(view);
@@ -487,7 +527,7 @@ export class RaconteurPlayer extends MediaElement {
 
   protected override render() {
     const { show, started } = this.#context;
-    const state = { player: this, show, started, stories: this.#stories, idle: this.#idle, film: this.#standIn.video, changing: this.#figures.busy };
+    const state = { player: this, show, started, stories: this.#stories, idle: this.#idle, film: this.#standIn.video, questioner: this.#questioner, changing: this.#figures.busy };
     return template({ ...state, caption: this.#frames.caption, announcement: this.#announcement }, this.#actions);
   }
 }
@@ -497,6 +537,13 @@ export interface RaconteurPlayer {
   addEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | AddEventListenerOptions): void;
   removeEventListener<K extends keyof ElementEventMap>(type: K, listener: Listener<this, K>, options?: boolean | EventListenerOptions): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | EventListenerOptions): void;
+}
+
+/** Where a learner is and what they have answered. */
+export interface PlayerState {
+  readonly placeSecs: number;
+  /** As `state` told it; it may have gone through other hands since. */
+  readonly answered: unknown;
 }
 
 declare global {

@@ -1,6 +1,7 @@
 /** The events of the element, and what their listeners are given. */
 
-import type { Cue, Diagnostic, MindState, Word } from './types.js';
+import type { Answered, Score } from './lesson.js';
+import type { Cue, Diagnostic, MindState, Question, Word } from './types.js';
 
 /** Those of a media element (HTML, 4.8.11.16), which do not bubble. */
 export interface MediaEventMap {
@@ -68,6 +69,12 @@ export interface PlayerEventMap {
   clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
   /** The story says something to the page (`r:event`). */
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
+  /** The story rests and asks something. */
+  question: CustomEvent<Question>;
+  /** Somebody has answered. */
+  answer: CustomEvent<Answered>;
+  /** A question was answered for good: points so far, and the most that there are. */
+  score: CustomEvent<Score>;
   /** Something is wrong with story, voice or figure; the rest is played. */
   diagnostic: CustomEvent<Diagnostic>;
   /** The mind at `mind` came or went. */

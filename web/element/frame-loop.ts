@@ -65,6 +65,8 @@ export class FrameLoop {
       dispatch(player, 'durationchange');
     }
     const secs = show.transport.update();
+    // Where it was brought elsewhere, that is shown already.
+    if (this.#context.started && !this.#context.questioner.pass(show, secs)) return;
     const ms = performance.now();
     if (show.transport.waiting && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
     this.#drawn = { secs, ms };

@@ -6,6 +6,7 @@ export { addSpeechSource, naturalVoice, speechServer } from '../speech/added.js'
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
+export type { Answered, Score } from './lesson.js';
 export type { ElementEventMap, MediaEventMap, PlayerEventMap } from './events.js';
 export { openFaces } from './open-faces.js';
 export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './faces.js';

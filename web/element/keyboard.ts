@@ -25,7 +25,8 @@ export function handleKey(event: KeyboardEvent, target: EventTarget | undefined,
   if (target instanceof HTMLElement) {
     const presses = target.matches('button, summary, a');
     if (presses && (key === ' ' || key === 'Enter')) return false;
-    if (target.matches('select, textarea, [contenteditable]') && key !== 'Escape') return false;
+    // And so do the controls of a question.
+    if (target.matches('select, textarea, [contenteditable], form *') && key !== 'Escape') return false;
     if (target.matches('input.volume') && /^(Arrow|Home|End|Page)/.test(key)) return false;
   }
   switch (key) {

@@ -299,6 +299,7 @@ export class StoryLoader {
       end: new AbortController(),
     };
     this.#context.show = show;
+    this.#context.questioner.take(story.questions);
     dispatch(player, 'durationchange');
     updateMusic(this.#context, show);
     this.#context.started = false;
@@ -343,6 +344,7 @@ export class StoryLoader {
     const { player, show, diagnostics, advance } = this.#context;
     if (show === undefined) return;
     show.story = story;
+    this.#context.questioner.take(story.questions);
     const spoken = show.script.replace(story.utterances);
     show.captions = captionsOf(story.utterances, languageOf(player, story));
     show.transport.replace(story.durationSecs, spoken);

@@ -6,6 +6,8 @@ import type { captionAt } from './captions.js';
 import * as controls from './controls.js';
 import type { RaconteurPlayer } from './element.js';
 import type { Idle } from './idle.js';
+import { questionForm } from './question.js';
+import type { Questioner } from './questioner.js';
 import { hasCaptions, type Show } from './show.js';
 import type { StoryLoader } from './story-loader.js';
 
@@ -21,13 +23,14 @@ export interface TemplateState {
   readonly film: HTMLVideoElement | undefined;
   /** Another figure is being fetched. */
   readonly changing: boolean;
+  readonly questioner: Questioner;
   readonly caption: ReturnType<typeof captionAt>;
   readonly announcement: string;
 }
 
 export function template(state: TemplateState, actions: controls.BarActions): TemplateResult {
-  const { player, show, stories, idle, started, film } = state;
-  const before = (show !== undefined || stories.waits) && player.paused && (!started || player.ended);
+  const { player, show, stories, idle, started, film, questioner } = state;
+  const before = (show !== undefined || stories.waits) && player.paused && (!started || player.ended) && questioner.lesson.asked === undefined;
   const shown = show !== undefined && stories.lost === 'no';
   // What a film stands in for is told where it is not watched.
   const told = film === undefined || player.paused || !idle.is;
@@ -45,6 +48,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
         ${hasCaptions(player, show) && !before ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
+      ${question(questioner)}
       <div class="notes">
         ${stories.lost !== 'no' && told ? controls.pictureLost(stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
         ${player.remarks && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
@@ -52,6 +56,16 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
       <div class="unseen" role="status">${state.announcement}</div>
     </div>`;
+}
+
+function question(questioner: Questioner): TemplateResult | typeof nothing {
+  const { asked, answered } = questioner.lesson;
+  if (asked === undefined) return nothing;
+  return questionForm(
+    asked,
+    answered.find(({ name }) => name === asked.name),
+    (given) => questioner.answer(given),
+  );
 }
 
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {

@@ -70,8 +70,29 @@ export interface Performer {
 }
 
 /** A story that was read. */
+/** A question of a story, and where in it what follows from its answers lies. */
+export interface Question {
+  /** Where the story rests until it is answered. */
+  readonly atSecs: number;
+  /** Where it goes on after what follows. */
+  readonly endSecs: number;
+  /** Results are kept by it. */
+  readonly name: string;
+  /** Answered by one option, or by all that are right. */
+  readonly kind: 'choice' | 'several';
+  readonly prompt: string;
+  readonly points: number;
+  readonly tries: number;
+  /** Read after a wrong answer, while there are tries left. */
+  readonly hint?: string;
+  readonly options: readonly { readonly name: string; readonly text: string; readonly isRight: boolean }[];
+  /** `to`: `right`, `wrong`, or the name of an option. */
+  readonly answers: readonly { readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
+}
+
 export interface Story {
   readonly performer: Performer;
+  readonly questions: readonly Question[];
   readonly durationSecs: number;
   readonly utterances: readonly Utterance[];
   readonly diagnostics: readonly Diagnostic[];

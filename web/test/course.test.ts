@@ -5,8 +5,10 @@ import { RecordError } from '../course/report.js';
 import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import { readMemory, shareOf, writeMemory } from '../course/seen.js';
 import { BrowserRecord } from '../course/storage.js';
-import type { RaconteurPlayer } from '../element/element.js';
+import type { PlayerState, RaconteurPlayer } from '../element/element.js';
+import { Lesson, type Score } from '../element/lesson.js';
 import { Ranges, united, type Span } from '../element/ranges.js';
+import type { Question } from '../element/types.js';
 import { sized } from './tier.js';
 
 /** A random number from 0 to 1, the same for the same seed. */
@@ -31,6 +33,36 @@ class FakePlayer extends EventTarget {
 
   get ended(): boolean {
     return this.currentTime >= this.duration;
+  }
+
+  readonly lesson = new Lesson();
+  questions: readonly Question[] = [];
+
+  ask(questions: readonly Question[]): void {
+    this.questions = questions;
+    this.lesson.setQuestions(questions);
+  }
+
+  get score(): Score {
+    return this.lesson.score;
+  }
+
+  state(): PlayerState {
+    return { placeSecs: this.currentTime, answered: this.lesson.state() };
+  }
+
+  restore({ placeSecs, answered }: PlayerState): void {
+    this.lesson.restore(answered);
+    this.currentTime = placeSecs;
+  }
+
+  /** Answers the question at a time. */
+  answer(secs: number, given: readonly string[]): void {
+    this.currentTime = secs;
+    this.lesson.pass(secs);
+    this.dispatchEvent(new Event('question'));
+    const taken = this.lesson.answer(given);
+    if (taken !== undefined) this.dispatchEvent(Object.assign(new Event('answer'), { detail: taken.answered }));
   }
 
   play(secs: number): void {
@@ -137,6 +169,50 @@ for (const system of SYSTEMS) {
       expect(statusOf(system, again.api)).toBe('completed');
     });
 
+    it('has answers as interactions, points as a score, and success by the author’s rule', async () => {
+      const asked = (name: string, atSecs: number): Question => ({
+        name,
+        atSecs,
+        endSecs: atSecs,
+        kind: 'several',
+        prompt: 'Which are green?',
+        points: 2,
+        tries: 2,
+        options: [
+          { name: 'frog', text: 'Frogs', isRight: true },
+          { name: 'leaf', text: 'Leaves', isRight: true },
+          { name: 'snow', text: 'Snow', isRight: false },
+        ],
+        answers: [],
+      });
+      const questions = [asked('green things', 10), asked('again', 20)];
+      const first = new FakePlayer();
+      first.ask(questions);
+      const { api, course } = await session(system, undefined, first);
+      first.answer(10, ['snow']);
+      first.answer(10, ['leaf', 'frog']);
+      course.close();
+      const kept = api.renderCMIToJSONObject();
+      const second = new FakePlayer();
+      second.ask(questions);
+      const again = await session(system, kept, second);
+      expect(second.score).toEqual({ points: 2, most: 4 });
+      second.answer(20, ['frog', 'leaf']);
+      second.play(60);
+      const { cmi } = JSON.parse(JSON.stringify(again.api.renderCMIToJSONObject())) as {
+        cmi: { interactions: { [n: string]: { [part: string]: string } }; [part: string]: unknown };
+      };
+      const told = Object.values(cmi.interactions).map((it) => [it['id'], it['student_response'] ?? it['learner_response'], it['result']]);
+      const [wrong, joined] = system.version === SCORM_12 ? ['wrong', (letters: string, _: string) => letters] : ['incorrect', (_: string, names: string) => names];
+      expect(told).toEqual([
+        ['green-things', joined('c', 'snow'), wrong],
+        ['green-things', joined('a,b', 'frog[,]leaf'), 'correct'],
+        ['again', joined('a,b', 'frog[,]leaf'), 'correct'],
+      ]);
+      const core = (system.version === SCORM_12 ? cmi['core'] : cmi) as { score: { raw: string; max: string } };
+      expect([core.score.raw, core.score.max].map(Number)).toEqual([4, 4]);
+    });
+
     it('skipping is not seeing', async () => {
       const { api, player } = await session(system, undefined);
       player.seek(59);
@@ -232,12 +308,29 @@ describe('A system that misbehaves', () => {
   });
 });
 
+it('the share that was seen leaves out what nobody has to see', () => {
+  expect([
+    shareOf([[0, 10]], 40),
+    shareOf([[0, 10]], 40, [[10, 30]]),
+    shareOf(
+      [
+        [0, 10],
+        [30, 40],
+      ],
+      40,
+      [[10, 30]],
+    ),
+    shareOf([[10, 30]], 40, [[10, 30]]),
+  ]).toEqual([0.25, 0.5, 1, 0]);
+  expect([shareOf([], 40), shareOf([[0, 50]], 40), shareOf([[0, 5]], 0), shareOf([[0, 5]], Infinity), shareOf([[0, 5]], 5, [[0, 5]])]).toEqual([0, 1, 0, 0, 0]);
+});
+
 describe('A memory', () => {
   it('is read as it was written, whatever was seen, and is short', () => {
     const next = random(7);
     for (let i = 0; i < 300; i++) {
       const spans = united(Array.from({ length: Math.floor(400 * next()) }, (): Span => [10_000 * next(), 0]).map(([from]): Span => [from, from + 5 * next()]));
-      const text = writeMemory({ placeSecs: 10_000 * next(), seen: spans });
+      const text = writeMemory({ placeSecs: 10_000 * next(), seen: spans, answered: undefined });
       expect(text.length).toBeLessThanOrEqual(SCORM_12.mostMemory);
       const read = readMemory(text);
       expect(writeMemory(read)).toBe(text);
@@ -258,9 +351,9 @@ describe('A memory', () => {
       '{"v":1,"at":1,"seen":[-1,2]}',
       `{"v":1,"seen":[${'0,1,'.repeat(300)}0,1]}`,
     ]) {
-      expect(readMemory(text)).toEqual({ placeSecs: 0, seen: [] });
+      expect(readMemory(text)).toEqual({ placeSecs: 0, seen: [], answered: undefined });
     }
-    expect(readMemory('{"v":1,"at":-5,"seen":[3,1,2,4]}')).toEqual({ placeSecs: 0, seen: [[2, 4]] });
+    expect(readMemory('{"v":1,"at":-5,"seen":[3,1,2,4]}')).toEqual({ placeSecs: 0, seen: [[2, 4]], answered: undefined });
   });
 });
 

@@ -23,7 +23,7 @@ describe('What the element is said to be', () => {
 
   it('is what its styles and templates have', () => {
     expect(names(element.cssProperties)).toEqual(found(read('web/element/element.css'), /var\((--raconteur-[\w-]+)/g));
-    expect(names(element.cssParts)).toEqual(found(read('web/element/controls.ts') + read('web/element/template.ts'), /part="([\w -]+)"/g));
+    expect(names(element.cssParts)).toEqual(found(['controls', 'template', 'question'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g));
   });
 
   it('tells of each attribute, property, method and event what it is', () => {
@@ -33,7 +33,21 @@ describe('What the element is said to be', () => {
   });
 
   it('has the events that are dispatched', () => {
-    const told = ['media-element', 'story-loader', 'playback', 'cues', 'element', 'transport', 'clock', 'outputs', 'sound', 'figure-loader', 'mind-connection', 'diagnostics']
+    const told = [
+      'media-element',
+      'story-loader',
+      'playback',
+      'cues',
+      'element',
+      'transport',
+      'clock',
+      'outputs',
+      'sound',
+      'figure-loader',
+      'mind-connection',
+      'diagnostics',
+      'questioner',
+    ]
       .map((part) => read(`web/element/${part}.ts`))
       .join('\n');
     const dispatched = names(element.events).filter((name) => told.includes(`'${name}'`));

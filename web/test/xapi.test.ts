@@ -80,6 +80,8 @@ const report = (placeSecs: number, isComplete = false): Report => ({
   seen: [[0, placeSecs]],
   isComplete,
   memory: `at ${placeSecs}`,
+  score: undefined,
+  isPassed: undefined,
 });
 const verbs = (store: FakeStore): string[] => store.statements.map(({ verb }) => Object.entries(VERBS).find(([, id]) => id === verb.id)?.[0] ?? verb.id);
 const settled = async (): Promise<void> => {

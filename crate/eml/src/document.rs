@@ -1,5 +1,6 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
+use crate::clauses::asking::{Answer, Ask};
 use crate::clauses::environment::{Camera, Emotion, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
@@ -163,6 +164,10 @@ pub enum ClauseKind {
     Light(Light),
     /// Plays music (extension).
     Music(Box<Music>),
+    /// Asks something (extension).
+    Ask(Box<Ask>),
+    /// What is performed after certain answers (extension).
+    Answer(Box<Answer>),
 }
 
 impl ClauseKind {
@@ -205,6 +210,8 @@ impl ClauseKind {
             Self::Camera(_) => "camera",
             Self::Light(_) => "light",
             Self::Music(_) => "music",
+            Self::Ask(_) => "ask",
+            Self::Answer(_) => "answer",
         }
     }
 
@@ -238,6 +245,8 @@ impl ClauseKind {
             Self::Camera(record) => record,
             Self::Light(record) => record,
             Self::Music(record) => record.as_mut(),
+            Self::Ask(ask) => &mut ask.question,
+            Self::Answer(answer) => &mut answer.reaction,
             Self::VoiceText(_)
             | Self::GestureIsOn(_)
             | Self::GestureKey(_)
@@ -285,13 +294,31 @@ impl ClauseKind {
         }
     }
 
-    /// The group, when it is a seq or a par.
+    /// The clauses in it, when it holds some.
     #[must_use]
     pub fn group(&self) -> Option<&Group> {
         match self {
             Self::Seq(group) | Self::Par(group) => Some(group),
+            Self::Ask(ask) => Some(&ask.answers),
+            Self::Answer(answer) => Some(&answer.content),
             _ => None,
         }
+    }
+
+    /// As [`ClauseKind::group`].
+    pub(crate) fn group_mut(&mut self) -> Option<&mut Group> {
+        match self {
+            Self::Seq(group) | Self::Par(group) => Some(group),
+            Self::Ask(ask) => Some(&mut ask.answers),
+            Self::Answer(answer) => Some(&mut answer.content),
+            _ => None,
+        }
+    }
+
+    /// Whether the clauses in it follow each other.
+    #[must_use]
+    pub fn is_sequence(&self) -> bool {
+        matches!(self, Self::Seq(_) | Self::Ask(_))
     }
 }
 

@@ -36,6 +36,7 @@ mod words;
 mod work;
 mod write;
 
+pub use clauses::asking::{Answer, Ask, AskKind, AskOption, Question, Reaction};
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
     PreferredHand, ShotKind, Valence,

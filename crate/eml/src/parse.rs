@@ -84,6 +84,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             limits,
             source_bytes: source.len(),
             told_clauses: taken.told_clauses,
+            is_fragment: fragment,
         };
         cx.take(node, &mut taken);
         taken.told_clauses = cx.told_clauses;
@@ -97,6 +98,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         source_bytes: source.len(),
         namespaces: &namespaces,
         told_clauses: taken.told_clauses,
+        is_fragment: fragment,
     };
     cx.root(fragment, taken);
     crate::words::hold(&mut document, limits, &mut sink);
@@ -140,6 +142,10 @@ fn report_controls(source: &str, sink: &mut Sink) {
         sink.push(Diagnostic::error("eml::control-character", span, message));
     }
 }
+
+/// So far from each other lie the answers to a question where they do not say: what is passed over
+/// is not heard.
+const ANSWERS_APART_SECS: f64 = 1.0;
 
 /// Fewer clauses tell too little of the script.
 const FEW_CLAUSES: usize = 64;
@@ -356,9 +362,54 @@ impl Context<'_> {
                 });
                 self.document.clauses[id.index()].kind = wrap(group);
             }
+            Role::Scene(blank) => {
+                clause.kind = blank();
+                clause.start = start.ok()?;
+                if !fields.has("time") && element.name == "answer" {
+                    clause.start.offset_secs = ANSWERS_APART_SECS;
+                }
+                self.scene(node, &fields, clause, id)?;
+            }
             _ => return None,
         }
         Some(id)
+    }
+
+    /// Reads a clause that has parts and clauses inside.
+    fn scene(
+        &mut self,
+        node: usize,
+        fields: &Fields<'_>,
+        mut clause: Clause,
+        id: ClauseId,
+    ) -> Option<()> {
+        if self.is_fragment {
+            let message = "questions belong in stories; a performance that goes on has no place for their answers";
+            self.sink
+                .push(Diagnostic::error("eml::ask-live", fields.tag, message));
+            return None;
+        }
+        let (mut parts, mut inside) = (Vec::new(), Vec::new());
+        self.children(node, fields.element, |_, child, entry| {
+            let list = if entry.is_clause() {
+                &mut inside
+            } else {
+                &mut parts
+            };
+            list.push((child, entry));
+        });
+        let record = clause.kind.record()?;
+        if !self.visit(fields, record, parts) {
+            return None;
+        }
+        self.keep(clause);
+        let members = inside.into_iter();
+        let members = members.filter_map(|(child, entry)| self.clause(child, entry, Some(id)));
+        let members: Vec<ClauseId> = members.collect();
+        if let Some(group) = self.document.clauses[id.index()].kind.group_mut() {
+            group.children = members;
+        }
+        Some(())
     }
 
     /// Adds a clause to the document. Room for more is made by what the script has been

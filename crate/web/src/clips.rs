@@ -38,6 +38,7 @@ impl Player {
             performer.duration_secs(),
             performer.utterances(),
             performer.choice(),
+            performer.questions(),
             problems,
         ))
     }

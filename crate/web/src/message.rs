@@ -1,7 +1,7 @@
 //! Messages to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
-use raconteur_player::{Event, MusicCue, UtteranceCue};
+use raconteur_player::{Event, MusicCue, QuestionCue, UtteranceCue};
 use serde::Serialize;
 
 /// A story that was read.
@@ -14,6 +14,8 @@ pub struct Story {
     pub utterances: Vec<Utterance>,
     /// The performer that it chooses.
     pub performer: Performer,
+    /// Its questions, by time.
+    pub questions: Vec<Question>,
     /// Problems of the text, by position.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -38,6 +40,68 @@ impl Performer {
             voice: p.voice.clone(),
             language: p.language.clone(),
         })
+    }
+}
+
+/// A question.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Question {
+    at_secs: f64,
+    end_secs: f64,
+    name: String,
+    kind: &'static str,
+    prompt: String,
+    points: f64,
+    tries: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hint: Option<String>,
+    options: Vec<Choice>,
+    answers: Vec<Answer>,
+}
+
+/// What one may answer.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Choice {
+    name: String,
+    text: String,
+    is_right: bool,
+}
+
+/// What follows from an answer.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Answer {
+    to: String,
+    start_secs: f64,
+    end_secs: f64,
+}
+
+impl From<QuestionCue> for Question {
+    fn from(cue: QuestionCue) -> Self {
+        let options = cue.options.into_iter().map(|option| Choice {
+            name: option.name,
+            text: option.text,
+            is_right: option.is_right,
+        });
+        let answers = cue.answers.into_iter().map(|answer| Answer {
+            to: answer.to,
+            start_secs: answer.start_secs,
+            end_secs: answer.end_secs,
+        });
+        Self {
+            at_secs: cue.at_secs,
+            end_secs: cue.end_secs,
+            name: cue.name,
+            kind: cue.kind.word(),
+            prompt: cue.prompt,
+            points: cue.points,
+            tries: cue.tries,
+            hint: cue.hint,
+            options: options.collect(),
+            answers: answers.collect(),
+        }
     }
 }
 
@@ -151,6 +215,7 @@ impl Story {
         duration_secs: f64,
         utterances: &[UtteranceCue],
         performer: Option<&eml::Performer>,
+        questions: Vec<QuestionCue>,
         diagnostics: Vec<eml::Diagnostic>,
     ) -> Self {
         let lines = LineIndex::new(source);
@@ -158,6 +223,7 @@ impl Story {
             duration_secs,
             utterances: utterances.iter().map(Utterance::new).collect(),
             performer: Performer::of(performer),
+            questions: questions.into_iter().map(Question::from).collect(),
             diagnostics: diagnostics
                 .into_iter()
                 .map(|d| Diagnostic::new(d, &lines))
@@ -222,13 +288,21 @@ mod tests {
         let source = "<eml>\n<x y='😀' bad/>";
         let at = u32::try_from(source.find("bad").unwrap()).unwrap();
         let diagnostic = eml::Diagnostic::error("eml::test", eml::Span::new(at, at + 3), "No.");
-        let story = Story::new(source, 1.5, &[], None, vec![diagnostic.hint("Try.")]);
+        let story = Story::new(
+            source,
+            1.5,
+            &[],
+            None,
+            Vec::new(),
+            vec![diagnostic.hint("Try.")],
+        );
         assert_eq!(
             serde_json::to_value(story).unwrap(),
             json!({
                 "durationSecs": 1.5,
                 "utterances": [],
                 "performer": {},
+                "questions": [],
                 "diagnostics": [{
                     "code": "eml::test",
                     "severity": "error",

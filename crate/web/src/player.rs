@@ -421,6 +421,7 @@ pub(crate) fn read(
         performer.duration_secs(),
         performer.utterances(),
         performer.choice(),
+        performer.questions(),
         loaded.diagnostics,
     );
     (performer, story)

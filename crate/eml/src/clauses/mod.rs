@@ -1,5 +1,6 @@
 //! The content of clauses, by idea.
 
+pub(crate) mod asking;
 pub(crate) mod environment;
 pub(crate) mod functions;
 pub(crate) mod geometry;

@@ -7,6 +7,14 @@ pub const CODES: &[(&str, &str)] = &[
         "Another spelling than the reference's; it is understood.",
     ),
     (
+        "eml::ask-live",
+        "A question stands in what is performed while a story plays; it is left out.",
+    ),
+    (
+        "eml::ask-right",
+        "Of the options of a question none is right, or more than one where one is to be chosen.",
+    ),
+    (
         "eml::bad-boolean",
         "A truth value is none of true, false, 1 and 0.",
     ),
@@ -65,7 +73,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::duplicate-name",
-        "Two moments have one name; the first one counts.",
+        "Two moments, two questions, or two options of a question have one name; the first one counts.",
     ),
     (
         "eml::duplicate-player",
@@ -227,6 +235,10 @@ pub const CODES: &[(&str, &str)] = &[
         "A name of a layer does not end in its number.",
     ),
     ("eml::unknown-name", "A time expression names no moment."),
+    (
+        "eml::unknown-option",
+        "A question has no such option; this answer is never performed.",
+    ),
     (
         "eml::unknown-player",
         "No clause adds this animation player.",

@@ -30,6 +30,8 @@ pub(crate) struct Context<'t> {
     pub(crate) namespaces: &'t Namespaces<'t>,
     /// Whether the limit of clauses has been reported.
     pub(crate) told_clauses: bool,
+    /// Whether it is read for a performance that goes on.
+    pub(crate) is_fragment: bool,
 }
 
 /// The attributes of one element, found in the table. Values are read on demand

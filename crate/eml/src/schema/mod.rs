@@ -13,6 +13,7 @@ pub(super) const fn shown(text: &'static str) -> &'static str {
 
 mod animation_style;
 mod arg;
+mod ask;
 mod attribute;
 mod audio;
 mod bg;
@@ -185,7 +186,7 @@ impl Element {
     pub fn is_clause(&self) -> bool {
         matches!(
             self.role,
-            Role::Clause(_) | Role::Record(_) | Role::Group(_)
+            Role::Clause(_) | Role::Record(_) | Role::Group(_) | Role::Scene(_)
         )
     }
 
@@ -240,6 +241,8 @@ pub(crate) enum Role {
     Record(fn() -> ClauseKind),
     /// A clause that groups clauses.
     Group(fn(crate::Group) -> ClauseKind),
+    /// A clause with a record that groups clauses as well.
+    Scene(fn() -> ClauseKind),
     /// A part of spoken text.
     Voice(fn(&mut Context<'_>, usize, &Fields<'_>, &mut VoiceBuilder)),
     /// A part of spoken text around others.
@@ -259,7 +262,7 @@ impl std::fmt::Debug for Role {
         f.write_str(match self {
             Self::Structure => "Structure",
             Self::Clause(_) | Self::Record(_) => "Clause",
-            Self::Group(_) => "Group",
+            Self::Group(_) | Self::Scene(_) => "Group",
             Self::Voice(_) | Self::Container(_) => "Voice",
             Self::Part => "Part",
         })
@@ -267,7 +270,7 @@ impl std::fmt::Debug for Role {
 }
 
 /// Where a clause may stand.
-pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par"];
+pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer"];
 
 /// Where a part of spoken text may stand: SABLE's containers (GEVH D.4).
 pub(crate) const VOICE_PARENTS: &[&str] = &[
@@ -337,7 +340,9 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
 /// Every element, by name.
 pub static ELEMENTS: &[&Element] = &[
     &animation_style::ELEMENT,
+    &ask::ANSWER,
     &arg::ELEMENT,
+    &ask::ELEMENT,
     &audio::ELEMENT,
     &bg::ELEMENT,
     &body::ELEMENT,
@@ -389,6 +394,7 @@ pub static ELEMENTS: &[&Element] = &[
     &motion::ELEMENT,
     &music::ELEMENT,
     &null::ELEMENT,
+    &ask::OPTION,
     &palms::ELEMENT,
     &par::ELEMENT,
     &performer::ELEMENT,

@@ -30,7 +30,8 @@ impl<'t> Context<'t> {
         self.visit(fields, record, Vec::new())
     }
 
-    fn visit(
+    /// [`Context::record`] with these children, found before.
+    pub(crate) fn visit(
         &mut self,
         fields: &Fields<'_>,
         record: &mut dyn Record,

@@ -221,7 +221,8 @@ impl Solver<'_, '_> {
 
     fn link_sequences(&mut self, groups: &[ClauseId]) {
         for &id in groups {
-            if let ClauseKind::Seq(group) = &self.document.clause(id).kind {
+            let kind = &self.document.clause(id).kind;
+            if let Some(group) = kind.group().filter(|_| kind.is_sequence()) {
                 for pair in group.children.windows(2) {
                     self.before[pair[1].index()] = Some(pair[0]);
                 }
@@ -377,7 +378,7 @@ impl Solver<'_, '_> {
             return base.map_or(f64::NAN, |base| self.values[base]);
         }
         let length = match &clause.kind {
-            ClauseKind::Seq(group) | ClauseKind::Par(group) => {
+            kind if let Some(group) = kind.group() => {
                 let one = group.iteration_secs.unwrap_or_else(|| {
                     let ends = group.children.iter().map(|&c| self.values[Unknown::End(c)]);
                     // `max` passes over the NaN of a child that is left out.
@@ -479,7 +480,7 @@ impl Solver<'_, '_> {
     fn in_seq(&self, clause: &Clause) -> bool {
         clause
             .parent
-            .is_some_and(|p| matches!(self.document.clause(p).kind, ClauseKind::Seq(_)))
+            .is_some_and(|p| self.document.clause(p).kind.is_sequence())
     }
 
     fn terms_of(&self, id: ClauseId) -> &[Term] {

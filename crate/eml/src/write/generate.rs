@@ -153,11 +153,13 @@ impl Dice {
         parent: Option<ClauseId>,
         depth: u32,
     ) -> ClauseId {
-        let elements: Vec<&Element> = ELEMENTS.iter().copied().filter(|e| e.is_clause()).collect();
+        let inside = parent.map_or("body", |id| document.clause(id).kind.name());
+        let may = |e: &&Element| e.is_clause() && e.parents.contains(&inside);
+        let elements: Vec<&Element> = ELEMENTS.iter().copied().filter(may).collect();
         let element = self.pick(&elements);
         let id = ClauseId(u32::try_from(document.clauses.len()).unwrap());
         let kind = match element.role {
-            Role::Record(blank) => {
+            Role::Record(blank) | Role::Scene(blank) => {
                 let mut kind = blank();
                 self.fill(kind.record().unwrap());
                 kind
@@ -193,16 +195,13 @@ impl Dice {
             parent,
             kind,
         });
-        if let Role::Group(_) = element.role
+        if let Role::Group(_) | Role::Scene(_) = element.role
             && depth < 4
         {
             for _ in 0..self.below(4) {
                 let child = self.clause(document, Some(id), depth + 1);
-                if let ClauseKind::Seq(group) | ClauseKind::Par(group) =
-                    &mut document.clauses[id.index()].kind
-                {
-                    group.children.push(child);
-                }
+                let kind = &mut document.clauses[id.index()].kind;
+                kind.group_mut().unwrap().children.push(child);
             }
         }
         id

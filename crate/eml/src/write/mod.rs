@@ -149,8 +149,12 @@ impl<'d> Writer<'d> {
                 None => self.tag(&tag),
                 Some(group) if group.children.is_empty() => self.tag(&tag),
                 Some(group) => {
+                    self.extended |= tag.is_extended();
                     self.line(&format!("<{}{}>", tag.name(), tag.attributes()));
                     self.depth += 1;
+                    for part in &tag.children {
+                        self.tag(part);
+                    }
                     for &child in &group.children {
                         self.clause(child);
                     }

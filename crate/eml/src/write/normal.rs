@@ -17,6 +17,9 @@ pub fn normal_form(document: &Document) -> Document {
         clause.tag_span = nowhere;
         clause.start.span = nowhere;
         clause.start.names.iter_mut().for_each(|n| n.span = nowhere);
+        if let Some(group) = clause.kind.group_mut() {
+            group.repetition_span = nowhere;
+        }
         match &mut clause.kind {
             ClauseKind::VoiceText(text) => text.pieces = joined(std::mem::take(&mut text.pieces)),
             ClauseKind::GestureKey(gesture) => {
@@ -24,7 +27,6 @@ pub fn normal_form(document: &Document) -> Document {
                 gesture.palms.iter_mut().for_each(forget);
                 gesture.motions.iter_mut().for_each(forget);
             }
-            ClauseKind::Seq(group) | ClauseKind::Par(group) => group.repetition_span = nowhere,
             ClauseKind::VoiceSay(say) => say.content_span = nowhere,
             _ => {}
         }

@@ -14,6 +14,7 @@ pub(crate) mod music;
 pub(crate) mod needs;
 pub(crate) mod parameters;
 pub(crate) mod plan;
+pub(crate) mod questions;
 pub(crate) mod script;
 pub(crate) mod shots;
 mod spelling;

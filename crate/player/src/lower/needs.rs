@@ -154,7 +154,9 @@ impl<'d> Need<'d> {
             | ClauseKind::ManipulatorLock(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
-            | ClauseKind::Par(_) => Self::Nothing,
+            | ClauseKind::Par(_)
+            | ClauseKind::Ask(_)
+            | ClauseKind::Answer(_) => Self::Nothing,
             // The language's own checks report one whose word is unknown.
             ClauseKind::Emotion(emotion)
                 if place_of(emotion).is_none() && emotion.kind.is_none() =>

@@ -14,6 +14,7 @@ use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::music::MusicCue;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::questions::QuestionCue;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
 use crate::lower::{animations, gestures};
@@ -199,6 +200,12 @@ impl Player {
     #[must_use]
     pub fn choice(&self) -> Option<&Performer> {
         self.script.document.performer.as_ref()
+    }
+
+    /// The questions of the script, by time.
+    #[must_use]
+    pub fn questions(&self) -> Vec<QuestionCue> {
+        self.script.questions()
     }
 
     /// When everything in the script happens.

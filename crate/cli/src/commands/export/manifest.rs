@@ -165,6 +165,7 @@ mod tests {
             language: "en".into(),
             standard,
             watched: 0.9,
+            pass: None,
             story: "story/story.eml".into(),
             figure: None,
         }

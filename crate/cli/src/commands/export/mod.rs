@@ -51,6 +51,10 @@ pub(crate) struct Export {
     /// The share of the story that a learner has to see, percent.
     #[arg(long, default_value_t = 90, value_parser = clap::value_parser!(u8).range(0..=100))]
     watched: u8,
+    /// The share of the points of its questions that is enough to pass, percent; without it nobody
+    /// passes or fails.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(0..=100))]
+    pass: Option<u8>,
     /// A figure of the library; without it, the story's choice, else sofia.
     #[arg(long, value_parser = parse_figure)]
     figure: Option<String>,
@@ -71,6 +75,8 @@ pub(crate) struct About {
     pub(crate) standard: Standard,
     /// 0 to 1.
     pub(crate) watched: f64,
+    /// 0 to 1.
+    pub(crate) pass: Option<f64>,
     /// The script's address in the package.
     pub(crate) story: String,
     /// The figure that the page asks for, where it is not the story's choice.
@@ -108,6 +114,7 @@ impl Export {
             language: performer.language.unwrap_or_else(|| "en".into()),
             standard: self.standard(),
             watched: f64::from(self.watched) / 100.0,
+            pass: self.pass.map(|share| f64::from(share) / 100.0),
             story: parts.story().to_owned(),
             figure: self.figure.clone(),
             title,

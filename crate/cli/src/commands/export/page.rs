@@ -23,12 +23,14 @@ fn page(about: &About) -> String {
         language,
         standard,
         watched,
+        pass,
         story,
         figure,
     } = about;
     let figure = figure.as_ref().map_or(String::new(), |name| {
         format!(" figure=\"{}\"", escape(name.as_str()))
     });
+    let pass = pass.map_or(String::new(), |share| format!(" data-pass=\"{share}\""));
     let [title, language, story, iri] =
         [title, language, story, iri].map(|text| escape(text.as_str()));
     format!(
@@ -42,7 +44,7 @@ fn page(about: &About) -> String {
     <link rel="stylesheet" href="course.css" />
     <script type="module" src="player/raconteur-course.js"></script>
   </head>
-  <body data-record="{record}" data-course="{iri}" data-watched="{watched}">
+  <body data-record="{record}" data-course="{iri}" data-watched="{watched}"{pass}>
     <main>
       <h1>{title}</h1>
       <raconteur-player src="{story}" label="{title}"{figure} loading="eager" controls captions></raconteur-player>
@@ -75,10 +77,12 @@ mod tests {
             language: "en\" onload=\"x".into(),
             standard: Standard::Html,
             watched: 0.9,
+            pass: Some(0.5),
             story: "story/a\"b.eml".into(),
             figure: Some("\"><b>".into()),
         };
         let [(_, page), _] = files(&about);
+        assert!(page.contains(" data-pass=\"0.5\">"));
         assert_eq!(page.matches("<script").count(), 1);
         assert!(
             !page.contains("<b>") && !page.contains("\" onload"),

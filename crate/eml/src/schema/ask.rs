@@ -1,0 +1,188 @@
+//! `ask`, `option` and `answer`: questions.
+
+use super::{Attribute, Content, Element, Role};
+use crate::ClauseKind;
+use crate::clauses::asking::AskKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: super::shown(
+        "Asks something: the story rests until it is answered, then performs the answer that fits and goes on.",
+    ),
+    decision: super::shown(
+        "What the storyteller says to ask it comes before, in a voice-text; the prompt is what is read. Its answers lie one after another in the timeline, a second apart, so that a story may be sought and baked; the player passes over those that do not fit. A film shows them all.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><voice-text time='0'>Who sang?</voice-text><r:ask time='0' name='who' prompt='Who sang?'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/><r:answer to='right'><voice-text time='0'>Yes!</voice-text></r:answer><r:answer to='wrong'><voice-text time='0'>Stones do not sing.</voice-text></r:answer></r:ask></seq></body></eml>",
+    ),
+    extension: true,
+    content: Content::Elements,
+    required_children: &["option"],
+    attributes: &[
+        Attribute::identifier(
+            "name",
+            "A name that no other question has: results are kept by it.",
+        )
+        .required(),
+        Attribute::choice(
+            "type",
+            AskKind::WORDS,
+            "How it is answered: by one option, or by all that are right.",
+        )
+        .default("choice"),
+        Attribute::text("prompt", "What is asked, to be read and to be read aloud.").required(),
+        Attribute::between("points", 0.0, 1000.0, "What a right answer counts.").default("1"),
+        Attribute::integer("tries", 1, 100, "How often one may answer.").default("1"),
+        Attribute::text(
+            "hint",
+            "What is read after a wrong answer, while there are tries left.",
+        ),
+    ],
+    ..Element::new(
+        "ask",
+        &["body", "seq", "par"],
+        Role::Scene(|| ClauseKind::Ask(Box::default())),
+    )
+};
+
+pub(super) static OPTION: Element = Element {
+    doc: super::shown("Something that one may answer."),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:ask time='0' name='q' type='several' prompt='Which are green?'><r:option name='a' text='Frogs' right='true'/><r:option name='b' text='Leaves' right='true'/><r:option name='c' text='Snow'/></r:ask></body></eml>",
+    ),
+    extension: true,
+    attributes: &[
+        Attribute::identifier("name", "A name that no other option of the question has.")
+            .required(),
+        Attribute::text("text", "What is read.").required(),
+        Attribute::flag("right", "Whether it is right.").default("false"),
+    ],
+    ..Element::part("option", &["ask"])
+};
+
+pub(super) static ANSWER: Element = Element {
+    doc: super::shown("What is performed after certain answers; plain times count from its start."),
+    source: super::shown("Extension"),
+    example: ELEMENT.example,
+    extension: true,
+    content: Content::Elements,
+    attributes: &[Attribute::identifier(
+        "to",
+        "right, wrong (when there are no tries left), or the name of an option that was chosen; the first answer that fits is performed.",
+    )
+    .required()],
+    ..Element::new(
+        "answer",
+        &["ask"],
+        Role::Scene(|| ClauseKind::Answer(Box::default())),
+    )
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::codes;
+    use crate::{ClauseKind, Timeline, parse};
+
+    const ASK: &str = "<r:ask time='0' name='q' prompt='Who?'><r:option name='a' text='A' right='true'/>\
+        <r:option name='b' text='B'/><r:answer to='right'><null time='2'/></r:answer>\
+        <r:answer to='b'><event time='1' type='x'/></r:answer></r:ask>";
+
+    fn script(body: &str) -> String {
+        format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>")
+    }
+
+    #[test]
+    fn a_question_has_options_and_answers() {
+        let parsed = parse(&script(ASK));
+        assert_eq!(parsed.diagnostics, []);
+        let ClauseKind::Ask(ask) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        let options: Vec<_> = ask
+            .question
+            .options
+            .iter()
+            .map(|o| (&*o.name, o.is_right))
+            .collect();
+        assert_eq!(options, [("a", true), ("b", false)]);
+        assert_eq!((ask.question.points, ask.question.tries), (1.0, 1));
+        assert_eq!(ask.answers.children.len(), 2);
+    }
+
+    #[test]
+    fn answers_follow_each_other_and_the_story_goes_on_after_them() {
+        let text = script(&format!(
+            "<seq time='3'>{ASK}<event time='0' type='y'/></seq>"
+        ));
+        let parsed = parse(&text);
+        let timeline = Timeline::resolve(&parsed.document, &crate::EstimatedDurations).timeline;
+        let spans: Vec<_> = timeline
+            .clauses
+            .iter()
+            .map(|c| {
+                (
+                    parsed.document.clause(c.clause).kind.name(),
+                    c.start_secs,
+                    c.end_secs,
+                )
+            })
+            .collect();
+        assert_eq!(
+            spans,
+            [
+                ("seq", 3.0, 8.0),
+                ("ask", 3.0, 8.0),
+                ("answer", 4.0, 6.0),
+                ("null", 6.0, 6.0),
+                ("answer", 7.0, 8.0),
+                ("event", 8.0, 8.0),
+                ("event", 8.0, 8.0),
+            ]
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_meant_is_told() {
+        let with = |inside: &str, kind: &str| {
+            codes(&script(&format!(
+                "<r:ask time='0' name='q' type='{kind}' prompt='?'><r:option name='a' text='A' right='true'/>{inside}</r:ask>"
+            )))
+        };
+        assert_eq!(with("", "choice"), [""; 0]);
+        assert_eq!(
+            with("<r:option name='a' text='B'/>", "choice"),
+            ["eml::duplicate-name"]
+        );
+        assert_eq!(
+            with("<r:option name='b' text='B' right='true'/>", "choice"),
+            ["eml::ask-right"]
+        );
+        assert_eq!(
+            with("<r:option name='b' text='B' right='true'/>", "several"),
+            [""; 0]
+        );
+        assert_eq!(
+            with("<r:answer to='c'><null time='1'/></r:answer>", "choice"),
+            ["eml::unknown-option"]
+        );
+        let none = "<r:ask time='0' name='q' prompt='?'><r:option name='a' text='A'/></r:ask>";
+        assert_eq!(codes(&script(none)), ["eml::ask-right"]);
+        assert_eq!(
+            codes(&script(&format!("{ASK}{ASK}"))),
+            ["eml::duplicate-name"]
+        );
+    }
+
+    #[test]
+    fn a_fragment_asks_nothing() {
+        let text = format!("<x xmlns:r='urn:raconteur:eml:1'/>{ASK}");
+        let parsed = crate::parse_fragment(
+            &text
+                .replace("<x xmlns:r='urn:raconteur:eml:1'/>", "")
+                .replace("<r:ask", "<r:ask xmlns:r='urn:raconteur:eml:1'"),
+        );
+        assert!(parsed.document.clauses.is_empty());
+        assert!(parsed.diagnostics.iter().any(|d| d.code == "eml::ask-live"));
+    }
+}
