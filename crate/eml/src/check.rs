@@ -1,14 +1,14 @@
 //! Checks that look at the whole document: what clauses refer to, and attributes that
 //! mean nothing beside others.
 
-use crate::clauses::asking::{Ask, AskKind};
+use crate::clauses::asking::AskKind;
 use crate::clauses::functions::FunctionArgs;
 use crate::clauses::manipulators::{ForwardKinematics, JOINTS, Jacobian};
 use crate::clauses::players::{DeterministicPrimitive, PlayerKind, PrimitiveKind, TrackProperty};
 use crate::clauses::sets::{BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, layer_number};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
-use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
+use crate::{Ask, Clause, ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most names that a hint is chosen from, which bounds its cost.

@@ -1,6 +1,6 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
-use crate::clauses::asking::{Answer, Ask};
+use crate::clauses::asking::{Question, Reaction};
 use crate::clauses::environment::{Camera, Emotion, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
@@ -333,4 +333,34 @@ pub struct Group {
     pub repetition_span: Span,
     /// The length of one iteration in seconds; none: as long as the content.
     pub iteration_secs: Option<f64>,
+}
+
+/// A question, with what follows from its answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ask {
+    /// The question.
+    pub question: Question,
+    /// Its answers, one after another in the timeline; which of them is performed is only known
+    /// when somebody has answered.
+    pub answers: Group,
+}
+
+/// What is performed after certain answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answer {
+    /// After which.
+    pub reaction: Reaction,
+    /// Its clauses, together.
+    pub content: Group,
+}
+
+impl Default for Group {
+    fn default() -> Self {
+        Self {
+            children: Vec::new(),
+            repetition_count: 1,
+            repetition_span: Span::default(),
+            iteration_secs: None,
+        }
+    }
 }

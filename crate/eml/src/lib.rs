@@ -36,7 +36,7 @@ mod words;
 mod work;
 mod write;
 
-pub use clauses::asking::{Answer, Ask, AskKind, AskOption, Question, Reaction};
+pub use clauses::asking::{AskKind, AskOption, Question, Reaction};
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
     PreferredHand, ShotKind, Valence,
@@ -66,7 +66,7 @@ pub use clauses::speech::{
 };
 pub use decode::{Decoded, decode, parse_bytes};
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
-pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
+pub use document::{Answer, Ask, Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use feeling::Emoticon;
 pub use gesture::{

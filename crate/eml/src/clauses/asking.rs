@@ -1,7 +1,6 @@
 //! Extensions: questions of a lesson and what follows from their answers.
 
 use crate::record::{record, words};
-use crate::{Group, Span};
 
 words! {
     /// How a question is answered.
@@ -52,35 +51,5 @@ record! {
     Reaction = "answer" {
         /// `right`, `wrong`, or the name of an option.
         to: String = "to",
-    }
-}
-
-/// A question, with what follows from its answers.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ask {
-    /// The question.
-    pub question: Question,
-    /// Its answers, one after another in the timeline; which of them is performed is only known
-    /// when somebody has answered.
-    pub answers: Group,
-}
-
-/// What is performed after certain answers.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Answer {
-    /// After which.
-    pub reaction: Reaction,
-    /// Its clauses, together.
-    pub content: Group,
-}
-
-impl Default for Group {
-    fn default() -> Self {
-        Self {
-            children: Vec::new(),
-            repetition_count: 1,
-            repetition_span: Span::default(),
-            iteration_secs: None,
-        }
     }
 }
