@@ -386,7 +386,7 @@ impl Context<'_> {
         if self.is_fragment {
             let message = "questions belong in stories; a performance that goes on has no place for their answers";
             self.sink
-                .push(Diagnostic::error("eml::ask-live", fields.tag, message));
+                .push(Diagnostic::error("eml::wrong-parent", fields.tag, message));
             return None;
         }
         let (mut parts, mut inside) = (Vec::new(), Vec::new());

@@ -7,10 +7,6 @@ pub const CODES: &[(&str, &str)] = &[
         "Another spelling than the reference's; it is understood.",
     ),
     (
-        "eml::ask-live",
-        "A question stands in what is performed while a story plays; it is left out.",
-    ),
-    (
         "eml::ask-right",
         "Of the options of a question none is right, or more than one where one is to be chosen.",
     ),
