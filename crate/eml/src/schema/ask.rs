@@ -183,6 +183,11 @@ mod tests {
                 .replace("<r:ask", "<r:ask xmlns:r='urn:raconteur:eml:1'"),
         );
         assert!(parsed.document.clauses.is_empty());
-        assert!(parsed.diagnostics.iter().any(|d| d.code == "eml::wrong-parent"));
+        assert!(
+            parsed
+                .diagnostics
+                .iter()
+                .any(|d| d.code == "eml::wrong-parent")
+        );
     }
 }
