@@ -10,7 +10,7 @@ const LEAST_SPREAD = 4;
 
 test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag: '@draws' }, async ({ stage, page }) => {
   test.setTimeout(300_000);
-  const text = "<voice-text time='0'>All of us speak at once and for quite a while.</voice-text><null time='60'/>";
+  const text = "<voice-text time='0'>All of us speak at once and for quite a while.</voice-text><null time='600'/>";
   const one = '<raconteur-player src="story.eml" quality="lowest" loading="eager" muted></raconteur-player>';
   await stage.open(`<main>${one.repeat(PLAYERS)}</main>`, {
     'story.eml': story(text),
