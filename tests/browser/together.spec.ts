@@ -1,5 +1,6 @@
 /** Eight players on one page, each with a device of its own: all paint at once, and none is blank. */
 
+import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { story } from './fixture.js';
 import { expect, ready, test } from './stage.js';
@@ -7,6 +8,21 @@ import { expect, ready, test } from './stage.js';
 const PLAYERS = 8;
 /** Mean absolute difference of a picture from its own mean: a canvas of one colour has none. */
 const LEAST_SPREAD = 4;
+
+/** What each player draws, as greys of a few places: pictures of the window would hold up a machine that plays eight stories. */
+const looks = (page: Page): Promise<number[][]> =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => {
+      const context = new OffscreenCanvas(28, 38).getContext('2d');
+      const picture = player.snapshot();
+      if (context === null || picture === undefined) return [];
+      context.drawImage(picture, 0, 0, 28, 38);
+      return [...context.getImageData(0, 0, 28, 38).data].filter((_, i) => i % 4 === 1);
+    }),
+  );
+
+/** Mean absolute difference from something. */
+const apart = (look: readonly number[], from: (place: number) => number): number => look.reduce((sum, grey, k) => sum + Math.abs(grey - from(k)), 0) / look.length;
 
 test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag: '@draws' }, async ({ stage, page }) => {
   test.setTimeout(300_000);
@@ -31,12 +47,18 @@ test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag:
   for (const { spread } of await Promise.all(players.map((player) => stage.picture(player)))) expect(spread).toBeGreaterThan(LEAST_SPREAD);
   await page.evaluate(() => Promise.all([...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => player.play())));
   await stage.until(1, players.at(-1));
-  const before = await Promise.all(players.map((player) => stage.picture(player)));
+  const before = await looks(page);
   const times = await Promise.all(players.map((player) => stage.time(player)));
   for (const [i, player] of players.entries()) await stage.until((times[i] ?? 0) + 1.5, player);
-  const after = await Promise.all(players.map((player) => stage.picture(player)));
-  for (const [i, { spread, png }] of after.entries()) {
-    expect(spread, `player ${i}`).toBeGreaterThan(LEAST_SPREAD);
-    expect(await stage.difference(png, before[i]?.png ?? png), `player ${i}`).toBeGreaterThan(0.05);
+  for (const [i, look] of (await looks(page)).entries()) {
+    const mean = look.reduce((sum, grey) => sum + grey, 0) / look.length;
+    expect(
+      apart(look, () => mean),
+      `player ${i}`,
+    ).toBeGreaterThan(LEAST_SPREAD);
+    expect(
+      apart(look, (k) => before[i]?.[k] ?? 0),
+      `player ${i}`,
+    ).toBeGreaterThan(0.05);
   }
 });
