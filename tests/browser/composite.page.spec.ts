@@ -5,7 +5,7 @@ import type { CompositeEventMap, RaconteurComposite } from '../../web/composite/
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
 import { drawSimply } from './composite.js';
-import { expect, test } from './stage.js';
+import { expect, test, type Stage } from './stage.js';
 
 async function open(page: Page): Promise<void> {
   await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -92,7 +92,8 @@ test('the face says a sentence, and nothing leaves the machine', async ({ page, 
   page.on('request', (request) => {
     const { origin, protocol } = new URL(request.url());
     if (protocol.startsWith('http') && origin !== new URL(baseURL ?? '').origin) elsewhere.push(request.url());
-    if (request.method() !== 'GET') elsewhere.push(`${request.method()} ${request.url()}`);
+    // Neither of them carries anything.
+    if (!['GET', 'HEAD'].includes(request.method())) elsewhere.push(`${request.method()} ${request.url()}`);
   });
   await open(page);
   await set(page, 'weight', '0.5');
@@ -118,6 +119,8 @@ for (const { colorScheme, device, width, height } of LOOKS) {
   });
 }
 
+type Embedded = ReturnType<typeof embedded>;
+
 /** An editor on a page of somebody else, and what it tells that page. */
 const embedded = (page: Page, id: string) => {
   const editor = page.locator(`#${id}`);
@@ -138,7 +141,8 @@ const embedded = (page: Page, id: string) => {
   };
 };
 
-test('two editors stand on a strict page of somebody else, each for itself', async ({ stage, page }) => {
+/** Two editors on a strict page of somebody else. */
+async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> {
   test.setTimeout(120_000);
   await page.setViewportSize({ width: 1300, height: 900 });
   const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
@@ -150,6 +154,11 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
   await Promise.all([one.ready(), two.ready()]);
   await Promise.all([one.hear(), two.hear()]);
   for (const { editor } of [one, two]) await editor.getByRole('tab', { name: 'Features' }).click();
+  return [one, two];
+}
+
+test('two editors stand on a strict page of somebody else, each for itself', async ({ stage, page }) => {
+  const [one, two] = await openTwo(stage, page);
   expect(await two.editor.evaluate((e: RaconteurComposite) => e.player?.currentFigure)).toBe('papous');
 
   // A slider moves: one step of one editor.
@@ -194,6 +203,15 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
   }, '#two');
   expect(moved).toBe('This is no session of the composite editor.');
   expect(await two.changes()).toBe('{"label":"weight +0.01","steps":1}');
+});
+
+test('two editors come back with their work: where they are moved, taken away, and opened anew', async ({ stage, page }) => {
+  const [one, two] = await openTwo(stage, page);
+  for (const { editor } of [one, two]) {
+    await editor.getByRole('slider', { name: 'weight' }).focus();
+    await page.keyboard.press('ArrowRight');
+    await expect(value(editor, 'weight')).toHaveValue('0.01');
+  }
 
   // An element that is moved goes on; one that is away for longer comes back with its face.
   await one.editor.evaluate((e: RaconteurComposite) => document.querySelector('#there')?.append(e));

@@ -215,6 +215,8 @@ export class RaconteurComposite extends LitElement {
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     if (this.#player === undefined) return;
     this.#player.quality = this.quality;
+    // A picture with everything is not what was asked for any longer, or is now.
+    if (changed.has('quality')) this.#fine?.changed();
     if (changed.has('figure') && this.figure !== this.#player.figure) this.#player.figure = this.figure;
     if (changed.has('src') && this.src && this.#app !== undefined) void this.#openSource(this.src);
   }

@@ -4,7 +4,7 @@ import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/lesson.js';
 import { united, type Span } from '../element/ranges.js';
 import type { Happening, Record, Report } from './report.js';
-import { readMemory, shareOf, writeMemory } from './seen.js';
+import { answersIn, readMemory, shareOf, writeMemory } from './seen.js';
 
 /** What the author asks of a learner. */
 export interface Rules {
@@ -25,6 +25,8 @@ export class Course {
   /** What was seen in this session and in those before. */
   #seen: readonly Span[] = [];
   #isComplete = false;
+  /** The share of the points that is enough. */
+  #pass: number | undefined;
   /** Where the learner was when that was told last. */
   #placeSecs = 0;
   #keptMs = -Infinity;
@@ -34,23 +36,25 @@ export class Course {
     this.#player = player;
     this.#record = record;
     this.#rules = rules;
+    this.#pass = rules.pass;
   }
 
   /** Begins the session: the story stands where the learner left it. Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same. */
   async begin(): Promise<void> {
-    const { memory, isComplete } = await this.#record.open();
-    const { placeSecs, seen, answered } = readMemory(memory);
+    const { memory, isComplete, pass } = await this.#record.open();
+    this.#pass = pass ?? this.#pass;
+    const { placeSecs, seen, answered, more } = readMemory(memory);
     this.#seen = seen;
     this.#isComplete = isComplete;
-    if (placeSecs > 0 || answered !== undefined) this.#return(placeSecs, answered);
+    if (placeSecs > 0 || answered !== undefined) this.#return(placeSecs, { ...more, answered });
     this.#listen();
     this.#tell();
   }
 
-  #return(placeSecs: number, answered: unknown): void {
+  #return(placeSecs: number, state: { readonly answered: unknown }): void {
     const player = this.#player;
     const go = () => {
-      player.restore({ placeSecs: placeSecs < player.duration ? placeSecs : 0, answered });
+      player.restore({ ...state, placeSecs: placeSecs < player.duration ? placeSecs : 0 });
     };
     if (player.readyState > 0) go();
     else player.addEventListener('loadedmetadata', go, { once: true });
@@ -91,25 +95,33 @@ export class Course {
     const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
     const asks = score.most > 0;
     const share = asks ? score.points / score.most : 0;
-    const { pass } = this.#rules;
+    const { placeSecs: _, answered, ...more } = this.#player.state();
     const isOver = this.#isComplete || progress >= this.#rules.watched;
     return {
       placeSecs,
       score: asks ? score : undefined,
-      isPassed: pass === undefined || !asks || !isOver ? undefined : share >= pass,
+      isPassed: asks && isOver ? this.#isEnough(share, answersIn(answered) as readonly Answered[]) : undefined,
       durationSecs: duration,
       progress,
       seen: this.#seen,
       isComplete: isOver,
-      memory: writeMemory({ placeSecs, seen: this.#seen, answered: this.#player.state().answered }),
+      memory: writeMemory({ placeSecs, seen: this.#seen, answered, more }, this.#record.mostMemory),
     };
+  }
+
+  /** Whether a share of the points is enough; nobody has failed while there is something to answer. Not all ways come to all questions. */
+  #isEnough(share: number, answered: readonly Answered[]): boolean | undefined {
+    if (this.#pass === undefined) return undefined;
+    if (share >= this.#pass) return true;
+    const isSettled = this.#player.ended || this.#player.questions.every(({ name }) => answered.some((it) => it.name === name && it.isFinal));
+    return isSettled ? false : undefined;
   }
 
   #reply(answered: Answered, latencyMs: number): void {
     const question = this.#player.questions.find(({ name }) => name === answered.name);
     if (question === undefined) return;
-    this.#tell();
     this.#record.reply?.({ question, answered, atMs: Date.now(), latencyMs });
+    this.#tell();
     // What was answered is not to be lost.
     this.#keep();
   }

@@ -1,56 +1,141 @@
 /** Answers as SCORM has them: `cmi.interactions` of 1.2 (Run-Time Environment, 3.4.7) and of 2004 (4.2.9). */
 
+import type { Question } from '../element/types.js';
 import type { Reply } from './report.js';
+import { gapsText, identifierOf, numberText, pairsOf, patternsOf, placesOf, responseOf, rightNames, TYPES, type Limits } from './responses.js';
+import { BETWEEN, decimal, plain } from './texts.js';
 
 /** Elements and their values, in the order in which they have to be set. */
 export type Elements = readonly (readonly [element: string, value: string])[];
 
-const LETTERS = 'abcdefghijklmnopqrstuvwxyz0123456789';
+/** Options, and what they are matched with, are single characters in 1.2. */
+const SOURCES = 'abcdefghijklmnopqrstuvwxyz0123456789';
+const TARGETS = '1234567890abcdefghijklmnopqrstuvwxyz';
+/** What every system of 1.2 takes of a text, and of a weight. */
+const MOST_FEEDBACK = 255;
+const MOST_WEIGHT = 100;
+const LIMITS_12: Limits = { items: SOURCES.length, gaps: Infinity, gapLength: MOST_FEEDBACK, textLength: MOST_FEEDBACK, patterns: 10 };
+const LIMITS_2004: Limits = { items: 36, gaps: 10, gapLength: 250, textLength: 4000, patterns: 5 };
+
 const two = (n: number): string => String(n).padStart(2, '0');
 
-/** Options by single letters, all that 1.2 has for a choice. */
-function letters({ question }: Reply, names: readonly string[]): string {
-  return question.options.flatMap(({ name }, i) => (names.includes(name) ? [LETTERS[i % LETTERS.length] ?? 'a'] : [])).join(',');
+/** A question's name as an identifier: what may not stand there is written by its number. */
+function idOf({ name }: Question): string {
+  const id = name.replaceAll(/[^\w.-]/gu, (character) => (character === ' ' ? '-' : `-${character.codePointAt(0)?.toString(16) ?? ''}`));
+  return id.slice(0, 250) || 'question';
 }
 
-/** Options by names that 2004 takes for short identifiers. */
-function identifiers({ question }: Reply, names: readonly string[]): string {
-  return question.options.flatMap(({ name }, i) => (names.includes(name) ? [/^[\w.-]{1,250}$/.test(name) ? name : `option-${i + 1}`] : [])).join('[,]');
+/** Elements that have a value. */
+const known = (elements: readonly (readonly [string, string | undefined])[]): Elements =>
+  elements.filter((element): element is readonly [string, string] => element[1] !== undefined);
+
+/** More options than 1.2 has characters for are told by their names. */
+const isSpelled = ({ kind, options }: Question): boolean => kind === 'gap' || kind === 'text' || (kind !== 'number' && options.length > SOURCES.length);
+
+function type12(question: Question): string {
+  return isSpelled(question) ? 'fill-in' : TYPES[question.kind];
 }
 
-const rightOf = ({ question }: Reply): string[] => question.options.filter(({ isRight }) => isRight).map(({ name }) => name);
-/** A question's name as an identifier. */
-const idOf = ({ question }: Reply): string => question.name.replaceAll(/[^\w.-]/g, '-').slice(0, 250);
+/** Names that were given, by characters. */
+function characters(question: Question, given: readonly string[]): string {
+  const parts =
+    question.kind === 'match'
+      ? pairsOf(question, given).map(([source, target]) => `${SOURCES[source] ?? ''}.${TARGETS[target] ?? ''}`)
+      : placesOf(question, given).map((place) => SOURCES[place] ?? '');
+  return parts.join(',');
+}
+
+/** The same by names, where the characters do not suffice. */
+function names(question: Question, given: readonly string[]): string {
+  const identifier = (place: number) => identifierOf(question.options[place]?.name ?? '', place);
+  const parts =
+    question.kind === 'match' ? pairsOf(question, given).map(([source, target]) => `${identifier(source)}.${identifier(target)}`) : placesOf(question, given).map(identifier);
+  return parts.join(',').slice(0, MOST_FEEDBACK);
+}
+
+function response12({ question, answered: { given } }: Reply): string | undefined {
+  if (question.kind === 'gap' || question.kind === 'text') return plain12(given) || undefined;
+  if (question.kind === 'number') return numberText(given);
+  return (isSpelled(question) ? names : characters)(question, given) || undefined;
+}
+
+/** Texts that were written, as one. */
+function plain12(given: readonly string[]): string {
+  return gapsText(given, LIMITS_12)
+    .slice(0, MOST_FEEDBACK)
+    .replace(/[\uD800-\uDBFF]$/, '');
+}
+
+function patterns12(question: Question): string[] {
+  switch (question.kind) {
+    case 'gap':
+    case 'text':
+      return patternsOf(question, LIMITS_12).filter((pattern) => pattern.length <= MOST_FEEDBACK);
+    case 'number': {
+      // A number is right or wrong in 1.2; it has no ranges.
+      const right = question.options.filter(({ isRight }) => isRight);
+      const exact = right.flatMap(({ least, most }) => (least !== undefined && least === most ? (decimal(least) ?? []) : []));
+      return exact.length === right.length ? exact : [];
+    }
+    default: {
+      const pattern = (isSpelled(question) ? names : characters)(question, rightNames(question));
+      return pattern === '' || pattern.length >= MOST_FEEDBACK ? [] : [pattern];
+    }
+  }
+}
 
 /** The `n`th interaction of SCORM 1.2. */
 export function interaction12(n: number, reply: Reply): Elements {
   const at = `cmi.interactions.${n}`;
+  const { question, answered } = reply;
   const time = new Date(reply.atMs);
   const secs = Math.floor(reply.latencyMs / 1000);
-  return [
-    [`${at}.id`, idOf(reply)],
-    [`${at}.type`, 'choice'],
+  return known([
+    [`${at}.id`, idOf(question)],
+    [`${at}.type`, type12(question)],
     [`${at}.time`, `${two(time.getHours())}:${two(time.getMinutes())}:${two(time.getSeconds())}`],
-    [`${at}.weighting`, String(reply.question.points)],
-    [`${at}.correct_responses.0.pattern`, letters(reply, rightOf(reply))],
-    [`${at}.student_response`, letters(reply, reply.answered.given)],
-    [`${at}.result`, reply.answered.isRight ? 'correct' : 'wrong'],
+    [`${at}.weighting`, question.points <= MOST_WEIGHT ? decimal(question.points) : undefined],
+    ...patterns12(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),
+    [`${at}.student_response`, response12(reply)],
+    [`${at}.result`, answered.isRight ? 'correct' : 'wrong'],
     [`${at}.latency`, `${String(Math.min(9999, Math.floor(secs / 3600))).padStart(4, '0')}:${two(Math.floor(secs / 60) % 60)}:${two(secs % 60)}`],
-  ];
+  ]);
+}
+
+/** Of a lone text systems take commas for delimiters, too: ten parts are too many, and a `{` begins a part as it begins a text. */
+const BROKEN_BY_COMMAS = /(,[^,]*){10}|,\{/;
+const response2004 = (reply: Reply): string | undefined => {
+  const text = responseOf(reply, LIMITS_2004);
+  if (text === undefined || TYPES[reply.question.kind] !== 'fill-in' || text.includes(BETWEEN)) return text;
+  return BROKEN_BY_COMMAS.test(text) ? text.replaceAll(',', ';') : text;
+};
+
+/** Whether systems take a pattern: some refuse parts that are the same, spaces around them, and commas in a lone text. */
+function isTaken(pattern: string): boolean {
+  const parts = pattern.split(BETWEEN);
+  return new Set(parts).size === parts.length && parts.every((part) => part.trim() === part) && (parts.length > 1 || !pattern.includes(','));
+}
+
+function patterns2004(question: Question): string[] {
+  const patterns = patternsOf(question, LIMITS_2004).filter(isTaken);
+  // It has one range of numbers.
+  return question.kind === 'number' && patterns.length > 1 ? [] : patterns;
 }
 
 /** The `n`th interaction of SCORM 2004. */
 export function interaction2004(n: number, reply: Reply): Elements {
   const at = `cmi.interactions.${n}`;
-  return [
-    [`${at}.id`, idOf(reply)],
-    [`${at}.type`, 'choice'],
-    [`${at}.timestamp`, new Date(reply.atMs).toISOString().replace(/\.\d+Z$/, 'Z')],
-    [`${at}.weighting`, String(reply.question.points)],
-    [`${at}.correct_responses.0.pattern`, identifiers(reply, rightOf(reply))],
-    [`${at}.learner_response`, identifiers(reply, reply.answered.given)],
-    [`${at}.result`, reply.answered.isRight ? 'correct' : 'incorrect'],
+  const { question, answered } = reply;
+  return known([
+    [`${at}.id`, idOf(question)],
+    [`${at}.type`, TYPES[question.kind]],
+    // Where there is a time zone there have to be fractions, of two digits.
+    [`${at}.timestamp`, new Date(reply.atMs).toISOString().replace(/\dZ$/, 'Z')],
+    [`${at}.weighting`, decimal(question.points)],
+    ...patterns2004(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),
+    [`${at}.learner_response`, response2004(reply)],
+    [`${at}.result`, answered.isRight ? 'correct' : 'incorrect'],
     [`${at}.latency`, `PT${Math.round(reply.latencyMs / 10) / 100}S`],
-    [`${at}.description`, reply.question.prompt.slice(0, 250)],
-  ];
+    [`${at}.description`, plain(question.prompt, 250)],
+  ]);
 }

@@ -17,7 +17,7 @@ export interface Report {
   readonly isComplete: boolean;
   /** Points of the story's questions; undefined where it asks nothing. */
   readonly score: Score | undefined;
-  /** Enough points for the author's rule; undefined while that is open, or where there is no such rule. */
+  /** Enough points for the rule of the system, else the author's; undefined while that is open, or where there is no such rule. */
   readonly isPassed: boolean | undefined;
   /** What brings the learner back to where they were; only the course itself reads it. */
   readonly memory: string;
@@ -44,17 +44,21 @@ export interface Known {
   /** The `memory` of the last report; empty at the first time. */
   readonly memory: string;
   readonly isComplete: boolean;
+  /** The share of the points that the system wants, 0 to 1, whatever the author wants. */
+  readonly pass?: number | undefined;
 }
 
 /** Where reports go: a learning management system, a record store, or the browser itself. */
 export interface Record {
+  /** The most characters of `memory` that it keeps; all without. */
+  readonly mostMemory?: number;
   /** Begins a session. Rejects with a `RecordError` where there is none to be had. */
   open(): Promise<Known>;
   /** Takes the last state; cheap, and as often as there is something new. */
   tell(report: Report): void;
   /** Takes what the learner has just done, after `tell`; for those who keep that. */
   note?(what: Happening): void;
-  /** Takes an answer, after `tell`. */
+  /** Takes an answer, before the `tell` that counts it. */
   reply?(reply: Reply): void;
   /** Has what was told kept for good, as far as that can be said now. */
   keep(): void;

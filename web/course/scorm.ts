@@ -5,6 +5,7 @@
 
 import { interaction12, interaction2004, type Elements } from './interactions.js';
 import { RecordError, type Known, type Record, type Reply, type Report } from './report.js';
+import { decimal } from './texts.js';
 
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
@@ -90,6 +91,8 @@ export const SCORM_2004: Version = {
   mostMemory: 64_000,
 };
 
+const MOST_SCORE = 100;
+
 /** So many windows are looked at: systems put the course into frames of frames. */
 const MOST_PARENTS = 20;
 
@@ -111,6 +114,7 @@ function find(object: string, from: Window): Api | undefined {
 
 /** A session with a system that has SCORM. */
 export class Scorm implements Record {
+  readonly mostMemory: number;
   readonly #version: Version;
   readonly #from: Window;
   readonly #sinceMs = performance.now();
@@ -119,6 +123,8 @@ export class Scorm implements Record {
   readonly #set = new Map<string, string>();
   /** Somebody looks at what a learner did before: nothing is told. */
   #isReview = false;
+  /** The status when the session began. */
+  #was = '';
   #wasComplete = false;
   #isKept = true;
   /** How many answers the system has. */
@@ -127,6 +133,7 @@ export class Scorm implements Record {
   /** `from`: the window in and around which the system is looked for. */
   constructor(version: Version, from: Window = window) {
     this.#version = version;
+    this.mostMemory = version.mostMemory;
     this.#from = from;
   }
 
@@ -137,27 +144,31 @@ export class Scorm implements Record {
     if (this.#call(begin, '') !== 'true') return Promise.reject(new RecordError(`The learning management system did not begin a session (${this.#fault()}); nothing is recorded.`));
     const mode = this.#get(names.mode);
     this.#isReview = mode === 'review' || mode === 'browse';
-    this.#wasComplete = complete.includes(this.#get(names.status));
+    this.#was = this.#get(names.status);
+    this.#wasComplete = complete.includes(this.#was);
     this.#replies = Number(this.#get('cmi.interactions._count')) || 0;
     return Promise.resolve({ memory: this.#get(names.memory), isComplete: this.#wasComplete });
   }
 
   tell({ placeSecs, progress, isComplete, memory, score, isPassed }: Report): void {
-    const { names, mostMemory } = this.#version;
+    const { names } = this.#version;
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
     if (names.progress !== undefined) this.#put(names.progress, String(Math.round(progress * 10_000) / 10_000));
-    if (memory.length <= mostMemory) this.#put(names.memory, memory);
+    if (memory.length <= this.mostMemory) this.#put(names.memory, memory);
     if (score !== undefined) {
+      // Scores of the older one end at 100.
+      const most = names.scaled === undefined ? Math.min(MOST_SCORE, score.most) : score.most;
       this.#put(`${names.score}.min`, '0');
-      this.#put(`${names.score}.max`, String(score.most));
-      this.#put(`${names.score}.raw`, String(score.points));
+      this.#put(`${names.score}.max`, decimal(most) ?? '0');
+      this.#put(`${names.score}.raw`, decimal(most < score.most ? (score.points / score.most) * most : score.points) ?? '0');
       if (names.scaled !== undefined && score.most > 0) this.#put(names.scaled, String(Math.round((score.points / score.most) * 10_000) / 10_000));
     }
     const outcome = isPassed === undefined ? undefined : isPassed ? 'passed' : 'failed';
     if (outcome !== undefined && names.success !== undefined) this.#put(names.success, outcome);
     // The older one has one status for both.
     const done = names.success === undefined && outcome !== undefined ? outcome : 'completed';
-    if (!this.#wasComplete) this.#put(names.status, isComplete ? done : 'incomplete');
+    // Who had seen enough before may pass or fail later.
+    if (!this.#wasComplete || (this.#was === 'completed' && done !== 'completed')) this.#put(names.status, isComplete ? done : 'incomplete');
   }
 
   reply(reply: Reply): void {

@@ -1,10 +1,12 @@
 /** Statements of the video profile of xAPI (https://w3id.org/xapi/video, version 1.0.3) about a story. */
 
+import type { Score } from '../element/lesson.js';
 import type { Span } from '../element/ranges.js';
 import type { Statement } from './outbox.js';
 
 const ADL = 'http://adlnet.gov/expapi/verbs/';
 const VIDEO = 'https://w3id.org/xapi/video';
+const CMI5 = 'https://w3id.org/xapi/cmi5/context/';
 
 /** What a learner does, by the verbs' addresses. */
 export const VERBS = {
@@ -14,9 +16,13 @@ export const VERBS = {
   played: `${VIDEO}/verbs/played`,
   paused: `${VIDEO}/verbs/paused`,
   seeked: `${VIDEO}/verbs/seeked`,
+  passed: `${ADL}passed`,
+  failed: `${ADL}failed`,
+  answered: `${ADL}answered`,
 } as const;
 
-export type Verb = keyof typeof VERBS;
+/** What is said of the course; what is answered is said of its questions. */
+export type Verb = Exclude<keyof typeof VERBS, 'answered'>;
 
 /** What statements of a session have in common. */
 export interface Session {
@@ -31,6 +37,10 @@ export interface Session {
   readonly sessionId: string;
   /** The share that counts as all of it, 0 to 1. */
   readonly threshold: number;
+  /** It is one of cmi5, which has rules of its own. */
+  readonly isCmi5: boolean;
+  /** The share of the points that the system wants, 0 to 1; undefined where it wants none. */
+  readonly masteryScore: number | undefined;
 }
 
 /** Where the learner is as a statement is made. */
@@ -42,6 +52,7 @@ export interface Moment {
   readonly progress: number;
   readonly seen: readonly Span[];
   readonly spentMs: number;
+  readonly score: Score | undefined;
 }
 
 const rounded = (secs: number): number => Math.round(secs * 1000) / 1000;
@@ -50,8 +61,15 @@ export const durationOf = (ms: number): string => `PT${Math.round(ms / 10) / 100
 /** As the profile writes what was played. */
 const segments = (seen: readonly Span[]): string => seen.map(([from, to]) => `${rounded(from)}[.]${rounded(to)}`).join('[,]');
 
-/** Extensions of the result that a verb asks for. */
-function resultOf(verb: Verb, { placeSecs, fromSecs, progress, seen, spentMs }: Moment): object | undefined {
+/** Points as a score; nothing where there are none to be had. cmi5 has whole ones (9.5.1), and the share as it is: it decides. */
+export function scoreOf(points: number, most: number): object {
+  if (!(most > 0)) return {};
+  const scaled = Math.min(1, Math.max(0, points / most));
+  return { score: { scaled, ...(Number.isInteger(points) && Number.isInteger(most) ? { raw: points, min: 0, max: most } : {}) } };
+}
+
+/** Results that a verb asks for. */
+function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score }: Moment): object | undefined {
   const extension = (name: string) => `${VIDEO}/extensions/${name}`;
   const played = { [extension('progress')]: rounded(progress), [extension('played-segments')]: segments(seen) };
   switch (verb) {
@@ -64,38 +82,84 @@ function resultOf(verb: Verb, { placeSecs, fromSecs, progress, seen, spentMs }: 
     case 'paused':
       return { extensions: { [extension('time')]: rounded(placeSecs), ...played } };
     case 'completed':
-      return { completion: true, duration: durationOf(spentMs), extensions: { [extension('time')]: rounded(placeSecs), ...played } };
+      return {
+        completion: true,
+        duration: durationOf(spentMs),
+        // In cmi5 only who passes or fails has a score (9.5.1).
+        ...(isCmi5 || score === undefined ? {} : scoreOf(score.points, score.most)),
+        extensions: { [extension('time')]: rounded(placeSecs), ...played },
+      };
+    case 'passed':
+    case 'failed':
+      return { success: verb === 'passed', duration: durationOf(spentMs), ...(score === undefined ? {} : scoreOf(score.points, score.most)) };
     case 'terminated':
       return { duration: durationOf(spentMs), extensions: { [extension('time')]: rounded(placeSecs), ...played } };
   }
 }
 
+/** Activities of a kind; a single one may stand for a list. */
+type Activities = readonly unknown[] | object;
+
 interface Grouped {
-  readonly contextActivities?: { readonly category?: readonly unknown[] };
+  readonly contextActivities?: { readonly [kind: string]: Activities };
   readonly extensions?: object;
 }
 
-/** A statement that is made now. `categories` are added to that of the profile. */
-export function statementOf(verb: Verb, session: Session, moment: Moment, categories: readonly string[] = []): Statement {
-  const { contextActivities, extensions, ...context } = session.context as Grouped;
-  const result = resultOf(verb, moment);
+/** What is added to the context of a session. */
+export interface Added {
+  readonly categories: readonly string[];
+  readonly parent?: object;
+  readonly extensions: object;
+}
+
+/** The context of a statement: nothing of the session's own is lost or written over. */
+export function contextOf({ context: given, registration, sessionId }: Session, { categories, parent, extensions: added }: Added): object {
+  const { contextActivities = {}, extensions, ...context } = given as Grouped;
+  const joined = (kind: string, more: readonly object[]): object => {
+    const all = [contextActivities[kind] ?? [], more].flat();
+    return all.length === 0 ? {} : { [kind]: all };
+  };
+  const category = categories.map((id) => ({ id }));
+  return {
+    ...context,
+    ...(registration === undefined ? {} : { registration }),
+    contextActivities: { ...contextActivities, ...joined('category', category), ...joined('parent', parent === undefined ? [] : [parent]) },
+    extensions: { [`${VIDEO}/extensions/session-id`]: sessionId, ...added, ...extensions },
+  };
+}
+
+/** The course as an activity. */
+export const courseOf = ({ activityId, language, title }: Session): object => ({
+  objectType: 'Activity',
+  id: activityId,
+  definition: { type: `${VIDEO}/activity-type/video`, name: { [language]: title } },
+});
+
+/** The categories of a statement about the course: the profile's, and cmi5's for its own statements (9.6.2); others it allows. */
+function categoriesOf(verb: Verb, isCmi5: boolean): string[] {
+  const isJudged = verb === 'passed' || verb === 'failed';
+  const own =
+    isJudged || verb === 'completed' ? [`${CMI5}categories/cmi5`, `${CMI5}categories/moveon`] : verb === 'initialized' || verb === 'terminated' ? [`${CMI5}categories/cmi5`] : [];
+  return [...(isJudged ? [] : [VIDEO]), ...(isCmi5 ? own : [])];
+}
+
+/** A statement that is made now about the course. */
+export function statementOf(verb: Verb, session: Session, moment: Moment): Statement {
+  const result = resultOf(verb, session, moment);
+  const { isCmi5, masteryScore, threshold } = session;
+  const isJudged = verb === 'passed' || verb === 'failed';
+  const extensions = {
+    [`${VIDEO}/extensions/length`]: rounded(moment.durationSecs),
+    [`${VIDEO}/extensions/completion-threshold`]: String(threshold),
+    ...(isJudged && masteryScore !== undefined ? { [`${CMI5}extensions/masteryscore`]: masteryScore } : {}),
+  };
   return {
     id: crypto.randomUUID(),
     timestamp: new Date().toISOString(),
     actor: session.actor,
     verb: { id: VERBS[verb], display: { 'en-US': verb } },
-    object: { objectType: 'Activity', id: session.activityId, definition: { type: `${VIDEO}/activity-type/video`, name: { [session.language]: session.title } } },
+    object: courseOf(session),
     ...(result === undefined ? {} : { result }),
-    context: {
-      ...context,
-      ...(session.registration === undefined ? {} : { registration: session.registration }),
-      contextActivities: { ...contextActivities, category: [...(contextActivities?.category ?? []), ...[VIDEO, ...categories].map((id) => ({ id }))] },
-      extensions: {
-        [`${VIDEO}/extensions/session-id`]: session.sessionId,
-        [`${VIDEO}/extensions/length`]: rounded(moment.durationSecs),
-        [`${VIDEO}/extensions/completion-threshold`]: String(session.threshold),
-        ...extensions,
-      },
-    },
+    context: contextOf(session, { categories: categoriesOf(verb, isCmi5), extensions }),
   };
 }

@@ -3,14 +3,15 @@
  * (https://aicc.github.io/CMI-5_Spec_Current, 8 to 10), whose session has rules of its own.
  */
 
+import { answeredOf } from './answered.js';
+import { Backup, writeKept, type Verdict } from './kept.js';
 import { Outbox, type Shelf } from './outbox.js';
-import { RecordError, type Happening, type Known, type Record, type Report } from './report.js';
+import { RecordError, type Happening, type Known, type Record, type Reply, type Report } from './report.js';
 import { statementOf, type Moment, type Session, type Verb } from './statements.js';
 import { RecordStore, type Access, type Owner } from './store.js';
 
 /** Under which a course keeps its memory in the store. */
 const STATE = 'raconteur';
-const CMI5 = 'https://w3id.org/xapi/cmi5/context/categories/';
 const NOT_FOUND = 'Nothing is recorded.';
 /** After each of them a store that is away is asked again: some two minutes in all. */
 const WAITS_MS = [1000, 2000, 4000, 8000, 16_000, 30_000, 60_000];
@@ -27,7 +28,6 @@ interface Launched {
   readonly access: Access;
   readonly owner: Owner;
   readonly session: Session;
-  readonly isCmi5: boolean;
   /** Somebody only looks at it: nothing is said of what they have done. */
   readonly isReview: boolean;
 }
@@ -46,18 +46,20 @@ async function launched(asked: URLSearchParams, course: Course): Promise<Launche
   const registration = asked.get('registration') ?? undefined;
   const owner: Owner = { activityId, agent: actor, registration };
   const data = fetchAddress === null ? {} : await launchData(access, owner);
-  const { contextTemplate = {}, launchMode = 'Normal' } = data as { contextTemplate?: { [part: string]: unknown }; launchMode?: string };
+  const { contextTemplate = {}, launchMode = 'Normal', masteryScore } = data as { contextTemplate?: { [part: string]: unknown }; launchMode?: string; masteryScore?: unknown };
   const session: Session = {
     actor: parsed(actor),
     activityId,
     title: course.title,
-    language: course.language,
+    language: course.language || 'und',
     registration,
     context: contextTemplate,
     sessionId: crypto.randomUUID(),
     threshold: course.watched,
+    isCmi5: fetchAddress !== null,
+    masteryScore: typeof masteryScore === 'number' && masteryScore >= 0 && masteryScore <= 1 ? masteryScore : undefined,
   };
-  return { access, owner, session, isCmi5: fetchAddress !== null, isReview: launchMode !== 'Normal' };
+  return { access, owner, session, isReview: launchMode !== 'Normal' };
 }
 
 function parsed(json: string): unknown {
@@ -108,8 +110,15 @@ export class XapiRecord implements Record {
   #outbox: Outbox | undefined;
   #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: '', score: undefined, isPassed: undefined };
   #isComplete = false;
-  /** The memory that the store has. */
+  /** What was said of passing or failing, in this session or before. */
+  #verdict: Verdict | undefined;
+  /** One of them was said in this session, which has room for no other. */
+  #isJudged = false;
+  /** What the store has of the state. */
   #kept = '';
+  /** The state that was sent last. */
+  #sent = '';
+  #backup: Backup | undefined;
 
   /** `address`: that of the page; `shelf`: what keeps statements that the store has not taken. */
   constructor(address: string, course: Course, shelf: Shelf | undefined) {
@@ -124,32 +133,54 @@ export class XapiRecord implements Record {
     const { registration = '', activityId } = opened.owner;
     this.#outbox = new Outbox(`raconteur-statements:${registration || activityId}`, this.#shelf, (statement) => store.put(statement));
     const state = await stateOf(store, opened.owner, STATE);
-    const { memory = '', isComplete = false } = remembered(state);
+    this.#backup = new Backup(`raconteur-state:${registration || activityId}:${opened.owner.agent}`, this.#shelf);
+    const { memory, isComplete, verdict } = this.#backup.join(state);
     this.#kept = state;
     // Who leaves before the story is there has seen nothing new.
     this.#last = { ...this.#last, memory };
     this.#isComplete = isComplete;
+    this.#verdict = verdict;
     this.#say('initialized');
-    return { memory, isComplete };
+    return { memory, isComplete, pass: opened.session.masteryScore };
   }
 
   tell(report: Report): void {
     this.#last = report;
-    if (!report.isComplete || this.#isComplete) return;
-    this.#isComplete = true;
-    this.#say('completed');
+    if (report.isComplete && !this.#isComplete) {
+      this.#isComplete = true;
+      this.#say('completed');
+    }
+    if (report.isPassed !== undefined) this.#judge(report.isPassed ? 'passed' : 'failed');
+  }
+
+  /** Says once that somebody has passed, or failed; who has passed does not fail any more (cmi5, 9.3). */
+  #judge(verdict: Verdict): void {
+    if (this.#isJudged || this.#verdict === 'passed' || this.#verdict === verdict || this.#launched?.isReview !== false) return;
+    this.#verdict = verdict;
+    this.#isJudged = true;
+    this.#say(verdict);
+    this.keep();
   }
 
   note({ kind, fromSecs }: Happening): void {
     this.#say(kind, fromSecs);
   }
 
+  reply(reply: Reply): void {
+    if (this.#launched?.isReview === false) this.#outbox?.add(answeredOf(this.#launched.session, reply));
+  }
+
   keep(): void {
     const { owner, isReview } = this.#launched ?? {};
-    const text = JSON.stringify({ memory: this.#last.memory, isComplete: this.#isComplete });
+    const text = writeKept({ memory: this.#last.memory, isComplete: this.#isComplete, verdict: this.#verdict });
     if (owner === undefined || isReview || text === this.#kept) return;
+    this.#sent = text;
+    this.#backup?.put(text, this.#kept);
     void this.#store?.putState(owner, STATE, text).then((isKept) => {
-      if (isKept) this.#kept = text;
+      if (!isKept) return;
+      this.#kept = text;
+      // What was sent later is still on its way.
+      if (this.#sent === text) this.#backup?.clear();
     });
   }
 
@@ -161,27 +192,13 @@ export class XapiRecord implements Record {
     this.#launched = undefined;
   }
 
+  /** Who only looks at it begins and ends a session, and nothing else is said (cmi5, 10: `launchMode`). */
   #say(verb: Verb, fromSecs?: number): void {
     if (this.#launched === undefined) return;
-    const { session, isCmi5, isReview } = this.#launched;
-    if (isReview && verb === 'completed') return;
-    const { placeSecs, durationSecs, progress, seen } = this.#last;
-    const moment: Moment = { placeSecs, fromSecs, durationSecs, progress, seen, spentMs: performance.now() - this.#sinceMs };
-    this.#outbox?.add(statementOf(verb, session, moment, isCmi5 ? categoriesOf(verb) : []));
-  }
-}
-
-/** The categories of cmi5's own statements (9.6.2); others are statements that it allows. */
-function categoriesOf(verb: Verb): string[] {
-  if (verb === 'completed') return [`${CMI5}cmi5`, `${CMI5}moveon`];
-  return verb === 'initialized' || verb === 'terminated' ? [`${CMI5}cmi5`] : [];
-}
-
-function remembered(text: string): { memory?: string; isComplete?: boolean } {
-  try {
-    const { memory, isComplete } = JSON.parse(text) as { memory?: unknown; isComplete?: unknown };
-    return { ...(typeof memory === 'string' ? { memory } : {}), isComplete: isComplete === true };
-  } catch {
-    return {};
+    const { session, isReview } = this.#launched;
+    if (isReview && verb !== 'initialized' && verb !== 'terminated') return;
+    const { placeSecs, durationSecs, progress, seen, score } = this.#last;
+    const moment: Moment = { placeSecs, fromSecs, durationSecs, progress, seen, score, spentMs: performance.now() - this.#sinceMs };
+    this.#outbox?.add(statementOf(verb, session, moment));
   }
 }

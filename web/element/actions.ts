@@ -11,6 +11,9 @@ export function actionsOf(context: PlayerContext): KeyActions & BarActions {
   const isFullscreen = () => document.fullscreenElement === player;
   const actions: KeyActions & BarActions = {
     toggle: () => {
+      const { lesson, form } = context.questioner;
+      // The story goes on when it has its answer.
+      if (player.paused && lesson.asked !== undefined) return form.focus();
       if (player.paused) player.play().catch((error: Error) => error.name !== 'AbortError' && say('The story could not be started'));
       else player.pause();
     },

@@ -24,7 +24,6 @@ export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, 
 export function passTransport(context: PlayerContext, event: TransportEvent): void {
   const { player, say, tell } = context;
   if (event === 'seeking') {
-    context.questioner.sought();
     dispatch(player, 'seeking');
     return;
   }
@@ -34,7 +33,12 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   }
   if (event === 'pause') say(player.ended ? 'The story has ended' : 'Paused');
   if (event === 'seeked') {
-    context.show?.picture.seek(player.currentTime);
+    const { picture } = context.show ?? {};
+    if (context.questioner.isTurning) picture?.leap(player.currentTime);
+    else {
+      picture?.seek(player.currentTime);
+      context.questioner.sought(player.currentTime);
+    }
     context.advance();
   }
   tell({ kind: 'transport', event, timeSecs: player.currentTime });

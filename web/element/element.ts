@@ -25,6 +25,7 @@ import { StoryLoader } from './story-loader.js';
 import { spare } from './fetching.js';
 import type { Answered, Score } from './lesson.js';
 import { Questioner } from './questioner.js';
+import type { Part } from './text-tracks.js';
 import { FrameLoop } from './frame-loop.js';
 import {
   PlayerError,
@@ -357,6 +358,11 @@ export class RaconteurPlayer extends MediaElement {
     return this.#stories.rehearse(eml, motion);
   }
 
+  /** The parts of the story that have titles, by time; they are chapters among its text tracks, too. */
+  get chapters(): readonly Part[] {
+    return this.#questioner.lesson.parts;
+  }
+
   /** All that the story asks, by time. */
   get questions(): readonly Question[] {
     return this.#context.show?.story.questions ?? [];
@@ -367,9 +373,9 @@ export class RaconteurPlayer extends MediaElement {
     return this.#questioner.lesson.asked;
   }
 
-  /** Answers what is asked by the names of options; undefined where nothing is, or where that is no answer. The story goes on once it is answered for good. */
-  answer(...options: readonly string[]): Answered | undefined {
-    return this.#questioner.answer(options);
+  /** Answers what is asked, as `QuestionKind` has it: by the names of options, or by what is written; undefined where nothing is, or where that is no answer. The story goes on once it is answered for good. */
+  answer(...given: readonly string[]): Answered | undefined {
+    return this.#questioner.answer(given);
   }
 
   /** Points so far, and the most that there are. */
@@ -379,12 +385,12 @@ export class RaconteurPlayer extends MediaElement {
 
   /** Where the learner is and what they have answered, as data for `restore`: for pages that keep it themselves. */
   state(): PlayerState {
-    return { placeSecs: this.currentTime, answered: this.#questioner.lesson.state() };
+    return { placeSecs: this.currentTime, ...this.#questioner.lesson.state() };
   }
 
   /** Brings back what `state` told, once the story is there. What does not fit the story is left out. */
-  restore({ placeSecs, answered }: PlayerState): void {
-    this.#questioner.lesson.restore(answered);
+  restore({ placeSecs, ...lesson }: PlayerState): void {
+    this.#questioner.lesson.restore(lesson);
     if (Number.isFinite(placeSecs)) this.currentTime = placeSecs;
     this.requestUpdate();
   }
@@ -542,8 +548,14 @@ export interface RaconteurPlayer {
 /** Where a learner is and what they have answered. */
 export interface PlayerState {
   readonly placeSecs: number;
-  /** As `state` told it; it may have gone through other hands since. */
+  /** What was answered. It and what follows may have gone through other hands since `state` told them. */
   readonly answered: unknown;
+  /** The variables of the story. */
+  readonly values?: unknown;
+  /** What was set and is not set again. */
+  readonly done?: unknown;
+  /** How far the learner has come, seconds. */
+  readonly furthestSecs?: unknown;
 }
 
 declare global {

@@ -6,6 +6,7 @@ import { passCue } from './cues.js';
 import { dispatch } from './media-events.js';
 import type { MindConnection } from './mind-connection.js';
 import { Pulse } from './pulse.js';
+import type { Show } from './show.js';
 import { Welcome } from './welcome.js';
 
 /** While the story waits, for its voice or for sounds, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
@@ -23,6 +24,8 @@ export class FrameLoop {
   #caption: ReturnType<typeof captionAt>;
   /** How many recordings had come when pages heard of that. */
   #come = 0;
+  /** What is asked. */
+  #asked: string | undefined;
   /** The moment that was drawn last, and when. */
   #drawn = { secs: NaN, ms: 0 };
 
@@ -45,7 +48,10 @@ export class FrameLoop {
   keep(): void {
     const { player, show, onScreen } = this.#context;
     this.#pulse.keep(player.isConnected && show !== undefined && !player.paused, onScreen);
-    this.#welcome.keep(player.isConnected && onScreen && this.#waits);
+    const { asked } = this.#context.questioner.lesson;
+    if (asked?.name !== this.#asked) this.#welcome.restart();
+    this.#asked = asked?.name;
+    this.#welcome.keep(player.isConnected && onScreen && (this.#waits || (asked !== undefined && player.paused)));
   }
 
   /** The story has not begun: the figure waits. A page that edits, or looks from elsewhere, wants its first moment. */
@@ -66,12 +72,17 @@ export class FrameLoop {
     }
     const secs = show.transport.update();
     // Where it was brought elsewhere, that is shown already.
-    if (this.#context.started && !this.#context.questioner.pass(show, secs)) return;
+    const { questioner, started } = this.#context;
+    if (started && !questioner.pass(show, secs, (to) => this.#pass(show, to))) return;
     const ms = performance.now();
     if (show.transport.waiting && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
     this.#drawn = { secs, ms };
+    const { asked } = questioner.lesson;
     if (this.#waits) show.picture.welcome(this.#welcome.secs);
-    else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
+    else if (asked !== undefined && player.paused) {
+      show.picture.attend(asked.atSecs, this.#welcome.secs, questioner.form.lookedAt);
+      void questioner.form.place();
+    } else this.#pass(show, secs);
     this.#context.follow();
     this.#context.drawn(secs);
     // A picture may have taken long; captions follow the sound.
@@ -80,6 +91,12 @@ export class FrameLoop {
       this.#caption = now;
       player.requestUpdate();
     }
+  }
+
+  /** Shows a moment and tells of what lies on the way to it. */
+  #pass(show: Show, secs: number): void {
+    const { player } = this.#context;
+    for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
   }
 
   /** A few times a second, drawn or not. */

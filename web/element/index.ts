@@ -6,12 +6,32 @@ export { addSpeechSource, naturalVoice, speechServer } from '../speech/added.js'
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
-export type { Answered, Score } from './lesson.js';
+export type { Answered, LessonState, Score } from './lesson.js';
 export type { ElementEventMap, MediaEventMap, PlayerEventMap } from './events.js';
+export type { Part } from './text-tracks.js';
 export { openFaces } from './open-faces.js';
 export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './faces.js';
 export { PlayerError } from './types.js';
-export type { AudioFile, Backend, Cue, Diagnostic, FaceCourse, FigureFace, Hand, Place, Quality, Statistics, Story, Utterance, View, Word } from './types.js';
+export type {
+  AudioFile,
+  Backend,
+  Cue,
+  Diagnostic,
+  FaceCourse,
+  FigureFace,
+  Hand,
+  Place,
+  Quality,
+  Question,
+  QuestionKind,
+  QuestionOption,
+  Statistics,
+  Story,
+  Utterance,
+  View,
+  Way,
+  Word,
+} from './types.js';
 
 // The library lies beside the script, wherever that comes from. A name of its own for the script, so
 // that the build leaves the folder alone; and nothing else may import this file, which would then be

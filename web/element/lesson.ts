@@ -1,17 +1,22 @@
 /**
- * The questions of a story: where it rests until somebody has answered, what follows from an answer, and what was answered. A
- * question's answers lie one after another in the story; what does not fit is passed over.
+ * The ways through a story: where it rests until somebody has answered, what follows from an answer, what is passed over, and what
+ * was answered. All of it lies one after another in the story's time; what is not meant is leapt over.
  */
 
-import type { Question } from './types.js';
+import { judge } from './judge.js';
+import type { Part } from './text-tracks.js';
+import type { Question, Way } from './types.js';
+import { type Value, Values } from './values.js';
 
 /** What somebody has answered to a question. */
 export interface Answered {
   /** The question's name. */
   readonly name: string;
-  /** The names of the options that were chosen last. */
+  /** What was answered last; `QuestionKind` tells what it holds. Empty where the time was over. */
   readonly given: readonly string[];
   readonly isRight: boolean;
+  /** The names of the options that it fits. */
+  readonly fits: readonly string[];
   readonly points: number;
   /** How often it was answered. */
   readonly tries: number;
@@ -25,24 +30,82 @@ export interface Score {
   readonly most: number;
 }
 
-/** What is to become of the story's time. */
-export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly toSecs: number };
+/** What a learner has done in a story, as data. */
+export interface LessonState {
+  readonly answered: readonly Answered[];
+  readonly values: { readonly [name: string]: Value };
+  /** What was set and is not set again, by its place in the story. */
+  readonly done: readonly number[];
+  /** How far the learner has come, seconds. */
+  readonly furthestSecs: number;
+}
+
+/** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
+export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
+
+/** Something that a story comes to. */
+type Mark =
+  | Way
+  | { readonly kind: 'ask'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly question: Question }
+  | { readonly kind: 'answer'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly of: string };
 
 const GO: Turn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
+/** More of a state from outside is not read. */
+const MOST_DONE = 100_000;
+
+/** Marks in the order in which a story comes to them. */
+function marksOf(questions: readonly Question[], ways: readonly Way[]): readonly Mark[] {
+  const asked = questions.flatMap((question): Mark[] => {
+    const { order, within, atSecs, endSecs, name, answers } = question;
+    const around = within === undefined ? {} : { within };
+    return [
+      { kind: 'ask', order, ...around, atSecs, endSecs, question },
+      ...answers.map((answer): Mark => ({ kind: 'answer', order: answer.order, ...around, atSecs: answer.startSecs, endSecs: answer.endSecs, of: name })),
+    ];
+  });
+  return [...ways, ...asked].sort((a, b) => a.order - b.order);
+}
 
 export class Lesson {
   #questions: readonly Question[] = [];
+  #byName: ReadonlyMap<string, Question> = new Map();
+  #marks: readonly Mark[] = [];
+  /** The next mark that the story comes to. */
+  #next = 0;
+  /** Answers and conditions whose clauses are passed over, by their places. */
+  readonly #closed = new Set<number>();
   readonly #answered = new Map<string, Answered>();
+  readonly #values = new Values();
+  readonly #done = new Set<number>();
+  #furthestSecs = 0;
   #asked: Question | undefined;
-  /** What follows from the last answer, and the time at which that is over. */
-  #follows: { readonly endSecs: number; readonly toSecs: number } | undefined;
+  /** The answer that is performed, and where the story goes on after it. */
+  #follows: { readonly order: number; readonly endSecs: number; readonly toSecs: number } | undefined;
 
-  /** The questions of the text on stage; what was answered to those of the same names stays. */
-  setQuestions(questions: readonly Question[]): void {
+  /** The questions and ways of the text on stage; what was answered to those of the same names stays. */
+  setStory(questions: readonly Question[], ways: readonly Way[]): void {
     this.#questions = questions;
+    this.#byName = new Map(questions.map((question) => [question.name, question]));
+    this.#marks = marksOf(questions, ways);
     this.#asked = this.#follows = undefined;
+    this.#next = 0;
+    this.#closed.clear();
+  }
+
+  /** Nothing is left of a story that goes. */
+  clear(): void {
+    this.setStory([], []);
+    this.#answered.clear();
+    this.#values.clear();
+    this.#done.clear();
+    this.#furthestSecs = 0;
+  }
+
+  /** The parts of the story, by time. */
+  get parts(): readonly Part[] {
+    return this.#marks.flatMap((mark) => (mark.kind === 'part' ? [{ name: mark.name, title: mark.title, startSecs: mark.atSecs, endSecs: mark.endSecs }] : []));
   }
 
   /** What is asked now. */
@@ -52,83 +115,198 @@ export class Lesson {
 
   /** What was answered, by the questions' order. */
   get answered(): readonly Answered[] {
-    return this.#questions.flatMap(({ name }) => this.#answered.get(name) ?? []);
+    return [...this.#byName.keys()].flatMap((name) => this.#answered.get(name) ?? []);
+  }
+
+  /** What was answered to a question. */
+  answeredTo(name: string): Answered | undefined {
+    return this.#answered.get(name);
   }
 
   get score(): Score {
     const points = this.answered.reduce((sum, { points }) => sum + points, 0);
-    return { points, most: this.#questions.reduce((sum, { points }) => sum + points, 0) };
+    return { points, most: [...this.#byName.values()].reduce((sum, { points }) => sum + points, 0) };
   }
 
-  /** The story has come to a time by itself, or was brought there: whether it may go on. */
+  /** The story has come to a time by itself: whether it may go on. */
   pass(secs: number): Turn {
-    const follows = this.#follows;
-    if (follows !== undefined) {
-      if (secs < follows.endSecs - NEARLY_SECS) return GO;
-      this.#follows = undefined;
-      if (secs < follows.toSecs - NEARLY_SECS) return { kind: 'leap', toSecs: follows.toSecs };
-    }
-    const first = this.#questions.find(({ name, atSecs }) => atSecs <= secs + NEARLY_SECS && this.#answered.get(name)?.isFinal !== true);
-    this.#asked = first;
-    if (first !== undefined) return { kind: 'rest', atSecs: first.atSecs };
-    // Within what follows from answers that were given before.
-    const within = this.#questions.find(({ atSecs, endSecs }) => atSecs <= secs && secs < endSecs - NEARLY_SECS);
-    return within === undefined ? GO : { kind: 'leap', toSecs: within.endSecs };
+    const turn = this.#leave(secs) ?? this.#walk(secs);
+    if (turn.kind === 'go') this.#furthestSecs = Math.max(this.#furthestSecs, secs);
+    return turn;
   }
 
   /** The story was brought to another time: what follows from an answer is not told any more. */
-  leave(): void {
-    this.#follows = undefined;
+  seek(secs: number): void {
+    this.#follows = this.#asked = undefined;
+    this.#closed.clear();
+    // Nobody comes further than by the ways of the story: from there on it is walked through.
+    const from = Math.min(secs, this.#furthestSecs);
+    const next = this.#marks.findIndex(({ atSecs }) => atSecs >= from - NEARLY_SECS);
+    this.#next = next < 0 ? this.#marks.length : next;
+    // What the story has come into: conditions and answers are looked at again.
+    const around = this.#marks.findIndex((mark) => mark.kind !== 'part' && mark.atSecs < from - NEARLY_SECS && from < mark.endSecs - NEARLY_SECS);
+    if (around >= 0 && around < this.#next) this.#next = around;
   }
 
-  /** Takes an answer to what is asked; undefined where nothing is, or where it chooses nothing that there is. */
+  /** Takes an answer to what is asked; undefined where nothing is, or where it is none. */
   answer(given: readonly string[]): { readonly answered: Answered; readonly turn: Turn } | undefined {
     const asked = this.#asked;
-    if (asked === undefined) return undefined;
-    const chosen = asked.options.filter(({ name }) => given.includes(name));
-    if (chosen.length === 0 || (asked.kind === 'choice' && chosen.length > 1)) return undefined;
-    const isRight = asked.options.every((option) => option.isRight === chosen.includes(option));
+    const judgement = asked && judge(asked, given);
+    if (asked === undefined || judgement === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
-    const isFinal = isRight || tries >= asked.tries;
-    const answered: Answered = { name: asked.name, given: chosen.map(({ name }) => name), isRight, points: isRight ? asked.points : 0, tries, isFinal };
-    this.#answered.set(asked.name, answered);
-    return { answered, turn: isFinal ? this.#react(asked, answered) : GO };
+    const isFinal = judgement.isRight || tries >= asked.tries;
+    return this.#take(asked, { name: asked.name, ...judgement, points: judgement.isRight ? asked.points : 0, tries, isFinal });
   }
 
-  #react(asked: Question, { given, isRight }: Answered): Turn {
-    const fits = (to: string) => (to === 'right' ? isRight : to === 'wrong' ? !isRight : given.length === 1 && given[0] === to);
-    const reaction = asked.answers.find(({ to }) => fits(to));
-    this.#asked = undefined;
-    if (reaction === undefined) return { kind: 'leap', toSecs: asked.endSecs };
-    this.#follows = { endSecs: reaction.endSecs, toSecs: asked.endSecs };
-    return { kind: 'leap', toSecs: reaction.startSecs };
+  /** The time for what is asked is over. */
+  expire(): { readonly answered: Answered; readonly turn: Turn } | undefined {
+    const asked = this.#asked;
+    if (asked === undefined) return undefined;
+    const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
+    return this.#take(asked, { name: asked.name, given: [], isRight: false, fits: [], points: 0, tries, isFinal: true });
   }
 
-  /** What was answered, to be given back to `restore`: data that `JSON.stringify` writes. */
-  state(): readonly Answered[] {
-    return [...this.#answered.values()];
+  /** What was done, to be given back to `restore`: data that `JSON.stringify` writes. */
+  state(): LessonState {
+    return { answered: [...this.#answered.values()], values: this.#values.all, done: [...this.#done], furthestSecs: this.#furthestSecs };
   }
 
   /** Takes what `state` gave, whatever has become of it in between: what is no answer to a question on stage is left out. */
   restore(state: unknown): void {
+    const { answered, values, done, furthestSecs } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
     this.#answered.clear();
     this.#asked = this.#follows = undefined;
-    for (const told of Array.isArray(state) ? (state as unknown[]) : []) {
-      const { name, given, tries } = (told ?? {}) as { name?: unknown; given?: unknown; tries?: unknown };
-      const question = this.#questions.find((q) => q.name === name);
-      if (question === undefined || !Array.isArray(given) || !(typeof tries === 'number' && tries >= 1)) continue;
-      // Points are counted anew: what comes from outside may claim too many.
-      const chosen = question.options.filter((option) => given.includes(option.name));
-      const isRight = chosen.length > 0 && question.options.every((option) => option.isRight === chosen.includes(option));
-      const count = Math.min(question.tries, Math.floor(tries));
-      this.#answered.set(question.name, {
-        name: question.name,
-        given: chosen.map((o) => o.name),
-        isRight,
-        points: isRight ? question.points : 0,
-        tries: count,
-        isFinal: isRight || count >= question.tries,
-      });
+    for (const told of listOf(answered)) {
+      const known = this.#known(told);
+      if (known !== undefined) this.#answered.set(known.name, known);
+    }
+    this.#values.restore(values);
+    this.#done.clear();
+    for (const order of listOf(done).slice(0, MOST_DONE)) if (Number.isInteger(order)) this.#done.add(order as number);
+    this.#furthestSecs = typeof furthestSecs === 'number' && furthestSecs >= 0 ? furthestSecs : 0;
+    this.seek(0);
+  }
+
+  #take(asked: Question, answered: Answered): { readonly answered: Answered; readonly turn: Turn } {
+    this.#answered.set(asked.name, answered);
+    return { answered, turn: answered.isFinal ? this.#react(asked, answered) : GO };
+  }
+
+  #react(asked: Question, { isRight, fits }: Answered): Turn {
+    const meant = (to: string) => (to === 'right' ? isRight : to === 'wrong' ? !isRight : fits.includes(to));
+    const reaction = asked.answers.find(({ to }) => meant(to));
+    this.#asked = undefined;
+    this.#next += 1;
+    const toSecs = reaction?.startSecs ?? asked.endSecs;
+    if (reaction !== undefined) this.#follows = { order: reaction.order, endSecs: reaction.endSecs, toSecs: asked.endSecs };
+    return { kind: 'leap', fromSecs: asked.atSecs, toSecs };
+  }
+
+  /** Where the answer that is performed is over. */
+  #leave(secs: number): Turn | undefined {
+    const follows = this.#follows;
+    if (follows === undefined) return undefined;
+    // What is on the way within the answer comes before its end.
+    const turn = this.#walk(Math.min(secs, follows.endSecs));
+    if (turn.kind !== 'go' || secs < follows.endSecs - NEARLY_SECS) return turn;
+    this.#follows = undefined;
+    if (secs >= follows.toSecs - NEARLY_SECS) return undefined;
+    return { kind: 'leap', fromSecs: follows.endSecs, toSecs: follows.toSecs };
+  }
+
+  /** Goes through the marks up to a time. */
+  #walk(secs: number): Turn {
+    for (;;) {
+      const at = this.#next;
+      const mark = this.#marks[at];
+      if (mark === undefined || mark.atSecs > secs + NEARLY_SECS) return GO;
+      this.#next = at + 1;
+      if (mark.within !== undefined && this.#closed.has(mark.within)) {
+        this.#closed.add(mark.order);
+        continue;
+      }
+      const turn = this.#meet(mark, secs);
+      // It is come to again, until it is answered.
+      if (turn?.kind === 'rest') this.#next = at;
+      if (turn !== undefined) return turn;
     }
   }
+
+  /** The story comes to a mark; undefined where it goes on. */
+  #meet(mark: Mark, secs: number): Turn | undefined {
+    switch (mark.kind) {
+      case 'part':
+        return undefined;
+      case 'set':
+        if (!this.#done.has(mark.order)) this.#values.set(mark);
+        this.#done.add(mark.order);
+        return undefined;
+      case 'if': {
+        const holds = this.#values.holds(mark, { score: this.score, answered: (name) => this.#answered.get(name) });
+        this.#open(mark, holds);
+        // What stands exactly at its beginning is its own.
+        return holds ? undefined : over(mark, secs, mark.atSecs - 2 * NEARLY_SECS);
+      }
+      case 'answer':
+        this.#open(mark, this.#follows?.order === mark.order);
+        return undefined;
+      case 'ask':
+        if (this.#answered.get(mark.question.name)?.isFinal !== true) {
+          this.#asked = mark.question;
+          return { kind: 'rest', atSecs: mark.atSecs };
+        }
+        return over(mark, secs, mark.atSecs);
+      case 'goto':
+        return this.#go(mark, secs);
+    }
+  }
+
+  #open({ order }: Mark, isOpen: boolean): void {
+    if (isOpen) this.#closed.delete(order);
+    else this.#closed.add(order);
+  }
+
+  /** Goes on at a part; undefined where there is none. */
+  #go({ order, atSecs, to }: Mark & { readonly kind: 'goto' }, secs: number): Turn | undefined {
+    const place = this.#marks.findIndex((mark) => mark.kind === 'part' && mark.name === to);
+    const part = this.#marks[place];
+    if (part === undefined) return undefined;
+    this.#follows = undefined;
+    this.#closed.clear();
+    this.#next = place;
+    const isBack = part.order <= order;
+    if (isBack) this.#forget(part.order, order);
+    // Who was brought further has come past the part.
+    return isBack || part.atSecs > secs + NEARLY_SECS ? { kind: 'leap', fromSecs: atSecs, toSecs: part.atSecs } : undefined;
+  }
+
+  /** What was asked and set from one place to another is asked and set anew. */
+  #forget(from: number, to: number): void {
+    for (const { order, name } of this.#questions) if (order >= from && order <= to) this.#answered.delete(name);
+    for (const order of this.#done) if (order >= from && order <= to) this.#done.delete(order);
+  }
+
+  /** An answer of a state, judged anew: what comes from outside may claim too much. */
+  #known(told: unknown): Answered | undefined {
+    const { name, given, tries, isFinal } = (told ?? {}) as { [name in keyof Answered]?: unknown };
+    const question = typeof name === 'string' ? this.#byName.get(name) : undefined;
+    if (question === undefined || !Array.isArray(given) || !(typeof tries === 'number' && tries >= 1)) return undefined;
+    const count = Math.min(question.tries, Math.floor(tries));
+    const judgement = judge(question, given.map(String)) ?? { given: [], isRight: false, fits: [] };
+    const isOver = given.length === 0 && isFinal === true;
+    return {
+      name: question.name,
+      ...judgement,
+      points: judgement.isRight ? question.points : 0,
+      tries: count,
+      isFinal: judgement.isRight || isOver || count >= question.tries,
+    };
+  }
 }
+
+/** The way from where a story would stand in a mark to behind it. */
+function over({ endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {
+  return secs < endSecs - NEARLY_SECS ? { kind: 'leap', fromSecs, toSecs: endSecs } : undefined;
+}
+
+const listOf = (data: unknown): readonly unknown[] => (Array.isArray(data) ? (data as unknown[]) : []);

@@ -242,13 +242,14 @@ export abstract class MediaElement extends LitElement {
 
   /**
    * Begins or goes on; resolves when it plays. Rejects with `AbortError` when `pause()` or another
-   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first, and
-   * with `NotSupportedError` when the story cannot be played.
+   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first,
+   * with `NotSupportedError` when the story cannot be played, and with `InvalidStateError` while it waits for an answer.
    */
   play(): Promise<void> {
     this.#look();
     this.settleAttributes();
     if (this.error !== null) return Promise.reject(new DOMException(this.error.message, 'NotSupportedError'));
+    if (this.parts.context.questioner.lesson.asked !== undefined) return Promise.reject(new DOMException('The story waits for an answer.', 'InvalidStateError'));
     return this.parts.playback.play();
   }
 
@@ -419,6 +420,7 @@ export abstract class MediaElement extends LitElement {
   protected begin(language: string, shown: boolean): void {
     const { show } = this.parts.context;
     this.#tracks.setStory(language, shown);
+    this.#tracks.setParts(this.parts.context.questioner.lesson.parts, language);
     show?.voice.keepPitch(this.#keepsPitch);
     if (this.#startSecs > 0) this.currentTime = this.#startSecs;
     this.#startSecs = 0;
@@ -428,6 +430,7 @@ export abstract class MediaElement extends LitElement {
   protected end(): void {
     this.#tracks.rest();
     this.#tracks.setStory(undefined, false);
+    this.#tracks.setParts([], '');
     this.follow();
   }
 

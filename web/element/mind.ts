@@ -1,6 +1,7 @@
 /** A mind: EML in by WebSocket, events out as JSON. Fetched only by players that have one. */
 
-import type { Answer, Cue, Diagnostic, MindState } from './types.js';
+import type { Answered } from './lesson.js';
+import type { Answer, Cue, Diagnostic, MindState, Question } from './types.js';
 
 /** A longer message is no fragment; the engine takes a quarter of this. */
 const MOST_CHARACTERS = 65_536;
@@ -19,6 +20,8 @@ const GRACE_MS = 30_000;
 type Note =
   | { readonly kind: 'hello'; readonly version: 1; readonly timeSecs: number; readonly endSecs: number; readonly figure: string }
   | { readonly kind: 'transport'; readonly event: string; readonly timeSecs: number }
+  | ({ readonly kind: 'question' } & Omit<Question, 'kind'> & { readonly type: Question['kind'] })
+  | ({ readonly kind: 'answered' } & Answered)
   | { readonly kind: 'lost'; readonly count: number };
 
 /** Whatever is sent to a mind. */

@@ -386,6 +386,12 @@ export class Picture {
     this.#guard((engine) => engine.seek(secs));
   }
 
+  /** As `seek`, but what the figure does as it waits fades into what follows. */
+  leap(secs: number): void {
+    this.#lastShown = secs;
+    this.#guard((engine) => engine.leap(secs));
+  }
+
   /**
    * Shows a moment and gives the cues passed on the way to it; while the story rests they are
    * kept for later. `running`: pictures follow each other on screen.
@@ -405,12 +411,22 @@ export class Picture {
 
   /** Shows how the figure waits for the story to be played, since so many seconds. */
   welcome(waitedSecs: number): void {
+    this.#wait((engine) => engine.welcome(waitedSecs));
+  }
+
+  /** Shows how the figure waits for an answer where the story rests, since so many seconds, and looks at a bone, or at the viewer. */
+  attend(secs: number, waitedSecs: number, lookedAt: string): void {
+    this.#lastShown = secs;
+    this.#wait((engine) => engine.attend(secs, waitedSecs, lookedAt));
+  }
+
+  #wait(draw: (engine: Engine) => number): void {
     this.#guard((engine) => {
       if (this.#holding) return;
       // Few pictures, so each has the time for every pixel.
       if (!this.#resting) engine.setResting((this.#resting = true));
       this.#keepPace(engine, false);
-      this.#shown(engine.welcome(waitedSecs));
+      this.#shown(draw(engine));
     });
   }
 

@@ -1,33 +1,174 @@
-/** The form of a question, over the stage: controls of HTML, which every browser, keyboard and screen reader knows. */
+/** The form of a question, over or beside the stage. */
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { languageOf, type PlayerContext } from './context.js';
+import { gapsOf } from './judge.js';
 import type { Answered } from './lesson.js';
-import type { Question } from './types.js';
+import type { Limit } from './limit.js';
+import { fieldsOf, gapsIn, givenIn, mixed } from './question-fields.js';
+import { wordsOf } from './question-words.js';
+import type { Question, QuestionOption, Story } from './types.js';
 
-/** What was chosen in a form. */
-const chosenIn = (form: HTMLFormElement): string[] => new FormData(form).getAll('option').map(String);
+/** Languages that are written from the right. */
+const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur', 'yi']);
 
-/** What a learner reads after an answer that was not right, while there are tries left. */
-function said({ hint, tries }: Question, { tries: used, isFinal }: Answered): string {
-  if (isFinal) return '';
-  const left = tries - used;
-  return `Not yet. ${hint === undefined ? '' : `${hint} `}${left === 1 ? 'One try is left.' : `${left} tries are left.`}`;
-}
+export class QuestionForm {
+  readonly #limit: Limit;
+  readonly #answer: (given: readonly string[]) => void;
+  readonly #contextOf: () => PlayerContext;
+  #question: Question | undefined;
+  #language = 'en';
+  #shown: readonly string[] = [];
+  #looked: QuestionOption | undefined;
+  #last: Answered | undefined;
+  /** What the learner reads beneath the fields. */
+  #said = '';
 
-export function questionForm(question: Question, last: Answered | undefined, answer: (given: readonly string[]) => void): TemplateResult {
-  const type = question.kind === 'choice' ? 'radio' : 'checkbox';
-  const submit = (event: SubmitEvent): void => {
+  constructor(limit: Limit, answer: (given: readonly string[]) => void, contextOf: () => PlayerContext) {
+    this.#limit = limit;
+    this.#answer = answer;
+    this.#contextOf = contextOf;
+  }
+
+  get words(): ReturnType<typeof wordsOf> {
+    return wordsOf(this.#language);
+  }
+
+  /** What is asked, to be said. */
+  get prompt(): string {
+    const question = this.#question;
+    if (question?.kind !== 'gap') return question?.prompt ?? '';
+    return gapsOf(question)
+      .map((part) => (typeof part === 'string' ? part : '…'))
+      .join('');
+  }
+
+  /** The bone that the learner looks at; empty where there is none. */
+  get lookedAt(): string {
+    return this.#looked?.at ?? '';
+  }
+
+  /** Another question is asked, or none any more. */
+  open(question: Question | undefined, story: Story | undefined): void {
+    const { player } = this.#contextOf();
+    const had = player.shadowRoot?.activeElement?.closest('.question') != null;
+    this.#question = question;
+    this.#language = story === undefined ? 'en' : languageOf(player, story);
+    this.#shown = question === undefined ? [] : mixed(question);
+    this.#looked = this.#last = undefined;
+    this.#said = '';
+    const isThere = had || document.activeElement === player;
+    // Whoever was in the player is where something is to be done.
+    if (isThere) void player.updateComplete.then(() => (question === undefined ? player.focus() : this.focus()));
+  }
+
+  /** Goes to the first field. */
+  focus(): void {
+    this.#find<HTMLElement>('.question :is(input, select, textarea, button)')?.focus();
+  }
+
+  /** Somebody has answered: what they read while there are tries left. */
+  answered(answered: Answered): void {
+    const question = this.#question;
+    this.#last = answered;
+    if (question === undefined || answered.isFinal) return;
+    const { notYet, tries } = this.words;
+    this.#said = [notYet, question.hint, tries(question.tries - answered.tries)].filter(Boolean).join(' ');
+  }
+
+  render(question: Question): TemplateResult {
+    const { words, prompt } = this;
+    const left = this.#limit.leftSecs;
+    const isFromRight = FROM_RIGHT.has(this.#language.split('-')[0] ?? '');
+    return html`${question.kind === 'point' ? this.#markers(question) : nothing}
+      <form class="question" part="question" lang=${this.#language} dir=${isFromRight ? 'rtl' : 'ltr'} @submit=${(event: SubmitEvent) => this.#submit(event, question)}>
+        <fieldset>
+          <legend dir="auto">${prompt}</legend>
+          ${fieldsOf({ question, words, shown: this.#shown, move: (name, by) => this.#move(name, by), look: (option) => this.#look(option) })}
+        </fieldset>
+        <p class="said" role="status">${this.#said}</p>
+        <div class="answers">
+          <button part="button submit">${words.answer}</button>
+          ${left === undefined ? nothing : html`<span class="left" role="timer">${words.left(left)}</span>`}
+          ${this.#limit.mayHaveMore ? html`<button type="button" class="plain" part="button more" @click=${() => this.#limit.more()}>${words.more}</button>` : nothing}
+        </div>
+      </form>`;
+  }
+
+  #submit(event: SubmitEvent, question: Question): void {
     event.preventDefault();
-    answer(chosenIn(event.currentTarget as HTMLFormElement));
-  };
-  return html`<form class="question" part="question" @submit=${submit}>
-    <fieldset>
-      <legend>${question.prompt}</legend>
-      ${question.options.map(
-        ({ name, text }) => html`<label part="option"><input type=${type} name="option" value=${name} ?required=${type === 'radio'} /><span>${text}</span></label>`,
+    const form = event.currentTarget as HTMLFormElement;
+    this.#last = undefined;
+    this.#answer(question.kind === 'gap' ? gapsIn(form, question) : givenIn(form, question, this.#shown));
+    if (this.#last !== undefined) return;
+    this.#said = this.words.first;
+    this.#contextOf().player.requestUpdate();
+  }
+
+  /** Moves an option of an order, and stays on the button. */
+  #move(name: string, by: -1 | 1): void {
+    const from = this.#shown.indexOf(name);
+    const to = from + by;
+    if (to < 0 || to >= this.#shown.length) return;
+    const order = this.#shown.filter((entry) => entry !== name);
+    order.splice(to, 0, name);
+    this.#shown = order;
+    const { player, say } = this.#contextOf();
+    const text = this.#question?.options.find((option) => option.name === name)?.text ?? '';
+    say(this.words.place(text, to + 1, order.length));
+    player.requestUpdate();
+    void player.updateComplete.then(() => this.#find<HTMLElement>(`.move[data-name="${CSS.escape(name)}"][data-by="${by}"]`)?.focus());
+  }
+
+  #look(option: QuestionOption | undefined): void {
+    this.#looked = option;
+    this.#contextOf().advance();
+  }
+
+  // --- what is pointed at ---
+
+  /** Marks on the stage, for those who point; who does not has the fields. */
+  #markers({ options }: Question): TemplateResult {
+    const choose = ({ name }: QuestionOption): void => {
+      const input = this.#find<HTMLInputElement>(`.question input[value="${CSS.escape(name)}"]`);
+      input?.click();
+    };
+    return html`<div class="markers" aria-hidden="true">
+      ${options.map(
+        (option, i) => html`<button
+          type="button"
+          class="marker"
+          part="marker"
+          tabindex="-1"
+          data-at=${option.at ?? ''}
+          @pointerenter=${() => this.#look(option)}
+          @pointerleave=${() => this.#look(undefined)}
+          @click=${() => choose(option)}
+        >
+          ${i + 1}
+        </button>`,
       )}
-    </fieldset>
-    <p class="said" role="status">${last === undefined ? nothing : said(question, last)}</p>
-    <button part="button submit">Answer</button>
-  </form>`;
+    </div>`;
+  }
+
+  /** Puts the marks where the picture has what they mean. */
+  async place(): Promise<void> {
+    if (this.#question?.kind !== 'point') return;
+    const { player } = this.#contextOf();
+    const { readPose } = await import('./pose.js');
+    const pose = readPose(player);
+    const { clientWidth, clientHeight } = player;
+    for (const marker of player.shadowRoot?.querySelectorAll<HTMLElement>('.marker') ?? []) {
+      const joint = pose?.joints.find(({ name }) => name === `bone_${marker.dataset['at'] ?? ''}` || name === marker.dataset['at']);
+      const spot = joint && pose?.camera.project(joint.position, clientWidth, clientHeight);
+      marker.hidden = spot === undefined;
+      if (spot === undefined) continue;
+      marker.style.left = `${spot.x}px`;
+      marker.style.top = `${spot.y}px`;
+    }
+  }
+
+  #find<E extends Element>(selector: string): E | null {
+    return this.#contextOf().player.shadowRoot?.querySelector<E>(selector) ?? null;
+  }
 }

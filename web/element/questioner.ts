@@ -1,63 +1,99 @@
-/** Has the story rest at its questions and go on with what follows from an answer. */
+/** Has the story rest at its questions and go on by the ways that follow from answers. */
 
 import { fire, type PlayerContext } from './context.js';
 import { Lesson, type Answered, type Turn } from './lesson.js';
+import { Limit } from './limit.js';
+import { QuestionForm } from './question.js';
 import type { Show } from './show.js';
-import type { Question } from './types.js';
+import type { Story } from './types.js';
 
-/** The story stands at a question when it is nearer than this. */
+/** The story stands at a place when it is nearer than this. */
 const NEAR_SECS = 1e-3;
 
 export class Questioner {
   readonly lesson = new Lesson();
+  /** The form of what is asked. */
+  readonly form: QuestionForm;
   readonly #contextOf: () => PlayerContext;
+  readonly #limit: Limit;
   /** The story is being moved by what is answered here, not by the learner. */
   #isTurning = false;
   /** What was asked when that was told last. */
-  #told: Question | undefined;
+  #told: string | undefined;
 
   constructor(contextOf: () => PlayerContext) {
     this.#contextOf = contextOf;
+    this.#limit = new Limit({
+      left: (text) => {
+        if (text !== undefined) this.#contextOf().say(text);
+        this.#contextOf().player.requestUpdate();
+      },
+      over: () => void this.#took(this.lesson.expire()),
+    });
+    this.form = new QuestionForm(
+      this.#limit,
+      (given) => void this.answer(given),
+      () => this.#contextOf(),
+    );
+  }
+
+  /** Whether the story is being moved by what was answered. */
+  get isTurning(): boolean {
+    return this.#isTurning;
   }
 
   /** The text on stage is another, or has other times. */
-  take(questions: readonly Question[]): void {
-    this.lesson.setQuestions(questions);
-    this.#told = undefined;
+  take({ questions, ways }: Story, secs: number): void {
+    this.lesson.setStory(questions, ways);
+    this.lesson.seek(secs);
+  }
+
+  /** The story goes, and what was answered to it. */
+  clear(): void {
+    this.lesson.clear();
+    this.#ask();
   }
 
   /** The story was brought to another time. */
-  sought(): void {
-    if (!this.#isTurning) this.lesson.leave();
+  sought(secs: number): void {
+    if (!this.#isTurning) this.lesson.seek(secs);
   }
 
-  /** The story has come to a time; whether it may be shown, or was brought elsewhere. */
-  pass(show: Show, secs: number): boolean {
+  /** The story has come to a time; whether it may be shown, or was brought elsewhere. `drain` passes what lies up to a time. */
+  pass(show: Show, secs: number, drain: (secs: number) => void): boolean {
     if (this.#isTurning) return true;
     const turn = this.lesson.pass(secs);
     this.#ask();
-    return this.#turn(show, turn, secs);
+    return this.#turn(show, turn, secs, drain);
   }
 
   /** Takes an answer to what is asked; undefined where that is none. */
   answer(given: readonly string[]): Answered | undefined {
-    const { player, show } = this.#contextOf();
-    const taken = this.lesson.answer(given);
-    if (taken === undefined || show === undefined) return undefined;
-    fire(player, 'answer', taken.answered);
-    if (taken.answered.isFinal) fire(player, 'score', this.lesson.score);
-    if (this.#turn(show, taken.turn, show.transport.position)) player.requestUpdate();
-    else {
-      this.#ask();
-      player.play().catch(() => undefined);
-    }
-    return taken.answered;
+    return this.#took(this.lesson.answer(given));
   }
 
-  #turn({ transport }: Show, turn: Turn, secs: number): boolean {
+  #took(taken: ReturnType<Lesson['answer']>): Answered | undefined {
+    const { player, show, tell } = this.#contextOf();
+    if (taken === undefined || show === undefined) return undefined;
+    const { answered, turn } = taken;
+    fire(player, 'answer', answered);
+    tell({ kind: 'answered', ...answered });
+    if (answered.isFinal) fire(player, 'score', this.lesson.score);
+    this.form.answered(answered);
+    player.requestUpdate();
+    if (turn.kind === 'go') return answered;
+    this.#turn(show, turn, show.transport.position);
+    this.#ask();
+    player.play().catch(() => undefined);
+    return answered;
+  }
+
+  #turn({ transport }: Show, turn: Turn, secs: number, drain?: (secs: number) => void): boolean {
     if (turn.kind === 'go') return true;
-    const to = turn.kind === 'rest' ? turn.atSecs : turn.toSecs;
+    const [from, to] = turn.kind === 'rest' ? [turn.atSecs, turn.atSecs] : [turn.fromSecs, turn.toSecs];
     this.#isTurning = true;
+    // What lies on the way there is not lost.
+    if (!transport.paused) drain?.(Math.min(from, secs));
     if (turn.kind === 'rest') transport.pause();
     const isThere = Math.abs(secs - to) < NEAR_SECS;
     if (!isThere) transport.seek(to);
@@ -68,13 +104,18 @@ export class Questioner {
   /** Tells that something is asked. */
   #ask(): void {
     const { asked } = this.lesson;
-    if (asked === this.#told) return;
-    this.#told = asked;
-    const { player, say } = this.#contextOf();
+    if (asked?.name === this.#told) return;
+    this.#told = asked?.name;
+    const { player, show, say, tell, keepTime } = this.#contextOf();
+    this.form.open(asked, show?.story);
+    this.#limit.start(asked?.limitSecs, this.form.words);
     if (asked !== undefined) {
       fire(player, 'question', asked);
-      say(`Question: ${asked.prompt}`);
+      const { kind, ...told } = asked;
+      tell({ kind: 'question', ...told, type: kind });
+      say(this.form.words.asks(this.form.prompt));
     }
+    keepTime();
     player.requestUpdate();
   }
 }

@@ -299,7 +299,7 @@ export class StoryLoader {
       end: new AbortController(),
     };
     this.#context.show = show;
-    this.#context.questioner.take(story.questions);
+    this.#context.questioner.take(story, 0);
     dispatch(player, 'durationchange');
     updateMusic(this.#context, show);
     this.#context.started = false;
@@ -344,7 +344,7 @@ export class StoryLoader {
     const { player, show, diagnostics, advance } = this.#context;
     if (show === undefined) return;
     show.story = story;
-    this.#context.questioner.take(story.questions);
+    this.#context.questioner.take(story, show.transport.position);
     const spoken = show.script.replace(story.utterances);
     show.captions = captionsOf(story.utterances, languageOf(player, story));
     show.transport.replace(story.durationSecs, spoken);
@@ -386,6 +386,7 @@ export class StoryLoader {
     this.#context.show?.voice.close();
     this.#context.show?.end.abort();
     this.#context.show = undefined;
+    this.#context.questioner.clear();
     this.#events.closed();
     this.#error = undefined;
     diagnostics.clear();

@@ -6,7 +6,6 @@ import type { captionAt } from './captions.js';
 import * as controls from './controls.js';
 import type { RaconteurPlayer } from './element.js';
 import type { Idle } from './idle.js';
-import { questionForm } from './question.js';
 import type { Questioner } from './questioner.js';
 import { hasCaptions, type Show } from './show.js';
 import type { StoryLoader } from './story-loader.js';
@@ -58,14 +57,8 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
     </div>`;
 }
 
-function question(questioner: Questioner): TemplateResult | typeof nothing {
-  const { asked, answered } = questioner.lesson;
-  if (asked === undefined) return nothing;
-  return questionForm(
-    asked,
-    answered.find(({ name }) => name === asked.name),
-    (given) => questioner.answer(given),
-  );
+function question({ lesson: { asked }, form }: Questioner): TemplateResult | typeof nothing {
+  return asked === undefined ? nothing : form.render(asked);
 }
 
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {

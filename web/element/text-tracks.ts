@@ -6,6 +6,14 @@ import { StoryTextTrack, type Step } from './text-track.js';
 /** What the interface allows. */
 const KINDS: readonly string[] = ['subtitles', 'captions', 'descriptions', 'chapters', 'metadata'];
 
+/** A part of a story that has a title. */
+export interface Part {
+  readonly name: string;
+  readonly title: string;
+  readonly startSecs: number;
+  readonly endSecs: number;
+}
+
 type ListHandler = ((event: Event) => unknown) | null;
 
 /** The tracks of a player, the story's own first. */
@@ -15,6 +23,8 @@ export class StoryTextTracks extends EventTarget {
   onremovetrack: ListHandler = null;
   onchange: ListHandler = null;
   #own: StoryTextTrack | undefined;
+  /** The parts of the story, where it has some. */
+  #parts: StoryTextTrack | undefined;
   #added: StoryTextTrack[] = [];
   /** The captions that the story's track has cues of. */
   #of: readonly Caption[] | undefined;
@@ -37,7 +47,7 @@ export class StoryTextTracks extends EventTarget {
   }
 
   get #all(): StoryTextTrack[] {
-    return this.#own === undefined ? this.#added : [this.#own, ...this.#added];
+    return [this.#own, this.#parts, ...this.#added].filter((track) => track !== undefined);
   }
 
   [Symbol.iterator](): Iterator<StoryTextTrack> {
@@ -70,6 +80,18 @@ export class StoryTextTracks extends EventTarget {
     });
     this.#own = own;
     this.#changed('addtrack', own);
+  }
+
+  /** The parts of the story, as chapters of its own language; none: it has no such track. */
+  setParts(parts: readonly Part[], language: string): void {
+    const before = this.#parts;
+    this.#parts = undefined;
+    if (before !== undefined) this.#changed('removetrack', before);
+    if (parts.length === 0) return;
+    const chapters = new StoryTextTrack({ kind: 'chapters', label: 'Parts', language, id: 'parts' }, 'hidden', (_, isCue) => (isCue ? this.#cueAdded() : this.#tell()));
+    chapters.replaceCues(parts.map(({ name, title, startSecs, endSecs }) => Object.assign(new VTTCue(startSecs, endSecs, escaped(title)), { id: name })));
+    this.#parts = chapters;
+    this.#changed('addtrack', chapters);
   }
 
   /** The captions of the story are shown, or not. */
@@ -122,12 +144,14 @@ export class StoryTextTracks extends EventTarget {
   }
 }
 
+const escaped = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+
 /** A caption as text of WebVTT, its lines apart. */
 function textOf({ words, second }: Caption): string {
   const line = (from: number, to: number) =>
     words
       .slice(from, to)
-      .map(({ text }) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;'))
+      .map(({ text }) => escaped(text))
       .join(' ');
   return second < words.length ? `${line(0, second)}\n${line(second, words.length)}` : line(0, words.length);
 }

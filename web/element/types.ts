@@ -69,30 +69,72 @@ export interface Performer {
   readonly language?: string;
 }
 
-/** A story that was read. */
+/** The place of something among all that a story comes to, and that of the answer or condition around it. */
+export interface Ordered {
+  readonly order: number;
+  readonly within?: number;
+}
+
 /** A question of a story, and where in it what follows from its answers lies. */
-export interface Question {
+export interface Question extends Ordered {
   /** Where the story rests until it is answered. */
   readonly atSecs: number;
   /** Where it goes on after what follows. */
   readonly endSecs: number;
   /** Results are kept by it. */
   readonly name: string;
-  /** Answered by one option, or by all that are right. */
-  readonly kind: 'choice' | 'several';
+  readonly kind: QuestionKind;
   readonly prompt: string;
   readonly points: number;
   readonly tries: number;
   /** Read after a wrong answer, while there are tries left. */
   readonly hint?: string;
-  readonly options: readonly { readonly name: string; readonly text: string; readonly isRight: boolean }[];
+  /** How long one may think about it, seconds; the learner may ask for more. */
+  readonly limitSecs?: number;
+  readonly options: readonly QuestionOption[];
   /** `to`: `right`, `wrong`, or the name of an option. */
-  readonly answers: readonly { readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
+  readonly answers: readonly { readonly order: number; readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
 }
 
+/** Something on the way through a story. */
+export type Way = Ordered & { readonly atSecs: number; readonly endSecs: number } & (
+    | { readonly kind: 'part'; readonly name: string; readonly title: string }
+    | { readonly kind: 'if'; readonly name: string; readonly is?: string; readonly not?: string; readonly above?: number; readonly below?: number }
+    | { readonly kind: 'set'; readonly name: string; readonly value?: string; readonly by?: number }
+    | { readonly kind: 'goto'; readonly to: string }
+  );
+
+/**
+ * How a question is answered, and what `given` of an answer holds: the name of one option (`choice`), those of all that are right
+ * (`several`), those of all in order (`order`), for each option the name of the one whose partner it was given (`match`), for each
+ * gap what was written (`gap`), a number as it was written (`number`), the name of what was pointed at (`point`), or a text (`text`).
+ */
+export type QuestionKind = 'choice' | 'several' | 'order' | 'match' | 'gap' | 'number' | 'point' | 'text';
+
+/** What may be answered, or a rule for what may be: those that a kind does not know are left out. */
+export interface QuestionOption {
+  readonly name: string;
+  /** Read; of `gap`, `number` and `text` it may be empty. */
+  readonly text: string;
+  readonly isRight: boolean;
+  /** Of `match`: its right partner. */
+  readonly partner?: string;
+  /** Of `gap` and `text`: what is taken. */
+  readonly accepts?: readonly string[];
+  /** Of `text`: what must not be there. */
+  readonly rejects?: readonly string[];
+  /** Of `number`: the least and the greatest number that are taken. */
+  readonly least?: number;
+  readonly most?: number;
+  /** Of `point`: the part of the figure. */
+  readonly at?: string;
+}
+
+/** A story that was read. */
 export interface Story {
   readonly performer: Performer;
   readonly questions: readonly Question[];
+  readonly ways: readonly Way[];
   readonly durationSecs: number;
   readonly utterances: readonly Utterance[];
   readonly diagnostics: readonly Diagnostic[];
@@ -294,8 +336,12 @@ export interface Engine {
   tick(timeSecs: number): number;
   /** Shows the figure as it waits for the story to be played, for so many seconds already; a `TickStatus`. The next `tick` goes on from there. */
   welcome(waitedSecs: number): number;
+  /** Shows the figure as it waits for an answer where the story rests, for so many seconds already, and looks at a bone, or at the viewer; a `TickStatus`. */
+  attend(timeSecs: number, waitedSecs: number, lookedAt: string): number;
   /** Moves without passing what lies between. */
   seek(timeSecs: number): void;
+  /** As `seek`, but what the figure does as it waits fades into what follows. */
+  leap(timeSecs: number): void;
   /** Size of the canvas in CSS pixels, and device pixels for each of them. */
   resize(width: number, height: number, dpr: number): void;
   /** The music under the story and what joined it. */

@@ -1,9 +1,9 @@
 /**
- * Before a story is played the figure waits, alive: pictures of it at a low rate, none where
+ * Before a story is played, and where it waits for an answer, the figure waits, alive: pictures of it at a low rate, none where
  * the player is hidden, one for people who ask for less motion. How long it has waited is no story
  * time.
  *
- * A story that rests in its middle or at its end stands still, as a film does.
+ * A story that rests elsewhere in its middle or at its end stands still, as a film does.
  */
 
 /** Breath and glances need no more pictures a second. */
@@ -35,6 +35,11 @@ export class Welcome {
   /** How long the figure has waited in view, seconds. */
   get secs(): number {
     return this.#waitedMs / 1000;
+  }
+
+  /** The figure begins to wait for something else. */
+  restart(): void {
+    this.#waitedMs = 0;
   }
 
   /** Runs while the figure waits and is seen, and else not at all. */

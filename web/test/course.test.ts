@@ -9,16 +9,8 @@ import type { PlayerState, RaconteurPlayer } from '../element/element.js';
 import { Lesson, type Score } from '../element/lesson.js';
 import { Ranges, united, type Span } from '../element/ranges.js';
 import type { Question } from '../element/types.js';
+import { random } from './course-questions.js';
 import { sized } from './tier.js';
-
-/** A random number from 0 to 1, the same for the same seed. */
-function random(seed: number): () => number {
-  let state = seed * 2654435761 + 1;
-  return () => {
-    state = Math.imul(state ^ (state >>> 15), 0x2c1b3c6d) + 0x9e3779b9;
-    return ((state ^ (state >>> 13)) >>> 0) / 2 ** 32;
-  };
-}
 
 /** A player without pictures: time passes when the test says so. */
 class FakePlayer extends EventTarget {
@@ -40,7 +32,7 @@ class FakePlayer extends EventTarget {
 
   ask(questions: readonly Question[]): void {
     this.questions = questions;
-    this.lesson.setQuestions(questions);
+    this.lesson.setStory(questions, []);
   }
 
   get score(): Score {
@@ -171,6 +163,7 @@ for (const system of SYSTEMS) {
 
     it('has answers as interactions, points as a score, and success by the author’s rule', async () => {
       const asked = (name: string, atSecs: number): Question => ({
+        order: 0,
         name,
         atSecs,
         endSecs: atSecs,
@@ -336,6 +329,23 @@ describe('A memory', () => {
       expect(writeMemory(read)).toBe(text);
       expect(shareOf(read.seen, 10_000)).toBeLessThanOrEqual(shareOf(spans, 10_000));
     }
+  });
+
+  it('leaves out the longest answers where it would be too long', () => {
+    const answered = [1, 20, 30, 1_000_000, 40, 3000].map((length, i) => ({ name: `q${i}`, given: ['x'.repeat(length)], tries: 1 }));
+    const memory = { placeSecs: 5, seen: [[0, 5]] as const, answered };
+    expect(readMemory(writeMemory(memory)).answered).toEqual(answered);
+    const text = writeMemory(memory, 3400);
+    expect(text.length).toBeLessThanOrEqual(3400);
+    expect(readMemory(text)).toEqual({ ...memory, answered: answered.filter((_, i) => i !== 3) });
+    // To the character.
+    const exact = writeMemory(memory, text.length);
+    expect([exact, readMemory(writeMemory(memory, text.length - 1)).answered]).toEqual([text, answered.slice(0, 3).concat(answered.slice(4, 5))]);
+    expect(readMemory(writeMemory(memory, 10)).answered).toBeUndefined();
+    // What else a player tells stays.
+    const told = { placeSecs: 5, seen: [], answered: { answered, values: { x: 1 } }, more: { furthestSecs: 9 } };
+    expect(readMemory(writeMemory(told))).toEqual(told);
+    expect(readMemory(writeMemory(told, 3400))).toEqual({ ...told, answered: { ...told.answered, answered: answered.filter((_, i) => i !== 3) } });
   });
 
   it('of another kind is none', () => {

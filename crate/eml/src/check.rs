@@ -1,18 +1,15 @@
 //! Checks that look at the whole document: what clauses refer to, and attributes that
 //! mean nothing beside others.
 
-use crate::clauses::asking::AskKind;
+use crate::asked;
 use crate::clauses::functions::FunctionArgs;
 use crate::clauses::manipulators::{ForwardKinematics, JOINTS, Jacobian};
 use crate::clauses::players::{DeterministicPrimitive, PlayerKind, PrimitiveKind, TrackProperty};
 use crate::clauses::sets::{BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, layer_number};
 use crate::diagnostic::Sink;
-use crate::suggest::{nearest, quoted};
-use crate::{Ask, Clause, ClauseKind, Diagnostic, Document, Span};
+use crate::suggest::{MOST_HINTS, nearest, quoted};
+use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// The most names that a hint is chosen from, which bounds its cost.
-const MOST_HINTS: usize = 256;
 
 /// Where the set of each name is.
 type Index<'d> = BTreeMap<&'d str, usize>;
@@ -25,15 +22,9 @@ type Starts<'d> = BTreeMap<&'d str, Span>;
 pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
     // Those that have to do with players: few, if any.
     let mut playing = Vec::new();
-    let mut asked = BTreeSet::new();
+    asked::lesson(document, is_fragment, sink);
     for clause in &document.clauses {
         meaning(clause, sink);
-        if let ClauseKind::Ask(ask) = &clause.kind {
-            if !asked.insert(ask.question.name.as_str()) {
-                sink.push(twice("question", &ask.question.name, clause.tag_span));
-            }
-            question(document, ask, clause.tag_span, sink);
-        }
         if is_playing(&clause.kind) {
             playing.push(clause);
         }
@@ -60,52 +51,6 @@ fn arguments(args: Option<&FunctionArgs>, span: Span, sink: &mut Sink) {
                 span,
                 message,
             ));
-        }
-    }
-}
-
-fn twice(what: &str, name: &str, span: Span) -> Diagnostic {
-    let message = format!("a second {what} with the name {}", quoted(name));
-    Diagnostic::error("eml::duplicate-name", span, message)
-}
-
-/// Reports a question that nobody can answer, and answers to nothing.
-fn question(document: &Document, ask: &Ask, span: Span, sink: &mut Sink) {
-    let options = &ask.question.options;
-    let mut names = BTreeSet::new();
-    for option in options {
-        if !names.insert(option.name.as_str()) {
-            sink.push(twice("option", &option.name, span));
-        }
-    }
-    let right = options.iter().filter(|o| o.is_right).count();
-    let is_one = ask.question.kind == AskKind::Choice;
-    if right == 0 || (is_one && right > 1) {
-        let wanted = if is_one { "one" } else { "at least one" };
-        let message = format!(
-            "of the options of {} {right} are right, and {wanted} has to be",
-            quoted(&ask.question.name)
-        );
-        sink.push(Diagnostic::error("eml::ask-right", span, message));
-    }
-    for &id in &ask.answers.children {
-        let clause = document.clause(id);
-        let ClauseKind::Answer(answer) = &clause.kind else {
-            continue;
-        };
-        let to = answer.reaction.to.as_str();
-        if !matches!(to, "right" | "wrong") && !names.contains(to) {
-            let message = format!(
-                "no option has the name {}; this answer is never performed",
-                quoted(to)
-            );
-            let near = nearest(to, names.iter().copied().take(MOST_HINTS));
-            let hint = near.map(|near| format!("did you mean `{near}`?"));
-            let diagnostic = Diagnostic::error("eml::unknown-option", clause.tag_span, message);
-            sink.push(match hint {
-                Some(hint) => diagnostic.hint(hint),
-                None => diagnostic,
-            });
         }
     }
 }

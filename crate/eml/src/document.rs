@@ -1,6 +1,6 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
-use crate::clauses::asking::{Question, Reaction};
+use crate::clauses::asking::{Assignment, Condition, Goto, Heading, Question, Reaction};
 use crate::clauses::environment::{Camera, Emotion, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
@@ -168,6 +168,14 @@ pub enum ClauseKind {
     Ask(Box<Ask>),
     /// What is performed after certain answers (extension).
     Answer(Box<Answer>),
+    /// A part of the story (extension).
+    Part(Box<Part>),
+    /// What is performed under a condition (extension).
+    If(Box<Branch>),
+    /// A variable takes a value (extension).
+    Set(Box<Assignment>),
+    /// The story goes on at a part (extension).
+    Goto(Goto),
 }
 
 impl ClauseKind {
@@ -212,6 +220,10 @@ impl ClauseKind {
             Self::Music(_) => "music",
             Self::Ask(_) => "ask",
             Self::Answer(_) => "answer",
+            Self::Part(_) => "part",
+            Self::If(_) => "if",
+            Self::Set(_) => "set",
+            Self::Goto(_) => "goto",
         }
     }
 
@@ -247,6 +259,10 @@ impl ClauseKind {
             Self::Music(record) => record.as_mut(),
             Self::Ask(ask) => &mut ask.question,
             Self::Answer(answer) => &mut answer.reaction,
+            Self::Part(part) => &mut part.heading,
+            Self::If(branch) => &mut branch.condition,
+            Self::Set(assignment) => assignment.as_mut(),
+            Self::Goto(goto) => goto,
             Self::VoiceText(_)
             | Self::GestureIsOn(_)
             | Self::GestureKey(_)
@@ -301,6 +317,8 @@ impl ClauseKind {
             Self::Seq(group) | Self::Par(group) => Some(group),
             Self::Ask(ask) => Some(&ask.answers),
             Self::Answer(answer) => Some(&answer.content),
+            Self::Part(part) => Some(&part.content),
+            Self::If(branch) => Some(&branch.content),
             _ => None,
         }
     }
@@ -311,6 +329,8 @@ impl ClauseKind {
             Self::Seq(group) | Self::Par(group) => Some(group),
             Self::Ask(ask) => Some(&mut ask.answers),
             Self::Answer(answer) => Some(&mut answer.content),
+            Self::Part(part) => Some(&mut part.content),
+            Self::If(branch) => Some(&mut branch.content),
             _ => None,
         }
     }
@@ -350,6 +370,24 @@ pub struct Ask {
 pub struct Answer {
     /// After which.
     pub reaction: Reaction,
+    /// Its clauses, together.
+    pub content: Group,
+}
+
+/// A part of the story.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Part {
+    /// What it is called.
+    pub heading: Heading,
+    /// Its clauses, together.
+    pub content: Group,
+}
+
+/// What is performed under a condition; the timeline has room for it in any case.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Branch {
+    /// When it is performed.
+    pub condition: Condition,
     /// Its clauses, together.
     pub content: Group,
 }

@@ -11,6 +11,7 @@
 //! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
 //! the speaker's left, `y` up, `z` to the back. Consumers convert them.
 
+mod asked;
 mod check;
 mod clauses;
 mod decode;
@@ -36,7 +37,9 @@ mod words;
 mod work;
 mod write;
 
-pub use clauses::asking::{AskKind, AskOption, Question, Reaction};
+pub use clauses::asking::{
+    AskKind, AskOption, Assignment, Condition, Goto, Heading, Question, Reaction,
+};
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
     PreferredHand, ShotKind, Valence,
@@ -66,7 +69,7 @@ pub use clauses::speech::{
 };
 pub use decode::{Decoded, decode, parse_bytes};
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
-pub use document::{Answer, Ask, Clause, ClauseId, ClauseKind, Document, Group};
+pub use document::{Answer, Ask, Branch, Clause, ClauseId, ClauseKind, Document, Group, Part};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use feeling::Emoticon;
 pub use gesture::{

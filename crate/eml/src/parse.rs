@@ -147,6 +147,9 @@ fn report_controls(source: &str, sink: &mut Sink) {
 /// is not heard.
 const ANSWERS_APART_SECS: f64 = 1.0;
 
+/// So long before its clauses a condition is looked at where it does not say.
+const CONDITION_APART_SECS: f64 = 0.1;
+
 /// Fewer clauses tell too little of the script.
 const FEW_CLAUSES: usize = 64;
 
@@ -365,8 +368,12 @@ impl Context<'_> {
             Role::Scene(blank) => {
                 clause.kind = blank();
                 clause.start = start.ok()?;
-                if !fields.has("time") && element.name == "answer" {
-                    clause.start.offset_secs = ANSWERS_APART_SECS;
+                if !fields.has("time") {
+                    clause.start.offset_secs = match element.name {
+                        "answer" => ANSWERS_APART_SECS,
+                        "if" => CONDITION_APART_SECS,
+                        _ => 0.0,
+                    };
                 }
                 self.scene(node, &fields, clause, id)?;
             }
@@ -384,7 +391,7 @@ impl Context<'_> {
         id: ClauseId,
     ) -> Option<()> {
         if self.is_fragment {
-            let message = "questions belong in stories; a performance that goes on has no place for their answers";
+            let message = "questions and ways through a story belong in stories; a performance that goes on has no place for them";
             self.sink
                 .push(Diagnostic::error("eml::wrong-parent", fields.tag, message));
             return None;

@@ -2,6 +2,9 @@
 
 use crate::work::step;
 
+/// The most names that a hint is chosen from, which bounds its cost.
+pub(crate) const MOST_HINTS: usize = 256;
+
 /// Names longer than this are never near anything; it bounds the work.
 const LONGEST: usize = 48;
 

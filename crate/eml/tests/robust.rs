@@ -174,13 +174,15 @@ fn extensions_are_suggested_under_near_names() {
         .filter(|e| e.extension && e.is_clause())
     {
         let name = element.name;
-        let slip = format!("{}{}", &name[..2], &name[3..]);
-        for written in [name.to_owned(), slip, format!("expression-{name}")] {
+        // What is left of a short name is no slip of it.
+        let slip = (name.len() > 4).then(|| format!("{}{}", &name[..2], &name[3..]));
+        let whole = [name.to_owned(), format!("expression-{name}")];
+        for written in whole.into_iter().chain(slip) {
             let parsed = parse(&format!("<eml><body><{written} time='1'/></body></eml>"));
             let unknown = parsed
                 .diagnostics
                 .iter()
-                .find(|d| d.code == "eml::unknown-element");
+                .find(|d| matches!(d.code, "eml::unknown-element" | "eml::wrong-parent"));
             let hints = unknown.map(|d| d.hints.join(" ")).unwrap_or_default();
             let meant = format!("r:{name}");
             assert!(

@@ -159,3 +159,81 @@ fn any_wait_is_a_picture() {
         assert!(seen(frame).iter().all(|n| n.is_finite()), "{waited}");
     }
 }
+
+/// The most that joints of the body go in a step of a turn of `secs`, metres: as above, but on an
+/// arc that is up to three tenths longer than the way.
+fn most_in_a_step(way: f64, secs: f64) -> f64 {
+    (1.3 * 1.9 * way / secs + 0.2) * STEP_SECS
+}
+
+#[test]
+fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
+    for (name, at, on) in [("white-rabbit", 9.0, 21.0), ("hello-world", 2.0, 1.0)] {
+        let (mut player, mut fresh) = (player(name), player(name));
+        let figure = Arc::clone(player.figure());
+        let mut last = player.frame(at, ASPECT).clone();
+        let rests = fresh.attend(at, 2.0, None, ASPECT).clone();
+        let [way, _] = moved(&figure, &last, &rests);
+        for i in 0..60 {
+            let frame = player
+                .attend(at, f64::from(i) * STEP_SECS, None, ASPECT)
+                .clone();
+            assert_eq!(frame.time_secs, at);
+            let limit = if i == 0 {
+                1e-9
+            } else {
+                most_in_a_step(way, 0.6)
+            };
+            let [far, _] = moved(&figure, &last, &frame);
+            assert!(far <= limit, "{name} step {i}: {far} m of {limit}");
+            last = frame;
+        }
+        // It looks at its hand: something moves, and nothing jumps.
+        let before = last.clone();
+        for i in 60..120 {
+            let waited_secs = f64::from(i) * STEP_SECS;
+            let frame = player
+                .attend(at, waited_secs, Some(Bone::LWrist), ASPECT)
+                .clone();
+            let [far, _] = moved(&figure, &last, &frame);
+            assert!(far <= 0.02, "{name} step {i}: {far} m");
+            last = frame;
+        }
+        let turned =
+            |frame: &Frame| DQuat::from_mat3(&frame.world_from_joint[Bone::Skull.index()].matrix3);
+        assert!(
+            turned(&before).angle_between(turned(&last)).to_degrees() > 3.0,
+            "{name}"
+        );
+        // An answer leads on; half a second later there is nothing but the story.
+        player.leap(on);
+        let [far, _] = moved(&figure, &last, player.frame(on, ASPECT));
+        assert!(far <= 1e-9, "{name}: {far} m");
+        fresh.seek(on);
+        for i in 0..60 {
+            let t = on + f64::from(i) * STEP_SECS;
+            let (a, b) = (seen(fresh.frame(t, ASPECT)), seen(player.frame(t, ASPECT)));
+            assert_eq!(a == b, t >= on + 0.5, "{name} at {t}");
+        }
+    }
+}
+
+#[test]
+fn waiting_for_an_answer_passes_no_cues() {
+    let mut player = player("hello-world");
+    player.advance(1.0);
+    let _ = player.drain_events();
+    for i in 0..30 {
+        player.attend(1.0, f64::from(i), None, ASPECT);
+    }
+    player.attend(f64::NAN, f64::NAN, Some(Bone::Skull), ASPECT);
+    assert_eq!(player.drain_events(), []);
+    player.leap(1.5);
+    player.advance(1.5);
+    assert!(
+        player
+            .drain_events()
+            .iter()
+            .all(|e| format!("{e:?}").contains("1.5"))
+    );
+}

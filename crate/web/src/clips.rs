@@ -4,6 +4,7 @@ use raconteur_player::Player as Performer;
 use wasm_bindgen::prelude::*;
 
 use crate::activity::{Activity, ActivityGuard};
+use crate::lesson::Lesson;
 use crate::message::Story;
 use crate::player::{Player, plain, provide};
 
@@ -38,7 +39,7 @@ impl Player {
             performer.duration_secs(),
             performer.utterances(),
             performer.choice(),
-            performer.questions(),
+            Lesson::new(performer.questions(), performer.ways()),
             problems,
         ))
     }

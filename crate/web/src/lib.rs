@@ -23,6 +23,7 @@
     )
 )]
 
+pub mod lesson;
 pub mod message;
 
 #[cfg(target_arch = "wasm32")]

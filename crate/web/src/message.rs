@@ -1,8 +1,10 @@
 //! Messages to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
-use raconteur_player::{Event, MusicCue, QuestionCue, UtteranceCue};
+use raconteur_player::{Event, MusicCue, UtteranceCue};
 use serde::Serialize;
+
+use crate::lesson::Lesson;
 
 /// A story that was read.
 #[derive(Debug, Serialize)]
@@ -14,8 +16,9 @@ pub struct Story {
     pub utterances: Vec<Utterance>,
     /// The performer that it chooses.
     pub performer: Performer,
-    /// Its questions, by time.
-    pub questions: Vec<Question>,
+    /// Its questions and the ways through it.
+    #[serde(flatten)]
+    pub lesson: Lesson,
     /// Problems of the text, by position.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -40,68 +43,6 @@ impl Performer {
             voice: p.voice.clone(),
             language: p.language.clone(),
         })
-    }
-}
-
-/// A question.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Question {
-    at_secs: f64,
-    end_secs: f64,
-    name: String,
-    kind: &'static str,
-    prompt: String,
-    points: f64,
-    tries: u32,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hint: Option<String>,
-    options: Vec<Choice>,
-    answers: Vec<Answer>,
-}
-
-/// What one may answer.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Choice {
-    name: String,
-    text: String,
-    is_right: bool,
-}
-
-/// What follows from an answer.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Answer {
-    to: String,
-    start_secs: f64,
-    end_secs: f64,
-}
-
-impl From<QuestionCue> for Question {
-    fn from(cue: QuestionCue) -> Self {
-        let options = cue.options.into_iter().map(|option| Choice {
-            name: option.name,
-            text: option.text,
-            is_right: option.is_right,
-        });
-        let answers = cue.answers.into_iter().map(|answer| Answer {
-            to: answer.to,
-            start_secs: answer.start_secs,
-            end_secs: answer.end_secs,
-        });
-        Self {
-            at_secs: cue.at_secs,
-            end_secs: cue.end_secs,
-            name: cue.name,
-            kind: cue.kind.word(),
-            prompt: cue.prompt,
-            points: cue.points,
-            tries: cue.tries,
-            hint: cue.hint,
-            options: options.collect(),
-            answers: answers.collect(),
-        }
     }
 }
 
@@ -215,7 +156,7 @@ impl Story {
         duration_secs: f64,
         utterances: &[UtteranceCue],
         performer: Option<&eml::Performer>,
-        questions: Vec<QuestionCue>,
+        lesson: Lesson,
         diagnostics: Vec<eml::Diagnostic>,
     ) -> Self {
         let lines = LineIndex::new(source);
@@ -223,7 +164,7 @@ impl Story {
             duration_secs,
             utterances: utterances.iter().map(Utterance::new).collect(),
             performer: Performer::of(performer),
-            questions: questions.into_iter().map(Question::from).collect(),
+            lesson,
             diagnostics: diagnostics
                 .into_iter()
                 .map(|d| Diagnostic::new(d, &lines))
@@ -293,7 +234,7 @@ mod tests {
             1.5,
             &[],
             None,
-            Vec::new(),
+            Lesson::default(),
             vec![diagnostic.hint("Try.")],
         );
         assert_eq!(
@@ -303,6 +244,7 @@ mod tests {
                 "utterances": [],
                 "performer": {},
                 "questions": [],
+                "ways": [],
                 "diagnostics": [{
                     "code": "eml::test",
                     "severity": "error",

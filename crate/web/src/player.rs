@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use raconteur_player::base::Side;
-use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::body::reshape::{Lenders, Reshaper};
+use raconteur_player::body::{Bone, Figure};
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Lighting, Room, View};
 use raconteur_player::{LanguageTag, Options, Player as Performer, StoryInput};
@@ -17,6 +17,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::activity::{Activity, ActivityGuard, note};
+use crate::lesson::Lesson;
 use crate::message::{Interruption, MusicPiece, Performance, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
@@ -199,6 +200,26 @@ impl Player {
     pub fn welcome(&mut self, waited_secs: f64) -> Result<u32, JsError> {
         let _activity = ActivityGuard::new(Activity::Pose);
         self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
+    }
+
+    /// Draws the figure as it waits for an answer where the story rests at `time_secs`, so many
+    /// seconds already, and looks at a bone of EML's, or at the viewer by any other name.
+    pub fn attend(
+        &mut self,
+        time_secs: f64,
+        waited_secs: f64,
+        looked_at: &str,
+    ) -> Result<u32, JsError> {
+        let _activity = ActivityGuard::new(Activity::Pose);
+        let bone = Bone::from_name(looked_at);
+        self.draw(|performer, aspect| performer.attend(time_secs, waited_secs, bone, aspect))
+    }
+
+    /// As `seek`, but what the figure does as it waits fades into what follows.
+    pub fn leap(&mut self, time_secs: f64) {
+        if let Some(performer) = &mut self.performer {
+            performer.leap(time_secs);
+        }
     }
 
     /// Draws at `lowest`, `low`, `medium` or `high` quality; by any other name, as well as frames
@@ -421,7 +442,7 @@ pub(crate) fn read(
         performer.duration_secs(),
         performer.utterances(),
         performer.choice(),
-        performer.questions(),
+        Lesson::new(performer.questions(), performer.ways()),
         loaded.diagnostics,
     );
     (performer, story)

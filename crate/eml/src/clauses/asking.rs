@@ -1,4 +1,4 @@
-//! Extensions: questions of a lesson and what follows from their answers.
+//! Extensions: questions of a lesson, what follows from their answers, and ways through a story.
 
 use crate::record::{record, words};
 
@@ -9,11 +9,23 @@ words! {
         Choice = "choice",
         /// By all of its options that are right.
         Several = "several",
+        /// By all of its options in their order.
+        Order = "order",
+        /// By giving each option its partner.
+        Match = "match",
+        /// By what is written into gaps of the prompt.
+        Gap = "gap",
+        /// By a number.
+        Number = "number",
+        /// By pointing at a part of the figure.
+        Point = "point",
+        /// By a text of one's own.
+        Text = "text",
     }
 }
 
 record! {
-    /// What one may answer.
+    /// What one may answer, or a rule for what one may.
     AskOption = "option" {
         /// Its name.
         name: String = "name",
@@ -21,6 +33,18 @@ record! {
         text: String = "text",
         /// Whether it is right.
         is_right: bool = "right",
+        /// Its right partner, of `match`.
+        partner: Option<String> = "partner",
+        /// What is taken, of `gap` and `text`: texts between bars.
+        accepts: Option<String> = "accepts",
+        /// What must not be there, of `text`: texts between bars.
+        rejects: Option<String> = "rejects",
+        /// The least number that is taken.
+        least: Option<f64> = "least",
+        /// The greatest number that is taken.
+        most: Option<f64> = "most",
+        /// The bone that is pointed at.
+        at: Option<String> = "at",
     }
 }
 
@@ -39,6 +63,8 @@ record! {
         tries: u32 = "tries",
         /// What is read after a wrong answer, while there are tries left.
         hint: Option<String> = "hint",
+        /// How long one may think about it, seconds; none: as long as one likes.
+        limit_secs: Option<f64> = "limit",
     }
     children {
         /// What one may answer, in order.
@@ -50,6 +76,52 @@ record! {
     /// After which answers something is performed.
     Reaction = "answer" {
         /// `right`, `wrong`, or the name of an option.
+        to: String = "to",
+    }
+}
+
+record! {
+    /// The heading of a part of the story.
+    Heading = "part" {
+        /// Its name.
+        name: String = "name",
+        /// What is read.
+        title: String = "title",
+    }
+}
+
+record! {
+    /// When something is performed: what a variable or a question has to be.
+    Condition = "if" {
+        /// The variable, the question, or `score`.
+        name: String = "name",
+        /// It is this.
+        is: Option<String> = "is",
+        /// It is not this.
+        not: Option<String> = "not",
+        /// It is a greater number than this.
+        above: Option<f64> = "above",
+        /// It is a smaller number than this.
+        below: Option<f64> = "below",
+    }
+}
+
+record! {
+    /// A variable takes a value.
+    Assignment = "r:set" {
+        /// The variable.
+        name: String = "name",
+        /// Its value: a number, `true` or `false`, or any other text.
+        value: Option<String> = "value",
+        /// What is added to its number, which begins at 0.
+        by: Option<f64> = "by",
+    }
+}
+
+record! {
+    /// The story goes on elsewhere.
+    Goto = "goto" {
+        /// The part where it goes on.
         to: String = "to",
     }
 }

@@ -7,6 +7,10 @@ pub const CODES: &[(&str, &str)] = &[
         "Another spelling than the reference's; it is understood.",
     ),
     (
+        "eml::ask-option",
+        "An option lacks what the type of its question needs, or can never be answered.",
+    ),
+    (
         "eml::ask-right",
         "Of the options of a question none is right, or more than one where one is to be chosen.",
     ),
@@ -69,7 +73,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::duplicate-name",
-        "Two moments, two questions, or two options of a question have one name; the first one counts.",
+        "Two moments, questions, parts, or options of a question have one name; the first one counts.",
     ),
     (
         "eml::duplicate-player",
@@ -85,6 +89,10 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     ("eml::empty-body", "The body is empty."),
     ("eml::empty-voice", "There is nothing to speak."),
+    (
+        "eml::endless-ring",
+        "A goto leads round without a question on the way, or to where no way comes to an end.",
+    ),
     (
         "eml::foreign-element",
         "An element is of another namespace; it is dropped.",
@@ -236,12 +244,28 @@ pub const CODES: &[(&str, &str)] = &[
         "A question has no such option; this answer is never performed.",
     ),
     (
+        "eml::unknown-part",
+        "A goto names no part; it leads nowhere.",
+    ),
+    (
         "eml::unknown-player",
         "No clause adds this animation player.",
     ),
     (
         "eml::unknown-set",
         "The head defines no such set; it counts as empty.",
+    ),
+    (
+        "eml::unknown-variable",
+        "A condition names no variable and no question; it never holds.",
+    ),
+    (
+        "eml::unreachable",
+        "No way through the story leads to this clause; it is never performed.",
+    ),
+    (
+        "eml::variable-type",
+        "A variable is used as another type than where it is set first.",
     ),
     (
         "eml::wrong-parent",

@@ -1,6 +1,6 @@
 //! `ask`, `option` and `answer`: questions.
 
-use super::{Attribute, Content, Element, Role};
+use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 use crate::clauses::asking::AskKind;
 
@@ -27,7 +27,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "type",
             AskKind::WORDS,
-            "How it is answered: by one option, or by all that are right.",
+            "How it is answered: by one option, by all that are right, by putting all in order (they are written in it), by giving each its partner, by filling the gaps of the prompt, where the names of options stand in square brackets, by a number, by pointing at the figure, or by a text of one's own.",
         )
         .default("choice"),
         Attribute::text("prompt", "What is asked, to be read and to be read aloud.").required(),
@@ -37,16 +37,24 @@ pub(super) static ELEMENT: Element = Element {
             "hint",
             "What is read after a wrong answer, while there are tries left.",
         ),
+        Attribute::seconds_up_to(
+            "limit",
+            86_400.0,
+            "How long one may think about it; then it counts as answered wrong. Who asks for more time gets it.",
+        ),
     ],
     ..Element::new(
         "ask",
-        &["body", "seq", "par"],
+        CLAUSE_PARENTS,
         Role::Scene(|| ClauseKind::Ask(Box::default())),
     )
 };
 
 pub(super) static OPTION: Element = Element {
-    doc: super::shown("Something that one may answer."),
+    doc: super::shown("Something that one may answer, or a rule for what one may."),
+    decision: super::shown(
+        "A text is compared by its letters and digits alone, in small letters and without accents, so that nobody fails by a comma. Of the rules of a number or a text the first one that fits decides.",
+    ),
     source: super::shown("Extension"),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:ask time='0' name='q' type='several' prompt='Which are green?'><r:option name='a' text='Frogs' right='true'/><r:option name='b' text='Leaves' right='true'/><r:option name='c' text='Snow'/></r:ask></body></eml>",
@@ -55,8 +63,28 @@ pub(super) static OPTION: Element = Element {
     attributes: &[
         Attribute::identifier("name", "A name that no other option of the question has.")
             .required(),
-        Attribute::text("text", "What is read.").required(),
-        Attribute::flag("right", "Whether it is right.").default("false"),
+        Attribute::text(
+            "text",
+            "What is read; gaps, numbers and texts may do without.",
+        )
+        .default(""),
+        Attribute::flag(
+            "right",
+            "Whether it is right; in order, match and gap all are.",
+        )
+        .default("false"),
+        Attribute::text("partner", "Its right partner, with type='match'."),
+        Attribute::text(
+            "accepts",
+            "What is taken, texts with a bar between them: the whole of what is written into a gap, or words that a text has to hold.",
+        ),
+        Attribute::text(
+            "rejects",
+            "Words, with a bar between them, none of which a text may hold.",
+        ),
+        Attribute::number("least", "The least number that is taken."),
+        Attribute::number("most", "The greatest number that is taken."),
+        Attribute::identifier("at", "The bone that is pointed at, with type='point'."),
     ],
     ..Element::part("option", &["ask"])
 };

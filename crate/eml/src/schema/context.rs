@@ -2,6 +2,7 @@
 //! they have.
 
 use super::lookup::same;
+use super::meant::{element_meant, unprefixed};
 use super::{Attribute, Content, Element, Presence, TIMED, Tree, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
 use crate::namespaces::{self, Namespaces, Owner, local_name};
@@ -217,7 +218,9 @@ impl<'t> Context<'t> {
                 "`{}` may not stand in `{}`; it is dropped",
                 found.name, parent.name
             );
+            let extension = find_extension(found.name).filter(|e| e.may_stand_in(parent.name));
             let hint = match found.parents {
+                _ if let Some(extension) = extension => unprefixed(extension.name),
                 [] => "it is the root of the document".to_owned(),
                 parents => format!("it belongs in {}", list(parents)),
             };
@@ -485,48 +488,6 @@ impl<'t> Context<'t> {
             .map(|_| "spoken text goes into `voice-text`".to_owned());
         self.push_with_hint(diagnostic, hint);
     }
-}
-
-/// A hint at the element that an unknown one was meant to be: its name without the prefix,
-/// whether it was written as an extension, and where it stands.
-fn element_meant(local: &str, extended: bool, parent: &Element) -> Option<String> {
-    let of = |extension: bool| {
-        let all = super::ELEMENTS.iter();
-        all.filter(move |e| e.extension == extension)
-    };
-    let fitting = |extension: bool| {
-        let all = of(extension).filter(|e| e.may_stand_in(parent.name));
-        nearest(local, all.map(|e| e.name))
-    };
-    let any = |extension: bool| nearest(local, of(extension).map(|e| e.name));
-    let plain = |name: &str| format!("did you mean `{name}`?");
-    if extended {
-        let unprefixed = find(local).filter(|e| !e.extension);
-        return unprefixed
-            .map(|e| format!("`{}` is no extension: write it without the prefix", e.name))
-            .or_else(|| fitting(true).or_else(|| any(true)).map(plain));
-    }
-    let prefix = namespaces::EXTENSIONS_PREFIX;
-    let bind = format!("bind xmlns:{prefix}='{}' on `eml`", namespaces::EXTENSIONS);
-    if let Some(Element { name, .. }) = find_extension(local) {
-        return Some(format!(
-            "`{name}` is an extension: write {prefix}:{name} and {bind}"
-        ));
-    }
-    // Such as the thesis's `expression-emotion`, which is ours to give a meaning.
-    let is_word = |e: &&&Element| {
-        local
-            .split('-')
-            .any(|word| word.eq_ignore_ascii_case(e.name))
-    };
-    let meant = |name: &str| format!("did you mean the extension `{prefix}:{name}`? {bind}");
-    of(true)
-        .find(is_word)
-        .map(|e| meant(e.name))
-        .or_else(|| fitting(false).map(plain))
-        .or_else(|| fitting(true).map(meant))
-        .or_else(|| any(false).map(plain))
-        .or_else(|| any(true).map(meant))
 }
 
 /// What an element has had of its children so far.

@@ -65,6 +65,7 @@ mod light;
 mod lookup;
 mod ly;
 mod marker;
+mod meant;
 mod motion;
 mod music;
 mod null;
@@ -91,6 +92,7 @@ mod voice_change;
 mod voice_say;
 mod voice_text;
 mod volume;
+mod ways;
 
 use crate::ClauseKind;
 use crate::clauses::speech::Markup;
@@ -270,7 +272,7 @@ impl std::fmt::Debug for Role {
 }
 
 /// Where a clause may stand.
-pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer"];
+pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer", "part", "if"];
 
 /// Where a part of spoken text may stand: SABLE's containers (GEVH D.4).
 pub(crate) const VOICE_PARENTS: &[&str] = &[
@@ -314,6 +316,15 @@ pub(crate) fn find(name: &str) -> Option<&'static Element> {
 /// The element of the extensions' namespace with this local name.
 pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
     find_in(true, name)
+}
+
+/// The element of a record by its name, of the extensions where EML has none of it or where it
+/// is written with their prefix.
+pub(crate) fn recorded(name: &str) -> Option<&'static Element> {
+    match name.strip_prefix("r:") {
+        Some(local) => find_extension(local),
+        None => find(name).or_else(|| find_extension(name)),
+    }
 }
 
 fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
@@ -381,8 +392,10 @@ pub static ELEMENTS: &[&Element] = &[
     &function_args::ELEMENT,
     &gesture_is_on::ELEMENT,
     &gesture_key::ELEMENT,
+    &ways::GOTO,
     &hand_shapes::ELEMENT,
     &head::ELEMENT,
+    &ways::IF,
     &it::ELEMENT,
     &hand_shapes::KEY,
     &motion::KEY,
@@ -397,6 +410,7 @@ pub static ELEMENTS: &[&Element] = &[
     &ask::OPTION,
     &palms::ELEMENT,
     &par::ELEMENT,
+    &ways::PART,
     &performer::ELEMENT,
     &pitch::ELEMENT,
     &pron::ELEMENT,
@@ -405,6 +419,7 @@ pub static ELEMENTS: &[&Element] = &[
     &sayas::ELEMENT,
     &seq::ELEMENT,
     &set::ELEMENT,
+    &ways::SET,
     &sets_configuration::ELEMENT,
     &speaker::ELEMENT,
     &tm::ELEMENT,

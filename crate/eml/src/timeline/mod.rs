@@ -1,6 +1,7 @@
 //! The timeline: every clause at absolute seconds.
 
 mod expand;
+mod flow;
 mod index;
 mod names;
 mod solve;
@@ -83,6 +84,7 @@ impl Timeline {
             Some(start + moment.offset_secs + lead_in_secs)
         });
         timeline.voices = found.voices;
+        flow::check(document, &timeline, &mut sink);
         if found.asynchronous {
             timeline.hear_out();
         }

@@ -122,8 +122,8 @@ impl Dice {
 
     fn fill(&mut self, record: &mut dyn Record) {
         let name = record.element();
-        let found = schema::find(name).or_else(|| schema::find_extension(name));
-        let element = found.unwrap_or_else(|| panic!("{name} is not in the table"));
+        let element =
+            schema::recorded(name).unwrap_or_else(|| panic!("{name} is not in the table"));
         record.visit(&mut Filler {
             dice: self,
             element,

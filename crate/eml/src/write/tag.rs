@@ -24,8 +24,7 @@ impl Tag {
 
     /// An empty tag of the element that stands in `parent`.
     fn inside(element: &'static str, parent: &str) -> Self {
-        let found = schema::find(element).or_else(|| schema::find_extension(element));
-        let element = found.unwrap_or(schema::ELEMENTS[0]);
+        let element = schema::recorded(element).unwrap_or(schema::ELEMENTS[0]);
         Self {
             element: schema::variant_in(element, parent).unwrap_or(element),
             timed: String::new(),

@@ -21,3 +21,4 @@ mod spelling;
 pub(crate) mod units;
 mod utterance;
 pub(crate) mod voice;
+pub(crate) mod ways;

@@ -156,7 +156,11 @@ impl<'d> Need<'d> {
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_)
             | ClauseKind::Ask(_)
-            | ClauseKind::Answer(_) => Self::Nothing,
+            | ClauseKind::Answer(_)
+            | ClauseKind::Part(_)
+            | ClauseKind::If(_)
+            | ClauseKind::Set(_)
+            | ClauseKind::Goto(_) => Self::Nothing,
             // The language's own checks report one whose word is unknown.
             ClauseKind::Emotion(emotion)
                 if place_of(emotion).is_none() && emotion.kind.is_none() =>

@@ -1,12 +1,16 @@
 //! Questions of a story, at their times.
 
-use raconteur_eml::{AskKind, ClauseKind};
+use raconteur_eml::{AskKind, AskOption, ClauseKind};
 
 use crate::lower::script::Script;
 
 /// A question, and where in the story what follows from its answers lies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuestionCue {
+    /// Its place among all that the story comes to, for what lies at one time.
+    pub order: u32,
+    /// The place of the answer or condition around it.
+    pub within: Option<u32>,
     /// Where the story rests until it is answered, seconds.
     pub at_secs: f64,
     /// Where it goes on after what follows from an answer, seconds.
@@ -23,13 +27,15 @@ pub struct QuestionCue {
     pub tries: u32,
     /// What is read after a wrong answer, while there are tries left.
     pub hint: Option<String>,
+    /// How long one may think about it, seconds.
+    pub limit_secs: Option<f64>,
     /// What one may answer, in order.
     pub options: Vec<OptionCue>,
     /// What follows, in order.
     pub answers: Vec<AnswerCue>,
 }
 
-/// What one may answer.
+/// What one may answer, or a rule for what one may.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptionCue {
     /// Its name.
@@ -38,11 +44,48 @@ pub struct OptionCue {
     pub text: String,
     /// Whether it is right.
     pub is_right: bool,
+    /// Its right partner, of `match`.
+    pub partner: Option<String>,
+    /// What is taken, of `gap` and `text`.
+    pub accepts: Vec<String>,
+    /// What must not be there, of `text`.
+    pub rejects: Vec<String>,
+    /// The least number that is taken.
+    pub least: Option<f64>,
+    /// The greatest number that is taken.
+    pub most: Option<f64>,
+    /// The bone that is pointed at.
+    pub at: Option<String>,
+}
+
+impl OptionCue {
+    fn new(option: &AskOption) -> Self {
+        let texts = |bars: &Option<String>| {
+            let all = bars.iter().flat_map(|texts| texts.split('|'));
+            all.map(str::trim)
+                .filter(|t| !t.is_empty())
+                .map(str::to_owned)
+                .collect()
+        };
+        Self {
+            name: option.name.clone(),
+            text: option.text.clone(),
+            is_right: option.is_right,
+            partner: option.partner.clone(),
+            accepts: texts(&option.accepts),
+            rejects: texts(&option.rejects),
+            least: option.least,
+            most: option.most,
+            at: option.at.clone(),
+        }
+    }
 }
 
 /// What follows from an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnswerCue {
+    /// Its place among all that the story comes to.
+    pub order: u32,
     /// `right`, `wrong`, or the name of an option.
     pub to: String,
     /// Where it begins, seconds.
@@ -61,12 +104,10 @@ impl Script {
             match &self.document.clause(at.clause).kind {
                 ClauseKind::Ask(ask) => {
                     let question = &ask.question;
-                    let options = question.options.iter().map(|option| OptionCue {
-                        name: option.name.clone(),
-                        text: option.text.clone(),
-                        is_right: option.is_right,
-                    });
+                    let options = question.options.iter().map(OptionCue::new);
                     let cue = QuestionCue {
+                        order: index,
+                        within: self.optional_around(at),
                         at_secs: at.start_secs,
                         end_secs: at.end_secs,
                         name: question.name.clone(),
@@ -75,6 +116,7 @@ impl Script {
                         points: question.points,
                         tries: question.tries,
                         hint: question.hint.clone(),
+                        limit_secs: question.limit_secs,
                         options: options.collect(),
                         answers: Vec::new(),
                     };
@@ -82,9 +124,12 @@ impl Script {
                 }
                 ClauseKind::Answer(answer) => {
                     // A group stands before what is in it.
-                    let of = found.iter_mut().find(|(ask, _)| Some(*ask) == at.container);
-                    if let Some((_, question)) = of {
+                    let of = at
+                        .container
+                        .and_then(|ask| found.binary_search_by_key(&ask, |(ask, _)| *ask).ok());
+                    if let Some((_, question)) = of.and_then(|of| found.get_mut(of)) {
                         question.answers.push(AnswerCue {
+                            order: index,
                             to: answer.reaction.to.clone(),
                             start_secs: at.start_secs,
                             end_secs: at.end_secs,

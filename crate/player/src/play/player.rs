@@ -17,6 +17,7 @@ use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::questions::QuestionCue;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
+use crate::lower::ways::WayCue;
 use crate::lower::{animations, gestures};
 use crate::options::Options;
 use crate::play::clock::Clock;
@@ -208,6 +209,12 @@ impl Player {
         self.script.questions()
     }
 
+    /// What is on the ways through the script, in the order in which it is come to.
+    #[must_use]
+    pub fn ways(&self) -> Vec<WayCue> {
+        self.script.ways()
+    }
+
     /// When everything in the script happens.
     #[must_use]
     pub fn timeline(&self) -> &Timeline {
@@ -338,7 +345,7 @@ impl Player {
     /// the story show its first or last moment, unless it is open-ended; a time that is not a
     /// number, the first.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
-        self.leave_welcome(time_secs);
+        self.leave_welcome(self.clock.shown_secs(time_secs, self.end_secs()));
         self.evaluate(time_secs);
         self.frame.camera = self.camera(aspect);
         &self.frame

@@ -1,5 +1,5 @@
-//! Before a story is played: the figure breathes, blinks and looks at the viewer, in a
-//! welcoming posture, on a clock of its own.
+//! Before a story is played, and where it rests for an answer: the figure breathes, blinks and
+//! looks at the viewer, in a welcoming posture, on a clock of its own.
 //!
 //! How long it has waited is no story time: what a story shows at any time stays the same.
 //! When the story begins to play, the welcome fades into it. Half a second later, and after
@@ -9,7 +9,7 @@ use raconteur_actor::{Actor, FaceRig, Performance, Sex};
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::face::FaceControls;
-use raconteur_body::{Pose, Skeleton};
+use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_stage::Frame;
 
 use super::Player;
@@ -23,12 +23,21 @@ const LEAVE_SECS: f64 = 0.3;
 /// When the tissue of the face has forgotten it, too, seconds: the way into a segment of
 /// [`SoftFace`] is as long.
 const GONE_SECS: f64 = LEAVE_SECS + 0.2;
+/// How long it takes from the story into waiting for an answer, and from one thing that it looks
+/// at to another, seconds. Designed: slower than it leaves, as nobody waits for it.
+const TURN_SECS: f64 = 0.6;
 /// Waiting longer than this begins anew, seconds: a day.
 const LONGEST_SECS: f64 = 86_400.0;
 
 /// How the figure waits.
 pub(super) struct Welcome {
     actor: Actor,
+    /// As it looked elsewhere, and since when it does not, seconds of waiting.
+    before: Option<(Actor, f64)>,
+    /// What it looks at; none: the viewer.
+    looked_at: Option<Bone>,
+    /// Where in the story it waits, story time, seconds; none before the story has begun.
+    asked_secs: Option<f64>,
     /// Where its face has tissue.
     soft: Option<SoftFace>,
     /// World from the figure: where the story begins.
@@ -39,6 +48,8 @@ pub(super) struct Welcome {
     left_secs: Option<f64>,
     /// Room to evaluate it in.
     room: Posed,
+    /// And what it was before.
+    spare: Posed,
     /// Its hair, if that swings.
     sway: Option<Sway>,
 }
@@ -49,10 +60,24 @@ impl Welcome {
         let (pose, weights) = (&mut self.room.pose, &mut self.room.morph_weights);
         self.actor
             .evaluate(skeleton, face, waited_secs, pose, weights);
+        if let Some((before, share)) = turning(&self.before, waited_secs) {
+            let (was, were) = (&mut self.spare.pose, &mut self.spare.morph_weights);
+            before.evaluate(skeleton, face, waited_secs, was, were);
+            mix(was, were, pose, weights, share);
+        }
         if let Some(moved) = &self.moved {
             let turned = DQuat::from_mat3(&moved.matrix3);
             pose.root_rotation = (turned * pose.root_rotation).normalized();
             pose.root_offset_in_world = moved.transform_point3(pose.root_offset_in_world);
+        }
+    }
+
+    /// Controls of the face after so much waiting.
+    fn waiting(&self, waited_secs: f64) -> FaceControls {
+        let controls = self.actor.controls(waited_secs);
+        match turning(&self.before, waited_secs) {
+            Some((before, share)) => before.controls(waited_secs).lerp(&controls, share),
+            None => controls,
         }
     }
 
@@ -78,21 +103,37 @@ impl Welcome {
             return;
         };
         self.evaluate(skeleton, face, waited_secs);
-        ease(&mut self.room.pose, pose, share, share);
-        core::mem::swap(&mut self.room.pose, pose);
-        for (weight, from) in morph_weights.iter_mut().zip(&self.room.morph_weights) {
-            *weight = lerp(f64::from(*from), f64::from(*weight), share) as f32;
-        }
+        let Posed {
+            pose: from,
+            morph_weights: were,
+        } = &mut self.room;
+        mix(from, were, pose, morph_weights, share);
     }
 
     /// Controls of the face at a story time, from the story's own.
     pub(super) fn controls(&self, time_secs: f64, story: &FaceControls) -> FaceControls {
         match self.share(time_secs) {
             Some((share, waited_secs)) if share < 1.0 => {
-                self.actor.controls(waited_secs).lerp(story, share)
+                self.waiting(waited_secs).lerp(story, share)
             }
             _ => *story,
         }
+    }
+}
+
+/// The actor before a turn that is not over, and how much of the turn is.
+fn turning(before: &Option<(Actor, f64)>, waited_secs: f64) -> Option<(&Actor, f64)> {
+    let (actor, since_secs) = before.as_ref()?;
+    let share = minimum_jerk((waited_secs - since_secs) / TURN_SECS);
+    (share < 1.0).then_some((actor, share))
+}
+
+/// Takes what comes back towards what was, of which there is 1 − `share`; what was is lost.
+fn mix(was: &mut Pose, were: &[f32], pose: &mut Pose, weights: &mut [f32], share: f64) {
+    ease(was, pose, share, share);
+    core::mem::swap(was, pose);
+    for (weight, from) in weights.iter_mut().zip(were) {
+        *weight = lerp(f64::from(*from), f64::from(*weight), share) as f32;
     }
 }
 
@@ -102,19 +143,91 @@ impl Player {
     ///
     /// The next [`Player::frame`] begins to leave it; [`Player::seek`] leaves it at once.
     pub fn welcome(&mut self, waited_secs: f64, aspect: f64) -> &Frame {
+        self.wait(None, waited_secs, None, aspect)
+    }
+
+    /// The frame of a figure that waits for an answer where the story rests at `time_secs`, so
+    /// many seconds already, and looks at one of its bones, or at the viewer. It comes to wait from
+    /// what the story shows then.
+    ///
+    /// After a [`Player::leap`] the next [`Player::frame`] begins to leave it.
+    pub fn attend(
+        &mut self,
+        time_secs: f64,
+        waited_secs: f64,
+        looked_at: Option<Bone>,
+        aspect: f64,
+    ) -> &Frame {
+        let t = self.clock.shown_secs(time_secs, self.end_secs());
+        self.wait(Some(t), waited_secs, looked_at, aspect)
+    }
+
+    /// As [`Player::seek`], but what the figure does as it waits fades into what follows.
+    pub fn leap(&mut self, time_secs: f64) {
+        let welcome = self.welcome.take();
+        self.seek(time_secs);
+        self.welcome = welcome;
+    }
+
+    fn wait(
+        &mut self,
+        asked_secs: Option<f64>,
+        waited_secs: f64,
+        looked_at: Option<Bone>,
+        aspect: f64,
+    ) -> &Frame {
         let waited_secs = if waited_secs.is_finite() {
             waited_secs.max(0.0) % LONGEST_SECS
         } else {
             0.0
         };
-        let mut welcome = match self.welcome.take() {
+        let kept = self.welcome.take().filter(|w| w.asked_secs == asked_secs);
+        let mut welcome = match kept {
             Some(welcome) => welcome,
-            None => Box::new(self.prepare_welcome()),
+            None => Box::new(self.prepare_welcome(asked_secs)),
         };
+        if welcome.looked_at != looked_at {
+            let to = looked_at.and_then(|b| self.frame.world_from_joint.get(b.index()));
+            let actor = self.waiting_actor(to.map(|joint| joint.translation));
+            let before = core::mem::replace(&mut welcome.actor, actor);
+            welcome.before = Some((before, waited_secs));
+            welcome.looked_at = looked_at;
+        }
         welcome.waited_secs = waited_secs;
         welcome.left_secs = None;
-        let skeleton = &self.cast.figure.skeleton;
-        welcome.evaluate(skeleton, &self.cast.face, waited_secs);
+        self.show_waiting(&mut welcome);
+        self.frame.time_secs = asked_secs.unwrap_or(0.0);
+        self.frame.speech = None;
+        self.frame.shown = self.picture.shown(self.frame.time_secs);
+        self.frame.handles.clear();
+        self.draw_tissue();
+        self.frame.camera = self.camera(aspect);
+        self.welcome = Some(welcome);
+        &self.frame
+    }
+
+    /// Puts joints, weights and tissue of a figure that waits into the frame.
+    fn show_waiting(&mut self, welcome: &mut Welcome) {
+        let waited_secs = welcome.waited_secs;
+        let (skeleton, face) = (&self.cast.figure.skeleton, &self.cast.face);
+        let layers = &mut self.layers;
+        let room = &mut self.room;
+        // How much of the waiting there is, and the story's moment before it.
+        let asked = |t: f64, asked_secs: Option<f64>| {
+            let share = minimum_jerk(t / TURN_SECS);
+            asked_secs.filter(|_| share < 1.0).map(|at| (at, share))
+        };
+        let mut evaluate = |welcome: &mut Welcome, t: f64| {
+            welcome.evaluate(skeleton, face, t);
+            let Some((at, share)) = asked(t, welcome.asked_secs) else {
+                return;
+            };
+            let (was, were) = (&mut room.pose, &mut room.morph_weights);
+            layers.evaluate(skeleton, face, at, was, were);
+            let (pose, weights) = (&mut welcome.room.pose, &mut welcome.room.morph_weights);
+            mix(was, were, pose, weights, share);
+        };
+        evaluate(welcome, waited_secs);
         let frame = &mut self.frame;
         skeleton.solve(&welcome.room.pose, &mut frame.world_from_joint);
         frame
@@ -122,28 +235,28 @@ impl Player {
             .copy_from_slice(&welcome.room.morph_weights);
         if let Some(mut sway) = welcome.sway.take() {
             let mut posture = |t: f64, out: &mut Vec<DAffine3>| {
-                welcome.evaluate(skeleton, &self.cast.face, t);
+                evaluate(welcome, t);
                 skeleton.solve(&welcome.room.pose, out);
             };
             let of = (skeleton, &self.cast.figure.springs);
             sway.at(of, waited_secs, &mut posture, &mut frame.world_from_joint);
             welcome.sway = Some(sway);
         }
-        if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut welcome.soft) {
-            let controls = |t: f64| welcome.actor.controls(t);
+        let Some(mut soft) = welcome.soft.take() else {
+            return;
+        };
+        if let Some(tissue) = &self.cast.figure.tissue {
+            let controls = |t: f64| match asked(t, welcome.asked_secs) {
+                Some((at, share)) => self.layers.controls(at).lerp(&welcome.waiting(t), share),
+                None => welcome.waiting(t),
+            };
             soft.at(tissue, waited_secs, &controls, &mut frame.tissue);
         }
-        frame.time_secs = 0.0;
-        frame.speech = None;
-        frame.shown = self.picture.shown(0.0);
-        frame.handles.clear();
-        self.draw_tissue();
-        self.frame.camera = self.camera(aspect);
-        self.welcome = Some(welcome);
-        &self.frame
+        welcome.soft = Some(soft);
     }
 
-    fn prepare_welcome(&self) -> Welcome {
+    /// An actor that waits and looks at a place, or at the viewer.
+    fn waiting_actor(&self, looked_at: Option<DVec3>) -> Actor {
         let stature_m = self.cast.figure.skeleton.stature_m();
         let room = self.layers.last_room();
         let listener = self
@@ -154,20 +267,31 @@ impl Player {
             seed: self.options.seed,
             motion_amount: self.options.motion_amount,
             manner: self.options.manner,
-            listener_in_world: listener.eye_in_world,
+            listener_in_world: looked_at.unwrap_or(listener.eye_in_world),
             sex: Sex::of(self.cast.figure.sex),
             trunk: Some(self.cast.trunk),
             welcomes: true,
             ..Performance::default()
         };
+        Actor::new(&performance, &self.cast.figure.skeleton)
+    }
+
+    fn prepare_welcome(&self, asked_secs: Option<f64>) -> Welcome {
         let tissue = self.cast.figure.tissue.as_ref();
         Welcome {
-            actor: Actor::new(&performance, &self.cast.figure.skeleton),
+            actor: self.waiting_actor(None),
+            before: None,
+            looked_at: None,
+            asked_secs,
             soft: tissue.map(SoftFace::new),
-            moved: self.layers.actor().world_from_figure(0.0),
+            moved: self
+                .layers
+                .actor()
+                .world_from_figure(asked_secs.unwrap_or(0.0)),
             waited_secs: 0.0,
             left_secs: None,
             room: Posed::new(self.cast.morphs()),
+            spare: Posed::new(self.cast.morphs()),
             sway: Sway::new(
                 &self.cast.figure.springs,
                 self.cast.figure.skeleton.joints().len(),

@@ -1,0 +1,85 @@
+//! `part`, `if`, `set` and `goto`: ways through a story.
+
+use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
+use crate::ClauseKind;
+
+pub(super) static PART: Element = Element {
+    doc: super::shown(
+        "A part of the story with a title: players list the parts, and a goto leads to one.",
+    ),
+    decision: super::shown("Its clauses play together, as in a par; put a seq into it."),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:part time='0' name='hare' title='The hare'><null time='2'/></r:part></body></eml>",
+    ),
+    extension: true,
+    content: Content::Elements,
+    attributes: &[
+        Attribute::identifier("name", "A name that no other part has.").required(),
+        Attribute::text("title", "What is read.").required(),
+    ],
+    ..Element::new(
+        "part",
+        CLAUSE_PARENTS,
+        Role::Scene(|| ClauseKind::Part(Box::default())),
+    )
+};
+
+pub(super) static IF: Element = Element {
+    doc: super::shown("Performs its clauses where a condition holds, and passes over them else."),
+    decision: super::shown(
+        "A question is `right` or `wrong` once it is answered for good, or the name of an option that was chosen; `score` is the number of points so far. All conditions that are given have to hold. A variable that was never set is an empty text, and 0 where it is compared. The timeline has room for the clauses in any case, as for answers; without a time it begins a tenth of a second after what is before it, so that it is told apart from that.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><r:set time='0' name='pace' value='slow'/><r:if time='0' name='pace' is='slow'><null time='2'/></r:if></seq></body></eml>",
+    ),
+    extension: true,
+    content: Content::Elements,
+    one_of: &["is", "not", "above", "below"],
+    attributes: &[
+        Attribute::identifier("name", "A variable, a question, or `score`.").required(),
+        Attribute::text("is", "What it has to be."),
+        Attribute::text("not", "What it must not be."),
+        Attribute::number("above", "A number that it has to be greater than."),
+        Attribute::number("below", "A number that it has to be smaller than."),
+    ],
+    ..Element::new(
+        "if",
+        CLAUSE_PARENTS,
+        Role::Scene(|| ClauseKind::If(Box::default())),
+    )
+};
+
+pub(super) static SET: Element = Element {
+    doc: super::shown("Gives a variable a value, when the story comes to it."),
+    decision: super::shown(
+        "A value that reads as a number is one, `true` and `false` are truth values, all else is text; a variable has one type throughout a story. It is done once, unless a goto leads back before it.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:set time='0' name='coins' by='1'/><r:if time='0' name='coins' above='0'><null time='1'/></r:if></body></eml>",
+    ),
+    extension: true,
+    one_of: &["value", "by"],
+    attributes: &[
+        Attribute::identifier("name", "The variable.").required(),
+        Attribute::text("value", "Its value."),
+        Attribute::number("by", "What is added to its number, which begins at 0."),
+    ],
+    ..Element::record("set", || ClauseKind::Set(Box::default()))
+};
+
+pub(super) static GOTO: Element = Element {
+    doc: super::shown("Has the story go on at a part."),
+    decision: super::shown(
+        "Where it leads back, questions and variables from there on are asked and set anew. A way that leads round without a question is an error, and so is one that never comes to an end.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><null time='1'/><r:goto time='0' to='end'/><r:part time='0' name='end' title='The end'><null time='1'/></r:part></seq></body></eml>",
+    ),
+    extension: true,
+    attributes: &[Attribute::identifier("to", "The name of the part.").required()],
+    ..Element::record("goto", || ClauseKind::Goto(Default::default()))
+};

@@ -1,0 +1,285 @@
+//! The ways through a story: what no way comes to, and ways that go round for ever.
+//!
+//! The timeline is cut where ways leave it, at gotos, and where they come in, at parts. Between
+//! two cuts a story goes straight on.
+
+use super::Timeline;
+use crate::diagnostic::Sink;
+use crate::suggest::quoted;
+use crate::{ClauseId, ClauseKind, Diagnostic, Document};
+use std::collections::BTreeMap;
+
+/// A stretch of the timeline between two cuts.
+#[derive(Default)]
+struct Stretch {
+    /// The first clause that starts in it and does something.
+    first: Option<ClauseId>,
+    /// A question in it is asked on every way through it.
+    waits: bool,
+    /// The goto that ends it, and the stretch where that leads.
+    goto: Option<(ClauseId, Option<usize>)>,
+    /// Every way through it takes the goto.
+    always: bool,
+}
+
+impl Stretch {
+    /// The stretches that may come next; one past the last is the end.
+    fn next(&self, here: usize) -> impl Iterator<Item = usize> + use<> {
+        let to = self.goto.and_then(|(_, to)| to);
+        let on = (!self.always || to.is_none()).then_some(here + 1);
+        on.into_iter().chain(to)
+    }
+}
+
+/// Reports clauses that no way comes to, and gotos that lead round for ever.
+pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
+    let is_goto =
+        |c: &super::TimedClause| matches!(document.clause(c.clause).kind, ClauseKind::Goto(_));
+    if !timeline.clauses.iter().any(is_goto) {
+        return;
+    }
+    let stretches = stretches(document, timeline);
+    let reached = spread(stretches.len(), &[0], |at| {
+        stretches
+            .get(at)
+            .into_iter()
+            .flat_map(move |s| s.next(at))
+            .collect()
+    });
+    for stretch in stretches
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| !reached[*at])
+        .map(|(_, s)| s)
+    {
+        if let Some(id) = stretch.first {
+            let clause = document.clause(id);
+            let message = format!(
+                "no way leads to this `{}`; it is never performed",
+                clause.kind.name()
+            );
+            sink.push(Diagnostic::warning(
+                "eml::unreachable",
+                clause.tag_span,
+                message,
+            ));
+        }
+    }
+    for id in endless(&stretches, &reached) {
+        let clause = document.clause(id);
+        let ClauseKind::Goto(goto) = &clause.kind else {
+            continue;
+        };
+        let message = format!(
+            "the way to {} leads round without a question on it, or never comes to an end",
+            quoted(&goto.to)
+        );
+        sink.push(
+            Diagnostic::error("eml::endless-ring", clause.tag_span, message)
+                .hint("ask something on the way, or lead on under a condition"),
+        );
+    }
+}
+
+fn stretches(document: &Document, timeline: &Timeline) -> Vec<Stretch> {
+    let mut all = vec![Stretch::default()];
+    let mut parts: BTreeMap<&str, usize> = BTreeMap::new();
+    // Whether what is in a clause may be passed over. Containers stand before what they hold.
+    let mut optional = vec![false; timeline.clauses.len()];
+    for (at, timed) in timeline.clauses.iter().enumerate() {
+        let within = timed.container.is_some_and(|c| optional[c as usize]);
+        let kind = &document.clause(timed.clause).kind;
+        optional[at] = within || matches!(kind, ClauseKind::If(_) | ClauseKind::Answer(_));
+        if let ClauseKind::Part(part) = kind {
+            all.push(Stretch::default());
+            parts.entry(&part.heading.name).or_insert(all.len() - 1);
+        }
+        let last = all.len() - 1;
+        let stretch = &mut all[last];
+        stretch.waits |= !within && matches!(kind, ClauseKind::Ask(_));
+        if !matches!(kind, ClauseKind::Null) {
+            stretch.first.get_or_insert(timed.clause);
+        }
+        if let ClauseKind::Goto(_) = kind {
+            stretch.goto = Some((timed.clause, None));
+            stretch.always = !within;
+            all.push(Stretch::default());
+        }
+    }
+    for stretch in &mut all {
+        if let Some((id, to)) = &mut stretch.goto
+            && let ClauseKind::Goto(goto) = &document.clause(*id).kind
+        {
+            *to = parts.get(goto.to.as_str()).copied();
+        }
+    }
+    all
+}
+
+/// Which of the stretches, and of the end after them, are come to.
+fn spread(count: usize, from: &[usize], next: impl Fn(usize) -> Vec<usize>) -> Vec<bool> {
+    let mut reached = vec![false; count + 1];
+    let mut open = from.to_vec();
+    while let Some(at) = open.pop() {
+        if !std::mem::replace(&mut reached[at], true) {
+            open.extend(next(at));
+        }
+    }
+    reached
+}
+
+/// The gotos of rings without a question, and of ways from which none leads to the end.
+fn endless(stretches: &[Stretch], reached: &[bool]) -> Vec<ClauseId> {
+    let mut before = vec![Vec::new(); stretches.len() + 1];
+    for (at, stretch) in stretches.iter().enumerate() {
+        for to in stretch.next(at) {
+            before[to].push(at);
+        }
+    }
+    let ends = spread(stretches.len(), &[stretches.len()], |at| before[at].clone());
+    let round = rings(stretches, reached);
+    let leads_round = |(at, stretch): (usize, &Stretch)| {
+        let (id, to) = stretch.goto?;
+        let back = to.is_some_and(|to| to <= at);
+        (reached[at] && back && (round[at] || !ends[at])).then_some(id)
+    };
+    stretches
+        .iter()
+        .enumerate()
+        .filter_map(leads_round)
+        .collect()
+}
+
+/// Stretches whose goto closes a ring of stretches that do not wait: depth first, with a stack
+/// of its own.
+fn rings(stretches: &[Stretch], reached: &[bool]) -> Vec<bool> {
+    #[derive(Clone, Copy, PartialEq)]
+    enum State {
+        New,
+        Open,
+        Done,
+    }
+    let mut closes = vec![false; stretches.len()];
+    let mut state = vec![State::New; stretches.len()];
+    let goes = |at: usize| at < stretches.len() && reached[at] && !stretches[at].waits;
+    for root in 0..stretches.len() {
+        if state[root] != State::New || !goes(root) {
+            continue;
+        }
+        state[root] = State::Open;
+        let mut path = vec![(root, stretches[root].next(root))];
+        while let Some((at, next)) = path.last_mut() {
+            let at = *at;
+            match next.next() {
+                None => {
+                    state[at] = State::Done;
+                    path.pop();
+                }
+                Some(to) if goes(to) && state[to] == State::New => {
+                    state[to] = State::Open;
+                    path.push((to, stretches[to].next(to)));
+                }
+                Some(to) if goes(to) && state[to] == State::Open => closes[at] = true,
+                Some(_) => {}
+            }
+        }
+    }
+    closes
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{EstimatedDurations, Timeline, parse};
+
+    fn codes(body: &str) -> Vec<&'static str> {
+        let text = format!(
+            "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'>{body}</seq></body></eml>"
+        );
+        let parsed = parse(&text);
+        assert_eq!(parsed.diagnostics, []);
+        let told = Timeline::resolve(&parsed.document, &EstimatedDurations).diagnostics;
+        told.iter().map(|d| d.code).collect()
+    }
+
+    fn part(name: &str, inside: &str) -> String {
+        format!("<r:part time='0' name='{name}' title='T'><seq time='0'>{inside}</seq></r:part>")
+    }
+
+    const ASK: &str = "<r:ask time='0' name='q' prompt='?'><r:option name='a' text='A' right='true'/>\
+        <r:answer to='wrong'><r:goto time='0' to='one'/></r:answer></r:ask>";
+    const SET: &str = "<r:set time='0' name='x' by='1'/>";
+
+    fn goto(to: &str) -> String {
+        format!("<r:goto time='0' to='{to}'/>")
+    }
+
+    fn maybe(inside: &str) -> String {
+        format!("{SET}<r:if time='0' name='x' below='3'>{inside}</r:if>")
+    }
+
+    #[test]
+    fn what_is_leapt_over_and_led_to_by_nothing_is_told() {
+        let event = "<event time='1' type='x'/>";
+        let leap = format!("{}{event}{}", goto("end"), part("end", event));
+        assert_eq!(codes(&leap), ["eml::unreachable"]);
+        let both = format!(
+            "{}{}{}{}",
+            maybe(&goto("b")),
+            part("a", &goto("end")),
+            part("b", event),
+            part("end", event)
+        );
+        assert_eq!(codes(&both), [""; 0]);
+        let lost = format!(
+            "{}{}{}",
+            goto("end"),
+            part("lost", event),
+            part("end", event)
+        );
+        assert_eq!(codes(&lost), ["eml::unreachable"]);
+    }
+
+    #[test]
+    fn rings_have_questions_and_ends() {
+        assert_eq!(codes(&part("one", &goto("one"))), ["eml::endless-ring"]);
+        // A condition is no wait.
+        assert_eq!(
+            codes(&part("one", &maybe(&goto("one")))),
+            ["eml::endless-ring"]
+        );
+        assert_eq!(codes(&part("one", ASK)), [""; 0]);
+        // A question that is asked again and again.
+        let asked = ASK.replace("<r:goto time='0' to='one'/>", "<null time='1'/>");
+        assert_eq!(
+            codes(&part("one", &format!("{asked}{}", goto("one")))),
+            ["eml::endless-ring"]
+        );
+        // A question that may be passed over.
+        let passed = format!("{}{}", maybe(&asked), maybe(&goto("one")));
+        assert_eq!(codes(&part("one", &passed)), ["eml::endless-ring"]);
+    }
+
+    #[test]
+    fn rings_of_several_gotos_are_found() {
+        let body = format!(
+            "{}{}{}",
+            part("a", &goto("c")),
+            part("b", &goto("a")),
+            part("c", &maybe(&goto("b")))
+        );
+        assert_eq!(codes(&body), ["eml::endless-ring"]);
+    }
+
+    #[test]
+    fn ten_thousand_of_them_are_gone_through() {
+        let part = |i: usize| {
+            let to = (i * 7919 + 13) % 10_000;
+            part(&format!("p{i}"), &maybe(&goto(&format!("p{to}"))))
+        };
+        let body: String = (0..10_000).map(part).collect();
+        assert!(codes(&body).iter().all(|code| matches!(
+            *code,
+            "eml::endless-ring" | "eml::unreachable" | "eml::more"
+        )));
+    }
+}

@@ -1,0 +1,225 @@
+//! Messages to JavaScript about a story's questions and the ways through it.
+
+use raconteur_player::{AnswerCue, OptionCue, QuestionCue, WayCue, WayKind};
+use serde::Serialize;
+
+/// The questions of a story and the ways through it.
+#[derive(Debug, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Lesson {
+    questions: Vec<Question>,
+    ways: Vec<Way>,
+}
+
+impl Lesson {
+    /// From what a script tells of them.
+    #[must_use]
+    pub fn new(questions: Vec<QuestionCue>, ways: Vec<WayCue>) -> Self {
+        Self {
+            questions: questions.into_iter().map(Question::from).collect(),
+            ways: ways.into_iter().map(Way::from).collect(),
+        }
+    }
+}
+
+/// A question.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Question {
+    order: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    within: Option<u32>,
+    at_secs: f64,
+    end_secs: f64,
+    name: String,
+    kind: &'static str,
+    prompt: String,
+    points: f64,
+    tries: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hint: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limit_secs: Option<f64>,
+    options: Vec<Choice>,
+    answers: Vec<Answer>,
+}
+
+/// What one may answer.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Choice {
+    name: String,
+    text: String,
+    is_right: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    partner: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    accepts: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    rejects: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    least: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    most: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<String>,
+}
+
+impl From<OptionCue> for Choice {
+    fn from(cue: OptionCue) -> Self {
+        Self {
+            name: cue.name,
+            text: cue.text,
+            is_right: cue.is_right,
+            partner: cue.partner,
+            accepts: cue.accepts,
+            rejects: cue.rejects,
+            least: cue.least,
+            most: cue.most,
+            at: cue.at,
+        }
+    }
+}
+
+/// What follows from an answer.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Answer {
+    order: u32,
+    to: String,
+    start_secs: f64,
+    end_secs: f64,
+}
+
+impl From<AnswerCue> for Answer {
+    fn from(cue: AnswerCue) -> Self {
+        Self {
+            order: cue.order,
+            to: cue.to,
+            start_secs: cue.start_secs,
+            end_secs: cue.end_secs,
+        }
+    }
+}
+
+impl From<QuestionCue> for Question {
+    fn from(cue: QuestionCue) -> Self {
+        Self {
+            order: cue.order,
+            within: cue.within,
+            at_secs: cue.at_secs,
+            end_secs: cue.end_secs,
+            name: cue.name,
+            kind: cue.kind.word(),
+            prompt: cue.prompt,
+            points: cue.points,
+            tries: cue.tries,
+            hint: cue.hint,
+            limit_secs: cue.limit_secs,
+            options: cue.options.into_iter().map(Choice::from).collect(),
+            answers: cue.answers.into_iter().map(Answer::from).collect(),
+        }
+    }
+}
+
+/// Something on the way through a story.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Way {
+    order: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    within: Option<u32>,
+    at_secs: f64,
+    end_secs: f64,
+    #[serde(flatten)]
+    what: What,
+}
+
+/// What is on the way.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+enum What {
+    Part {
+        name: String,
+        title: String,
+    },
+    If {
+        name: String,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        is: Option<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        not: Option<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        above: Option<f64>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        below: Option<f64>,
+    },
+    Set {
+        name: String,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        value: Option<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        by: Option<f64>,
+    },
+    Goto {
+        to: String,
+    },
+}
+
+impl From<WayCue> for Way {
+    fn from(cue: WayCue) -> Self {
+        let what = match cue.kind {
+            WayKind::Part { name, title } => What::Part { name, title },
+            WayKind::If {
+                name,
+                is,
+                not,
+                above,
+                below,
+            } => What::If {
+                name,
+                is,
+                not,
+                above,
+                below,
+            },
+            WayKind::Set { name, value, by } => What::Set { name, value, by },
+            WayKind::Goto { to } => What::Goto { to },
+        };
+        Self {
+            order: cue.order,
+            within: cue.within,
+            at_secs: cue.at_secs,
+            end_secs: cue.end_secs,
+            what,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_way_is_one_plain_object() {
+        let cue = WayCue {
+            order: 3,
+            within: None,
+            at_secs: 1.0,
+            end_secs: 2.0,
+            kind: WayKind::If {
+                name: "x".into(),
+                is: None,
+                not: None,
+                above: Some(1.0),
+                below: None,
+            },
+        };
+        let lesson = Lesson::new(Vec::new(), vec![cue]);
+        assert_eq!(
+            serde_json::to_value(lesson).unwrap(),
+            json!({"questions": [], "ways": [{"order": 3, "atSecs": 1.0, "endSecs": 2.0, "kind": "if", "name": "x", "above": 1.0}]})
+        );
+    }
+}

@@ -1,0 +1,198 @@
+/** Each type of question as people answer it, ways that follow, time that is over, and what hostile stories do. */
+
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Locator } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { story } from './fixture.js';
+import { expect, test, type Stage } from './stage.js';
+
+const ask = (type: string, prompt: string, options: string, more = '') =>
+  `<seq time='0'><null time='0.5'/><r:ask time='0' name='q' type='${type}' prompt='${prompt}' ${more}>${options}
+    <r:answer to='right'><event time='0.2' type='yes'/><null time='0.4'/></r:answer>
+    <r:answer to='wrong'><event time='0.2' type='no'/><null time='0.4'/></r:answer></r:ask><null time='0.5'/></seq>`;
+
+async function open(stage: Stage, body: string, attributes = ''): Promise<Locator> {
+  await stage.open(`<main><h1>A page</h1><raconteur-player src="story.eml" quality="lowest" loading="eager" label="Songs" controls ${attributes}></raconteur-player></main>`, {
+    'story.eml': story(body),
+  });
+  await stage.ready();
+  await stage.play();
+  const form = stage.player.locator('[part~=question]');
+  await expect(form).toBeVisible();
+  return form;
+}
+
+const told = (stage: Stage) => stage.page.evaluate(() => window.record.events.filter(({ type }) => type === 'storyevent').map(({ detail }) => (detail as { type: string }).type));
+const answered = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => (p.state().answered as { given: string[]; isRight: boolean }[])[0]);
+
+async function hasNoBarriers(stage: Stage): Promise<void> {
+  const { violations } = await new AxeBuilder({ page: stage.page }).analyze();
+  expect(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join('; ')}`)).toEqual([]);
+}
+
+test('things are put in order by keys, and stay under the focus', async ({ stage, page }) => {
+  const form = await open(stage, ask('order', 'In order?', `<r:option name='a' text='First'/><r:option name='b' text='Second'/><r:option name='c' text='Third'/>`));
+  await hasNoBarriers(stage);
+  const texts = async () => (await form.locator('li span').allTextContents()).map((text) => text.trim());
+  expect(await texts()).not.toEqual(['First', 'Second', 'Third']);
+  for (const [text, place] of [
+    ['First', 0],
+    ['Second', 1],
+  ] as const) {
+    for (let i = 0; i < 3 && (await texts()).indexOf(text) > place; i += 1) {
+      await form.getByRole('button', { name: `Move up: ${text}` }).focus();
+      await page.keyboard.press('Enter');
+      await expect(form.getByRole('button', { name: `Move up: ${text}` })).toBeFocused();
+    }
+  }
+  expect(await texts()).toEqual(['First', 'Second', 'Third']);
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['yes']);
+  expect(await answered(stage)).toMatchObject({ given: ['a', 'b', 'c'], isRight: true });
+});
+
+test('partners are chosen, in any order of theirs', async ({ stage }) => {
+  const form = await open(stage, ask('match', 'Which go together?', `<r:option name='a' text='Frog' partner='Pond'/><r:option name='b' text='Owl' partner='Tree'/>`));
+  await hasNoBarriers(stage);
+  await form.getByLabel('Frog').selectOption({ label: 'Tree' });
+  await form.getByLabel('Owl').selectOption({ label: 'Tree' });
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['no']);
+  expect(await answered(stage)).toMatchObject({ given: ['b', 'b'], isRight: false });
+});
+
+test('gaps are filled, whatever their capitals and accents', async ({ stage }) => {
+  const form = await open(
+    stage,
+    ask('gap', 'The [who] sat in a [where].', `<r:option name='where' accepts='café|inn'/><r:option name='who' accepts='frog'/>`, `tries='2' hint='It is green.'`),
+  );
+  await hasNoBarriers(stage);
+  await expect(form).toContainText('The … sat in a ….');
+  await form.getByLabel('Gap 1 of 2').fill('stone');
+  await form.getByLabel('Gap 2 of 2').fill('inn');
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.getByRole('status')).toHaveText('Not yet. It is green. One try is left.');
+  await form.getByLabel('Gap 1 of 2').fill(' FROG!');
+  await form.getByLabel('Gap 2 of 2').fill('cafe');
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['yes']);
+});
+
+test('numbers and texts go by rules', async ({ stage, page }) => {
+  const number = await open(stage, ask('number', 'How far?', `<r:option name='near' least='2.5' most='3' right='true'/><r:option name='far' least='3'/>`));
+  await hasNoBarriers(stage);
+  await number.getByLabel('Your answer').fill('about three');
+  await page.keyboard.press('Enter');
+  await expect(number.getByRole('status')).toHaveText('There is no answer yet.');
+  await number.getByLabel('Your answer').fill('2,75');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => told(stage)).toEqual(['yes']);
+  const text = await open(stage, ask('text', 'Why?', `<r:option name='well' accepts='cold|winter' rejects='summer' right='true'/>`));
+  await hasNoBarriers(stage);
+  await text.getByLabel('Your answer').fill('<b>In</b> the *Winter*, <script>alert(1)</script>');
+  await text.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['yes']);
+});
+
+test('the figure is pointed at, on the stage or in the form', async ({ stage, page }) => {
+  const options = `<r:option name='left' text='The left hand' at='l_wrist' right='true'/><r:option name='right' text='The right hand' at='r_wrist'/>`;
+  const form = await open(stage, ask('point', 'Which one?', options));
+  await hasNoBarriers(stage);
+  const marks = stage.player.locator('.marker');
+  await expect(marks).toHaveCount(2);
+  const box = await stage.player.boundingBox();
+  await expect.poll(async () => ((await marks.first().boundingBox())?.x ?? 0) - (box?.x ?? 0)).toBeGreaterThan(20);
+  // The character's left is the viewer's right.
+  const [left, right] = [await marks.nth(0).boundingBox(), await marks.nth(1).boundingBox()];
+  expect(left?.x).toBeGreaterThan(right?.x ?? 0);
+  await marks.nth(1).click();
+  await expect(form.getByLabel('The right hand')).toBeChecked();
+  await form.getByLabel('The right hand').focus();
+  await page.keyboard.press('ArrowUp');
+  await expect(form.getByLabel('The left hand')).toBeChecked();
+  await page.keyboard.press('Enter');
+  await expect.poll(() => told(stage)).toEqual(['yes']);
+});
+
+test('the figure waits, alive, and goes on where it is', async ({ stage }) => {
+  await open(stage, ask('choice', 'Which?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`));
+  const pose = () => stage.player.evaluate((p: RaconteurPlayer) => [...(p.pose()?.numbers ?? [])].join());
+  const first = await pose();
+  await expect.poll(pose).not.toBe(first);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.currentTime)).toBeCloseTo(0.5, 2);
+});
+
+test('time that is over is an answer, and more of it is given', async ({ stage }) => {
+  const form = await open(stage, ask('choice', 'Soon?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`, `limit='4' tries='3'`));
+  await expect(form.getByRole('timer')).toHaveText(/Time left: [1-4] s/);
+  await hasNoBarriers(stage);
+  await expect(form.getByRole('timer')).toHaveText(/Time left: [12] s/);
+  await form.getByRole('button', { name: 'More time' }).click();
+  await expect(form.getByRole('timer')).toHaveText('Time left: 4 s');
+  await expect.poll(() => told(stage), { timeout: 30_000 }).toEqual(['no']);
+  expect(await answered(stage)).toMatchObject({ given: [], isRight: false });
+});
+
+test('ways follow from answers, and parts are chapters', async ({ stage }) => {
+  const body = `<seq time='0'>
+    <r:part time='0' name='one' title='The &lt;start&gt;'><seq time='0'><null time='0.3'/>
+      <r:ask time='0' name='q' prompt='Which way?'><r:option name='a' text='Left' right='true'/><r:option name='b' text='Back'/>
+        <r:answer to='b'><seq time='0'><event time='0.1' type='back'/><r:goto time='0.1' to='one'/></seq></r:answer></r:ask>
+      <r:set time='0' name='way' value='left'/></seq></r:part>
+    <r:if name='way' is='right'><event time='0.1' type='never'/><null time='30'/></r:if>
+    <r:if name='q' is='right'><event time='0.1' type='left'/><null time='0.3'/></r:if>
+    <r:part time='0' name='two' title='The end'><event time='0.1' type='end'/><null time='0.4'/></r:part></seq>`;
+  const form = await open(stage, body);
+  const chapters = await stage.player.evaluate((p: RaconteurPlayer) =>
+    [...p.textTracks].filter(({ kind }) => kind === 'chapters').flatMap((track) => [...(track.cues ?? [])].map((cue) => (cue as VTTCue).text)),
+  );
+  expect(chapters).toEqual(['The &lt;start>', 'The end']);
+  await form.getByLabel('Back').check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['back']);
+  await expect(form).toBeVisible();
+  await form.getByLabel('Left').check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.ended), { timeout: 60_000 }).toBe(true);
+  expect(await told(stage)).toEqual(['back', 'left', 'end']);
+});
+
+test('another story knows nothing of the answers to the one before', async ({ stage }) => {
+  const body = ask('choice', 'Who?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`);
+  await open(stage, body);
+  await stage.player.evaluate((p: RaconteurPlayer) => p.answer('a'));
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.score.points)).toBe(1);
+  await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    p.src = 'story.eml?again';
+    await p.load();
+  });
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.readyState)).toBe(4);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.score.points, (p.state().answered as unknown[]).length])).toEqual([0, 0]);
+});
+
+test('a press on play while something is asked goes to the question', async ({ stage }) => {
+  const form = await open(stage, ask('choice', 'Which?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`));
+  const before = await stage.page.evaluate(() => window.record.events.filter(({ type }) => type === 'play').length);
+  await stage.player.getByRole('button', { name: /play/i }).first().click();
+  await expect(form.getByLabel('A', { exact: true })).toBeFocused();
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.play().catch((error: Error) => error.name))).toBe('InvalidStateError');
+  expect(await stage.page.evaluate(() => window.record.events.filter(({ type }) => type === 'play').length)).toBe(before);
+});
+
+test('a story from the right has its form there, in words of its language where there are some', async ({ stage }) => {
+  const asked = ask('choice', 'من غنى؟', `<r:option name='a' text='ضفدع' right='true'/><r:option name='b' text='حجر'/>`);
+  const form = await open(stage, asked, 'lang="ar"');
+  await expect(form).toHaveAttribute('dir', 'rtl');
+  await hasNoBarriers(stage);
+  const german = await open(stage, asked, 'lang="de-AT"');
+  await expect(german.getByRole('button', { name: 'Antworten' })).toBeVisible();
+});
+
+test('ten thousand questions are a story', async ({ stage }) => {
+  const one = (i: number) => `<r:ask time='0' name='q${i}' prompt='Which?'><r:option name='a' text='A' right='true'/></r:ask>`;
+  const form = await open(stage, `<seq time='0'><null time='0.3'/>${Array.from({ length: 10_000 }, (_, i) => one(i)).join('')}</seq>`);
+  await form.getByLabel('A', { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.question?.name)).toBe('q1');
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.score)).toEqual({ points: 1, most: 10_000 });
+});

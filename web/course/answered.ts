@@ -1,0 +1,76 @@
+/** Statements of xAPI about answers: questions as activities of their own (Data, 2.4.4.1 and appendix C). */
+
+import type { Question } from '../element/types.js';
+import type { Statement } from './outbox.js';
+import type { Reply } from './report.js';
+import { identifierOf, patternsOf, responseOf, targetOf, TYPES, type Limits } from './responses.js';
+import { contextOf, courseOf, durationOf, scoreOf, VERBS, type Session } from './statements.js';
+import { plain } from './texts.js';
+
+const INTERACTION = 'http://adlnet.gov/expapi/activities/cmi.interaction';
+/** The standard has no limits; a statement has to be sent while a page goes. */
+const LIMITS: Limits = { items: Infinity, gaps: Infinity, gapLength: 250, textLength: 4000, patterns: 100 };
+/** What is read of questions and options. */
+const MOST_TEXT = 1000;
+
+/** A question's address below that of its course, whose query and fragment stay at the end. */
+export function questionId(activityId: string, name: string): string {
+  const end = activityId.search(/[?#]/);
+  const path = end < 0 ? activityId : activityId.slice(0, end);
+  const encoded = encodeURIComponent(name.replaceAll(/\p{Surrogate}/gu, '\uFFFD'));
+  return `${path.replace(/\/$/, '')}/questions/${encoded}${end < 0 ? '' : activityId.slice(end)}`;
+}
+
+/** The options of a question as the components of its type. */
+function componentsOf({ kind, options }: Question, language: string): object {
+  const component = (place: number, text: string | undefined) => {
+    const id = identifierOf(options[place]?.name ?? '', place);
+    return { id, description: { [language]: plain(text ?? '', MOST_TEXT) || id } };
+  };
+  const all = options.map(({ text }, place) => component(place, text));
+  switch (TYPES[kind]) {
+    case 'choice':
+    case 'sequencing':
+      return { choices: all };
+    case 'matching': {
+      const targets = options.flatMap(({ partner }, place) => (partner !== undefined && targetOf(options, place) === place ? [component(place, partner)] : []));
+      return { source: all, target: targets };
+    }
+    default:
+      return {};
+  }
+}
+
+function definitionOf(question: Question, language: string): object {
+  const patterns = patternsOf(question, LIMITS);
+  const asked = { [language]: plain(question.prompt, MOST_TEXT) || question.kind };
+  return {
+    type: INTERACTION,
+    name: asked,
+    description: asked,
+    interactionType: TYPES[question.kind],
+    ...(patterns.length === 0 ? {} : { correctResponsesPattern: patterns }),
+    ...componentsOf(question, language),
+  };
+}
+
+/** A statement about an answer. */
+export function answeredOf(session: Session, reply: Reply): Statement {
+  const { question, answered } = reply;
+  const response = responseOf(reply, LIMITS);
+  return {
+    id: crypto.randomUUID(),
+    timestamp: new Date(reply.atMs).toISOString(),
+    actor: session.actor,
+    verb: { id: VERBS.answered, display: { 'en-US': 'answered' } },
+    object: { objectType: 'Activity', id: questionId(session.activityId, question.name), definition: definitionOf(question, session.language) },
+    result: {
+      success: answered.isRight,
+      ...(response === undefined ? {} : { response }),
+      ...scoreOf(answered.points, question.points),
+      duration: durationOf(reply.latencyMs),
+    },
+    // It is one that cmi5 allows, not one of its own: it has no category of it.
+    context: contextOf(session, { categories: [], parent: courseOf(session), extensions: {} }),
+  };
+}

@@ -1,0 +1,130 @@
+/** Answers as texts in the form that SCORM 2004 (Run-Time Environment, 4.2.9) and xAPI (Data, 2.4.4.1) have in common. */
+
+import { numberOf } from '../element/judge.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/types.js';
+import type { Reply } from './report.js';
+import { BETWEEN, decimal, plain } from './texts.js';
+
+export type InteractionType = 'choice' | 'sequencing' | 'matching' | 'fill-in' | 'long-fill-in' | 'numeric';
+
+export const TYPES: { readonly [kind in QuestionKind]: InteractionType } = {
+  choice: 'choice',
+  several: 'choice',
+  point: 'choice',
+  order: 'sequencing',
+  match: 'matching',
+  gap: 'fill-in',
+  number: 'numeric',
+  text: 'long-fill-in',
+};
+
+/** How much of an answer a standard takes. */
+export interface Limits {
+  /** Options, pairs or steps. */
+  readonly items: number;
+  /** Gaps, and the characters of each. */
+  readonly gaps: number;
+  readonly gapLength: number;
+  readonly textLength: number;
+  /** Ways to be right. */
+  readonly patterns: number;
+}
+
+/** Between a source and its target, and between the ends of a range. */
+const PAIR = '[.]';
+const RANGE = '[:]';
+
+/** An option by its name, or by its place where the name is no identifier, or looks like such a place. */
+export function identifierOf(name: string, index: number): string {
+  return /^[\w.-]{1,250}$/.test(name) && /\w/.test(name) && !/^option-\d+$/.test(name) ? name : `option-${index + 1}`;
+}
+
+/** The places of options that were chosen, each once: in the order in which they were put (`order`), else as they stand. */
+export function placesOf({ kind, options }: Question, given: readonly string[]): number[] {
+  const places = [...new Set(given.map((name) => options.findIndex((option) => option.name === name)))].filter((place) => place >= 0);
+  return kind === 'order' ? places : places.sort((a, b) => a - b);
+}
+
+/** The place of the first option that has the same partner: partners that read the same are one target. */
+export const targetOf = (options: readonly QuestionOption[], place: number): number => options.findIndex(({ partner }) => partner === options[place]?.partner);
+
+/** Which option was given whose partner, by their places; options may have none. */
+export function pairsOf({ options }: Question, given: readonly string[]): (readonly [source: number, target: number])[] {
+  return options.flatMap((_, source) => {
+    const place = options.findIndex(({ name }) => name === given[source]);
+    return options[place]?.partner === undefined ? [] : [[source, targetOf(options, place)] as const];
+  });
+}
+
+/** The names that a right answer chooses, in the form of `given`. */
+export function rightNames({ kind, options }: Question): string[] {
+  const right = kind === 'order' || kind === 'match' ? options : options.filter(({ isRight }) => isRight);
+  return right.map(({ name }) => name);
+}
+
+/** Names that were given as `choice`, `sequencing` or `matching` have them. */
+function chosen(question: Question, given: readonly string[], { items }: Limits): string {
+  const identifier = (place: number) => identifierOf(question.options[place]?.name ?? '', place);
+  const parts =
+    question.kind === 'match' ? pairsOf(question, given).map(([source, target]) => `${identifier(source)}${PAIR}${identifier(target)}`) : placesOf(question, given).map(identifier);
+  return parts.slice(0, items).join(BETWEEN);
+}
+
+/** A number that was written; undefined where it is none, or none that the formats have. */
+export const numberText = (given: readonly string[]): string | undefined => decimal(numberOf(given[0] ?? '') ?? NaN);
+
+/** What was written into gaps; empty where that is nothing. */
+export function gapsText(given: readonly string[], { gaps, gapLength }: Limits): string {
+  const parts = given.slice(0, gaps).map((text) => plain(text, gapLength));
+  return parts.some((part) => part !== '') ? parts.join(BETWEEN) : '';
+}
+
+/** A learner's answer; undefined where there is none, or none that the form has. */
+export function responseOf({ question, answered: { given } }: Pick<Reply, 'question' | 'answered'>, limits: Limits): string | undefined {
+  switch (TYPES[question.kind]) {
+    case 'fill-in':
+      return gapsText(given, limits) || undefined;
+    case 'long-fill-in':
+      return plain(given[0] ?? '', limits.textLength) || undefined;
+    case 'numeric':
+      return numberText(given);
+    default:
+      return chosen(question, given, limits) || undefined;
+  }
+}
+
+/** One of each list, in all ways, as far as there may be so many. */
+function combinations(lists: readonly (readonly string[])[], most: number): string[][] {
+  return lists.reduce<string[][]>((made, list) => made.flatMap((head) => list.map((last) => [...head, last])).slice(0, most), [[]]);
+}
+
+/** A range of numbers; undefined where it has no end, has one that the form has not, or where a wrong answer before it lies in it. */
+function rangeOf({ least = -Infinity, most = Infinity }: QuestionOption, before: readonly QuestionOption[]): string | undefined {
+  const ends = [least, most].map((end) => (Number.isFinite(end) ? decimal(end) : ''));
+  const isCut = before.some((other) => !other.isRight && (other.least ?? -Infinity) <= most && (other.most ?? Infinity) >= least);
+  return isCut || least > most || ends.includes(undefined) || ends.every((end) => end === '') ? undefined : ends.join(RANGE);
+}
+
+/** What is right, each way once; empty where the form has nothing for it. */
+export function patternsOf(question: Question, limits: Limits): string[] {
+  const right = question.options.filter(({ isRight }) => isRight);
+  const patterns = (() => {
+    switch (TYPES[question.kind]) {
+      case 'fill-in':
+        if (question.options.length > limits.gaps) return [];
+        return combinations(
+          question.options.map(({ accepts = [] }) => accepts),
+          limits.patterns,
+        ).map((words) => gapsText(words, limits));
+      case 'long-fill-in':
+        // What takes any text has no words.
+        return right.flatMap(({ accepts = [] }) => (accepts.length === 0 ? [undefined] : accepts.map((word) => plain(word, limits.textLength))));
+      case 'numeric':
+        return right.map((option) => rangeOf(option, question.options.slice(0, question.options.indexOf(option))));
+      default:
+        return rightNames(question).length > limits.items ? [] : [chosen(question, rightNames(question), limits)];
+    }
+  })();
+  // A way to be right that the form has not would make a list of the others wrong.
+  return patterns.includes(undefined) ? [] : ([...new Set(patterns.filter((pattern) => pattern !== undefined && pattern !== ''))].slice(0, limits.patterns) as string[]);
+}

@@ -1,0 +1,89 @@
+/** A record store for tests, and how a course with one is launched. */
+
+import type { Shelf } from '../course/outbox.js';
+import type { Report } from '../course/report.js';
+import { VERBS } from '../course/statements.js';
+
+/** A store of records that takes what the standard lets it take, and can be away. */
+export class FakeStore {
+  readonly statements: { id: string; verb: { id: string }; timestamp: string; [part: string]: unknown }[] = [];
+  readonly states = new Map<string, string>();
+  isAway = false;
+  /** The answer to what it has taken is lost. */
+  losesAnswers = false;
+  tokens = 0;
+  readonly faults: string[] = [];
+
+  readonly fetch = async (address: string | URL, { method = 'GET', headers = {}, body }: RequestInit = {}): Promise<Response> => {
+    await Promise.resolve();
+    const { pathname, searchParams, href } = new URL(address);
+    if (this.isAway) throw new TypeError('no network');
+    if (pathname === '/token') {
+      this.tokens += 1;
+      return this.tokens === 1 ? Response.json({ 'auth-token': 'abc' }) : Response.json({ 'error-code': '1' }, { status: 403 });
+    }
+    const given = headers as { [name: string]: string };
+    if (given['X-Experience-API-Version'] !== '1.0.3' || !given['Authorization']?.startsWith('Basic ')) this.faults.push(`headers of ${href}`);
+    if (pathname === '/lrs/statements' && method === 'PUT') {
+      const statement = JSON.parse(String(body)) as (typeof this.statements)[number];
+      if (searchParams.get('statementId') !== statement.id) this.faults.push('another id');
+      if (this.statements.some(({ id }) => id === statement.id)) return new Response('', { status: 409 });
+      this.statements.push(statement);
+      if (this.losesAnswers) throw new TypeError('no network');
+      return new Response(null, { status: 204 });
+    }
+    if (pathname !== '/lrs/activities/state') return new Response('', { status: 404 });
+    const key = ['activityId', 'agent', 'registration', 'stateId'].map((name) => searchParams.get(name)).join(' ');
+    if (method === 'PUT') {
+      this.states.set(key, String(body));
+      return new Response(null, { status: 204 });
+    }
+    const text = this.states.get(key);
+    return text === undefined ? new Response('', { status: 404 }) : new Response(text);
+  };
+}
+
+export const ACTOR = '{"account":{"homePage":"https://a.example","name":"7"}}';
+export const REGISTRATION = '2f1b8a3c-7c0e-4f8e-9f60-0a5d3c1b2e4f';
+export const COURSE = { activityId: 'https://a.example/course', title: 'A story', language: 'en', watched: 0.9 };
+export const SESSION_ID = 'https://w3id.org/xapi/cmi5/context/extensions/sessionid';
+export const launchOf = (isCmi5: boolean): string => {
+  const asked = {
+    endpoint: 'https://lrs.example/lrs',
+    actor: ACTOR,
+    registration: REGISTRATION,
+    ...(isCmi5 ? { fetch: 'https://lrs.example/token', activityId: COURSE.activityId } : { auth: 'Basic xyz' }),
+  };
+  return `https://a.example/index.html?${new URLSearchParams(asked)}`;
+};
+
+/** Says how a cmi5 course is to be opened. */
+export const prepare = (store: FakeStore, launchMode: string, more: object = {}): void => {
+  const data = {
+    contextTemplate: { contextActivities: { grouping: [{ id: 'https://a.example/publisher' }] }, extensions: { [SESSION_ID]: 's1' } },
+    launchMode,
+    moveOn: 'Completed',
+    ...more,
+  };
+  store.states.set([COURSE.activityId, ACTOR, REGISTRATION, 'LMS.LaunchData'].join(' '), JSON.stringify(data));
+};
+
+export const shelf = (): Shelf & { readonly values: Map<string, string> } => {
+  const values = new Map<string, string>();
+  return { values, getItem: (key) => values.get(key) ?? null, setItem: (key, value) => void values.set(key, value), removeItem: (key) => void values.delete(key) };
+};
+
+export const report = (placeSecs: number, isComplete = false): Report => ({
+  placeSecs,
+  durationSecs: 60,
+  progress: placeSecs / 60,
+  seen: [[0, placeSecs]],
+  isComplete,
+  memory: `at ${placeSecs}`,
+  score: undefined,
+  isPassed: undefined,
+});
+export const verbs = (store: FakeStore): string[] => store.statements.map(({ verb }) => Object.entries(VERBS).find(([, id]) => id === verb.id)?.[0] ?? verb.id);
+export const settled = async (): Promise<void> => {
+  for (let i = 0; i < 60; i++) await Promise.resolve();
+};
