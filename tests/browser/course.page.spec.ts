@@ -1,11 +1,12 @@
 /** Packages of `raconteur export` in a learning management system: scorm-again, which others have made. */
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
+import { validateXML } from 'xmllint-wasm';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { kind } from '../../web/test/tier.js';
 import { expectNoBarriers, LOOKS } from './access.js';
@@ -63,6 +64,36 @@ async function serve(page: Page, standard: keyof typeof SYSTEMS, story = HELLO):
   });
   await page.goto('/lms/');
   return missing;
+}
+
+/** The schemas of a standard's manifests, as `web/tools/setup.mjs` fetches them. */
+function schemasOf(standard: keyof typeof SYSTEMS): { readonly [name: string]: string } {
+  const folder = join(root, '.setup/schemas/package/lib/schemas/definitionFiles', standard === 'scorm12' ? 'scorm12edition' : 'scorm20044thedition');
+  return Object.fromEntries(readdirSync(folder).map((name) => [name, readFileSync(join(folder, name), 'utf8')]));
+}
+
+for (const [standard, first] of [
+  ['scorm12', 'imscp_rootv1p1p2.xsd'],
+  ['scorm2004', 'imscp_v1p1.xsd'],
+] as const) {
+  test(`the manifest of ${standard} is one by the schemas of the standard`, async () => {
+    const manifest = new TextDecoder().decode(exported(standard)['imsmanifest.xml']);
+    const all = schemasOf(standard);
+    // One schema has the names of all spaces, so that all elements and attributes are looked at.
+    const spaces = [...manifest.matchAll(/xmlns(?::\w+)?="([^"]+)"/g)].map(([, space]) => space ?? '');
+    const imports = Object.entries(all).flatMap(([name, text]) => {
+      const space = /targetNamespace\s*=\s*"([^"]+)"/.exec(text)?.[1] ?? '';
+      const isOwn = name === first || (spaces.includes(space) && !/imscp|imsss_v1p0\w/.test(name));
+      return isOwn ? [`<xs:import namespace="${space}" schemaLocation="${name}"/>`] : [];
+    });
+    const schema = `<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">${imports.join('')}</xs:schema>`;
+    const preload = Object.entries(all).map(([fileName, contents]) => ({ fileName, contents }));
+    const check = (contents: string) => validateXML({ xml: [{ fileName: 'imsmanifest.xml', contents }], schema: [{ fileName: 'all.xsd', contents: schema }], preload });
+    expect((await check(manifest)).errors).toEqual([]);
+    // It looks at what it should.
+    expect((await check(manifest.replace('<organizations', '<organisations').replace('</organizations', '</organisations'))).valid).toBe(false);
+    expect((await check(manifest.replace(/adlcp:scorm[tT]ype="sco"/, (found) => found.replace('"sco"', '"lesson"')))).valid).toBe(false);
+  });
 }
 
 const playerIn = (page: Page) => page.frameLocator('iframe').locator('raconteur-player');

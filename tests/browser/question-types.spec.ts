@@ -157,6 +157,30 @@ test('ways follow from answers, and parts are chapters', async ({ stage }) => {
   expect(await told(stage)).toEqual(['back', 'left', 'end']);
 });
 
+test('a page asks by a fragment, hears of the answer, and says what follows', async ({ stage }) => {
+  await stage.open('<main><h1>A page</h1><raconteur-player quality="lowest" loading="eager" label="Songs" controls></raconteur-player></main>', {});
+  const answers = await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    const told = await p.perform(`<r:ask xmlns:r='urn:raconteur:eml:1' time='0.5' name='live' prompt='Shall I go on?'>
+      <r:option name='yes' text='Yes' right='true'/><r:option name='no' text='No'/></r:ask>`);
+    await p.play();
+    return told.map(({ kind }) => kind);
+  });
+  expect(answers).toEqual(['accepted']);
+  const form = stage.player.locator('[part~=question]');
+  await expect(form).toBeVisible({ timeout: 60_000 });
+  await form.getByLabel('No').check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form).toHaveCount(0);
+  const state = await stage.player.evaluate((p: RaconteurPlayer) => ({ answered: p.state().answered, paused: p.paused }));
+  expect(state).toMatchObject({ answered: [{ name: 'live', given: ['no'], isRight: false }], paused: false });
+  // What is interrupted is not asked.
+  await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    await p.perform(`<r:ask xmlns:r='urn:raconteur:eml:1' time='3' name='late' prompt='Late?'><r:option name='yes' text='Yes' right='true'/></r:ask>`);
+    p.interrupt();
+  });
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.score.most)).toBe(1);
+});
+
 test('another story knows nothing of the answers to the one before', async ({ stage }) => {
   const body = ask('choice', 'Who?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`);
   await open(stage, body);

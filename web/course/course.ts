@@ -89,8 +89,7 @@ export class Course {
     const { duration, currentTime, ended, played, score } = this.#player;
     const now = Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
     this.#seen = united([...this.#seen, ...now]);
-    const answers = this.#player.questions.map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
-    const progress = shareOf(this.#seen, duration, answers);
+    const progress = shareOf(this.#seen, duration, this.#player.optional);
     // Who comes back to a story that has ended sees it from the start.
     const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
     const asks = score.most > 0;

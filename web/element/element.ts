@@ -25,6 +25,7 @@ import { StoryLoader } from './story-loader.js';
 import { spare } from './fetching.js';
 import type { Answered, Score } from './lesson.js';
 import { Questioner } from './questioner.js';
+import type { Span } from './ranges.js';
 import type { Part } from './text-tracks.js';
 import { FrameLoop } from './frame-loop.js';
 import {
@@ -383,6 +384,11 @@ export class RaconteurPlayer extends MediaElement {
     return this.#questioner.lesson.score;
   }
 
+  /** What not everybody comes to, from one second to another: what follows from answers, or under conditions, and what this learner was led over. */
+  get optional(): readonly Span[] {
+    return this.#questioner.lesson.optional;
+  }
+
   /** Where the learner is and what they have answered, as data for `restore`: for pages that keep it themselves. */
   state(): PlayerState {
     return { placeSecs: this.currentTime, ...this.#questioner.lesson.state() };
@@ -556,6 +562,8 @@ export interface PlayerState {
   readonly done?: unknown;
   /** How far the learner has come, seconds. */
   readonly furthestSecs?: unknown;
+  /** What gotos have led over. */
+  readonly skipped?: unknown;
 }
 
 declare global {

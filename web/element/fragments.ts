@@ -49,6 +49,7 @@ function applyCut(context: PlayerContext, show: Show, { atSecs, endSecs }: Inter
   updateMusic(context, show);
   show.transport.replace(Math.max(endSecs, show.transport.position), false);
   dispatch(context.player, 'durationchange');
+  context.questioner.interrupted();
   context.advance();
 }
 
@@ -62,6 +63,7 @@ function performFragment(context: PlayerContext, show: Show, sender: number, fra
   if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
   if (performed.cut !== undefined) applyCut(context, show, performed.cut);
   if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs), languageOf(player, show.story));
+  context.questioner.lesson.add(performed.questions);
   void substituteVoice(context, show, () => undefined);
   updateMusic(context, show);
   if (performed.endSecs > show.transport.endSecs) {

@@ -4,6 +4,7 @@
  */
 
 import { judge } from './judge.js';
+import { type Span, united } from './ranges.js';
 import type { Part } from './text-tracks.js';
 import type { Question, Way } from './types.js';
 import { type Value, Values } from './values.js';
@@ -38,6 +39,8 @@ export interface LessonState {
   readonly done: readonly number[];
   /** How far the learner has come, seconds. */
   readonly furthestSecs: number;
+  /** What gotos have led over. */
+  readonly skipped: readonly Span[];
 }
 
 /** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
@@ -52,6 +55,8 @@ type Mark =
 const GO: Turn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
+/** The places of what is not in the story, after all that is. */
+const LIVE = 1e9;
 /** More of a state from outside is not read. */
 const MOST_DONE = 100_000;
 
@@ -80,6 +85,7 @@ export class Lesson {
   readonly #values = new Values();
   readonly #done = new Set<number>();
   #furthestSecs = 0;
+  readonly #skipped: Span[] = [];
   #asked: Question | undefined;
   /** The answer that is performed, and where the story goes on after it. */
   #follows: { readonly order: number; readonly endSecs: number; readonly toSecs: number } | undefined;
@@ -94,6 +100,36 @@ export class Lesson {
     this.#closed.clear();
   }
 
+  /** Asks what was not in the story, from a time on; what was answered to one of its name does not count. */
+  add(questions: readonly Question[]): void {
+    for (const question of questions) {
+      this.#drop(({ name }) => name === question.name);
+      this.#answered.delete(question.name);
+      // What the story has at that time comes before, and nothing follows by itself.
+      const asked = { ...question, order: LIVE + this.#questions.length, endSecs: question.atSecs, answers: [] };
+      this.#questions = [...this.#questions, asked];
+      const later = this.#marks.findIndex(({ atSecs }, i) => i >= this.#next && atSecs > asked.atSecs);
+      const at = later < 0 ? this.#marks.length : later;
+      const { order, atSecs, endSecs } = asked;
+      this.#marks = [...this.#marks.slice(0, at), { kind: 'ask', order, atSecs, endSecs, question: asked }, ...this.#marks.slice(at)];
+    }
+    this.#byName = new Map(this.#questions.map((question) => [question.name, question]));
+  }
+
+  /** What is not in the story and is not answered is not asked any more. */
+  interrupt(): void {
+    this.#drop(({ name, order }) => order >= LIVE && this.#answered.get(name)?.isFinal !== true);
+    this.#byName = new Map(this.#questions.map((question) => [question.name, question]));
+    if (this.#asked !== undefined && !this.#questions.includes(this.#asked)) this.#asked = undefined;
+  }
+
+  #drop(isDropped: (question: Question) => boolean): void {
+    const isKept = (mark: Mark) => mark.kind !== 'ask' || !isDropped(mark.question);
+    this.#next = this.#marks.slice(0, this.#next).filter(isKept).length;
+    this.#marks = this.#marks.filter(isKept);
+    this.#questions = this.#questions.filter((question) => !isDropped(question));
+  }
+
   /** Nothing is left of a story that goes. */
   clear(): void {
     this.setStory([], []);
@@ -101,11 +137,18 @@ export class Lesson {
     this.#values.clear();
     this.#done.clear();
     this.#furthestSecs = 0;
+    this.#skipped.length = 0;
   }
 
   /** The parts of the story, by time. */
   get parts(): readonly Part[] {
     return this.#marks.flatMap((mark) => (mark.kind === 'part' ? [{ name: mark.name, title: mark.title, startSecs: mark.atSecs, endSecs: mark.endSecs }] : []));
+  }
+
+  /** What not everybody comes to: answers, what has a condition, and what gotos have led this learner over. */
+  get optional(): readonly Span[] {
+    const spans = this.#marks.flatMap(({ kind, atSecs, endSecs }): Span[] => (kind === 'ask' || kind === 'if' ? [[atSecs, endSecs]] : []));
+    return united([...spans, ...this.#skipped]);
   }
 
   /** What is asked now. */
@@ -168,12 +211,12 @@ export class Lesson {
 
   /** What was done, to be given back to `restore`: data that `JSON.stringify` writes. */
   state(): LessonState {
-    return { answered: [...this.#answered.values()], values: this.#values.all, done: [...this.#done], furthestSecs: this.#furthestSecs };
+    return { answered: [...this.#answered.values()], values: this.#values.all, done: [...this.#done], furthestSecs: this.#furthestSecs, skipped: united(this.#skipped) };
   }
 
   /** Takes what `state` gave, whatever has become of it in between: what is no answer to a question on stage is left out. */
   restore(state: unknown): void {
-    const { answered, values, done, furthestSecs } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
+    const { answered, values, done, furthestSecs, skipped } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
     this.#answered.clear();
     this.#asked = this.#follows = undefined;
     for (const told of listOf(answered)) {
@@ -184,6 +227,7 @@ export class Lesson {
     this.#done.clear();
     for (const order of listOf(done).slice(0, MOST_DONE)) if (Number.isInteger(order)) this.#done.add(order as number);
     this.#furthestSecs = typeof furthestSecs === 'number' && furthestSecs >= 0 ? furthestSecs : 0;
+    this.#skipped.splice(0, Infinity, ...listOf(skipped).slice(0, MOST_DONE).filter(isSpan));
     this.seek(0);
   }
 
@@ -276,6 +320,7 @@ export class Lesson {
     this.#next = place;
     const isBack = part.order <= order;
     if (isBack) this.#forget(part.order, order);
+    else this.#skipped.push([atSecs, part.atSecs]);
     // Who was brought further has come past the part.
     return isBack || part.atSecs > secs + NEARLY_SECS ? { kind: 'leap', fromSecs: atSecs, toSecs: part.atSecs } : undefined;
   }
@@ -308,5 +353,8 @@ export class Lesson {
 function over({ endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {
   return secs < endSecs - NEARLY_SECS ? { kind: 'leap', fromSecs, toSecs: endSecs } : undefined;
 }
+
+const isSpan = (data: unknown): data is Span =>
+  Array.isArray(data) && data.length === 2 && data.every((secs) => typeof secs === 'number' && Number.isFinite(secs)) && data[0] <= data[1];
 
 const listOf = (data: unknown): readonly unknown[] => (Array.isArray(data) ? (data as unknown[]) : []);

@@ -54,6 +54,12 @@ export class Questioner {
     this.#ask();
   }
 
+  /** Fragments were interrupted: what they ask is not asked any more. */
+  interrupted(): void {
+    this.lesson.interrupt();
+    this.#ask();
+  }
+
   /** The story was brought to another time. */
   sought(secs: number): void {
     if (!this.#isTurning) this.lesson.seek(secs);

@@ -211,6 +211,8 @@ export interface Performance {
   readonly utterances: readonly Utterance[];
   /** The index of the first of them. */
   readonly firstUtterance: number;
+  /** What it asks. */
+  readonly questions: readonly Question[];
   /** When all that is known is over. */
   readonly endSecs: number;
   /** What it ended, where it was no fragment but `<interrupt/>`. */

@@ -69,7 +69,7 @@ test('what is interrupted fades out within 60 ms, what has not begun is not hear
   const audio = [{ file: 'a.wav', mime: 'audio/wav' }];
   const say = (startSecs: number): Utterance => ({ startSecs, durationSecs: 3, audio, words: [], estimated: false });
   const script = new LiveScript([say(0)]);
-  script.add({ events: [], utterances: [say(3), say(6)], firstUtterance: 1, endSecs: 9 }, 0);
+  script.add({ events: [], utterances: [say(3), say(6)], questions: [], firstUtterance: 1, endSecs: 9 }, 0);
   const voice = new RecordedVoice(script, { folder: new URL('https://a.example/voice/'), credentials: 'same-origin', device: '' }, () => undefined);
   voice.give(new Map([['a.wav', new Uint8Array(1)]]));
   voice.start(1, 1, 100);

@@ -6,7 +6,7 @@ import type { Known, Record, Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12 } from '../course/scorm.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/lesson.js';
-import { Ranges } from '../element/ranges.js';
+import { Ranges, type Span } from '../element/ranges.js';
 import type { Question } from '../element/types.js';
 
 const question = (name: string, atSecs: number): Question => ({
@@ -38,6 +38,10 @@ class Seen extends EventTarget {
   constructor(count: number) {
     super();
     this.questions = Array.from({ length: count }, (_, i) => question(`q${i}`, i));
+  }
+
+  get optional(): readonly Span[] {
+    return this.questions.map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
   }
 
   get score() {

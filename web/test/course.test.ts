@@ -30,6 +30,10 @@ class FakePlayer extends EventTarget {
   readonly lesson = new Lesson();
   questions: readonly Question[] = [];
 
+  get optional(): readonly Span[] {
+    return this.questions.map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
+  }
+
   ask(questions: readonly Question[]): void {
     this.questions = questions;
     this.lesson.setStory(questions, []);

@@ -135,7 +135,7 @@ describe('A lesson', () => {
     answer(l, 'a');
     l.clear();
     l.setStory([question(10)], []);
-    expect([l.score.points, l.state()]).toEqual([0, { answered: [], values: {}, done: [], furthestSecs: 0 }]);
+    expect([l.score.points, l.state()]).toEqual([0, { answered: [], values: {}, done: [], furthestSecs: 0, skipped: [] }]);
   });
 
   it('is restored from its state, and believes no more than that', () => {
@@ -152,7 +152,7 @@ describe('A lesson', () => {
     expect(again.score.points).toBe(0);
     for (const wrong of [undefined, null, 7, 'x', {}, [null], { answered: [{ name: 'q10' }] }, { answered: { 0: 1 }, values: [Number.NaN], done: 'x', furthestSecs: -1 }]) {
       again.restore(wrong);
-      expect(again.state()).toEqual({ answered: [], values: {}, done: [], furthestSecs: 0 });
+      expect(again.state()).toEqual({ answered: [], values: {}, done: [], furthestSecs: 0, skipped: [] });
     }
   });
 });
@@ -220,6 +220,31 @@ describe('Ways through a story', () => {
     l.pass(21);
     l.seek(4.5);
     expect(l.pass(4.5)).toEqual({ kind: 'go' });
+  });
+});
+
+describe('What is asked while a story plays', () => {
+  it('is asked at its time, leaves what follows to others, and is asked anew under its name', () => {
+    const l = lesson([question(10)]);
+    l.pass(2);
+    l.add([question(5, { name: 'live', points: 1 })]);
+    expect(play(l, 2, 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 5 } });
+    expect(answer(l, 'b')).toBe(5);
+    expect(play(l, 5, 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 10 } });
+    // While the story rests at a question of its own, another is asked after it.
+    l.add([question(10, { name: 'live', points: 1 })]);
+    expect([l.asked?.name, l.score.most, l.answered]).toEqual(['q10', 3, []]);
+    expect(play(l, answer(l, 'a'), 40)).toMatchObject({ turn: { kind: 'rest', atSecs: 10 } });
+  });
+
+  it('is not asked any more once that is interrupted', () => {
+    const l = lesson([]);
+    l.add([question(1, { name: 'one' }), question(2, { name: 'two' })]);
+    play(l, 0, 9);
+    answer(l, 'a');
+    expect(l.pass(2)).toMatchObject({ kind: 'rest' });
+    l.interrupt();
+    expect([l.asked, l.pass(2), l.answered.map(({ name }) => name)]).toEqual([undefined, { kind: 'go' }, ['one']]);
   });
 });
 

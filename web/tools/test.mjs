@@ -5,7 +5,7 @@
 import { availableParallelism } from 'node:os';
 import { needed, sources } from './changed.mjs';
 import { buildTests, runTests } from './rust-tests.mjs';
-import { packages, page, rust, system, typos } from './setup.mjs';
+import { packages, page, rust, schemas, system, typos } from './setup.mjs';
 import { main, once, start, Stop } from './steps.mjs';
 import { browserTimes, report, reportPath, unitTimes } from './times.mjs';
 import { backends, builds, buildWasm, kinds, stampOf } from './wasm.mjs';
@@ -100,6 +100,7 @@ const checks = {
     await page(kind, await program('raconteur-bindgen'));
     const workers = Math.min(2, availableParallelism());
     await unlessPassed('player', PLAYED, () => playwright('player', workers, ['webgl', 'webgpu']));
+    await schemas();
     await unlessPassed('pages', [...PLAYED, ...PAGES], () => playwright('pages', workers, ['page']));
     // What is timed by sound has the machine for itself.
     await unlessPassed('sound', PLAYED, () => playwright('sound', 1, isLong ? ['webgl-sound', 'webgpu-sound'] : ['webgl-sound']));

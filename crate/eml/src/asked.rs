@@ -40,14 +40,14 @@ impl Type {
     }
 }
 
-/// Reports what is wrong with questions, variables and parts. A fragment has none of them:
-/// its performance goes on by other ways.
+/// Reports what is wrong with questions, variables and parts. A fragment may ask; its performance
+/// goes on by other ways than those of a story.
 pub(crate) fn lesson(document: &Document, is_fragment: bool, sink: &mut Sink) {
     let mut names = Names::default();
     for clause in &document.clauses {
         names.collect(&clause.kind, clause.tag_span, is_fragment, sink);
     }
-    if is_fragment || names.is_empty() {
+    if names.is_empty() {
         return;
     }
     for clause in &document.clauses {

@@ -390,7 +390,8 @@ impl Context<'_> {
         mut clause: Clause,
         id: ClauseId,
     ) -> Option<()> {
-        if self.is_fragment {
+        // What follows from an answer is then for whoever asks to send.
+        if self.is_fragment && fields.element.name != "ask" {
             let message = "questions and ways through a story belong in stories; a performance that goes on has no place for them";
             self.sink
                 .push(Diagnostic::error("eml::wrong-parent", fields.tag, message));

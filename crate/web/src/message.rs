@@ -131,6 +131,9 @@ pub struct Performance {
     pub utterances: Vec<Utterance>,
     /// The index of the first of them.
     pub first_utterance: usize,
+    /// What it asks.
+    #[serde(flatten)]
+    pub lesson: Lesson,
     /// When all that is known is over, story time, seconds.
     pub end_secs: f64,
     /// What it ends, where it was no fragment but `<interrupt/>`.

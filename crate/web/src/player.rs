@@ -272,6 +272,7 @@ impl Player {
             events: performed.events(fragment, now_secs),
             utterances: performed.utterances.iter().map(Utterance::new).collect(),
             first_utterance: performed.first_utterance,
+            lesson: Lesson::new(performed.questions, Vec::new()),
             end_secs: performer.end_secs(),
             cut: performed.cut_secs.map(|at_secs| Interruption {
                 at_secs,

@@ -203,19 +203,16 @@ mod tests {
     }
 
     #[test]
-    fn a_fragment_asks_nothing() {
-        let text = format!("<x xmlns:r='urn:raconteur:eml:1'/>{ASK}");
-        let parsed = crate::parse_fragment(
-            &text
-                .replace("<x xmlns:r='urn:raconteur:eml:1'/>", "")
-                .replace("<r:ask", "<r:ask xmlns:r='urn:raconteur:eml:1'"),
-        );
-        assert!(parsed.document.clauses.is_empty());
-        assert!(
-            parsed
-                .diagnostics
-                .iter()
-                .any(|d| d.code == "eml::wrong-parent")
+    fn a_fragment_asks_and_leaves_what_follows_to_its_sender() {
+        let text = ASK.replace("<r:ask", "<r:ask xmlns:r='urn:raconteur:eml:1'");
+        let parsed = crate::parse_fragment(&text);
+        assert_eq!(parsed.document.clauses.len(), 1);
+        let codes: Vec<_> = parsed.diagnostics.iter().map(|d| d.code).collect();
+        assert_eq!(codes, ["eml::wrong-parent"; 2]);
+        let way = "<r:goto xmlns:r='urn:raconteur:eml:1' time='0' to='x'/>";
+        assert_eq!(
+            crate::parse_fragment(way).diagnostics[0].code,
+            "eml::wrong-parent"
         );
     }
 }

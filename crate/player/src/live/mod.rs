@@ -17,6 +17,7 @@ use crate::lower::animations;
 use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::questions::QuestionCue;
 use crate::lower::script::{Script, Sources};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
@@ -59,6 +60,8 @@ pub struct Performed {
     pub utterances: Vec<UtteranceCue>,
     /// The index of the first of [`Performed::utterances`].
     pub first_utterance: usize,
+    /// What it asks, by time; whoever has sent it performs what follows from the answers.
+    pub questions: Vec<QuestionCue>,
     /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
     /// It was no fragment but the message `<interrupt/>`.
@@ -214,6 +217,7 @@ impl Live {
         if let Err(refusal) = self.join(incoming, scene, &mut performed) {
             performed.clauses.clear();
             performed.utterances.clear();
+            performed.questions.clear();
             performed.diagnostics.push(refusal);
         }
         performed
@@ -255,6 +259,7 @@ impl Live {
         let plan = ScriptPlan::new(&script, scene.cast, first_utterance, number);
         self.utterances_begun += plan.utterances.len();
         performed.utterances.clone_from(&plan.utterances);
+        performed.questions = script.questions();
         self.fragments.push(Fragment {
             bytes: incoming.text.len(),
             clauses: played.max(1),

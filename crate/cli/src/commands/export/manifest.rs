@@ -48,8 +48,13 @@ pub(super) fn of(about: &About, paths: &[String]) -> Option<(&'static str, Strin
     }
 }
 
-/// The course structure (cmi5, 13): one unit, done when it is completed.
+/// The course structure (cmi5, 13): one unit, done when it is completed, and passed where there is
+/// something to pass.
 fn cmi5(about: &About) -> String {
+    let done = match about.pass {
+        Some(share) => format!("moveOn=\"CompletedAndPassed\" masteryScore=\"{share}\""),
+        None => "moveOn=\"Completed\"".to_owned(),
+    };
     let [iri, title, language] =
         [&about.iri, &about.title, &about.language].map(|t| escape(t.as_str()));
     format!(
@@ -59,7 +64,7 @@ fn cmi5(about: &About) -> String {
     <title><langstring lang="{language}">{title}</langstring></title>
     <description><langstring lang="{language}">{title}</langstring></description>
   </course>
-  <au id="{iri}#story" moveOn="Completed" launchMethod="AnyWindow">
+  <au id="{iri}#story" {done} launchMethod="AnyWindow">
     <title><langstring lang="{language}">{title}</langstring></title>
     <description><langstring lang="{language}">{title}</langstring></description>
     <url>index.html</url>
@@ -220,5 +225,11 @@ mod tests {
             );
         }
         assert_eq!(of(&about(Standard::Html), &[]), None);
+        let passed = About {
+            pass: Some(0.8),
+            ..about(Standard::Cmi5)
+        };
+        let (_, text) = of(&passed, &[]).unwrap();
+        assert!(text.contains("moveOn=\"CompletedAndPassed\" masteryScore=\"0.8\""));
     }
 }
