@@ -123,13 +123,13 @@ test('the figure waits, alive, and goes on where it is', async ({ stage }) => {
 });
 
 test('time that is over is an answer, and more of it is given', async ({ stage }) => {
-  const form = await open(stage, ask('choice', 'Soon?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`, `limit='4' tries='3'`));
-  await expect(form.getByRole('timer')).toHaveText(/Time left: [1-4] s/);
-  await hasNoBarriers(stage);
-  await expect(form.getByRole('timer')).toHaveText(/Time left: [12] s/);
+  const form = await open(stage, ask('choice', 'Soon?', `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`, `limit='12' tries='3'`));
+  await expect(form.getByRole('timer')).toHaveText(/Time left: \d+ s/);
+  await expect(form.getByRole('timer')).toHaveText(/Time left: [1-9] s/);
   await form.getByRole('button', { name: 'More time' }).click();
-  await expect(form.getByRole('timer')).toHaveText('Time left: 4 s');
-  await expect.poll(() => told(stage), { timeout: 30_000 }).toEqual(['no']);
+  await expect(form.getByRole('timer')).toHaveText(/Time left: 1[012] s/);
+  await hasNoBarriers(stage);
+  await expect.poll(() => told(stage), { timeout: 60_000 }).toEqual(['no']);
   expect(await answered(stage)).toMatchObject({ given: [], isRight: false });
 });
 

@@ -54,7 +54,8 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       </div>
       ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
       <div class="unseen" role="status">${state.announcement}</div>
-    </div>`;
+    </div>
+    ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
 }
 
 function question({ lesson: { asked }, form }: Questioner): TemplateResult | typeof nothing {

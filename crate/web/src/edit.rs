@@ -93,10 +93,9 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return numbers;
         };
-        // A figure that waits is shown elsewhere than the story has it, of which the manipulators are.
-        let frame = performer.last_frame().clone();
-        let manipulators = performer.manipulators(frame.time_secs);
+        let manipulators = performer.manipulators(performer.last_frame().time_secs);
         let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
+        let frame = performer.last_frame();
         let camera = &frame.camera;
         put(&camera.eye_in_world.to_array());
         put(&camera.target_in_world.to_array());

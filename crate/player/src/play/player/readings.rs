@@ -26,7 +26,10 @@ impl Player {
 
     /// Where the hands are sent at a time, and how near they come.
     pub fn manipulators(&mut self, time_secs: f64) -> [Manipulator; 2] {
+        // A figure that waits is shown elsewhere than the story has it.
+        let shown = self.frame.clone();
         let report = self.evaluate(time_secs);
+        self.frame = shown;
         Side::BOTH.map(|side| Manipulator {
             name: match side {
                 Side::Left => "leftArm",
