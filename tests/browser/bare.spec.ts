@@ -66,7 +66,7 @@ test('EML between the tags is carried by a script, or escaped', async ({ stage, 
     const player = page.locator('raconteur-player').nth(i);
     await stage.ready(player);
     await stage.play(player);
-    await expect.poll(() => words(stage), { timeout: 30_000 }).toEqual(['Hello', 'garden']);
+    await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(['Hello', 'garden']);
     await page.evaluate(() => void (window.record.events.length = 0));
     await stage.pause(player);
   }
@@ -90,7 +90,7 @@ test('the attribute src has the last word', async ({ stage }) => {
   await stage.player.evaluate((p: RaconteurPlayer) => p.removeAttribute('src'));
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.readyState)).toBe(4);
   await stage.play();
-  await expect.poll(async () => (await words(stage)).join(' '), { timeout: 30_000 }).toContain('The story of the frog');
+  await expect.poll(async () => (await words(stage)).join(' '), { timeout: 60_000 }).toContain('The story of the frog');
 });
 
 test('what stands between the tags is shown where there are no scripts', async ({ browser, baseURL }) => {
@@ -117,12 +117,12 @@ test('lines are performed without a story, one after another, and time goes on',
     stage.player.evaluate(async (p: RaconteurPlayer, said) => (await p.perform(`<voice-text time='0'>${said}</voice-text>`)).map((a) => a.kind), line);
   expect(await perform('Here I am')).toContain('accepted');
   await stage.play();
-  await expect.poll(() => words(stage), { timeout: 30_000 }).toEqual(['Here', 'I', 'am']);
+  await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(['Here', 'I', 'am']);
   // The stage stays open.
   await stage.until((await stage.time()) + 1.5);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.paused, p.ended, p.duration, p.error])).toEqual([false, false, Infinity, null]);
   await perform('Still here');
-  await expect.poll(() => words(stage), { timeout: 30_000 }).toEqual(['Here', 'I', 'am', 'Still', 'here']);
+  await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(['Here', 'I', 'am', 'Still', 'here']);
   // Of the empty stage there is nothing to complain.
   expect((await codes(stage)).filter((code) => code.startsWith('eml::'))).toEqual([]);
 });
@@ -136,7 +136,7 @@ test('one who has asked in vain to play may have lines performed', async ({ stag
     await p.perform("<voice-text time='0'>Now</voice-text>");
     await p.play();
   });
-  await expect.poll(() => words(stage), { timeout: 30_000 }).toEqual(['Now']);
+  await expect.poll(() => words(stage), { timeout: 60_000 }).toEqual(['Now']);
 });
 
 test('a mind needs no story', async ({ stage }) => {

@@ -15,7 +15,7 @@ async function open(page: Page): Promise<void> {
   await page.setViewportSize({ width: 1024, height: 700 });
   await page.goto('/composite/');
   await drawSimply(page);
-  await expect(page.locator('[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('[data-ready]')).toBeAttached({ timeout: 60_000 });
   await tab(page, 'Features');
 }
 

@@ -13,7 +13,7 @@ async function open(page: Page): Promise<void> {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto('/composite/');
   await drawSimply(page);
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
   await tab(page, 'Features');
 }
 
@@ -84,7 +84,7 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   expect(dressed).not.toBe(bare);
   await page.waitForTimeout(800);
   await page.reload();
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
   await tab(page, 'Style');
   await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'true');
   for (let i = 0; i < 5; i += 1) await press(page, 'Undo');

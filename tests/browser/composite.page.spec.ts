@@ -17,7 +17,7 @@ async function open(page: Page): Promise<void> {
 }
 
 async function ready(page: Page): Promise<void> {
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 30_000 });
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
 }
 
 const value = (page: Page | Locator, name: string) => page.getByLabel(`${name}, exactly`);
@@ -65,7 +65,7 @@ test('a description chooses faces, and parts of them are taken over', async ({ p
   await expect(faces.first()).toContainText(/^\s*Woman of (6[6-9]|7\d|80)/);
   // Choosing changes nothing by itself.
   await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
-  await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 30_000 });
+  await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 60_000 });
   await faces.nth(1).click();
   await page.getByRole('tab', { name: 'History' }).click();
   await expect(page.locator('.steps-list [aria-current="step"]')).toContainText('nose');
@@ -97,10 +97,10 @@ test('the face says a sentence, and nothing leaves the machine', async ({ page, 
   });
   await open(page);
   await set(page, 'weight', '0.5');
-  await page.getByLabel('Let this face speak').fill('Hello world');
+  await page.getByLabel('Let this face speak').fill('Hello world. This is a face that speaks for a while, so that it can be stopped before it has come to its end.');
   await page.getByRole('button', { name: 'Speak' }).click();
   const time = () => page.locator('#player').evaluate((p: RaconteurPlayer) => p.currentTime);
-  await expect.poll(time, { timeout: 30_000 }).toBeLessThan(1.9);
+  await expect.poll(time, { timeout: 60_000 }).toBeLessThan(1.9);
   await page.getByRole('button', { name: 'Stop' }).click();
   await expect.poll(time).toBe(2);
   await expect(value(page, 'weight')).toHaveValue('0.5');
@@ -143,7 +143,6 @@ const embedded = (page: Page, id: string) => {
 
 /** Two editors on a strict page of somebody else. */
 async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> {
-  test.setTimeout(120_000);
   await page.setViewportSize({ width: 1300, height: 900 });
   const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
     <div id="there"></div>
@@ -223,7 +222,7 @@ test('two editors come back with their work: where they are moved, taken away, a
     if (away !== null) document.body.append(away);
   });
   await two.editor.scrollIntoViewIfNeeded();
-  await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 30_000 }).toBe(2);
+  await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 60_000 }).toBe(2);
   expect(await two.editor.evaluate((e: RaconteurComposite) => e.snapshot()?.width)).toBeGreaterThan(100);
 
   // The browser keeps the work of each under its own name.

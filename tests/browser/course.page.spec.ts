@@ -1,70 +1,18 @@
-/** Packages of `raconteur export` in a learning management system: scorm-again, which others have made. */
+/** Packages of `raconteur export` in a learning management system. */
 
-import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
-import type { Page } from '@playwright/test';
-import { unzipSync } from 'fflate';
 import { validateXML } from 'xmllint-wasm';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { kind } from '../../web/test/tier.js';
 import { expectNoBarriers, LOOKS } from './access.js';
+import { exported, kept, playerIn, root, serve, SYSTEMS, TYPES } from './lms.js';
 import { expect, ready, test } from './stage.js';
 
-const root = join(import.meta.dirname, '../..');
-const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'debug/raconteur');
-const TYPES: { [ending: string]: string } = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
-
-const HELLO = join(root, 'assets/stories/hello-world');
 /** A story that asks. */
 const ASKING = `<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><null time='1'/>
   <r:ask time='0' name='who' prompt='Who sang?' points='2' tries='2'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/>
   <r:answer to='right'><null time='0.5'/></r:answer><r:answer to='wrong'><null time='5'/></r:answer></r:ask><null time='1'/></seq></body></eml>`;
-
-/** The files of a package. */
-function exported(standard: string, story = HELLO): { readonly [path: string]: Uint8Array } {
-  const file = join(mkdtempSync(join(tmpdir(), 'raconteur-')), 'course.zip');
-  execFileSync(program, ['export', story, `--${standard}`, '--player', join(root, kind.site), '--title', 'Hello & welcome', '--pass', '50', '--output', file]);
-  return unzipSync(readFileSync(file));
-}
-
-/** The systems, and where each has the status. */
-const SYSTEMS = {
-  scorm12: { object: 'API', made: 'Scorm12API', commit: 'LMSCommit', status: ['core', 'lesson_status'], memory: 'suspend_data' },
-  scorm2004: { object: 'API_1484_11', made: 'Scorm2004API', commit: 'Commit', status: ['completion_status'], memory: 'suspend_data' },
-} as const;
-
-/** The page of the system: it keeps what is committed, and gives it to the next session. */
-const pageOf = ({ object, made, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>A system</title>
-  <script src="system.js"></script>
-  <script>
-    const api = (window.${object} = new ${made}({ autocommit: false }));
-    const kept = localStorage.getItem('kept');
-    if (kept !== null) api.loadFromJSON(JSON.parse(kept), '');
-    api.on('${commit}', () => localStorage.setItem('kept', JSON.stringify(api.renderCMIToJSONObject())));
-  </script>
-  <iframe src="course/index.html" title="The course" width="460" height="340" allow="autoplay"></iframe></html>`;
-
-/** Serves a system with a package, and tells what was asked for in vain. */
-async function serve(page: Page, standard: keyof typeof SYSTEMS, story = HELLO): Promise<string[]> {
-  const files = exported(standard, story);
-  const system = SYSTEMS[standard];
-  const missing: string[] = [];
-  await page.route('**/lms/**', (route) => {
-    const path = new URL(route.request().url()).pathname.replace(/^\/lms\//, '');
-    if (path === '') return route.fulfill({ contentType: 'text/html', body: pageOf(system) });
-    if (path === 'system.js') return route.fulfill({ path: join(root, `node_modules/scorm-again/dist/${standard}.js`) });
-    const file = files[path.replace(/^course\//, '')];
-    if (file === undefined) {
-      missing.push(path);
-      return route.fulfill({ status: 404 });
-    }
-    return route.fulfill({ contentType: TYPES[extname(path)] ?? 'application/octet-stream', body: Buffer.from(file) });
-  });
-  await page.goto('/lms/');
-  return missing;
-}
 
 /** The schemas of a standard's manifests, as `web/tools/setup.mjs` fetches them. */
 function schemasOf(standard: keyof typeof SYSTEMS): { readonly [name: string]: string } {
@@ -95,16 +43,6 @@ for (const [standard, first] of [
     expect((await check(manifest.replace(/adlcp:scorm[tT]ype="sco"/, (found) => found.replace('"sco"', '"lesson"')))).valid).toBe(false);
   });
 }
-
-const playerIn = (page: Page) => page.frameLocator('iframe').locator('raconteur-player');
-
-/** What the system has kept at a place of its data. */
-const kept = (page: Page, at: readonly string[]) =>
-  page.evaluate(
-    (path) =>
-      path.reduce<unknown>((data, name) => (data as { [name: string]: unknown } | undefined)?.[name], (JSON.parse(localStorage.getItem('kept') ?? '{}') as { cmi?: unknown }).cmi),
-    at,
-  );
 
 for (const [standard, system] of Object.entries(SYSTEMS) as [keyof typeof SYSTEMS, (typeof SYSTEMS)[keyof typeof SYSTEMS]][]) {
   test(`a course with ${standard} is left in the middle, gone on with, and completed`, async ({ page }) => {

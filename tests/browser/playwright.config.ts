@@ -20,8 +20,8 @@ export default defineConfig<BackendOption>({
   outputDir: join(root, 'test-results'),
   reporter: [['list'], ...(report === undefined ? [] : [['json', { outputFile: report }] as const])],
   // A picture takes a tenth of a second in software, and two cores are shared with the browser.
-  timeout: 120_000,
-  expect: { timeout: 30_000 },
+  timeout: 240_000,
+  expect: { timeout: 60_000 },
   fullyParallel: true,
   // A test that passes at the second try hides a fault: of its own, or of the player.
   retries: 0,

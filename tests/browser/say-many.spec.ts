@@ -91,7 +91,7 @@ test('texts that replace each other at any moment never sound together, and the 
 });
 
 test('strange texts are said or told of, and end nothing', async ({ stage }) => {
-  test.setTimeout(180_000);
+  test.setTimeout(240_000);
   await stage.open('<raconteur-player src="story.eml" quality="lowest" loading="eager" speech="here" captions></raconteur-player>', { 'story.eml': story('Hello.') });
   await stage.ready();
   const errors: string[] = [];

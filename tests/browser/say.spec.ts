@@ -28,7 +28,7 @@ test('what a page has performed is spoken, too', async ({ stage }) => {
   expect(answers.map((a) => a.kind)).toContain('accepted');
   await stage.play();
   const phones = () => stage.page.evaluate(() => window.record.events.filter((e) => e.type === 'phone').map((e) => (e.detail as { symbol: string }).symbol));
-  await expect.poll(async () => (await phones()).join(' '), { timeout: 30_000 }).toMatch(/k ae t s ae t/);
+  await expect.poll(async () => (await phones()).join(' '), { timeout: 60_000 }).toMatch(/k ae t s ae t/);
   const sounds = await stage.page.evaluate(() => window.record.starts.map((s) => s.secs));
   expect(Math.max(...sounds)).toBeGreaterThan(0.6);
 });

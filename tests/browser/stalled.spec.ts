@@ -36,7 +36,7 @@ test('an animation that does not come does not hold up the next story', async ({
   await expect.poll(() => held.length, { timeout: 60_000 }).toBe(1);
   const sinceMs = Date.now();
   await stage.player.evaluate((p: RaconteurPlayer) => void (p.src = 'plain.eml'));
-  await expect.poll(() => state(stage), { timeout: 30_000 }).toEqual([4, 2]);
+  await expect.poll(() => state(stage), { timeout: 60_000 }).toEqual([4, 2]);
   // Nor does its patience.
   expect(Date.now() - sinceMs).toBeLessThan(15_000);
   expect(await codes(stage)).toEqual([]);

@@ -57,9 +57,10 @@ export class QuestionForm {
     this.#shown = question === undefined ? [] : mixed(question);
     this.#looked = this.#last = undefined;
     this.#said = '';
-    const isThere = had || document.activeElement === player;
-    // Whoever was in the player is where something is to be done.
-    if (isThere) void player.updateComplete.then(() => (question === undefined ? player.focus() : this.focus()));
+    if (!had && document.activeElement !== player) return;
+    // Whoever was in the player is where something is to be done, once that is there.
+    player.requestUpdate();
+    void player.updateComplete.then(() => (question === undefined ? player.focus() : this.focus()));
   }
 
   /** Goes to the first field. */

@@ -44,6 +44,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     'Library',
     [
       ['assets/stories/README.md', 'Stories', 'The stories that are shipped.'],
+      ['assets/courses/README.md', 'Ready course', 'How a story is told: ten minutes, six questions, in three languages.'],
       ['assets/animations/README.md', 'Shipped animations', 'The animations that are shipped.'],
       ['assets/figures/README.md', 'Shipped figures', 'Where the figures come from.'],
       ['assets/hand-shapes/README.md', 'Hand shapes', 'The pictures of the 61 hand shapes.'],

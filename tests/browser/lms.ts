@@ -1,0 +1,68 @@
+/** Packages of `raconteur export`, and a system with SCORM that takes them: scorm-again, which others have made. */
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { extname, join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { unzipSync } from 'fflate';
+import { kind } from '../../web/test/tier.js';
+
+export const root = join(import.meta.dirname, '../..');
+const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'debug/raconteur');
+export const TYPES: { [ending: string]: string } = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
+
+export const HELLO = join(root, 'assets/stories/hello-world');
+/** The files of a package. */
+export function exported(standard: string, story = HELLO, ...more: readonly string[]): { readonly [path: string]: Uint8Array } {
+  const file = join(mkdtempSync(join(tmpdir(), 'raconteur-')), 'course.zip');
+  execFileSync(program, ['export', story, `--${standard}`, '--player', join(root, kind.site), '--title', 'Hello & welcome', '--pass', '50', ...more, '--output', file]);
+  return unzipSync(readFileSync(file));
+}
+
+/** The systems, and where each has the status. */
+export const SYSTEMS = {
+  scorm12: { object: 'API', made: 'Scorm12API', commit: 'LMSCommit', status: ['core', 'lesson_status'], memory: 'suspend_data' },
+  scorm2004: { object: 'API_1484_11', made: 'Scorm2004API', commit: 'Commit', status: ['completion_status'], memory: 'suspend_data' },
+} as const;
+
+/** The page of the system: it keeps what is committed, and gives it to the next session. */
+const pageOf = ({ object, made, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>A system</title>
+  <script src="system.js"></script>
+  <script>
+    const api = (window.${object} = new ${made}({ autocommit: false }));
+    const kept = localStorage.getItem('kept');
+    if (kept !== null) api.loadFromJSON(JSON.parse(kept), '');
+    api.on('${commit}', () => localStorage.setItem('kept', JSON.stringify(api.renderCMIToJSONObject())));
+  </script>
+  <iframe src="course/index.html" title="The course" width="460" height="340" allow="autoplay"></iframe></html>`;
+
+/** Serves a system with a package, and tells what was asked for in vain. */
+export async function serve(page: Page, standard: keyof typeof SYSTEMS, story = HELLO, ...more: readonly string[]): Promise<string[]> {
+  const files = exported(standard, story, ...more);
+  const system = SYSTEMS[standard];
+  const missing: string[] = [];
+  await page.route('**/lms/**', (route) => {
+    const path = new URL(route.request().url()).pathname.replace(/^\/lms\//, '');
+    if (path === '') return route.fulfill({ contentType: 'text/html', body: pageOf(system) });
+    if (path === 'system.js') return route.fulfill({ path: join(root, `node_modules/scorm-again/dist/${standard}.js`) });
+    const file = files[path.replace(/^course\//, '')];
+    if (file === undefined) {
+      missing.push(path);
+      return route.fulfill({ status: 404 });
+    }
+    return route.fulfill({ contentType: TYPES[extname(path)] ?? 'application/octet-stream', body: Buffer.from(file) });
+  });
+  await page.goto('/lms/');
+  return missing;
+}
+
+export const playerIn = (page: Page) => page.frameLocator('iframe').locator('raconteur-player');
+
+/** What the system has kept at a place of its data. */
+export const kept = (page: Page, at: readonly string[]) =>
+  page.evaluate(
+    (path) =>
+      path.reduce<unknown>((data, name) => (data as { [name: string]: unknown } | undefined)?.[name], (JSON.parse(localStorage.getItem('kept') ?? '{}') as { cmi?: unknown }).cmi),
+    at,
+  );
