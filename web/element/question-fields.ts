@@ -78,10 +78,13 @@ function points({ question: { options }, words, look }: Fields): TemplateResult 
 
 function order({ question: { options }, words, shown, move }: Fields): TemplateResult {
   const textOf = (name: string) => options.find((option) => option.name === name)?.text ?? '';
+  const ends = (name: string, by: -1 | 1) => shown.at(by < 0 ? 0 : -1) === name;
+  // One that can do nothing keeps the focus.
   const button = (name: string, by: -1 | 1, label: string, sign: string) => html`<button
     type="button"
     class="move"
     aria-label=${label}
+    aria-disabled=${ends(name, by)}
     data-name=${name}
     data-by=${by}
     @click=${() => move(name, by)}
@@ -122,7 +125,8 @@ function gaps({ question, words }: Fields): TemplateResult {
     at += 1;
     return html`<input class="gap" data-gap=${part.name} type="text" autocomplete="off" maxlength="200" required aria-label=${words.gap(at, count)} />`;
   });
-  return html`<p class="gaps" dir="auto">${filled.length > 0 ? filled : nothing}</p>`;
+  return html`<p class="said">${words.fill}</p>
+    <p class="gaps" dir="auto">${filled.length > 0 ? filled : nothing}</p>`;
 }
 
 /** What was written into gaps, by the order of options. */

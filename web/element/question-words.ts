@@ -12,6 +12,7 @@ export interface QuestionWords {
   readonly gap: (place: number, of: number) => string;
   readonly yourAnswer: string;
   readonly pointing: string;
+  readonly fill: string;
   readonly more: string;
   readonly left: (secs: number) => string;
   readonly soon: (secs: number) => string;
@@ -30,6 +31,7 @@ const EN: QuestionWords = {
   gap: (place, of) => `Gap ${place} of ${of}`,
   yourAnswer: 'Your answer',
   pointing: 'Point at the figure, or choose here.',
+  fill: 'Fill the gaps.',
   more: 'More time',
   left: (secs) => `Time left: ${secs} s`,
   soon: (secs) => `${secs} seconds are left.`,
@@ -48,6 +50,7 @@ const PT: QuestionWords = {
   gap: (place, of) => `Espaço ${place} de ${of}`,
   yourAnswer: 'A sua resposta',
   pointing: 'Aponte para a figura, ou escolha aqui.',
+  fill: 'Preencha os espaços.',
   more: 'Mais tempo',
   left: (secs) => `Tempo: ${secs} s`,
   soon: (secs) => `Restam ${secs} segundos.`,
@@ -66,6 +69,7 @@ const DE: QuestionWords = {
   gap: (place, of) => `Lücke ${place} von ${of}`,
   yourAnswer: 'Ihre Antwort',
   pointing: 'Zeigen Sie auf die Figur, oder wählen Sie hier.',
+  fill: 'Füllen Sie die Lücken.',
   more: 'Mehr Zeit',
   left: (secs) => `Noch ${secs} s`,
   soon: (secs) => `Noch ${secs} Sekunden.`,

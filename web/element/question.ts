@@ -9,6 +9,9 @@ import { fieldsOf, gapsIn, givenIn, mixed } from './question-fields.js';
 import { wordsOf } from './question-words.js';
 import type { Question, QuestionOption, Story } from './types.js';
 
+/** A marker keeps so far from the edge of the picture, and from the bar of controls, pixels. */
+const EDGE = 20;
+const BAR = 84;
 /** Languages that are written from the right. */
 const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur', 'yi']);
 
@@ -50,17 +53,22 @@ export class QuestionForm {
 
   /** Another question is asked, or none any more. */
   open(question: Question | undefined, story: Story | undefined): void {
-    const { player } = this.#contextOf();
+    const { player, onScreen } = this.#contextOf();
     const had = player.shadowRoot?.activeElement?.closest('.question') != null;
     this.#question = question;
     this.#language = story === undefined ? 'en' : languageOf(player, story);
     this.#shown = question === undefined ? [] : mixed(question);
     this.#looked = this.#last = undefined;
     this.#said = '';
-    if (!had && document.activeElement !== player) return;
-    // Whoever was in the player is where something is to be done, once that is there.
+    const isThere = had || document.activeElement === player;
     player.requestUpdate();
-    void player.updateComplete.then(() => (question === undefined ? player.focus() : this.focus()));
+    void player.updateComplete.then(() => {
+      if (question !== undefined && onScreen) this.#find('.question')?.scrollIntoView({ block: 'nearest' });
+      // Whoever was in the player is where something is to be done.
+      if (!isThere) return;
+      if (question === undefined) player.focus();
+      else this.focus();
+    });
   }
 
   /** Goes to the first field. */
@@ -164,8 +172,9 @@ export class QuestionForm {
       const spot = joint && pose?.camera.project(joint.position, clientWidth, clientHeight);
       marker.hidden = spot === undefined;
       if (spot === undefined) continue;
-      marker.style.left = `${spot.x}px`;
-      marker.style.top = `${spot.y}px`;
+      // What is beyond the picture is marked at its edge, above the bar.
+      marker.style.left = `${Math.min(clientWidth - EDGE, Math.max(EDGE, spot.x))}px`;
+      marker.style.top = `${Math.min(clientHeight - BAR - EDGE, Math.max(EDGE, spot.y))}px`;
     }
   }
 

@@ -44,7 +44,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
       ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
-        ${hasCaptions(player, show) && !before ? controls.caption(state.caption) : nothing}
+        ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
       ${question(questioner)}
