@@ -397,10 +397,11 @@ export class Picture {
    * kept for later. `running`: pictures follow each other on screen.
    */
   show(secs: number, resting: boolean, running: boolean): Cue[] {
-    this.#lastShown = secs;
     return (
       this.#guard((engine) => {
+        // What is passed while nothing is shown is told of with the next picture.
         if (this.#holding) return [];
+        this.#lastShown = secs;
         if (resting !== this.#resting) engine.setResting((this.#resting = resting));
         this.#keepPace(engine, running);
         this.#shown(engine.tick(secs));
