@@ -1,7 +1,8 @@
 /** Keeps the picture of a player from one story to the next: a device, its pipelines and the figure's pictures take longer to make than all the rest. */
 
 import type { StoryFiles } from './loader.js';
-import { Picture, type PictureEvents } from './picture.js';
+import { Picture } from './picture.js';
+import type { PictureEvents } from './picture-events.js';
 import type { Backend, Diagnostic, Story } from './types.js';
 
 /** A picture that shows a story. */

@@ -6,6 +6,7 @@ import { applyFace, Paint, type Lent } from './face-look.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
 import { giveBack } from './graphics.js';
+import type { PictureEvents } from './picture-events.js';
 import { isTrap, trapError } from './trap.js';
 import {
   type Backend,
@@ -37,20 +38,6 @@ const REDUCED_MOTION = 0.25;
 const MOST_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
 const RECOVERY_DELAY_MS = 600;
-
-/** What a picture tells its element. */
-export interface PictureEvents {
-  /** A canvas to show in place of the last one. */
-  canvas(canvas: HTMLCanvasElement): void;
-  /** The picture went away; sound and captions go on. `recovering`: it is being brought back. */
-  lost(recovering: boolean): void;
-  /** The picture is back. */
-  back(): void;
-  /** Animations have come: the story has other times, and problems that are listed apart. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
-  retold(story: Story, live: boolean, anew: boolean): void;
-  /** The engine died, for the reason given as a sentence; another one takes its place. */
-  failed(message: string): void;
-}
 
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
 export class Picture {

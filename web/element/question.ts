@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { languageOf, type PlayerContext } from './context.js';
 import { gapsOf } from './judge.js';
+import type { Spot } from './pose.js';
 import type { Answered } from './lesson.js';
 import type { Limit } from './limit.js';
 import { fieldsOf, gapsIn, givenIn, mixed } from './question-fields.js';
@@ -14,6 +15,18 @@ const EDGE = 20;
 const BAR = 84;
 /** Languages that are written from the right. */
 const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur', 'yi']);
+
+/** Where what lies at a spot is marked: within the picture, above the bar, and not under the form. */
+function beside(spot: Spot, picture: { readonly clientWidth: number; readonly clientHeight: number }, form: HTMLElement | null): Spot {
+  const x = Math.min(picture.clientWidth - EDGE, Math.max(EDGE, spot.x));
+  const y = Math.min(picture.clientHeight - BAR - EDGE, Math.max(EDGE, spot.y));
+  if (form === null) return { x, y };
+  const [left, top] = [form.offsetLeft - EDGE, form.offsetTop - EDGE];
+  const isUnder = x > left && x < form.offsetLeft + form.offsetWidth + EDGE && y > top && y < form.offsetTop + form.offsetHeight + EDGE;
+  if (!isUnder) return { x, y };
+  // To its nearer side, where there is room.
+  return left >= EDGE && x - left < y - top ? { x: left, y } : { x, y: Math.max(EDGE, top) };
+}
 
 export class QuestionForm {
   readonly #limit: Limit;
@@ -96,9 +109,9 @@ export class QuestionForm {
           ${fieldsOf({ question, words, shown: this.#shown, move: (name, by) => this.#move(name, by), look: (option) => this.#look(option) })}
         </fieldset>
         <p class="said" role="status">${this.#said}</p>
+        ${left === undefined ? nothing : html`<p class="left" role="timer">${words.left(left)}</p>`}
         <div class="answers">
           <button part="button submit">${words.answer}</button>
-          ${left === undefined ? nothing : html`<span class="left" role="timer">${words.left(left)}</span>`}
           ${this.#limit.mayHaveMore ? html`<button type="button" class="plain" part="button more" @click=${() => this.#limit.more()}>${words.more}</button>` : nothing}
         </div>
       </form>`;
@@ -167,14 +180,15 @@ export class QuestionForm {
     const { readPose } = await import('./pose.js');
     const pose = readPose(player);
     const { clientWidth, clientHeight } = player;
+    const form = this.#find<HTMLElement>('.question');
     for (const marker of player.shadowRoot?.querySelectorAll<HTMLElement>('.marker') ?? []) {
       const joint = pose?.joints.find(({ name }) => name === `bone_${marker.dataset['at'] ?? ''}` || name === marker.dataset['at']);
       const spot = joint && pose?.camera.project(joint.position, clientWidth, clientHeight);
       marker.hidden = spot === undefined;
       if (spot === undefined) continue;
-      // What is beyond the picture is marked at its edge, above the bar.
-      marker.style.left = `${Math.min(clientWidth - EDGE, Math.max(EDGE, spot.x))}px`;
-      marker.style.top = `${Math.min(clientHeight - BAR - EDGE, Math.max(EDGE, spot.y))}px`;
+      const { x, y } = beside(spot, { clientWidth, clientHeight }, form);
+      marker.style.left = `${x}px`;
+      marker.style.top = `${y}px`;
     }
   }
 

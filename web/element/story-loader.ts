@@ -12,7 +12,7 @@ import { LiveScript } from './live.js';
 import { fetchStory, type StoryFiles, type StoryWish } from './loader.js';
 import { dispatch, takeBack } from './media-events.js';
 import type { OwnText } from './own-text.js';
-import type { PictureEvents } from './picture.js';
+import type { PictureEvents } from './picture-events.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';
 import { Transport, type TransportEvent } from './transport.js';
