@@ -24,6 +24,7 @@ import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
 import { spare } from './fetching.js';
 import type { Answered, Score } from './lesson.js';
+import questionLook from './question.css?inline';
 import { Questioner } from './questioner.js';
 import type { Span } from './ranges.js';
 import type { Part } from './text-tracks.js';
@@ -82,6 +83,8 @@ const MOST_CAPTIONS = 0.2;
  * @csspart question - The form of a question
  * @csspart option - What one may answer there
  * @csspart submit - Its button
+ * @csspart more - Its button that gives more time
+ * @csspart marker - Each mark of what may be pointed at
  * @csspart diagnostics - The list of `remarks`
  * @csspart error - What is shown where the story cannot be played
  * @csspart picture-lost - What is shown where the picture is lost
@@ -91,7 +94,7 @@ const MOST_CAPTIONS = 0.2;
 export class RaconteurPlayer extends MediaElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
-  static override styles = unsafeCSS(look);
+  static override styles = [unsafeCSS(look), unsafeCSS(questionLook)];
   static override properties = attributes;
 
   /**

@@ -23,7 +23,9 @@ describe('What the element is said to be', () => {
 
   it('is what its styles and templates have', () => {
     expect(names(element.cssProperties)).toEqual(found(read('web/element/element.css'), /var\((--raconteur-[\w-]+)/g));
-    expect(names(element.cssParts)).toEqual(found(['controls', 'template', 'question'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g));
+    expect(names(element.cssParts)).toEqual(
+      found(['controls', 'template', 'question', 'question-fields'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g),
+    );
   });
 
   it('tells of each attribute, property, method and event what it is', () => {
