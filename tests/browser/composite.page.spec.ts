@@ -143,6 +143,8 @@ const embedded = (page: Page, id: string) => {
 
 /** Two editors on a strict page of somebody else. */
 async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> {
+  // Two stages are drawn by a processor that has two cores for all tests.
+  test.setTimeout(480_000);
   await page.setViewportSize({ width: 1300, height: 900 });
   const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
     <div id="there"></div>
