@@ -11,9 +11,10 @@ const ask = (type: string, prompt: string, options: string, more = '') =>
     <r:answer to='right'><event time='0.2' type='yes'/><null time='0.4'/></r:answer>
     <r:answer to='wrong'><event time='0.2' type='no'/><null time='0.4'/></r:answer></r:ask><null time='0.5'/></seq>`;
 
-async function open(stage: Stage, body: string, attributes = ''): Promise<Locator> {
+async function open(stage: Stage, body: string, attributes = '', css?: string): Promise<Locator> {
   await stage.open(`<main><h1>A page</h1><raconteur-player src="story.eml" quality="lowest" loading="eager" label="Songs" controls ${attributes}></raconteur-player></main>`, {
     'story.eml': story(body),
+    ...(css === undefined ? {} : { 'test.css': css }),
   });
   await stage.ready();
   await stage.play();
@@ -96,7 +97,8 @@ test('numbers and texts go by rules', async ({ stage, page }) => {
 
 test('the figure is pointed at, on the stage or in the form', async ({ stage, page }) => {
   const options = `<r:option name='left' text='The left hand' at='l_wrist' right='true'/><r:option name='right' text='The right hand' at='r_wrist'/>`;
-  const form = await open(stage, ask('point', 'Which one?', options));
+  await page.setViewportSize({ width: 840, height: 600 });
+  const form = await open(stage, ask('point', 'Which one?', options), '', 'raconteur-player { width: 800px; height: 450px }');
   await hasNoBarriers(stage);
   const marks = stage.player.locator('.marker');
   await expect(marks).toHaveCount(2);

@@ -77,6 +77,7 @@ export class QuestionForm {
     player.requestUpdate();
     void player.updateComplete.then(() => {
       if (question !== undefined && onScreen) this.#find('.question')?.scrollIntoView({ block: 'nearest' });
+      void this.place();
       // Whoever was in the player is where something is to be done.
       if (!isThere) return;
       if (question === undefined) player.focus();
