@@ -50,7 +50,7 @@ export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly a
 type Mark =
   | Way
   | { readonly kind: 'ask'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly question: Question }
-  | { readonly kind: 'answer'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly of: string };
+  | { readonly kind: 'answer'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number };
 
 const GO: Turn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
@@ -63,11 +63,11 @@ const MOST_DONE = 100_000;
 /** Marks in the order in which a story comes to them. */
 function marksOf(questions: readonly Question[], ways: readonly Way[]): readonly Mark[] {
   const asked = questions.flatMap((question): Mark[] => {
-    const { order, within, atSecs, endSecs, name, answers } = question;
+    const { order, within, atSecs, endSecs, answers } = question;
     const around = within === undefined ? {} : { within };
     return [
       { kind: 'ask', order, ...around, atSecs, endSecs, question },
-      ...answers.map((answer): Mark => ({ kind: 'answer', order: answer.order, ...around, atSecs: answer.startSecs, endSecs: answer.endSecs, of: name })),
+      ...answers.map((answer): Mark => ({ kind: 'answer', order: answer.order, ...around, atSecs: answer.startSecs, endSecs: answer.endSecs })),
     ];
   });
   return [...ways, ...asked].sort((a, b) => a.order - b.order);
@@ -98,6 +98,21 @@ export class Lesson {
     this.#asked = this.#follows = undefined;
     this.#next = 0;
     this.#closed.clear();
+  }
+
+  /** The text on stage has other times, at this one: voices come while it is told. An answer that is performed goes on. */
+  retime(questions: readonly Question[], ways: readonly Way[], secs: number): void {
+    const performed = this.#follows?.order;
+    this.setStory(questions, ways);
+    this.seek(secs);
+    for (const { answers, endSecs: toSecs } of questions) {
+      const answer = answers.find(({ order }) => order === performed);
+      if (answer === undefined || secs < answer.startSecs - NEARLY_SECS || secs > answer.endSecs) continue;
+      const { order, endSecs } = answer;
+      this.#follows = { order, endSecs, toSecs };
+      const next = this.#marks.findIndex((mark) => mark.order > order && mark.atSecs >= secs - NEARLY_SECS);
+      this.#next = next < 0 ? this.#marks.length : next;
+    }
   }
 
   /** Asks what was not in the story, from a time on; what was answered to one of its name does not count. */
@@ -159,11 +174,6 @@ export class Lesson {
   /** What was answered, by the questions' order. */
   get answered(): readonly Answered[] {
     return [...this.#byName.keys()].flatMap((name) => this.#answered.get(name) ?? []);
-  }
-
-  /** What was answered to a question. */
-  answeredTo(name: string): Answered | undefined {
-    return this.#answered.get(name);
   }
 
   get score(): Score {

@@ -44,8 +44,7 @@ export class Questioner {
 
   /** The text on stage is another, or has other times. */
   take({ questions, ways }: Story, secs: number): void {
-    this.lesson.setStory(questions, ways);
-    this.lesson.seek(secs);
+    this.lesson.retime(questions, ways, secs);
   }
 
   /** The story goes, and what was answered to it. */

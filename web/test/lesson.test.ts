@@ -129,6 +129,25 @@ describe('A lesson', () => {
     expect(l.pass(12)).toMatchObject({ kind: 'leap', toSecs: 17 });
   });
 
+  it('goes on with an answer while the story gets other times', () => {
+    const l = lesson([question(10)]);
+    l.pass(10);
+    expect([answer(l, 'c'), l.pass(11.5)]).toEqual([11, { kind: 'go' }]);
+    // The voice of what follows has come: this answer is longer, and all after it later.
+    const longer = question(10, {
+      endSecs: 20,
+      answers: question(10).answers.map(({ startSecs, endSecs, ...more }, i) => ({ ...more, startSecs: startSecs + (i === 0 ? 0 : 3), endSecs: endSecs + 3 })),
+    });
+    l.retime([longer], [], 11.5);
+    expect([l.pass(11.6), l.pass(14.9)].map(({ kind }) => kind)).toEqual(['go', 'go']);
+    expect(l.pass(15.01)).toMatchObject({ kind: 'leap', fromSecs: 15, toSecs: 20 });
+    // A question that is open stays so.
+    const open = lesson([question(10)]);
+    open.pass(10);
+    open.retime([longer], [], 10);
+    expect([open.pass(10).kind, open.asked?.name]).toEqual(['rest', 'q10']);
+  });
+
   it('keeps nothing of a story that goes', () => {
     const l = lesson([question(10)], [set(2, 'x', { value: '1' })]);
     l.pass(10);
