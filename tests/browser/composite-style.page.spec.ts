@@ -164,8 +164,16 @@ test('a face that rests is drawn with everything', async ({ page }) => {
   await page.locator('raconteur-composite').evaluate((e) => e.setAttribute('quality', 'auto'));
   await press(page, 'weight: more');
   await expect(fine).toBeVisible({ timeout: 60_000 });
+  // It is gone for a second or two only, and a busy page may be asked too late.
+  const seen = await fine.evaluateHandle((canvas: HTMLElement) => {
+    const seen = { hidden: false };
+    new MutationObserver(() => {
+      seen.hidden ||= canvas.hidden;
+    }).observe(canvas, { attributeFilter: ['hidden'] });
+    return seen;
+  });
   await press(page, 'weight: more');
-  await expect(fine).toBeHidden();
+  await expect.poll(() => seen.evaluate(({ hidden }) => hidden)).toBe(true);
 });
 
 test('every feature can be changed alone', async ({ page }) => {
