@@ -1,7 +1,7 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
 use crate::clauses::asking::{Assignment, Condition, Goto, Heading, Question, Reaction};
-use crate::clauses::environment::{Camera, Emotion, Light, Music, Performer};
+use crate::clauses::environment::{Camera, Emotion, Environment, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
 use crate::clauses::manipulators::{
@@ -44,6 +44,8 @@ pub struct Document {
     pub performer: Option<Performer>,
     /// The start tag that says so; empty where none does.
     pub performer_span: Span,
+    /// How its environment expresses emotions, and where it is told (extension).
+    pub environment: Option<Environment>,
     /// The named sets of tracks (GEVH D.3.3).
     pub sets: Vec<Set>,
     /// Every clause, nested ones included, each group before its children.

@@ -41,8 +41,8 @@ pub use clauses::asking::{
     AskKind, AskOption, Assignment, Condition, Goto, Heading, Question, Reaction,
 };
 pub use clauses::environment::{
-    Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
-    PreferredHand, ShotKind, Valence,
+    Arousal, Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Environment, Expressions,
+    Lead, Light, Music, Performer, Piece, PreferredHand, Scenery, ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};

@@ -319,8 +319,17 @@ impl Renderer {
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
         let stand = stand_in_world(frame);
         let texels = self.tier.shadow_texels;
-        let shadows = [&frame.lighting.key, &frame.lighting.rim]
-            .map(|light| ShadowView::new(light, &frame.camera, &view, stand, stature_m, texels));
+        let shadows = [&frame.lighting.key, &frame.lighting.rim].map(|light| {
+            ShadowView::new(
+                light,
+                f64::from(frame.lighting.softness),
+                &frame.camera,
+                &view,
+                stand,
+                stature_m,
+                texels,
+            )
+        });
         let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, size);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);

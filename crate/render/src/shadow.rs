@@ -25,9 +25,11 @@ const SOFT_TAP_M: f64 = 0.0028;
 
 impl ShadowView {
     /// Fits the map to the part of the figure that is in the picture, so that a close
-    /// shot has finer shadows. Casters outside still cast: depth covers the whole figure.
+    /// shot has finer shadows. Casters outside still cast: depth covers the whole figure. Edges are
+    /// `softness` times as soft as from a large lamp.
     pub(crate) fn new(
         light: &DirectedLight,
+        softness: f64,
         camera: &Camera,
         view: &View,
         stand: DVec3,
@@ -64,7 +66,7 @@ impl ShadowView {
         let far = back + 2.0 * stature_m;
         let light_from_world = look_to_mat4(centre + towards * back, -towards, up);
         let clip_from_light = orthographic(-radius, radius, -radius, radius, 0.0, far);
-        let tap_m = SOFT_TAP_M.max(1.1 * texel_m);
+        let tap_m = (SOFT_TAP_M * softness).max(1.1 * texel_m);
         Self {
             clip_from_world: clip_from_light * light_from_world,
             tap_uv: (tap_m / (2.0 * radius)) as f32,

@@ -43,6 +43,7 @@ fn key_only(towards: DVec3) -> Lighting {
         sky: [0.0; 3],
         ground: [0.0; 3],
         exposure: 1.0,
+        softness: 1.0,
     }
 }
 

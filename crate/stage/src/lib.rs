@@ -1,24 +1,31 @@
 //! Everything that is seen and heard at one time, as plain data.
 //!
 //! Does: the [`Frame`] that a renderer draws, the camera and its framing of the
-//! speaker, lights, floor and backdrop, and what of the figure is drawn.
+//! speaker, lights, floor and backdrop, how all of them express emotions, and what of the figure is
+//! drawn.
 //! Does not: know where a frame came from (`player`) or how it is drawn (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
 pub mod camera;
+pub mod emotion;
 pub mod frame;
+pub mod illumination;
 pub mod light;
 pub mod line;
+pub mod mood;
 pub mod pupil;
 pub mod set;
 pub mod shown;
 pub mod storyteller;
 
 pub use camera::{Camera, MOST_CAPTIONS, Room, Shot, View};
+pub use emotion::{Angle, EmotionType};
 pub use frame::{Frame, SpeechNow};
+pub use illumination::Illumination;
 pub use light::{DirectedLight, Lighting};
 pub use line::Line;
-pub use set::Set;
+pub use mood::{Feelings, Felt, Mood};
+pub use set::{Set, SetKind};
 pub use shown::{Fill, Shown};
-pub use storyteller::{Gesture, Span, TakenSpace};
+pub use storyteller::{Gesture, QUICK_ZOOM, SLOW_ZOOM, Span, TakenSpace};

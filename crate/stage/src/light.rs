@@ -26,6 +26,8 @@ pub struct Lighting {
     pub ground: [f32; 3],
     /// Exposure before tone mapping, a factor.
     pub exposure: f32,
+    /// How soft the edges of shadows are: 1 as from the stage's own lamps, which are large.
+    pub softness: f32,
 }
 
 /// A light's name, and what makes it.
@@ -67,6 +69,7 @@ impl Lighting {
             sky: [0.26, 0.28, 0.31],
             ground: [0.15, 0.14, 0.125],
             exposure: 1.0,
+            softness: 1.0,
         }
     }
 
@@ -79,6 +82,7 @@ impl Lighting {
             sky: [0.075, 0.080, 0.105],
             ground: [0.080, 0.055, 0.038],
             exposure: 1.1,
+            softness: 1.0,
         }
     }
 
@@ -91,12 +95,13 @@ impl Lighting {
             sky: [0.26, 0.26, 0.27],
             ground: [0.16, 0.15, 0.14],
             exposure: 1.0,
+            softness: 1.0,
         }
     }
 }
 
 /// A light from a direction of any length.
-fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
+pub(crate) fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
     DirectedLight {
         towards_light_in_world: DVec3::new(x, y, z).normalized(),
         irradiance,
@@ -114,6 +119,7 @@ impl Default for Lighting {
             sky: [0.165, 0.18, 0.215],
             ground: [0.125, 0.10, 0.082],
             exposure: 1.08,
+            softness: 1.0,
         }
     }
 }

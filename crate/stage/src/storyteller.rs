@@ -7,6 +7,8 @@
 use raconteur_base::curve::{lerp, minimum_jerk, smooth};
 use raconteur_base::ops;
 
+use crate::camera::Shot;
+
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
 const EYES: f64 = 0.933;
 /// Height of the picture about the eyes while no gesture needs more, share of stature: a head
@@ -23,9 +25,24 @@ const ABOVE: f64 = 1.0 / 3.0;
 const LOWEST: f64 = 0.36;
 const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
+/// What the nearest pictures of a face show, shares of stature: head and shoulders, and the face with
+/// room for nods. Designed.
+const HEAD: Span = Span {
+    bottom: 0.76,
+    top: 1.06,
+};
+const FACE: Span = Span {
+    bottom: 0.835,
+    top: 1.045,
+};
+/// Half the width of a head that turns, share of stature.
+const HEAD_HALF_WIDTH: f64 = 0.085;
 /// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
 /// the lower edge at once. Designed: it is not noticed.
-const FASTEST_ZOOM: f64 = 0.05;
+pub const SLOW_ZOOM: f64 = 0.05;
+/// Where an emotion brings the camera near, it is as fast as an operator's: hands come before the lens
+/// within seconds. Designed.
+pub const QUICK_ZOOM: f64 = 0.25;
 /// Peak speed of a minimum-jerk motion over its mean.
 const PEAK: f64 = 1.875;
 
@@ -92,6 +109,23 @@ impl Default for Span {
 }
 
 impl Span {
+    /// What a shot that an emotion asks for shows while no gesture needs more, in a picture of
+    /// `aspect`: of the near ones the face, whole.
+    #[must_use]
+    pub fn of(shot: Shot, stature_m: f64, aspect: f64) -> Self {
+        let near = match shot {
+            Shot::Close => HEAD,
+            Shot::ExtremeClose => FACE,
+            _ => return Self::default(),
+        };
+        let face = TakenSpace {
+            top_m: near.top * stature_m,
+            bottom_m: near.bottom * stature_m,
+            half_width_m: HEAD_HALF_WIDTH * stature_m,
+        };
+        near.with(&face, stature_m, aspect)
+    }
+
     fn height(self) -> f64 {
         self.top - self.bottom
     }
@@ -111,7 +145,8 @@ impl Span {
         let at_rest = Self::default().bottom;
         // A gesture that widens the picture comes down to its lower edge.
         let spare = (RESTING_HANDS - at_rest) * (1.0 - smooth((at_rest - self.bottom) / PULLED));
-        let lowest = self.bottom + spare;
+        // A nearer picture has as much less to spare.
+        let lowest = self.bottom + spare * (self.height() / AT_REST).min(1.0);
         Self {
             bottom: self
                 .bottom
@@ -146,15 +181,23 @@ impl Span {
     }
 
     /// What is shown at a time: all that the gestures then need, and of those before and after it
-    /// as much as lets no zoom be faster than one that is not noticed.
+    /// as much as lets no zoom be faster than `zoom`, share of the picture's height a second for each
+    /// gesture: [`SLOW_ZOOM`] or [`QUICK_ZOOM`].
     #[must_use]
-    pub fn at(self, gestures: &[Gesture], time_secs: f64, stature_m: f64, aspect: f64) -> Self {
+    pub fn at(
+        self,
+        gestures: &[Gesture],
+        zoom: f64,
+        time_secs: f64,
+        stature_m: f64,
+        aspect: f64,
+    ) -> Self {
         gestures.iter().fold(self, |shown, g| {
             let off = (g.from_secs - time_secs)
                 .max(time_secs - g.to_secs)
                 .max(0.0);
             let needed = self.with(&g.space, stature_m, aspect);
-            let way_secs = PEAK * ops::ln(needed.height() / self.height()) / FASTEST_ZOOM;
+            let way_secs = PEAK * ops::ln(needed.height() / self.height()) / zoom;
             if off >= way_secs {
                 return shown;
             }
@@ -170,7 +213,7 @@ mod tests {
 
     use super::*;
     use crate::camera::STAGE_HALF_WIDTH_M;
-    use crate::{Room, Shot};
+    use crate::Room;
 
     const STATURE_M: f64 = 1.66;
 
@@ -238,7 +281,7 @@ mod tests {
                 space,
             });
         for aspect in [0.46, 1.0, 1.78] {
-            let at = |t: f64| Span::default().at(&gestures, t, STATURE_M, aspect);
+            let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
             for t in [120.0, 121.0, 126.0, 160.2] {
                 let on = seen(at(t), aspect);

@@ -16,6 +16,7 @@ fn lamp() -> Lighting {
         sky: [0.07; 3],
         ground: [0.045; 3],
         exposure: 1.0,
+        softness: 1.0,
     }
 }
 

@@ -60,6 +60,74 @@ record! {
 }
 
 words! {
+    /// Where the story is told.
+    Scenery {
+        /// A theatre's curtain and boards.
+        Curtain = "curtain",
+        /// A room with a hearth.
+        Fireside = "fireside",
+        /// A lawn before a hedge.
+        Garden = "garden",
+        /// Under the stars.
+        Night = "night",
+        /// A classroom.
+        School = "school",
+    }
+}
+
+words! {
+    /// How active a mood is.
+    Arousal {
+        /// Calm.
+        Low = "low",
+        /// Excited.
+        High = "high",
+    }
+}
+
+record! {
+    /// A piece of the author's in place of the library's.
+    Piece = "piece" {
+        /// The mood in which it is played.
+        valence: Valence = "valence",
+        /// How active that mood is; none: however active.
+        arousal: Option<Arousal> = "arousal",
+        /// A file beside the story.
+        file: String = "file",
+        /// How many seconds a bar takes: another piece takes over on a bar line.
+        bar_secs: f64 = "bar",
+    }
+}
+
+record! {
+    /// Which channels of the environment express emotions (GEVH 3.5.4), and where.
+    Environment = "environment" {
+        /// Whether the camera does.
+        camera: bool = "camera",
+        /// Whether the light does.
+        light: bool = "light",
+        /// Whether music does.
+        music: bool = "music",
+        /// Where the story is told.
+        set: Scenery = "set",
+    }
+    children {
+        /// The author's own music.
+        pieces: Vec<Piece>
+    }
+}
+
+words! {
+    /// Who leads a channel of the environment from a clause on.
+    Lead {
+        /// What the script writes.
+        Script = "script",
+        /// The strongest emotion, or the mood.
+        Emotion = "emotion",
+    }
+}
+
+words! {
     /// The emotions of Ortony, Clore and Collins, those that F&H name besides, and `neutral`.
     EmotionKind {
         /// None in particular.
@@ -150,8 +218,20 @@ record! {
         space: EmotionSpace = "space",
         /// Its potential, 0 to 10 (GEVH 3.5.4.1).
         potential: f64 = "potential",
+        /// What of the potential is not felt, 0 to 10.
+        threshold: f64 = "threshold",
         /// How long it is kept up, in seconds.
         duration_secs: f64 = "duration",
+        /// How long it takes to go when nothing follows, in seconds.
+        decay_secs: f64 = "decay",
+    }
+}
+
+impl Emotion {
+    /// What of its potential is felt, 0 to 10.
+    #[must_use]
+    pub fn intensity(&self) -> f64 {
+        (self.potential - self.threshold).max(0.0)
     }
 }
 
@@ -168,6 +248,8 @@ words! {
         Full = "full",
         /// The figure and its surroundings.
         Long = "long",
+        /// From the waist up with the eyes on the upper third; wider while a gesture needs it.
+        Storyteller = "storyteller",
     }
 }
 
@@ -186,6 +268,8 @@ words! {
 record! {
     /// Takes a shot.
     Camera = "camera" {
+        /// Who leads from here on.
+        by: Lead = "by",
         /// How much it shows; none: unchanged.
         shot: Option<ShotKind> = "shot",
         /// From where; none: unchanged.
@@ -198,6 +282,8 @@ record! {
 record! {
     /// Changes the key light (GEVH 3.5.4.2).
     Light = "light" {
+        /// Who leads from here on.
+        by: Lead = "by",
         /// Its colour as red, green, blue in sRGB; none: unchanged.
         color: Option<[u8; 3]> = "color",
         /// Its brightness, 1 as in the stage's own light; none: unchanged.
@@ -222,6 +308,8 @@ words! {
 record! {
     /// Plays music: from the library by its mood, or a file.
     Music = "music" {
+        /// Who leads from here on.
+        by: Lead = "by",
         /// The mood; none: silence, unless there is a file.
         valence: Option<Valence> = "valence",
         /// A file beside the story.

@@ -16,7 +16,9 @@ Attribute::between("evaluation", -100.0, 100.0, "How positive (100) or negative 
 Attribute::between("power", -100.0, 100.0, "How dominant (100) or submissive (-100) one is in it."),
 Attribute::choice("space", EmotionSpace::WORDS, "How the expression comes about: `sphere`, a look of the word's own or else a blend by all three dimensions; `disc`, a blend by activation and evaluation alone, as F&H 4.4.3 has it.").default("sphere"),
 Attribute::between("potential", 0.0, 10.0, "Its potential: how strong it is. The bounds of GEVH 3.5.4.1 for shots are 1.5, 2.5 and 4.5.").default("5"),
-Attribute::seconds("duration", "How long it is kept up before it decays.").default("0")],
+Attribute::between("threshold", 0.0, 10.0, "How much of the potential is not felt: its intensity is the rest.").default("0"),
+Attribute::seconds("duration", "How long it is kept up before it decays.").default("0"),
+Attribute::seconds("decay", "How long it takes to go where nothing follows.").default("4")],
     ..Element::record("emotion", || ClauseKind::Emotion(Default::default()))
 };
 
@@ -34,6 +36,7 @@ mod tests {
         assert_eq!(emotion.kind, Some(EmotionKind::FearsConfirmed));
         assert_eq!((emotion.power, emotion.space), (None, EmotionSpace::Sphere));
         assert_eq!((emotion.potential, emotion.duration_secs), (5.0, 2.0));
+        assert_eq!((emotion.threshold, emotion.decay_secs), (0.0, 4.0));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `head`: configuration.
 
 use super::{Content, Context, Element, Role};
-use crate::{Performer, Set};
+use crate::{Environment, Performer, Set};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Holds configuration that applies to the whole script."),
@@ -20,6 +20,7 @@ pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element)
         ..Set::default()
     };
     let mut performer = Performer::default();
+    let mut environment = Environment::default();
     match element.name {
         "set" => {
             if cx.record(node, &fields, &mut set) {
@@ -30,6 +31,11 @@ pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element)
             if cx.record(node, &fields, &mut performer) {
                 cx.document.performer = Some(performer);
                 cx.document.performer_span = fields.tag;
+            }
+        }
+        "environment" => {
+            if cx.record(node, &fields, &mut environment) {
+                cx.document.environment = Some(environment);
             }
         }
         // The head and what only groups in it; the table bounds the depth.

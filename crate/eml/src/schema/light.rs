@@ -1,17 +1,26 @@
 //! `light`: changes the key light.
 
 use super::{Attribute, Element, Kind};
-use crate::ClauseKind;
+use crate::{ClauseKind, Lead};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Changes the colour and brightness of the key light."),
+    decision: super::shown(
+        "Without one, and after by='emotion', the strongest emotion lights the stage by table 3.2 and equations 3.1 and 3.2 of GEVH, unless r:environment says otherwise. A change takes at least 0.5 s, so that nothing flashes.",
+    ),
     source: super::shown("Extension; GEVH 3.5.4.2"),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:light time='0' color='#ffff00' brightness='1.2' transition='1'/></body></eml>",
     ),
     extension: true,
-    one_of: &["color", "brightness"],
+    one_of: &["color", "brightness", "by"],
     attributes: &[
+        Attribute::choice(
+            "by",
+            Lead::WORDS,
+            "Who leads the light from here on: what is written here, or the strongest emotion again.",
+        )
+        .default("script"),
         Attribute::new(
             "color",
             Kind::Color,

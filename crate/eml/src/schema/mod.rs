@@ -51,6 +51,7 @@ mod eml;
 mod emotion;
 mod emph;
 mod engine;
+mod environment;
 mod event;
 mod function_args;
 mod gesture_is_on;
@@ -388,6 +389,7 @@ pub static ELEMENTS: &[&Element] = &[
     &emotion::ELEMENT,
     &emph::ELEMENT,
     &engine::ELEMENT,
+    &environment::ELEMENT,
     &event::ELEMENT,
     &function_args::ELEMENT,
     &gesture_is_on::ELEMENT,
@@ -412,6 +414,7 @@ pub static ELEMENTS: &[&Element] = &[
     &par::ELEMENT,
     &ways::PART,
     &performer::ELEMENT,
+    &environment::PIECE,
     &pitch::ELEMENT,
     &pron::ELEMENT,
     &rate::ELEMENT,

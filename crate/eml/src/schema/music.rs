@@ -1,7 +1,7 @@
 //! `music`: plays music.
 
 use super::{Attribute, Element, Kind};
-use crate::{ClauseKind, Valence};
+use crate::{ClauseKind, Lead, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown(
@@ -9,13 +9,19 @@ pub(super) static ELEMENT: Element = Element {
     ),
     source: super::shown("Extension; GEVH 3.5.4.3"),
     decision: super::shown(
-        "A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
+        "Without one, and after by='emotion', the mood chooses the music of a story in which something is felt, unless r:environment says otherwise. A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
     ),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>",
     ),
     extension: true,
     attributes: &[
+        Attribute::choice(
+            "by",
+            Lead::WORDS,
+            "Who leads the music from here on: what is written here, or the mood again.",
+        )
+        .default("script"),
         Attribute::choice("valence", Valence::WORDS, "The mood of the piece."),
         Attribute::new(
             "file",

@@ -4,9 +4,9 @@ use crate::clauses::speech::Markup;
 use crate::record::{Child as _, Field, List, Record, Value, Visit};
 use crate::schema::{self, Attribute, ELEMENTS, Element, Kind, Presence, Role, parse_value};
 use crate::{
-    Clause, ClauseId, ClauseKind, Coords, DivKind, Document, GestureKey, Group, Handedness, Key,
-    MarkEvent, MotionKey, Name, NameTerm, PalmKey, Performer, Phase, Profile, Set, ShapeKey, Span,
-    TextSegment, TimeExpr, Track, VoiceText,
+    Clause, ClauseId, ClauseKind, Coords, DivKind, Document, Environment, GestureKey, Group,
+    Handedness, Key, MarkEvent, MotionKey, Name, NameTerm, PalmKey, Performer, Phase, Profile, Set,
+    ShapeKey, Span, TextSegment, TimeExpr, Track, VoiceText,
 };
 use raconteur_base::Side;
 
@@ -21,6 +21,11 @@ pub(super) fn document(seed: u64, clauses: usize) -> Document {
         let mut performer = Performer::default();
         dice.fill(&mut performer);
         document.performer = Some(performer);
+    }
+    if dice.one_in(2) {
+        let mut environment = Environment::default();
+        dice.fill(&mut environment);
+        document.environment = Some(environment);
     }
     for _ in 0..dice.below(3) {
         let mut set = Set::default();

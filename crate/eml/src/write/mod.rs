@@ -119,6 +119,9 @@ impl<'d> Writer<'d> {
         if let Some(performer) = &self.document.performer {
             children.push(Tag::of(&mut performer.clone()));
         }
+        if let Some(environment) = &self.document.environment {
+            children.push(Tag::of(&mut environment.clone()));
+        }
         if !children.is_empty() {
             let mut head = Tag::new("head");
             head.children = children;

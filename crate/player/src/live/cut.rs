@@ -123,8 +123,9 @@ impl ScriptPlan {
         self.shots.retain(|s| s.start_secs < at_secs);
         self.music.retain(|m| m.start_secs < at_secs);
         self.face.parameters.retain(|(secs, _)| *secs < at_secs);
-        self.face.emotions.retain(|e| e.start_secs < at_secs);
-        self.face.emotions.iter_mut().for_each(|e| fade(e, at_secs));
+        self.face.emotions.retain(|e| e.span.start_secs < at_secs);
+        let felt = self.face.emotions.iter_mut();
+        felt.for_each(|e| fade(&mut e.span, at_secs));
         self.end_cues(cut)
     }
 

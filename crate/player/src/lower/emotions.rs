@@ -9,12 +9,13 @@ use raconteur_speech::bundle::Emotion as Spoken;
 use raconteur_speech::emotion::EmotionPoint;
 
 use crate::lower::cues::UtteranceCue;
+use crate::lower::felt::FeltSpan;
 use crate::lower::script::Script;
 use crate::lower::voice::{PLAIN_POTENTIAL, place_of, word_of};
 
 /// How long an emotion takes to come, seconds. Designed: an onset that is felt, not posed.
 const ATTACK_SECS: f64 = 0.6;
-/// How long it takes to go when nothing follows, seconds. Designed.
+/// How long that of speech takes to go when nothing follows, seconds. Designed.
 const DECAY_SECS: f64 = 4.0;
 /// How long it takes to go when another one or `neutral` comes, seconds. Designed.
 const CHANGE_SECS: f64 = 0.8;
@@ -36,7 +37,7 @@ struct Elicited<'s> {
 /// give to speech (F&H section 4.3.5). Emoticons are read from the text, so that they
 /// do the same whether it was baked or not; the markup of files and of SABLE is in their
 /// bundle alone.
-pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<EmotionSpan> {
+pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpan> {
     let mut elicited = elicited(script);
     for utterance in utterances {
         let end_secs = utterance.timed.end_secs();
@@ -50,7 +51,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
     for one in &elicited {
         // Several that begin together are blended; a later one takes over.
         let next = starts.partition_point(|start| *start <= one.start_secs);
-        let (mut until_secs, mut end_secs) = (one.until_secs, one.until_secs + DECAY_SECS);
+        let (mut until_secs, mut end_secs) = (one.until_secs, one.until_secs + one.emotion.decay_secs);
         if let Some(next) = starts.get(next) {
             until_secs = until_secs.min(*next);
             end_secs = end_secs.min(next + CHANGE_SECS);
@@ -58,13 +59,16 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
         let Some(affect) = affect(one.emotion) else {
             continue;
         };
-        spans.push(EmotionSpan {
-            start_secs: one.start_secs,
-            apex_secs: one.start_secs + ATTACK_SECS,
-            until_secs,
-            end_secs,
-            affect,
-            intensity: one.emotion.potential / PLAIN_POTENTIAL,
+        spans.push(FeltSpan {
+            span: EmotionSpan {
+                start_secs: one.start_secs,
+                apex_secs: one.start_secs + ATTACK_SECS,
+                until_secs,
+                end_secs,
+                affect,
+                intensity: one.emotion.intensity() / PLAIN_POTENTIAL,
+            },
+            potential: one.emotion.potential,
         });
     }
     starts.extend(utterances.iter().map(|u| u.timed.start_secs));
@@ -73,15 +77,23 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
         let text = script.document.clause(utterance.clause).kind.spoken();
         if let Some(text) = text.filter(|text| !text.pieces.is_empty()) {
             let found = text.emoticons().into_iter();
-            spans.extend(found.filter_map(|one| written(&one, &utterance.timed, &starts)));
+            spans.extend(found.filter_map(|one| written(&one, &utterance.timed, &starts).map(plain)));
             continue;
         }
         let elicited = spoken_in(&elicited, utterance).and_then(|i| word_of(elicited[i].emotion));
         let timed = &utterance.timed;
         let emotions = timed.utterance.emotions.iter();
-        spans.extend(emotions.filter_map(|e| spoken(e, timed, elicited)));
+        spans.extend(emotions.filter_map(|e| spoken(e, timed, elicited).map(plain)));
     }
     spans
+}
+
+/// One of speech: the events are as strong as it is felt.
+fn plain(span: EmotionSpan) -> FeltSpan {
+    FeltSpan {
+        span,
+        potential: span.intensity * PLAIN_POTENTIAL,
+    }
 }
 
 /// An emotion of a script; none for neutral.
@@ -196,7 +208,7 @@ mod tests {
         let hundredths = |secs: f64| (100.0 * secs).round();
         spans
             .into_iter()
-            .map(|s| {
+            .map(|FeltSpan { span: s, .. }| {
                 let times = [s.start_secs, s.apex_secs, s.until_secs, s.end_secs];
                 (
                     s.affect.place.activation,
@@ -328,7 +340,7 @@ mod tests {
         let until = |secs: f64| words.iter().position(|w| is_at(w.end_secs, secs));
         let found = spans(script, &said).into_iter();
         found
-            .map(|s| {
+            .map(|FeltSpan { span: s, .. }| {
                 let times = [at(s.start_secs), at(s.apex_secs), until(s.end_secs)];
                 (s.affect.word, times)
             })

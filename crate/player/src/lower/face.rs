@@ -2,10 +2,11 @@
 
 use raconteur_actor::nonverbal::Way;
 use raconteur_actor::parameters::ParameterCommand;
-use raconteur_actor::{EmotionSpan, Manner};
+use raconteur_actor::Manner;
 use raconteur_eml::{Expressions, Performer};
 
 use crate::lower::cues::UtteranceCue;
+use crate::lower::felt::FeltSpan;
 use crate::lower::needs::Needs;
 use crate::lower::script::Script;
 use crate::lower::{emotions, parameters};
@@ -14,7 +15,7 @@ use crate::lower::{emotions, parameters};
 #[derive(Default)]
 pub(crate) struct FacePlan {
     /// Emotions, in any order.
-    pub(crate) emotions: Vec<EmotionSpan>,
+    pub(crate) emotions: Vec<FeltSpan>,
     /// Commands to control parameters, by time.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
     /// Names of the animations of control parameters that it needs.

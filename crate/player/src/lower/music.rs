@@ -4,9 +4,10 @@
 //! that music steps back under speech, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{ClauseKind, Valence};
+use raconteur_eml::{ClauseKind, Lead};
 
 use crate::lower::cues::UtteranceCue;
+use crate::lower::moods;
 use crate::lower::script::Script;
 
 /// Share of the music's level under speech: 8 dB less. Designed: words stay clear
@@ -19,15 +20,40 @@ const RETURN_SECS: f64 = 0.9;
 /// Even what begins or ends at once does so in this time, so that it does not click; seconds.
 const CLICK_SECS: f64 = 0.01;
 
-/// What a script says about music.
+/// One of the files that make a piece of music.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Voice {
+    pub(crate) file: String,
+    pub(crate) library: bool,
+    /// Whether it begins again when it is over.
+    pub(crate) loops: bool,
+    /// Its level against the piece at story times, by time, straight between them; none: 1.
+    pub(crate) share: Vec<(f64, f64)>,
+}
+
+/// What is heard from a time on.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MusicClause {
     pub(crate) start_secs: f64,
+    /// Who leads from then on.
+    pub(crate) by: Lead,
     /// None: silence.
-    file: Option<String>,
-    library: bool,
-    volume: f64,
-    fade_secs: f64,
+    pub(crate) voices: Vec<Voice>,
+    pub(crate) volume: f64,
+    pub(crate) fade_secs: f64,
+}
+
+impl MusicClause {
+    /// Music fades to silence.
+    pub(crate) fn silence(start_secs: f64, fade_secs: f64) -> Self {
+        Self {
+            start_secs,
+            by: Lead::Emotion,
+            voices: Vec::new(),
+            volume: 1.0,
+            fade_secs,
+        }
+    }
 }
 
 /// A piece of music at its time.
@@ -40,8 +66,10 @@ pub struct MusicCue {
     /// The path of its file, from the story's folder or from the folder `music` of the asset
     /// library; it does not leave that folder. Beside an `.opus` there may be an `.mp3`.
     pub file: String,
-    /// Whether it is of the library. Such a piece begins again when it is over.
+    /// Whether it is of the library.
     pub library: bool,
+    /// Whether it begins again when it is over.
+    pub loops: bool,
     /// Its level at story times, by time: 1 is as recorded. Straight between them, and
     /// before the first and after the last as there.
     pub level: Vec<(f64, f64)>,
@@ -53,15 +81,21 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
     clauses
         .filter_map(|timed| match &script.document.clause(timed.clause).kind {
             ClauseKind::Music(music) => {
-                let piece = music.valence.map(|valence| match valence {
-                    Valence::Neutral => "neutral.opus",
-                    Valence::Positive => "positive.opus",
-                    Valence::Negative => "negative.opus",
+                let own = music.file.as_ref().map(|file| Voice {
+                    file: file.clone(),
+                    library: false,
+                    loops: false,
+                    share: Vec::new(),
                 });
+                let voices = match (own, music.valence) {
+                    (Some(own), _) => vec![own],
+                    (None, Some(valence)) => moods::usual(valence),
+                    (None, None) => Vec::new(),
+                };
                 Some(MusicClause {
                     start_secs: timed.start_secs,
-                    library: music.file.is_none(),
-                    file: music.file.clone().or_else(|| piece.map(str::to_owned)),
+                    by: music.by,
+                    voices,
                     volume: music.volume,
                     fade_secs: music.fade_secs.max(CLICK_SECS),
                 })
@@ -90,42 +124,62 @@ pub(crate) fn cues<'a>(
     });
     let mut cues = Vec::new();
     for (i, clause) in clauses.iter().enumerate() {
-        let Some(file) = &clause.file else { continue };
         let next = clauses.get(i + 1);
         let over = next.map_or((f64::INFINITY, f64::INFINITY), |n| {
             (n.start_secs, n.start_secs + n.fade_secs)
         });
-        let fade_in = (clause.start_secs, clause.start_secs + clause.fade_secs);
-        let bends = spoken.iter().flat_map(|&(from, to)| {
-            let [back, there] = [from - STEP_BACK_SECS, to + RETURN_SECS];
-            [back, from, to, there]
-        });
-        let mut times: Vec<f64> = [fade_in.0, fade_in.1, over.0, over.1]
-            .into_iter()
-            .chain(bends)
-            .filter(|t| t.is_finite() && (fade_in.0..=over.1).contains(t))
-            .collect();
-        sort_by_number(&mut times, |t| *t);
-        times.dedup();
-        let level = |t: f64| {
-            // They are so far apart that only the last one begun counts.
-            let begun = spoken.partition_point(|s| s.0 - STEP_BACK_SECS <= t);
-            let under = begun.checked_sub(1).map_or(0.0, |i| {
-                let (from, to) = spoken[i];
-                ramp(t, from - STEP_BACK_SECS, from) * (1.0 - ramp(t, to, to + RETURN_SECS))
-            });
-            let fades = ramp(t, fade_in.0, fade_in.1) * (1.0 - ramp(t, over.0, over.1));
-            clause.volume * fades * (1.0 - under * (1.0 - UNDER_SPEECH))
-        };
-        cues.push(MusicCue {
-            start_secs: clause.start_secs,
-            end_secs: over.1,
-            file: file.clone(),
-            library: clause.library,
-            level: times.into_iter().map(|t| (t, level(t))).collect(),
-        });
+        for voice in &clause.voices {
+            cues.push(cue(clause, voice, over, &spoken));
+        }
     }
     cues
+}
+
+/// A voice of a clause that is over from one time to another, under what is spoken.
+fn cue(clause: &MusicClause, voice: &Voice, over: (f64, f64), spoken: &[(f64, f64)]) -> MusicCue {
+    let fade_in = (clause.start_secs, clause.start_secs + clause.fade_secs);
+    let bends = spoken.iter().flat_map(|&(from, to)| {
+        let [back, there] = [from - STEP_BACK_SECS, to + RETURN_SECS];
+        [back, from, to, there]
+    });
+    let mut times: Vec<f64> = [fade_in.0, fade_in.1, over.0, over.1]
+        .into_iter()
+        .chain(bends)
+        .chain(voice.share.iter().map(|(t, _)| *t))
+        .filter(|t| t.is_finite() && (fade_in.0..=over.1).contains(t))
+        .collect();
+    sort_by_number(&mut times, |t| *t);
+    times.dedup();
+    let level = |t: f64| {
+        // They are so far apart that only the last one begun counts.
+        let begun = spoken.partition_point(|s| s.0 - STEP_BACK_SECS <= t);
+        let under = begun.checked_sub(1).map_or(0.0, |i| {
+            let (from, to) = spoken[i];
+            ramp(t, from - STEP_BACK_SECS, from) * (1.0 - ramp(t, to, to + RETURN_SECS))
+        });
+        let fades = ramp(t, fade_in.0, fade_in.1) * (1.0 - ramp(t, over.0, over.1));
+        let share = on_line(&voice.share, t).unwrap_or(1.0);
+        clause.volume * fades * share * (1.0 - under * (1.0 - UNDER_SPEECH))
+    };
+    MusicCue {
+        start_secs: clause.start_secs,
+        end_secs: over.1,
+        file: voice.file.clone(),
+        library: voice.library,
+        loops: voice.loops,
+        level: times.into_iter().map(|t| (t, level(t))).collect(),
+    }
+}
+
+/// The height of a line of points by time, straight between them; none where there are none.
+fn on_line(line: &[(f64, f64)], time_secs: f64) -> Option<f64> {
+    let after = line.partition_point(|(t, _)| *t <= time_secs);
+    let before = after.checked_sub(1).and_then(|i| line.get(i));
+    match (before, line.get(after)) {
+        (Some(&(t0, a)), Some(&(t1, b))) => Some(a + (b - a) * ramp(time_secs, t0, t1)),
+        (Some(&(_, only)), None) | (None, Some(&(_, only))) => Some(only),
+        (None, None) => None,
+    }
 }
 
 /// From 0 at one time to 1 at a later one, straight.
@@ -143,13 +197,7 @@ impl MusicCue {
         if !(self.start_secs..self.end_secs).contains(&time_secs) {
             return 0.0;
         }
-        let after = self.level.partition_point(|(t, _)| *t <= time_secs);
-        let before = after.checked_sub(1).and_then(|i| self.level.get(i));
-        match (before, self.level.get(after)) {
-            (Some(&(t0, a)), Some(&(t1, b))) => a + (b - a) * ramp(time_secs, t0, t1),
-            (Some(&(_, only)), None) | (None, Some(&(_, only))) => only,
-            (None, None) => 0.0,
-        }
+        on_line(&self.level, time_secs).unwrap_or(0.0)
     }
 }
 
@@ -171,7 +219,14 @@ mod tests {
              <r:music time='10' valence='negative' fade='4'/><r:music time='20'/>",
         );
         let names: Vec<_> = cues.iter().map(|c| (c.file.as_str(), c.library)).collect();
-        assert_eq!(names, [("a.opus", false), ("negative.opus", true)]);
+        assert_eq!(
+            names,
+            [
+                ("a.opus", false),
+                ("negative-calm.opus", true),
+                ("negative-calm-rise.opus", true)
+            ]
+        );
         let [a, b] = [&cues[0], &cues[1]];
         let levels = [0.5, 1.0, 2.0, 3.0, 9.0, 12.0, 14.0].map(|t| a.level_at(t));
         assert_eq!(levels, [0.0, 0.0, 0.25, 0.5, 0.5, 0.25, 0.0]);

@@ -1,12 +1,9 @@
-//! What the clauses of a document need from elsewhere: animations that the page has to bring, and
-//! performance that the player does not have yet.
+//! What the clauses of a document need from elsewhere: animations that the page has to bring.
 
 use raconteur_actor::animation::stem;
 use raconteur_eml::{
-    Clause, ClauseKind, Diagnostic, Document, LoadControlParameterAnimation, PrimitiveKind, Span,
+    Clause, ClauseKind, Document, LoadControlParameterAnimation, PrimitiveKind, Span,
 };
-
-use crate::lower::voice::place_of;
 
 /// Most animations of control parameters that a script may use; more are left out.
 const MOST_PARAMETER_ANIMATIONS: usize = 100;
@@ -18,8 +15,6 @@ pub(crate) struct Needs<'d> {
     pub(crate) body_animations: Vec<(&'d str, Span)>,
     /// Animations of control parameters, those that are loaded before those of the library.
     pub(crate) parameter_animations: Vec<(&'d str, Span)>,
-    /// Elements that are not performed, and how often they occur.
-    unperformed: Vec<(&'static str, Span, u32)>,
 }
 
 /// What one clause needs.
@@ -31,8 +26,6 @@ enum Need<'d> {
     LoadedParameters(&'d str),
     /// One under the name by which it was loaded, else of the library.
     PlayedParameters(&'d str),
-    /// The player cannot do it, or not all of it.
-    Performance,
 }
 
 impl<'d> Needs<'d> {
@@ -47,7 +40,6 @@ impl<'d> Needs<'d> {
                 Need::BodyAnimation(name) => add_once(&mut needs.body_animations, name, span),
                 Need::LoadedParameters(name) => needs.add_parameters(name, span),
                 Need::PlayedParameters(name) => played.push((name, span)),
-                Need::Performance => needs.add_unperformed(clause.kind.name(), span),
             }
         }
         let loaded = needs.parameter_animations.clone();
@@ -79,33 +71,9 @@ impl<'d> Needs<'d> {
         used.map(|(_, span)| *span).unwrap_or_default()
     }
 
-    /// One warning for each element and extension that is not performed, at its first clause.
-    pub(crate) fn diagnostics(&self) -> Vec<Diagnostic> {
-        let unperformed = self.unperformed.iter();
-        unperformed
-            .map(|&(name, span, count)| {
-                let message = match count {
-                    _ if name == "emotion" => "`emotion` is in voice and face only; camera and \
-                                               light do not follow it yet"
-                        .to_owned(),
-                    1 => format!("`{name}` is not performed yet"),
-                    _ => format!("`{name}` is not performed yet; it occurs {count} times"),
-                };
-                Diagnostic::warning("player::not-performed", span, message)
-            })
-            .collect()
-    }
-
     fn add_parameters(&mut self, name: &'d str, span: Span) {
         if self.parameter_animations.len() < MOST_PARAMETER_ANIMATIONS {
             add_once(&mut self.parameter_animations, name, span);
-        }
-    }
-
-    fn add_unperformed(&mut self, name: &'static str, span: Span) {
-        match self.unperformed.iter_mut().find(|(n, ..)| *n == name) {
-            Some((.., count)) => *count += 1,
-            None => self.unperformed.push((name, span, 1)),
         }
     }
 }
@@ -125,49 +93,7 @@ impl<'d> Need<'d> {
             ClauseKind::AnimateControlParameter(animate) => {
                 Self::PlayedParameters(&animate.animation)
             }
-            ClauseKind::VoiceText(_)
-            | ClauseKind::VoiceSay(_)
-            | ClauseKind::VoiceChange(_)
-            | ClauseKind::GestureKey(_)
-            | ClauseKind::GestureIsOn(_)
-            | ClauseKind::ConfigureGeometry(_)
-            | ClauseKind::Event { .. }
-            | ClauseKind::Camera(_)
-            | ClauseKind::Music(_)
-            | ClauseKind::SetControlParameter(_)
-            | ClauseKind::AdsrControlParameter(_)
-            | ClauseKind::DeterministicAnimation(_)
-            | ClauseKind::DeterministicTrackProperty(_)
-            | ClauseKind::PlayerAdd(_)
-            | ClauseKind::PlayerSetExclusive(_)
-            | ClauseKind::PlayerChangePriority(_)
-            | ClauseKind::PlayerRemove(_)
-            | ClauseKind::PlayerClear
-            | ClauseKind::VhMove(_)
-            | ClauseKind::ConfigureManipulator(_)
-            | ClauseKind::ForwardKinematics(_)
-            | ClauseKind::JointInterpolation(_)
-            | ClauseKind::FrameInterpolation(_)
-            | ClauseKind::ManipulatorFunction(_)
-            | ClauseKind::Jacobian(_)
-            | ClauseKind::ManipulatorStop(_)
-            | ClauseKind::ManipulatorLock(_)
-            | ClauseKind::Null
-            | ClauseKind::Seq(_)
-            | ClauseKind::Par(_)
-            | ClauseKind::Ask(_)
-            | ClauseKind::Answer(_)
-            | ClauseKind::Part(_)
-            | ClauseKind::If(_)
-            | ClauseKind::Set(_)
-            | ClauseKind::Goto(_) => Self::Nothing,
-            // The language's own checks report one whose word is unknown.
-            ClauseKind::Emotion(emotion)
-                if place_of(emotion).is_none() && emotion.kind.is_none() =>
-            {
-                Self::Nothing
-            }
-            _ => Self::Performance,
+            _ => Self::Nothing,
         }
     }
 }

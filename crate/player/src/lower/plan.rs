@@ -11,7 +11,10 @@ use crate::lower::cues::{self, Cue, UtteranceCue};
 use crate::lower::face::{self, FacePlan};
 use crate::lower::geometry::{self, Switch};
 use crate::lower::gestures;
+use crate::lower::lamps::{self, LampCue};
+use crate::lower::lead::Channels;
 use crate::lower::manipulators;
+use crate::lower::moods::{self, OwnPiece};
 use crate::lower::music::{self, MusicClause};
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
@@ -32,8 +35,14 @@ pub(crate) struct ScriptPlan {
     pub(crate) face: FacePlan,
     /// Shots of the camera, by time.
     pub(crate) shots: Vec<ShotCue>,
+    /// Lights, by time.
+    pub(crate) lamps: Vec<LampCue>,
+    /// The channels that express emotions.
+    pub(crate) channels: Channels,
     /// Music, by time.
     pub(crate) music: Vec<MusicClause>,
+    /// The author's pieces for moods.
+    pub(crate) pieces: Vec<OwnPiece>,
     /// Utterances, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
     /// Cues, by time.
@@ -61,7 +70,10 @@ impl ScriptPlan {
             geometry: geometry::switches(document, timeline),
             face: face::lower(script, &utterances),
             shots: shots::shots(script),
+            lamps: lamps::lamps(script),
+            channels: Channels::of(document),
             music: music::clauses(script),
+            pieces: moods::own_pieces(document),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,
         }

@@ -115,7 +115,6 @@ impl Script {
             &voices,
             voice_was_given,
         ));
-        diagnostics.extend(Needs::of(&document).diagnostics());
         let diagnostics = thinned(diagnostics);
         Self {
             document,

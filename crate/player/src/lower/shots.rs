@@ -1,28 +1,34 @@
-//! What the camera shows, as a function of time: the shots that a script takes
-//! (GEVH 3.5.4.1), eased from one to the next.
+//! What the camera shows, as a function of time: the shots that a script takes and those that the
+//! strongest emotion asks for (GEVH 3.5.4.1), eased from one to the next.
 
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{CameraAngle, ClauseKind, ShotKind};
-use raconteur_stage::{Camera, Shot};
+use raconteur_eml::{CameraAngle, ClauseKind, Lead, ShotKind};
+use raconteur_stage::{Angle, Camera, EmotionType, Feelings, Felt, Shot};
 
+use crate::lower::lead::{Leader, leaders};
 use crate::lower::script::Script;
 
-/// How far the camera of a high angle is above one at eye height, and of a low angle
-/// below it, about what it looks at; radians. Designed: one sees the difference, and the
-/// face in both.
-const HIGH_RAD: f64 = 0.30;
-const LOW_RAD: f64 = 0.20;
+/// No shot that an emotion asks for is shorter, seconds. Designed: a picture is read in three to
+/// four seconds.
+pub(crate) const SHORTEST_SECS: f64 = 4.0;
+/// How long the camera takes from one such shot to the next, seconds. Designed.
+const MOVE_SECS: f64 = 2.0;
+/// All such shots look at the figure from the front, so that the line of action is never crossed
+/// (180° rule), and less than 30° apart: a cut between two of them has to change the distance by
+/// so many steps, else it would be a jump (30° rule) and the camera moves instead.
+const CUT_STEPS: i32 = 2;
 
 /// A shot that a script takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShotCue {
     pub(crate) start_secs: f64,
     transition_secs: f64,
+    by: Lead,
     /// None: unchanged.
     shot: Option<Shot>,
-    /// Above eye height, radians; none: unchanged.
-    elevation_rad: Option<f64>,
+    /// None: unchanged.
+    angle: Option<Angle>,
 }
 
 /// The shots of a script by time.
@@ -33,17 +39,19 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
             ClauseKind::Camera(camera) => Some(ShotCue {
                 start_secs: timed.start_secs,
                 transition_secs: camera.transition_secs,
+                by: camera.by,
                 shot: camera.shot.map(|kind| match kind {
                     ShotKind::ExtremeCloseUp => Shot::ExtremeClose,
                     ShotKind::CloseUp => Shot::Close,
                     ShotKind::Medium => Shot::Medium,
                     ShotKind::Full => Shot::Full,
                     ShotKind::Long => Shot::Long,
+                    ShotKind::Storyteller => Shot::Storyteller,
                 }),
-                elevation_rad: camera.angle.map(|angle| match angle {
-                    CameraAngle::Eye => 0.0,
-                    CameraAngle::High => HIGH_RAD,
-                    CameraAngle::Low => -LOW_RAD,
+                angle: camera.angle.map(|angle| match angle {
+                    CameraAngle::Eye => Angle::Eye,
+                    CameraAngle::High => Angle::High,
+                    CameraAngle::Low => Angle::Low,
                 }),
             }),
             _ => None,
@@ -53,49 +61,87 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
 
 /// The shot from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct TimedShot {
-    start_secs: f64,
+pub(crate) struct Take {
+    pub(crate) start_secs: f64,
     /// When the transition to it ends.
     settled_secs: f64,
-    shot: Shot,
-    elevation_rad: f64,
+    pub(crate) shot: Shot,
+    pub(crate) angle: Angle,
+    /// Whether an emotion asks for it: hands stay in it, however near it is.
+    pub(crate) is_felt: bool,
+}
+
+/// What the shots of a performance are made from.
+pub(crate) struct Shooting<'a> {
+    /// The shot until something is said or felt, at eye height.
+    pub(crate) usual: Shot,
+    /// What scripts say.
+    pub(crate) cues: Vec<ShotCue>,
+    /// What is felt.
+    pub(crate) feelings: &'a Feelings,
+    /// Whether emotions lead the camera where no script does.
+    pub(crate) follows: bool,
 }
 
 /// The shots of a performance by time, of which there is always one.
 pub(crate) struct ShotSequence {
-    first: TimedShot,
-    later: Vec<TimedShot>,
+    first: Take,
+    later: Vec<Take>,
 }
 
 impl ShotSequence {
-    /// The shots of a performance that begins with a shot at eye height.
-    pub(crate) fn new<'a>(shot: Shot, cues: impl Iterator<Item = &'a ShotCue>) -> Self {
-        let mut later: Vec<ShotCue> = cues.copied().collect();
-        sort_by_number(&mut later, |c| c.start_secs);
-        let first = TimedShot {
+    /// The shots of a performance.
+    pub(crate) fn new(mut shooting: Shooting<'_>) -> Self {
+        sort_by_number(&mut shooting.cues, |c| c.start_secs);
+        let Shooting { usual, cues, .. } = &shooting;
+        let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
+        let same = |a: Option<&Felt>, b: Option<&Felt>| asked(a) == asked(b);
+        let taken = leaders(
+            &leads,
+            shooting.feelings,
+            shooting.follows,
+            SHORTEST_SECS,
+            same,
+        );
+        let first = Take {
             start_secs: f64::NEG_INFINITY,
             settled_secs: f64::NEG_INFINITY,
-            shot,
-            elevation_rad: 0.0,
+            shot: *usual,
+            angle: Angle::Eye,
+            is_felt: false,
         };
         let mut now = first;
-        let view = |cue: &ShotCue| {
-            now = TimedShot {
-                start_secs: cue.start_secs,
-                settled_secs: cue.start_secs + cue.transition_secs,
-                shot: cue.shot.unwrap_or(now.shot),
-                elevation_rad: cue.elevation_rad.unwrap_or(now.elevation_rad),
+        let take = |&(start_secs, leader): &(f64, Leader)| {
+            let (transition_secs, shot, angle, is_felt) = match leader {
+                Leader::Script(i) => {
+                    let cue = &cues[i];
+                    let (shot, angle) = (cue.shot.unwrap_or(now.shot), cue.angle);
+                    (cue.transition_secs, shot, angle.unwrap_or(now.angle), false)
+                }
+                Leader::Emotion(felt) => {
+                    let (shot, angle) = asked(felt.as_ref()).unwrap_or((*usual, Angle::Eye));
+                    let steps = (nearness(shot) - nearness(now.shot)).abs();
+                    let secs = if steps >= CUT_STEPS { 0.0 } else { MOVE_SECS };
+                    (secs, shot, angle, felt.is_some())
+                }
+            };
+            now = Take {
+                start_secs,
+                settled_secs: start_secs + transition_secs,
+                shot,
+                angle,
+                is_felt,
             };
             now
         };
         Self {
             first,
-            later: later.iter().map(view).collect(),
+            later: taken.iter().map(take).collect(),
         }
     }
 
     /// The settled shot at a time, and those in transition.
-    fn taken(&self, time_secs: f64) -> (&TimedShot, &[TimedShot]) {
+    fn taken(&self, time_secs: f64) -> (&Take, &[Take]) {
         let begun = self.later.partition_point(|v| v.start_secs <= time_secs);
         let begun = &self.later[..begun];
         let settled = begun.iter().rposition(|v| v.settled_secs <= time_secs);
@@ -105,23 +151,55 @@ impl ShotSequence {
         }
     }
 
+    /// The shot that is taken, or moved to, at a time.
+    pub(crate) fn at(&self, time_secs: f64) -> &Take {
+        let (base, moving) = self.taken(time_secs);
+        moving.last().unwrap_or(base)
+    }
+
+    /// Every shot after the first, by time.
+    pub(crate) fn later(&self) -> &[Take] {
+        &self.later
+    }
+
+    /// Whether the camera goes from one shot to another at a time.
+    pub(crate) fn moves(&self, time_secs: f64) -> bool {
+        !self.taken(time_secs).1.is_empty()
+    }
+
     /// Whether the shots of a time make room for hands.
     pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
         let (base, moving) = self.taken(time_secs);
-        let is_close = |v: &TimedShot| matches!(v.shot, Shot::Close | Shot::ExtremeClose);
+        let is_close = |v: &Take| nearness(v.shot) > nearness(Shot::Medium) && !v.is_felt;
         !is_close(base) && !moving.iter().any(is_close)
     }
 
     /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
     /// shots than are in transition.
-    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(Shot) -> Camera) -> Camera {
+    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(&Take) -> Camera) -> Camera {
         let (base, moving) = self.taken(time_secs);
-        let shown = |view: &TimedShot| frame(view.shot).raised(view.elevation_rad);
-        moving.iter().fold(shown(base), |camera, view| {
-            let way_secs = view.settled_secs - view.start_secs;
-            let s = minimum_jerk((time_secs - view.start_secs) / way_secs);
-            camera.towards(&shown(view), s)
+        let shown = |take: &Take| frame(take).raised(take.angle.elevation_rad());
+        moving.iter().fold(shown(base), |camera, take| {
+            let way_secs = take.settled_secs - take.start_secs;
+            let s = minimum_jerk((time_secs - take.start_secs) / way_secs);
+            camera.towards(&shown(take), s)
         })
+    }
+}
+
+/// The shot that an emotion asks for: distance by its potential, angle by its type.
+fn asked(felt: Option<&Felt>) -> Option<(Shot, Angle)> {
+    felt.map(|f| (EmotionType::distance(f.potential), f.kind.angle))
+}
+
+/// How near a shot is, in steps.
+fn nearness(shot: Shot) -> i32 {
+    match shot {
+        Shot::Long => 0,
+        Shot::Full => 1,
+        Shot::Medium | Shot::Storyteller => 2,
+        Shot::Close => 3,
+        Shot::ExtremeClose => 4,
     }
 }
 
@@ -135,11 +213,20 @@ mod tests {
         let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&text, None);
         assert_eq!(script.diagnostics, []);
-        ShotSequence::new(Shot::Medium, shots(&script).iter())
+        ShotSequence::new(Shooting {
+            usual: Shot::Medium,
+            cues: shots(&script),
+            feelings: &Feelings::default(),
+            follows: true,
+        })
     }
 
     fn still(shot: Shot) -> Camera {
         shot.frame(DVec3::ZERO, 1.7, 1.78, Room::default())
+    }
+
+    fn shown(take: &Take) -> Camera {
+        still(take.shot)
     }
 
     #[test]
@@ -147,7 +234,7 @@ mod tests {
         let views = views(
             "<r:camera time='2' shot='full'/><r:camera time='4' shot='closeUp' transition='2'/>",
         );
-        let at = |t: f64| views.camera(t, still);
+        let at = |t: f64| views.camera(t, shown);
         assert_eq!(at(1.999), still(Shot::Medium));
         assert_eq!(at(2.0), still(Shot::Full));
         assert_eq!(at(4.0), still(Shot::Full));
@@ -171,9 +258,9 @@ mod tests {
             "<r:camera time='1' shot='full'/><r:camera time='2' angle='low'/>\
              <r:camera time='3' shot='long'/>",
         );
-        let low = |shot: Shot| still(shot).raised(-LOW_RAD);
-        assert_eq!(views.camera(2.5, still), low(Shot::Full));
-        assert_eq!(views.camera(3.5, still), low(Shot::Long));
+        let low = |shot: Shot| still(shot).raised(Angle::Low.elevation_rad());
+        assert_eq!(views.camera(2.5, shown), low(Shot::Full));
+        assert_eq!(views.camera(3.5, shown), low(Shot::Long));
     }
 
     #[test]
@@ -182,9 +269,9 @@ mod tests {
             "<r:camera time='0' shot='full' transition='4'/>\
              <r:camera time='2' shot='closeUp' transition='1'/>",
         );
-        let before = views.camera(2.0 - 1e-6, still);
-        let after = views.camera(2.0 + 1e-6, still);
+        let before = views.camera(2.0 - 1e-6, shown);
+        let after = views.camera(2.0 + 1e-6, shown);
         assert!((before.eye_in_world - after.eye_in_world).length() < 1e-4);
-        assert_eq!(views.camera(9.0, still), still(Shot::Close));
+        assert_eq!(views.camera(9.0, shown), still(Shot::Close));
     }
 }

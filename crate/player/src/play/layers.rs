@@ -119,10 +119,17 @@ impl Layers {
         }
     }
 
-    /// The picture's frame at a time, for a figure of a stature in a picture of `aspect`.
-    pub(crate) fn room_at(&self, time_secs: f64, stature_m: f64, aspect: f64) -> Room {
+    /// The picture's frame at a time, for a figure of a stature in a picture of `aspect`; it shows
+    /// `rest` while no gesture needs more, and zooms as fast as `zoom` for one.
+    pub(crate) fn room_at(
+        &self,
+        time_secs: f64,
+        (rest, zoom): (Span, f64),
+        stature_m: f64,
+        aspect: f64,
+    ) -> Room {
         let of = |layer: &Layer| Room {
-            span: Span::default().at(&layer.needs.gestures, time_secs, stature_m, aspect),
+            span: rest.at(&layer.needs.gestures, zoom, time_secs, stature_m, aspect),
             ..layer.needs.room
         };
         self.later.iter().fold(of(&self.first), |room, layer| {

@@ -1,17 +1,25 @@
-//! How the figure is shown: the script's shots, the page's own view, and the drawing's switches.
+//! How the figure is shown: shots and lights of the script and of what is felt, the page's own view,
+//! and the drawing's switches.
 
 use raconteur_base::DVec3;
-use raconteur_stage::{Camera, Room, Shot, Shown, View};
+use raconteur_stage::{
+    Camera, Feelings, Illumination, QUICK_ZOOM, Room, SLOW_ZOOM, Shot, Shown, Span, View,
+};
 
 use crate::lower::geometry::{Geometry, Switch};
+use crate::lower::lamps::LampSequence;
+use crate::lower::lead::Channels;
 use crate::lower::plan::ScriptPlan;
-use crate::lower::shots::ShotSequence;
+use crate::lower::shots::{Shooting, ShotSequence, Take};
 
 /// How the figure is shown at any time.
 pub(crate) struct Picture {
-    /// The shot until the script takes another.
+    /// The shot until something is said or felt.
     shot: Shot,
+    /// The channels that express emotions.
+    channels: Channels,
     shots: ShotSequence,
+    lamps: LampSequence,
     /// The page's own view, in place of the shot.
     view: Option<View>,
     /// Share of the picture's height that captions take at its lower edge.
@@ -24,32 +32,52 @@ pub(crate) struct Subject {
     /// The floor under the figure, world, metres.
     pub(crate) floor_in_world: DVec3,
     pub(crate) stature_m: f64,
-    /// The room for its gestures.
-    pub(crate) room: Room,
 }
 
 impl Picture {
     /// The picture of a story that begins with a shot.
-    pub(crate) fn new(shot: Shot, story: &ScriptPlan) -> Self {
+    pub(crate) fn new(shot: Shot, story: &ScriptPlan, feelings: &Feelings) -> Self {
         let mut geometry = Geometry::default();
         geometry.retell(&story.geometry);
-        Self {
+        let nothing = Shooting {
+            usual: shot,
+            cues: Vec::new(),
+            feelings: &Feelings::default(),
+            follows: false,
+        };
+        let mut picture = Self {
             shot,
-            shots: ShotSequence::new(shot, story.shots.iter()),
+            channels: story.channels,
+            shots: ShotSequence::new(nothing),
+            lamps: LampSequence::default(),
             view: None,
             captions: 0.0,
             geometry,
-        }
+        };
+        picture.take([story].into_iter(), feelings);
+        picture
     }
 
-    /// Takes the shots of all plans anew.
-    pub(crate) fn take_shots<'p>(&mut self, plans: impl Iterator<Item = &'p ScriptPlan>) {
-        self.shots = ShotSequence::new(self.shot, plans.flat_map(|p| &p.shots));
+    /// Takes the shots and lights of all plans anew, and those of what is felt.
+    pub(crate) fn take<'p>(
+        &mut self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        feelings: &Feelings,
+    ) {
+        self.shots = ShotSequence::new(Shooting {
+            usual: self.shot,
+            cues: plans.clone().flat_map(|p| &p.shots).copied().collect(),
+            feelings,
+            follows: self.channels.camera,
+        });
+        let lamps = plans.flat_map(|p| &p.lamps).copied().collect();
+        self.lamps = LampSequence::new(lamps, feelings, self.channels.light);
     }
 
-    /// Takes what the story switches, in place of what it switched before.
-    pub(crate) fn retell(&mut self, story: &[Switch]) {
-        self.geometry.retell(story);
+    /// Takes what the story says of channels and switches, in place of what it said before.
+    pub(crate) fn retell(&mut self, story: &ScriptPlan) {
+        self.channels = story.channels;
+        self.geometry.retell(&story.geometry);
     }
 
     /// Takes what a live fragment switches.
@@ -72,9 +100,9 @@ impl Picture {
         self.captions = share;
     }
 
-    /// Whether the shots of a time make room for hands.
-    pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
-        self.shots.makes_room(time_secs)
+    /// The shots of the performance.
+    pub(crate) fn shots(&self) -> &ShotSequence {
+        &self.shots
     }
 
     /// What of the figure is drawn at a time.
@@ -82,23 +110,40 @@ impl Picture {
         self.geometry.at(time_secs)
     }
 
-    /// The camera at a time, for a picture of `aspect` (width over height).
-    pub(crate) fn camera(&self, time_secs: f64, aspect: f64, subject: &Subject) -> Camera {
-        let frame = |shot: Shot| {
-            let Subject {
-                floor_in_world,
-                stature_m,
-                room,
-            } = *subject;
+    /// How the stage is lit at a time.
+    pub(crate) fn illumination(&self, time_secs: f64) -> Illumination {
+        self.lamps.at(time_secs)
+    }
+
+    /// The camera at a time, for a picture of `aspect` (width over height); `room` gives the
+    /// room that hands need then by what is shown at rest and by the fastest zoom.
+    pub(crate) fn camera(
+        &self,
+        time_secs: f64,
+        aspect: f64,
+        subject: &Subject,
+        room: impl Fn((Span, f64)) -> Room,
+    ) -> Camera {
+        let (floor_in_world, stature_m) = (subject.floor_in_world, subject.stature_m);
+        let frame = |shot: Shot, room: Room| {
             let room = Room {
                 captions: self.view.map_or(self.captions, |_| 0.0),
                 ..room
             };
             shot.frame(floor_in_world, stature_m, aspect, room)
         };
+        let usual = || room((Span::default(), SLOW_ZOOM));
+        let of = |take: &Take| match take.shot {
+            // The lens goes near, and makes room for hands.
+            near @ (Shot::Close | Shot::ExtremeClose) if take.is_felt => {
+                let rest = Span::of(near, stature_m, aspect);
+                frame(Shot::Storyteller, room((rest, QUICK_ZOOM)))
+            }
+            shot => frame(shot, usual()),
+        };
         match self.view {
-            Some(view) => view.of(&frame(Shot::Full)),
-            None => self.shots.camera(time_secs, frame),
+            Some(view) => view.of(&frame(Shot::Full, usual())),
+            None => self.shots.camera(time_secs, of),
         }
     }
 }

@@ -6,9 +6,9 @@ use raconteur_actor::{Actor, FaceRig, LipTrack, Report};
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
+use raconteur_eml::{Diagnostic, Performer, Scenery, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Camera, Frame, Lighting, View, pupil};
+use raconteur_stage::{Camera, Feelings, Frame, Lighting, Set, SetKind, View, pupil};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -78,6 +78,10 @@ pub struct Player {
     animations: Animations,
     score: Score,
     clock: Clock,
+    /// What is felt in all of it.
+    feelings: Feelings,
+    /// The lamps that the page chooses; none: those of the story's set.
+    lighting: Option<Lighting>,
     picture: Picture,
     layers: Layers,
     /// The tissue of the face, if the figure has any.
@@ -125,12 +129,17 @@ impl Player {
         let tissue = cast.figure.tissue.as_ref();
         let mut frame = Frame::with_capacity(cast.figure.skeleton.joints().len(), morphs);
         frame.tissue = vec![NodeState::default(); tissue.map_or(0, |t| t.rest.len())];
+        let end_secs = script.timeline.duration_secs;
+        let score = Score::new(story);
+        let feelings = score.feelings(&animations.library, end_secs);
         let player = Self {
             options,
             script,
             animations,
-            picture: Picture::new(options.shot, &story),
-            score: Score::new(story),
+            picture: Picture::new(options.shot, &score.story, &feelings),
+            feelings,
+            lighting: None,
+            score,
             clock: Clock::new(),
             layers: Layers::new(actor, needs, morphs),
             soft: tissue.map(SoftFace::new),
@@ -243,7 +252,7 @@ impl Player {
     /// The music under the story and under what joined it, by time.
     #[must_use]
     pub fn music(&self) -> Vec<MusicCue> {
-        self.score.music()
+        self.score.music(&self.feelings, self.end_secs())
     }
 
     /// Takes the speech of fragments that will come: a bundle that begins with the utterances that
@@ -357,9 +366,37 @@ impl Player {
         self.picture.set_view(view);
     }
 
-    /// What lights the stage.
-    pub fn set_lighting(&mut self, lighting: Lighting) {
-        self.frame.lighting = lighting;
+    /// What lights the stage where nothing is felt; by none, the lamps of the story's set.
+    pub fn set_lighting(&mut self, lighting: Option<Lighting>) {
+        self.lighting = lighting;
+    }
+
+    /// The place in which the story is told.
+    fn set(&self) -> Set {
+        let environment = self.script.document.environment.as_ref();
+        Set::of(match environment.map(|e| e.set).unwrap_or_default() {
+            Scenery::Curtain => SetKind::Curtain,
+            Scenery::Fireside => SetKind::Fireside,
+            Scenery::Garden => SetKind::Garden,
+            Scenery::Night => SetKind::Night,
+            Scenery::School => SetKind::School,
+        })
+    }
+
+    /// Takes what is felt, and the shots and lights that come of it, anew.
+    fn direct(&mut self) {
+        let library = &self.animations.library;
+        self.feelings = self.score.feelings(library, self.end_secs());
+        self.picture.take(self.score.plans(), &self.feelings);
+    }
+
+    /// Lights the frame as it is at a story time.
+    fn light(&mut self, time_secs: f64) {
+        let set = self.set();
+        let lamps = self.lighting.unwrap_or_else(|| set.lighting());
+        let light = self.picture.illumination(time_secs);
+        self.frame.lighting = light.lamps(&lamps);
+        self.frame.set = light.set(set);
     }
 
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower
@@ -376,9 +413,9 @@ impl Player {
         let subject = Subject {
             floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
             stature_m,
-            room: self.layers.room_at(time_secs, stature_m, aspect),
         };
-        self.picture.camera(time_secs, aspect, &subject)
+        let room = |rest| self.layers.room_at(time_secs, rest, stature_m, aspect);
+        self.picture.camera(time_secs, aspect, &subject, room)
     }
 
     /// The order of evaluation: time, body and face, joints, sound, picture.
@@ -416,6 +453,7 @@ impl Player {
             soft.at(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
+        self.light(t);
         let arousal = self.layers.actor().arousal(t);
         self.frame.pupil_mm = pupil::diameter_mm(&self.frame.lighting, arousal, t);
         self.frame.shown = self.picture.shown(t);

@@ -126,7 +126,7 @@ impl Rehearsal<'_> {
             },
             emotions: plans
                 .clone()
-                .flat_map(|p| p.face.emotions.iter().copied())
+                .flat_map(|p| p.face.emotions.iter().map(|felt| felt.span))
                 .collect(),
             parameters: ParameterScript {
                 commands: self

@@ -1,9 +1,13 @@
 //! All that is performed: the story, and what has joined it while it plays.
 
+use raconteur_actor::Library;
 use raconteur_base::order::sort_by_number;
+use raconteur_stage::Feelings;
 
 use crate::live::{self, Live};
 use crate::lower::cues::{Cue, UtteranceCue};
+use crate::lower::felt;
+use crate::lower::moods::Scoring;
 use crate::lower::music::{self, MusicClause, MusicCue};
 use crate::lower::plan::ScriptPlan;
 
@@ -51,15 +55,34 @@ impl Score {
             .max_by(|(_, a), (_, b)| a.timed.start_secs.total_cmp(&b.timed.start_secs))
     }
 
-    /// The music of all plans, by time.
-    pub(crate) fn music(&self) -> Vec<MusicCue> {
+    /// All that is felt in a performance that goes on until a time; `library` has the animations of
+    /// control parameters.
+    pub(crate) fn feelings(&self, library: &Library, end_secs: f64) -> Feelings {
+        let parameters = self.live.carried().parameters.iter();
+        let parameters = parameters.chain(self.plans().flat_map(|p| &p.face.parameters));
+        let led = felt::of_parameters(parameters, library, end_secs);
+        let spans = self.plans().flat_map(|p| &p.face.emotions);
+        Feelings::new(spans.filter_map(felt::of_span).chain(led))
+    }
+
+    /// The music of all plans, and of moods until a time, by time.
+    pub(crate) fn music(&self, feelings: &Feelings, end_secs: f64) -> Vec<MusicCue> {
         let plans = self.plans();
         let mut clauses: Vec<MusicClause> = plans
             .clone()
             .flat_map(|p| p.music.iter().cloned())
             .collect();
         sort_by_number(&mut clauses, |c| c.start_secs);
-        music::cues(&clauses, plans.flat_map(|p| &p.utterances))
+        let scoring = Scoring {
+            feelings,
+            own: &self.story.pieces,
+            follows: self.story.channels.music,
+            end_secs,
+        };
+        music::cues(
+            &scoring.led(clauses),
+            plans.flat_map(|p| &p.utterances),
+        )
     }
 
     /// The cues after one time up to and including another, by time.

@@ -113,6 +113,7 @@ fn lamp(towards: DVec3, irradiance: [f32; 3], exposure: f32) -> Lighting {
         sky: [0.0; 3],
         ground: [0.0; 3],
         exposure,
+        softness: 1.0,
     }
 }
 

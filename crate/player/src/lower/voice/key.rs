@@ -59,7 +59,7 @@ pub(super) fn of(spoken: &SpokenClause<'_>) -> u64 {
     hash.optional(spoken.voice);
     if let Some(emotion) = spoken.emotion {
         hash.text(emotion.kind.map_or("", raconteur_eml::EmotionKind::word));
-        hash.number(emotion.potential);
+        hash.number(emotion.intensity());
         // Nothing for absent attributes, so that a word alone keeps its key.
         let given = [emotion.activation, emotion.evaluation, emotion.power];
         for (sign, value) in (0xf5..).zip(given) {

@@ -63,7 +63,7 @@ impl SpokenClause<'_> {
     #[must_use]
     pub fn elicited(&self) -> Option<(Option<&'static str>, EmotionPoint)> {
         let emotion = self.emotion?;
-        let place = place_of(emotion)?.scaled(emotion.potential / PLAIN_POTENTIAL);
+        let place = place_of(emotion)?.scaled(emotion.intensity() / PLAIN_POTENTIAL);
         Some((word_of(emotion), place))
     }
 }
@@ -78,7 +78,7 @@ pub fn spoken_clauses(document: &Document) -> Vec<SpokenClause<'_>> {
         match kind {
             ClauseKind::VoiceChange(change) => voice = Some(change.voice.as_str()),
             ClauseKind::Emotion(next) => {
-                let felt = place_of(next).is_some() && next.potential > 0.0;
+                let felt = place_of(next).is_some() && next.intensity() > 0.0;
                 emotion = felt.then_some(next);
             }
             ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => clauses.push(SpokenClause {

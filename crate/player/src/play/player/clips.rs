@@ -110,8 +110,8 @@ impl Player {
     fn perform_anew(&mut self) {
         self.script.retime(&self.animations.library);
         self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
-        self.picture.retell(&self.score.story.geometry);
-        self.picture.take_shots(self.score.plans());
+        self.picture.retell(&self.score.story);
+        self.direct();
         let (actor, needs) = self.rehearse();
         let passed_secs = self.clock.passed_secs();
         if passed_secs < 0.0 && self.score.live.plans().next().is_none() {

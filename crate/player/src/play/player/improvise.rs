@@ -68,7 +68,7 @@ impl Player {
 
     /// Lets the figure ease to what is known now.
     fn change_over(&mut self, from_secs: f64) {
-        self.picture.take_shots(self.score.plans());
+        self.direct();
         let (actor, needs) = self.rehearse();
         self.layers.change(from_secs, actor, needs);
         self.forget_motion();

@@ -52,7 +52,7 @@ impl Player {
     /// Whether the script has a hand somewhere at a time, story time, while its shots make room
     /// for hands.
     pub(crate) fn is_in_seen_stroke(&self, side: Side, time_secs: f64) -> bool {
-        if !self.picture.makes_room(time_secs) {
+        if !self.picture.shots().makes_room(time_secs) {
             return false;
         }
         let mut strokes = self.score.plans().flat_map(|p| &p.strokes[side.index()]);

@@ -198,6 +198,7 @@ impl Player {
         self.show_waiting(&mut welcome);
         self.frame.time_secs = asked_secs.unwrap_or(0.0);
         self.frame.speech = None;
+        self.light(self.frame.time_secs);
         self.frame.shown = self.picture.shown(self.frame.time_secs);
         self.frame.handles.clear();
         self.draw_tissue();

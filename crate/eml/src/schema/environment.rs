@@ -1,0 +1,84 @@
+//! `environment`, `piece`: how camera, light and music express emotions, and where the story is told.
+
+use super::{Attribute, Content, Element, Kind};
+use crate::{Arousal, Scenery, Valence};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: super::shown(
+        "Chooses where the story is told, and turns off channels by which the environment expresses emotions.",
+    ),
+    decision: super::shown(
+        "All three channels are on. r:camera, r:light and r:music take theirs over until one of them with by='emotion' gives it back.",
+    ),
+    source: super::shown("Extension; GEVH 3.5.4"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment set='fireside' music='false'/></head><body><null time='1'/></body></eml>",
+    ),
+    extension: true,
+    content: Content::Elements,
+    most_per_parent: Some(1),
+    attributes: &[
+        Attribute::flag(
+            "camera",
+            "Whether the strongest emotion chooses distance and angle of the camera.",
+        )
+        .default("true"),
+        Attribute::flag(
+            "light",
+            "Whether the strongest emotion chooses colour and brightness of the light.",
+        )
+        .default("true"),
+        Attribute::flag("music", "Whether the mood chooses the music.").default("true"),
+        Attribute::choice("set", Scenery::WORDS, "Where the story is told.").default("curtain"),
+    ],
+    ..Element::part("environment", &["head"])
+};
+
+pub(super) static PIECE: Element = Element {
+    doc: super::shown("A piece of music that is played in a mood in place of the library's."),
+    decision: super::shown(
+        "It begins again when it is over. Where there are pieces of a mood for both low and high arousal, each is played in its own.",
+    ),
+    source: super::shown("Extension; GEVH 3.5.4.3"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment><r:piece valence='positive' file='music/reel.opus' bar='1.5'/></r:environment></head><body><null time='1'/></body></eml>",
+    ),
+    extension: true,
+    attributes: &[
+        Attribute::choice("valence", Valence::WORDS, "The mood in which it is played.").required(),
+        Attribute::choice(
+            "arousal",
+            Arousal::WORDS,
+            "How active that mood is; however active when left out.",
+        ),
+        Attribute::new("file", Kind::Path, "A file beside the story.").required(),
+        Attribute::seconds_up_to(
+            "bar",
+            60.0,
+            "How long a bar is: another piece takes over where one begins.",
+        )
+        .default("2"),
+    ],
+    ..Element::part("piece", &["environment"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::{Arousal, Scenery, Valence, parse};
+
+    #[test]
+    fn channels_are_on_until_one_says_otherwise() {
+        let text = "<eml xmlns:x='urn:raconteur:eml:1'><head><x:environment light='false' set='night'>\
+                    <x:piece valence='negative' arousal='high' file='music/storm.opus'/>\
+                    </x:environment></head><body><null time='1'/></body></eml>";
+        let parsed = parse(text);
+        assert_eq!(parsed.diagnostics, []);
+        let environment = parsed.document.environment.expect("an environment");
+        let channels = (environment.camera, environment.light, environment.music);
+        assert_eq!(channels, (true, false, true));
+        assert_eq!(environment.set, Scenery::Night);
+        let piece = &environment.pieces[0];
+        let mood = (piece.valence, piece.arousal, piece.bar_secs);
+        assert_eq!(mood, (Valence::Negative, Some(Arousal::High), 2.0));
+    }
+}

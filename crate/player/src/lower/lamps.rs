@@ -1,0 +1,175 @@
+//! How the stage is lit, as a function of time: the light that a script writes and that of the
+//! strongest emotion (GEVH 3.5.4.2), eased from one to the next.
+
+use raconteur_base::curve::minimum_jerk;
+use raconteur_base::order::sort_by_number;
+use raconteur_eml::{ClauseKind, Lead};
+use raconteur_stage::illumination::linear;
+use raconteur_stage::{Feelings, Felt, Illumination};
+
+use crate::lower::lead::{Leader, leaders};
+use crate::lower::script::Script;
+
+/// No change of the light is quicker, seconds. However densely a script writes them, they then
+/// blend into each other below 3 Hz, where nothing flashes (WCAG 2.2, success criterion 2.3.1).
+pub(crate) const SHORTEST_SECS: f64 = 1.0;
+/// How long the light of an emotion takes to come and to go, seconds. Designed.
+const MOVE_SECS: f64 = 1.4;
+
+/// A light that a script writes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LampCue {
+    pub(crate) start_secs: f64,
+    transition_secs: f64,
+    by: Lead,
+    /// Linear RGB; none: unchanged.
+    color: Option<[f32; 3]>,
+    /// None: unchanged.
+    brightness: Option<f64>,
+}
+
+/// The lights of a script by time.
+pub(crate) fn lamps(script: &Script) -> Vec<LampCue> {
+    let clauses = script.timeline.clauses.iter();
+    clauses
+        .filter_map(|timed| match &script.document.clause(timed.clause).kind {
+            ClauseKind::Light(light) => Some(LampCue {
+                start_secs: timed.start_secs,
+                // What a story begins with is there when it begins.
+                transition_secs: if timed.start_secs <= script.timeline.lead_in_secs {
+                    light.transition_secs
+                } else {
+                    light.transition_secs.max(SHORTEST_SECS)
+                },
+                by: light.by,
+                color: light.color.map(linear),
+                brightness: light.brightness,
+            }),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The light from a time on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lit {
+    start_secs: f64,
+    settled_secs: f64,
+    light: Illumination,
+}
+
+/// The lights of a performance by time; before the first, the stage's own.
+#[derive(Default)]
+pub(crate) struct LampSequence(Vec<Lit>);
+
+impl LampSequence {
+    /// The lights of a performance. `follows`: whether emotions lead where no script does.
+    pub(crate) fn new(mut cues: Vec<LampCue>, feelings: &Feelings, follows: bool) -> Self {
+        sort_by_number(&mut cues, |c| c.start_secs);
+        let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
+        let same = |a: Option<&Felt>, b: Option<&Felt>| asked(a) == asked(b);
+        let mut now = Illumination::default();
+        let lit = leaders(&leads, feelings, follows, SHORTEST_SECS, same)
+            .into_iter()
+            .map(|(start_secs, leader)| {
+                let transition_secs = match leader {
+                    Leader::Script(i) => {
+                        let cue = &cues[i];
+                        now = Illumination {
+                            color: cue.color.unwrap_or(now.color),
+                            brightness: cue.brightness.unwrap_or(now.brightness),
+                            ..Illumination::default()
+                        };
+                        cue.transition_secs
+                    }
+                    Leader::Emotion(felt) => {
+                        now = asked(felt.as_ref());
+                        MOVE_SECS
+                    }
+                };
+                Lit {
+                    start_secs,
+                    settled_secs: start_secs + transition_secs,
+                    light: now,
+                }
+            });
+        Self(lit.collect())
+    }
+
+    /// The light at a time.
+    pub(crate) fn at(&self, time_secs: f64) -> Illumination {
+        let begun = self.0.partition_point(|l| l.start_secs <= time_secs);
+        let begun = &self.0[..begun];
+        let settled = begun.iter().rposition(|l| l.settled_secs <= time_secs);
+        let (base, moving) = match settled {
+            Some(i) => (begun[i].light, &begun[i + 1..]),
+            None => (Illumination::default(), begun),
+        };
+        moving.iter().fold(base, |light, lit| {
+            let way_secs = lit.settled_secs - lit.start_secs;
+            let s = minimum_jerk((time_secs - lit.start_secs) / way_secs);
+            light.towards(&lit.light, s)
+        })
+    }
+}
+
+/// The light of an emotion; the stage's own where nothing is felt.
+fn asked(felt: Option<&Felt>) -> Illumination {
+    felt.map_or_else(Illumination::default, |f| {
+        Illumination::of(f.kind, f.intensity)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sequence(body: &str) -> LampSequence {
+        let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
+        let script = Script::read(&text, None);
+        assert_eq!(script.diagnostics, []);
+        LampSequence::new(lamps(&script), &Feelings::default(), true)
+    }
+
+    #[test]
+    fn a_script_lights_the_stage_and_gives_it_back() {
+        let lamps = sequence(
+            "<r:light time='0' color='#ff0000'/><r:light time='5' brightness='0.5' transition='2'/>\
+             <r:light time='10' by='emotion'/>",
+        );
+        let red = [1.0, 0.0, 0.0];
+        assert_eq!((lamps.at(0.0).color, lamps.at(0.0).brightness), (red, 1.0));
+        assert_eq!((lamps.at(6.0).color, lamps.at(6.0).brightness), (red, 0.75));
+        assert_eq!(lamps.at(9.0).brightness, 0.5);
+        assert_eq!(lamps.at(12.0), Illumination::default());
+    }
+
+    #[test]
+    fn nothing_flashes_however_densely_lights_are_written() {
+        for hz in [1.0, 2.0, 3.0, 4.0, 6.0, 10.0, 25.0] {
+            let body: Vec<String> = (0..200)
+                .map(|i| {
+                    let (time, brightness) = (1.0 + f64::from(i) * 0.5 / hz, 2 * (i % 2));
+                    format!("<r:light time='{time}' brightness='{brightness}'/>")
+                })
+                .collect();
+            let lamps = sequence(&body.concat());
+            // A flash is a pair of opposing changes of a tenth of the brightest or more.
+            let end_secs = 1.0 + 100.0 / hz;
+            let (mut turns, mut least, mut most, mut rises) = (0, 0.0_f64, 2.0_f64, true);
+            let mut t = 2.5;
+            while t < end_secs {
+                let b = lamps.at(t).brightness;
+                (least, most) = if rises { (least, b.max(most)) } else { (b.min(least), most) };
+                if rises && b < most - 0.2 {
+                    (rises, least, turns) = (false, b, turns + 1);
+                } else if !rises && b > least + 0.2 {
+                    (rises, most, turns) = (true, b, turns + 1);
+                }
+                t += 0.01;
+            }
+            let flashes = 0.5 * f64::from(turns) / (end_secs - 2.5).max(1.0);
+            assert!(flashes <= 3.0, "{hz} Hz: {flashes}");
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! Which music a mood asks for (GEVH 3.5.4.3): pieces by valence and arousal, the voices that arousal
+//! adds to them, and when one takes over from another.
+
+use raconteur_eml::{Arousal, Document, Lead};
+use raconteur_stage::emotion::Valence;
+use raconteur_stage::{Feelings, Mood};
+
+use crate::lower::music::{MusicClause, Voice};
+
+/// No piece that a mood asks for is heard shorter, seconds. Designed.
+const SHORTEST_SECS: f64 = 8.0;
+/// How long one takes over from another, seconds, on a bar line. Designed.
+const FADE_SECS: f64 = 2.0;
+/// How loud such music is against its recording: it stays behind the story. Designed.
+const VOLUME: f64 = 0.8;
+/// The mood is looked at so often, seconds, and so many times at most.
+const STEP_SECS: f64 = 0.5;
+const MOST_STEPS: f64 = 20_000.0;
+/// How far a mood has to come back before its music ends, of the bound at which it begins. Designed.
+const LETS_GO: f64 = 0.7;
+/// A smaller change of a voice's level is not written.
+const LEAST_CHANGE: f64 = 0.03;
+
+/// A piece of the library: a loop, and beside it the voices that arousal adds.
+struct LibraryPiece {
+    name: &'static str,
+    valence: Valence,
+    is_aroused: bool,
+    /// A bar of four beats, seconds.
+    bar_secs: f64,
+}
+
+const fn piece(
+    name: &'static str,
+    valence: Valence,
+    is_aroused: bool,
+    beats_a_minute: f64,
+) -> LibraryPiece {
+    LibraryPiece {
+        name,
+        valence,
+        is_aroused,
+        bar_secs: 240.0 / beats_a_minute,
+    }
+}
+
+/// The pieces of `assets/music`. A neutral mood has one, however active.
+const LIBRARY: [LibraryPiece; 5] = [
+    piece("positive-calm", Valence::Positive, false, 84.0),
+    piece("positive-lively", Valence::Positive, true, 132.0),
+    piece("neutral", Valence::Neutral, false, 96.0),
+    piece("negative-calm", Valence::Negative, false, 58.0),
+    piece("negative-tense", Valence::Negative, true, 138.0),
+];
+
+impl LibraryPiece {
+    fn of(valence: Valence, is_aroused: bool) -> &'static Self {
+        let fits = |p: &&Self| p.valence == valence && p.is_aroused == is_aroused;
+        LIBRARY.iter().find(fits).unwrap_or(&LIBRARY[2])
+    }
+
+    /// Its voices, those that arousal adds at a level over story time.
+    fn voices(&self, rise: Vec<(f64, f64)>) -> Vec<Voice> {
+        let voice = |ending: &str, share| Voice {
+            file: format!("{}{ending}.opus", self.name),
+            library: true,
+            loops: true,
+            share,
+        };
+        vec![voice("", Vec::new()), voice("-rise", rise)]
+    }
+}
+
+/// All voices of the piece of a valence that a script asks for: fast where it is positive, slow
+/// where it is negative (GEVH 3.5.4.3).
+pub(crate) fn usual(valence: raconteur_eml::Valence) -> Vec<Voice> {
+    let valence = of_script(valence);
+    let piece = LibraryPiece::of(valence, valence == Valence::Positive);
+    piece.voices(Vec::new())
+}
+
+fn of_script(valence: raconteur_eml::Valence) -> Valence {
+    match valence {
+        raconteur_eml::Valence::Negative => Valence::Negative,
+        raconteur_eml::Valence::Neutral => Valence::Neutral,
+        raconteur_eml::Valence::Positive => Valence::Positive,
+    }
+}
+
+/// A piece of the author's for a mood.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct OwnPiece {
+    valence: Valence,
+    /// None: however active.
+    is_aroused: Option<bool>,
+    file: String,
+    bar_secs: f64,
+}
+
+/// The pieces that a script brings.
+pub(crate) fn own_pieces(document: &Document) -> Vec<OwnPiece> {
+    let pieces = document.environment.iter().flat_map(|e| &e.pieces);
+    pieces
+        .map(|piece| OwnPiece {
+            valence: of_script(piece.valence),
+            is_aroused: piece.arousal.map(|a| a == Arousal::High),
+            file: piece.file.clone(),
+            bar_secs: piece.bar_secs,
+        })
+        .collect()
+}
+
+/// The mood that a piece is for.
+type Tone = (Valence, bool);
+
+/// The tone of a mood after another: what is there goes only when the mood has come back some way.
+fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
+    let held = |scale: f64| Mood {
+        valence: mood.valence / scale,
+        arousal: mood.arousal / scale,
+    };
+    let (valence, is_aroused) = (mood.sign(), mood.is_aroused());
+    let Some((was, was_aroused)) = before else {
+        return (valence, is_aroused);
+    };
+    let stays = valence == Valence::Neutral && held(LETS_GO).sign() == was;
+    let stays_aroused = was_aroused && held(LETS_GO).is_aroused();
+    (
+        if stays { was } else { valence },
+        is_aroused || stays_aroused,
+    )
+}
+
+/// What is led by moods: the feelings, the author's pieces, and until when there is anything.
+pub(crate) struct Scoring<'a> {
+    pub(crate) feelings: &'a Feelings,
+    pub(crate) own: &'a [OwnPiece],
+    /// Whether moods lead at first.
+    pub(crate) follows: bool,
+    pub(crate) end_secs: f64,
+}
+
+impl Scoring<'_> {
+    /// The music of a performance by time: that of the script, and between what of it leads, that of
+    /// the mood. A story in which nothing is felt has none of its own.
+    pub(crate) fn led(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
+        if self.feelings.all().is_empty() {
+            return script.into_iter().filter(|c| c.by == Lead::Script).collect();
+        }
+        let mut led = Vec::new();
+        let mut from_secs = self.follows.then_some(0.0);
+        for clause in script {
+            if let Some(from) = from_secs.take_if(|_| clause.by == Lead::Script) {
+                self.follow(from, clause.start_secs, &mut led);
+            }
+            if clause.by == Lead::Script {
+                led.push(clause);
+            } else {
+                from_secs.get_or_insert(clause.start_secs);
+            }
+        }
+        if let Some(from) = from_secs {
+            // It has faded when the story is over.
+            let fades_secs = (self.end_secs - FADE_SECS).max(from);
+            self.follow(from, fades_secs, &mut led);
+            led.push(MusicClause::silence(fades_secs, FADE_SECS));
+        }
+        led
+    }
+
+    /// The music of the mood from one time to another.
+    fn follow(&self, from_secs: f64, to_secs: f64, led: &mut Vec<MusicClause>) {
+        let step_secs = STEP_SECS.max((to_secs - from_secs) / MOST_STEPS);
+        let mut now = tone(&self.feelings.mood(from_secs), None);
+        let mut begun_secs = from_secs;
+        let mut t = from_secs;
+        while t < to_secs {
+            t += step_secs;
+            let next = tone(&self.feelings.mood(t), Some(now));
+            if self.bar(next) == self.bar(now) || t < begun_secs + SHORTEST_SECS {
+                continue;
+            }
+            let bar_secs = self.bar(now).1;
+            let bars = ((t - begun_secs) / bar_secs).ceil();
+            let at_secs = begun_secs + bars * bar_secs;
+            if at_secs >= to_secs {
+                break;
+            }
+            led.push(self.clause(now, begun_secs, at_secs));
+            (now, begun_secs, t) = (next, at_secs, at_secs);
+        }
+        if begun_secs < to_secs {
+            led.push(self.clause(now, begun_secs, to_secs));
+        }
+    }
+
+    fn own_piece(&self, (valence, is_aroused): Tone) -> Option<&OwnPiece> {
+        let fits = |p: &&OwnPiece| {
+            p.valence == valence && p.is_aroused.is_none_or(|aroused| aroused == is_aroused)
+        };
+        self.own.iter().find(fits)
+    }
+
+    /// The file of a tone's piece, and how long its bars are, seconds.
+    fn bar(&self, tone: Tone) -> (&str, f64) {
+        match self.own_piece(tone) {
+            Some(own) => (&own.file, own.bar_secs.max(0.05)),
+            None => {
+                let piece = LibraryPiece::of(tone.0, tone.1);
+                (piece.name, piece.bar_secs)
+            }
+        }
+    }
+
+    /// The piece of a tone from one time to another.
+    fn clause(&self, tone: Tone, from_secs: f64, to_secs: f64) -> MusicClause {
+        let voices = match self.own_piece(tone) {
+            Some(own) => vec![Voice {
+                file: own.file.clone(),
+                library: false,
+                loops: true,
+                share: Vec::new(),
+            }],
+            None => {
+                let rise = self.rise(from_secs, to_secs + FADE_SECS);
+                LibraryPiece::of(tone.0, tone.1).voices(rise)
+            }
+        };
+        MusicClause {
+            start_secs: from_secs,
+            by: Lead::Emotion,
+            voices,
+            volume: VOLUME,
+            fade_secs: FADE_SECS,
+        }
+    }
+
+    /// How loud the voices are that arousal adds, from one time to another.
+    fn rise(&self, from_secs: f64, to_secs: f64) -> Vec<(f64, f64)> {
+        let step_secs = STEP_SECS.max((to_secs - from_secs) / MOST_STEPS);
+        let mut line: Vec<(f64, f64)> = Vec::new();
+        let mut t = from_secs;
+        while t < to_secs + step_secs {
+            let share = self.feelings.mood(t).activity();
+            if line.last().is_none_or(|(_, l)| (l - share).abs() >= LEAST_CHANGE) {
+                // Straight from where it was before, not from long ago.
+                if let Some(&(at, level)) = line.last().filter(|(at, _)| t - at > step_secs) {
+                    line.push(((t - step_secs).max(at), level));
+                }
+                line.push((t, share));
+            }
+            t += step_secs;
+        }
+        line
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_stage::{EmotionType, Felt};
+
+    fn felt(kind: &str, start_secs: f64, potential: f64, activation: f64) -> Felt {
+        Felt {
+            kind: EmotionType::named(kind).expect(kind),
+            potential,
+            intensity: potential,
+            activation,
+            start_secs,
+            apex_secs: start_secs + 0.6,
+            until_secs: start_secs + 8.0,
+            end_secs: start_secs + 12.0,
+        }
+    }
+
+    fn scored(felt: Vec<Felt>, own: &[OwnPiece], script: Vec<MusicClause>) -> Vec<(f64, String)> {
+        let feelings = Feelings::new(felt);
+        let scoring = Scoring {
+            feelings: &feelings,
+            own,
+            follows: true,
+            end_secs: 90.0,
+        };
+        let led = scoring.led(script).into_iter();
+        led.map(|c| {
+            let file = c.voices.first().map_or_else(String::new, |v| v.file.clone());
+            (c.start_secs, file)
+        })
+        .collect()
+    }
+
+    #[test]
+    fn moods_change_the_piece_on_bar_lines_and_not_soon() {
+        let feelings = vec![
+            felt("joy", 10.0, 6.0, 0.3),
+            felt("anger", 30.0, 8.0, 0.6),
+        ];
+        let led = scored(feelings, &[], Vec::new());
+        let names: Vec<&str> = led.iter().map(|(_, file)| &**file).collect();
+        assert_eq!(names[0], "neutral.opus");
+        assert!(names.contains(&"positive-lively.opus"), "{names:?}");
+        assert!(names.contains(&"negative-tense.opus"), "{names:?}");
+        assert_eq!(names.last(), Some(&""), "it ends with the story");
+        for pair in led.windows(2).filter(|p| !p[1].1.is_empty()) {
+            let [(a, file), (b, _)] = pair else { continue };
+            assert!(b - a >= SHORTEST_SECS, "{led:?}");
+            let name = file.trim_end_matches(".opus");
+            let piece = LIBRARY.iter().find(|p| p.name == name).expect(name);
+            let bars = (b - a) / piece.bar_secs;
+            assert!((bars - bars.round()).abs() < 1e-6, "{led:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_felt_is_silent_and_an_author_brings_other_pieces() {
+        assert_eq!(scored(Vec::new(), &[], Vec::new()), []);
+        let own = [OwnPiece {
+            valence: Valence::Neutral,
+            is_aroused: None,
+            file: "music/own.opus".to_owned(),
+            bar_secs: 2.0,
+        }];
+        let led = scored(vec![felt("hope", 60.0, 0.5, 0.0)], &own, Vec::new());
+        assert_eq!(led[0], (0.0, "music/own.opus".to_owned()));
+        let quiet = MusicClause::silence(20.0, 1.0);
+        let script = MusicClause {
+            by: Lead::Script,
+            ..quiet
+        };
+        let led = scored(vec![felt("hope", 60.0, 0.5, 0.0)], &own, vec![script]);
+        assert_eq!(led.last(), Some(&(20.0, String::new())));
+        assert_eq!(led.len(), 2);
+    }
+}

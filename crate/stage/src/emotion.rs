@@ -1,0 +1,234 @@
+//! How the environment expresses an emotion (GEVH 3.5.4): the rules for shots, the colours of
+//! table 3.2, equations 3.1 and 3.2, and the valence that music has.
+
+use crate::camera::Shot;
+
+/// The strongest potential and intensity. GEVH does not bound them. Designed.
+pub const STRONGEST: f64 = 10.0;
+
+/// From where the camera looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Angle {
+    /// At the height of what it looks at.
+    #[default]
+    Eye,
+    /// From above.
+    High,
+    /// From below.
+    Low,
+}
+
+impl Angle {
+    /// How far the camera stands above one at eye height about what it looks at, radians.
+    /// Designed: one sees the difference, and the face in all.
+    #[must_use]
+    pub fn elevation_rad(self) -> f64 {
+        match self {
+            Self::Eye => 0.0,
+            Self::High => 0.30,
+            Self::Low => -0.20,
+        }
+    }
+}
+
+/// Whether an emotion, or a mood, is good or bad.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Valence {
+    /// Bad.
+    Negative,
+    /// Neither.
+    #[default]
+    Neutral,
+    /// Good.
+    Positive,
+}
+
+impl Valence {
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn sign(self) -> f64 {
+        f64::from(self as i8) - 1.0
+    }
+}
+
+/// What an emotion does to lamps beyond colour and brightness, in full strength. Designed: long and
+/// hard shadows threaten, light from below is uncanny, light from above weighs down, soft light
+/// from the front is friendly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LampManner {
+    /// How far the key lamp goes round, away from the front, radians.
+    pub(crate) turn_rad: f64,
+    /// How far it rises, radians.
+    pub(crate) lift_rad: f64,
+    /// How soft its shadows are, times as soft as those of the stage's own.
+    pub(crate) softness: f64,
+    /// How misty the stage is, 0 to 1.
+    pub(crate) mist: f64,
+}
+
+const PLAIN: LampManner = LampManner {
+    turn_rad: 0.0,
+    lift_rad: 0.0,
+    softness: 1.0,
+    mist: 0.0,
+};
+const OPEN: LampManner = LampManner {
+    turn_rad: -0.30,
+    softness: 1.9,
+    ..PLAIN
+};
+const PROUD: LampManner = LampManner {
+    turn_rad: 0.10,
+    lift_rad: 0.12,
+    ..PLAIN
+};
+const HARD: LampManner = LampManner {
+    turn_rad: 0.45,
+    lift_rad: -0.22,
+    softness: 0.45,
+    mist: 0.0,
+};
+const UNCANNY: LampManner = LampManner {
+    turn_rad: 0.25,
+    lift_rad: -0.75,
+    softness: 0.6,
+    mist: 0.35,
+};
+const HEAVY: LampManner = LampManner {
+    turn_rad: 0.0,
+    lift_rad: 0.35,
+    softness: 2.2,
+    mist: 0.6,
+};
+
+/// A type of emotion of Ortony, Clore and Collins as the environment expresses it.
+#[derive(Debug, PartialEq)]
+pub struct EmotionType {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether it is good or bad.
+    pub valence: Valence,
+    /// The colour of the key light, sRGB (GEVH table 3.2).
+    pub key_color: [u8; 3],
+    /// From where the camera looks (GEVH 3.5.4.1, rules 1 and 2).
+    pub angle: Angle,
+    pub(crate) lamp: LampManner,
+}
+
+const RED: [u8; 3] = [255, 0, 0];
+const GREY: [u8; 3] = [200, 200, 200];
+const GREEN_YELLOW: [u8; 3] = [220, 255, 0];
+const DARK_GREY: [u8; 3] = [153, 153, 153];
+const WHITE: [u8; 3] = [255, 255, 255];
+const BRIGHT_YELLOW: [u8; 3] = [255, 255, 200];
+const YELLOW: [u8; 3] = [255, 255, 0];
+
+const fn of(
+    name: &'static str,
+    valence: Valence,
+    key_color: [u8; 3],
+    lamp: LampManner,
+) -> EmotionType {
+    EmotionType {
+        name,
+        valence,
+        key_color,
+        angle: Angle::Eye,
+        lamp,
+    }
+}
+
+impl EmotionType {
+    const fn from(self, angle: Angle) -> Self {
+        Self { angle, ..self }
+    }
+}
+
+use Valence::{Negative, Neutral, Positive};
+
+/// No emotion, and the types. Table 3.2 has colours for twelve of them; the others have that of
+/// their nearest kin. Designed.
+pub static EMOTIONS: [EmotionType; 25] = [
+    of("neutral", Neutral, WHITE, PLAIN),
+    of("joy", Positive, YELLOW, OPEN),
+    of("happy-for", Positive, YELLOW, OPEN),
+    of("gloating", Positive, GREEN_YELLOW, HARD),
+    of("hope", Positive, BRIGHT_YELLOW, OPEN),
+    of("satisfaction", Positive, BRIGHT_YELLOW, OPEN),
+    of("relief", Positive, WHITE, OPEN),
+    of("pride", Positive, YELLOW, PROUD).from(Angle::Low),
+    of("admiration", Positive, BRIGHT_YELLOW, OPEN),
+    of("gratification", Positive, YELLOW, PROUD),
+    of("gratitude", Positive, BRIGHT_YELLOW, OPEN),
+    of("love", Positive, BRIGHT_YELLOW, OPEN),
+    of("liking", Positive, BRIGHT_YELLOW, OPEN),
+    of("distress", Negative, DARK_GREY, HEAVY),
+    of("sorry-for", Negative, DARK_GREY, HEAVY),
+    of("resentment", Negative, RED, HARD),
+    of("fear", Negative, WHITE, UNCANNY).from(Angle::High),
+    of("fears-confirmed", Negative, GREY, UNCANNY),
+    of("disappointment", Negative, GREY, HEAVY),
+    of("shame", Negative, DARK_GREY, HEAVY),
+    of("reproach", Negative, RED, HARD),
+    of("remorse", Negative, DARK_GREY, HEAVY),
+    of("anger", Negative, RED, HARD).from(Angle::Low),
+    of("hate", Negative, RED, HARD),
+    of("disliking", Negative, GREEN_YELLOW, HARD),
+];
+
+/// Words that F&H use besides, and the types that the environment takes them for. Designed.
+const KIN: [(&str, &str); 5] = [
+    ("surprise", "neutral"),
+    ("disgust", "disliking"),
+    ("kidding", "joy"),
+    ("anxiety", "fear"),
+    ("panic", "fear"),
+];
+
+impl EmotionType {
+    /// No emotion.
+    #[must_use]
+    pub fn neutral() -> &'static Self {
+        &EMOTIONS[0]
+    }
+
+    /// The type of a word: its own name, or one that F&H use.
+    #[must_use]
+    pub fn named(word: &str) -> Option<&'static Self> {
+        let kin = KIN.iter().find(|(other, _)| *other == word);
+        let name = kin.map_or(word, |(_, name)| name);
+        EMOTIONS.iter().find(|e| e.name == name)
+    }
+
+    /// How near the camera is at a potential (GEVH 3.5.4.1, rules 3 to 6; each band without its
+    /// upper end).
+    #[must_use]
+    pub fn distance(potential: f64) -> Shot {
+        match potential {
+            p if p < 1.5 => Shot::Full,
+            p if p < 2.5 => Shot::Medium,
+            p if p < 4.5 => Shot::Close,
+            _ => Shot::ExtremeClose,
+        }
+    }
+
+    /// What the key light loses at an intensity, 0 to 1 (GEVH equations 3.1 and 3.2); 0 where
+    /// nothing is felt.
+    #[must_use]
+    pub fn attenuation(&self, intensity: f64) -> f64 {
+        let share = (intensity / STRONGEST).clamp(0.0, 1.0);
+        match self.valence {
+            Positive => (1.0 - share).min(0.5),
+            Negative => share.max(0.25),
+            Neutral => 0.0,
+        }
+    }
+
+    /// How bright the key light is at an intensity against the stage's own light. Equations 3.1 and
+    /// 3.2 each begin elsewhere; the lamp is as much stronger as lets both begin at the stage's own
+    /// light, so that no emotion jumps when it begins.
+    #[must_use]
+    pub fn brightness(&self, intensity: f64) -> f64 {
+        (1.0 - self.attenuation(intensity)) / (1.0 - self.attenuation(0.0))
+    }
+}

@@ -1,0 +1,200 @@
+//! What emotions, and scripts, do to the light of a stage (GEVH 3.5.4.2).
+
+use raconteur_base::curve::lerp;
+use raconteur_base::{DVec3, ops};
+
+use crate::emotion::EmotionType;
+use crate::{DirectedLight, Lighting, Set};
+
+/// How much of the key's colour fill and room take on. Designed: skin stays skin.
+const SHARED_TINT: f32 = 0.35;
+/// How much of its brightness they take on, as an exponent. Designed.
+const SHARED_BRIGHTNESS: f64 = 0.7;
+/// Intensity at which shadows are as an emotion has them, of 10. Designed.
+const FULL_MANNER: f64 = 5.0;
+/// A key lamp never comes from further below or above, radians.
+const LOWEST_RAD: f64 = -0.35;
+const HIGHEST_RAD: f64 = 1.15;
+/// Nor from further round.
+const FARTHEST_RAD: f64 = 1.25;
+
+/// What is done to the light of a stage: everything against its own light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Illumination {
+    /// The key's colour, linear RGB; 1, 1, 1 leaves it.
+    pub color: [f32; 3],
+    /// The key's brightness; 1 leaves it.
+    pub brightness: f64,
+    /// How far the key lamp goes round, away from the front, radians.
+    pub turn_rad: f64,
+    /// How far it rises, radians.
+    pub lift_rad: f64,
+    /// How soft its shadows are; 1 leaves them.
+    pub softness: f64,
+    /// How misty the stage is, 0 to 1.
+    pub mist: f64,
+}
+
+impl Default for Illumination {
+    fn default() -> Self {
+        Self {
+            color: [1.0; 3],
+            brightness: 1.0,
+            turn_rad: 0.0,
+            lift_rad: 0.0,
+            softness: 1.0,
+            mist: 0.0,
+        }
+    }
+}
+
+impl Illumination {
+    /// How an emotion lights the stage at an intensity, 0 to 10: colour by table 3.2, brightness by
+    /// equations 3.1 and 3.2, and shadows.
+    #[must_use]
+    pub fn of(emotion: &EmotionType, intensity: f64) -> Self {
+        let share = (intensity / FULL_MANNER).clamp(0.0, 1.0);
+        let lamp = emotion.lamp;
+        Self {
+            color: linear(emotion.key_color),
+            brightness: emotion.brightness(intensity),
+            turn_rad: share * lamp.turn_rad,
+            lift_rad: share * lamp.lift_rad,
+            softness: lerp(1.0, lamp.softness, share),
+            mist: share * lamp.mist,
+        }
+    }
+
+    /// A share `s` of the way to another, 0 to 1.
+    #[must_use]
+    pub fn towards(&self, to: &Self, s: f64) -> Self {
+        let share = s as f32;
+        Self {
+            color: std::array::from_fn(|c| self.color[c] + (to.color[c] - self.color[c]) * share),
+            brightness: lerp(self.brightness, to.brightness, s),
+            turn_rad: lerp(self.turn_rad, to.turn_rad, s),
+            lift_rad: lerp(self.lift_rad, to.lift_rad, s),
+            softness: lerp(self.softness, to.softness, s),
+            mist: lerp(self.mist, to.mist, s),
+        }
+    }
+
+    /// The lamps of a stage in this light.
+    #[must_use]
+    pub fn lamps(&self, lighting: &Lighting) -> Lighting {
+        let key = self.color.map(|c| c * self.brightness as f32);
+        let (tint, gain) = self.shared();
+        let rest = tint.map(|c| c * gain);
+        Lighting {
+            key: DirectedLight {
+                towards_light_in_world: self.moved(lighting.key.towards_light_in_world),
+                irradiance: times(lighting.key.irradiance, key),
+            },
+            fill: DirectedLight {
+                irradiance: times(lighting.fill.irradiance, rest),
+                ..lighting.fill
+            },
+            rim: DirectedLight {
+                irradiance: times(lighting.rim.irradiance, rest),
+                ..lighting.rim
+            },
+            sky: times(lighting.sky, rest),
+            ground: times(lighting.ground, rest),
+            exposure: lighting.exposure,
+            softness: lighting.softness * self.softness as f32,
+        }
+    }
+
+    /// Floor and backdrop in this light.
+    #[must_use]
+    pub fn set(&self, set: Set) -> Set {
+        if *self == Self::default() {
+            return set;
+        }
+        let (tint, gain) = self.shared();
+        set.lit(tint, gain, self.mist as f32)
+    }
+
+    /// Colour and brightness of everything but the key.
+    fn shared(&self) -> ([f32; 3], f32) {
+        let tint = self.color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT);
+        let gain = ops::pow(self.brightness.max(0.0), SHARED_BRIGHTNESS) as f32;
+        (tint, gain)
+    }
+
+    /// The direction of the key lamp where this light moves it.
+    fn moved(&self, towards_light: DVec3) -> DVec3 {
+        let level = ops::hypot(towards_light.x, towards_light.z);
+        let lift = ops::atan2(towards_light.y, level) + self.lift_rad;
+        // A lamp that hangs high or low by itself stays there.
+        let own = ops::atan2(towards_light.y, level);
+        let lift = lift.clamp(LOWEST_RAD.min(own), HIGHEST_RAD.max(own));
+        let round = ops::atan2(towards_light.x, towards_light.z);
+        let side = if towards_light.x < 0.0 { -1.0 } else { 1.0 };
+        let most = FARTHEST_RAD.max(round.abs());
+        let turn = (round + side * self.turn_rad).clamp(-most, most);
+        let ((rise, out), (aside, front)) = (ops::sincos(lift), ops::sincos(turn));
+        DVec3::new(out * aside, rise, out * front)
+    }
+}
+
+fn times(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    std::array::from_fn(|c| a[c] * b[c])
+}
+
+/// Linear RGB of a colour in sRGB (IEC 61966-2-1).
+#[must_use]
+pub fn linear(srgb: [u8; 3]) -> [f32; 3] {
+    srgb.map(|byte| {
+        let x = f64::from(byte) / 255.0;
+        let linear = if x <= 0.04045 {
+            x / 12.92
+        } else {
+            ops::pow((x + 0.055) / 1.055, 2.4)
+        };
+        linear as f32
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emotion::EMOTIONS;
+
+    #[test]
+    fn no_emotion_changes_nothing_and_none_jumps_in() {
+        let own = Lighting::default();
+        let none = Illumination::default();
+        let lit = none.lamps(&own);
+        let moved = lit.key.towards_light_in_world - own.key.towards_light_in_world;
+        assert!(moved.length() < 1e-12);
+        assert_eq!(lit.key.irradiance, own.key.irradiance);
+        assert_eq!((lit.sky, lit.fill, lit.rim), (own.sky, own.fill, own.rim));
+        for emotion in &EMOTIONS {
+            assert!((emotion.brightness(0.0) - 1.0).abs() < 1e-12);
+            let mut last = emotion.brightness(0.0);
+            for i in 1..=100 {
+                let now = emotion.brightness(0.1 * f64::from(i));
+                assert!((now - last).abs() < 0.03, "{} {i}", emotion.name);
+                let way = (now - last) * emotion.valence.sign();
+                assert!(way >= 0.0, "{} {i}", emotion.name);
+                last = now;
+            }
+        }
+    }
+
+    #[test]
+    fn lamps_stay_lamps_in_every_emotion() {
+        for (name, light) in Lighting::PRESETS {
+            for emotion in &EMOTIONS {
+                let lit = Illumination::of(emotion, 8.0).lamps(&light());
+                let key = lit.key.towards_light_in_world;
+                assert!((key.length() - 1.0).abs() < 1e-9, "{name}");
+                assert!(key.z > 0.0, "{name} {}: never from behind", emotion.name);
+                let all = [lit.key.irradiance, lit.fill.irradiance, lit.sky];
+                let all = all.iter().flatten();
+                assert!(all.clone().all(|c| (0.0..4.0).contains(c)), "{name}");
+            }
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! What a character feels over time: the emotions in force, the strongest of them, and the mood that
+//! they leave (GEVH 3.5.4).
+
+use raconteur_base::ops;
+
+use crate::emotion::{EmotionType, STRONGEST, Valence};
+
+/// A mood follows what is felt with this time constant, seconds. Designed.
+const MOOD_SECS: f64 = 10.0;
+/// Of an emotion that ended so long ago nothing is left in the mood: a hundredth of the scale.
+const FORGOTTEN_SECS: f64 = 7.0 * MOOD_SECS;
+/// Moods beyond this, of 10, are positive or negative. Designed.
+const MOODY: f64 = 1.0;
+/// Moods whose activity is beyond this, of 10, are aroused. Designed.
+const AROUSED: f64 = 0.6;
+/// Emotions that are looked at for one moment; more are left out. It bounds the work.
+const MOST: usize = 64;
+/// Another emotion takes over from the strongest one while that is in force only if it is as much
+/// stronger: two of about one strength do not alternate. Designed.
+const HYSTERESIS: f64 = 0.25;
+
+/// An emotion over time. Its intensity rises straight to the apex, stays, and falls straight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Felt {
+    /// Its type.
+    pub kind: &'static EmotionType,
+    /// How strong the events are that elicit it, 0 to 10.
+    pub potential: f64,
+    /// How strong it is at most, 0 to 10: the potential beyond the character's threshold.
+    pub intensity: f64,
+    /// How active one is in it, −1 to 1.
+    pub activation: f64,
+    /// When it begins, story seconds.
+    pub start_secs: f64,
+    /// When it is there in full, not before the start.
+    pub apex_secs: f64,
+    /// Until when it stays so, not before the apex.
+    pub until_secs: f64,
+    /// When it is gone, not before.
+    pub end_secs: f64,
+}
+
+impl Felt {
+    /// Its intensity at a time, 0 to 10.
+    #[must_use]
+    pub fn intensity_at(&self, time_secs: f64) -> f64 {
+        if time_secs < self.start_secs || time_secs >= self.end_secs {
+            return 0.0;
+        }
+        let up = (time_secs - self.start_secs) / (self.apex_secs - self.start_secs).max(1e-9);
+        let down = (self.end_secs - time_secs) / (self.end_secs - self.until_secs).max(1e-9);
+        self.intensity * up.min(down).clamp(0.0, 1.0)
+    }
+
+    /// When it has lost half its intensity: so long shots and light are in force, seconds.
+    #[must_use]
+    pub fn in_force_until_secs(&self) -> f64 {
+        0.5 * (self.until_secs + self.end_secs)
+    }
+
+    fn is_in_force(&self, time_secs: f64) -> bool {
+        self.intensity > 0.0 && (self.start_secs..self.in_force_until_secs()).contains(&time_secs)
+    }
+
+    /// What is left of its intensity in the mood at a time: a low pass of the first order.
+    fn left_at(&self, time_secs: f64) -> f64 {
+        let ramp = |from: f64| {
+            let t = (time_secs - from).max(0.0);
+            t - MOOD_SECS * (1.0 - ops::exp(-t / MOOD_SECS))
+        };
+        let slope = |from: f64, to: f64| (ramp(from) - ramp(to)) / (to - from).max(1e-6);
+        let rise = slope(self.start_secs, self.apex_secs.max(self.start_secs + 1e-6));
+        let fall = slope(self.until_secs, self.end_secs.max(self.until_secs + 1e-6));
+        self.intensity * (rise - fall)
+    }
+}
+
+/// How somebody is disposed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mood {
+    /// Sum of good less sum of bad emotions, smoothed; usually −10 to 10.
+    pub valence: f64,
+    /// How active one is, likewise.
+    pub arousal: f64,
+}
+
+impl Mood {
+    /// Whether it is good or bad.
+    #[must_use]
+    pub fn sign(&self) -> Valence {
+        match self.valence {
+            v if v > MOODY => Valence::Positive,
+            v if v < -MOODY => Valence::Negative,
+            _ => Valence::Neutral,
+        }
+    }
+
+    /// How active it is, 0 to 1, without whether it is good or bad.
+    #[must_use]
+    pub fn activity(&self) -> f64 {
+        (self.arousal / (3.0 * AROUSED)).clamp(0.0, 1.0)
+    }
+
+    /// Whether it is active.
+    #[must_use]
+    pub fn is_aroused(&self) -> bool {
+        self.arousal > AROUSED
+    }
+}
+
+/// All that is felt in a performance, by start.
+#[derive(Clone, Debug, Default)]
+pub struct Feelings {
+    felt: Vec<Felt>,
+    /// The longest of them, seconds.
+    longest_secs: f64,
+}
+
+impl Feelings {
+    /// From emotions in any order; those with times that are no numbers are left out.
+    #[must_use]
+    pub fn new(felt: impl IntoIterator<Item = Felt>) -> Self {
+        let mut felt: Vec<Felt> = felt.into_iter().filter_map(ordered).collect();
+        felt.sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
+        let lengths = felt.iter().map(|f| f.end_secs - f.start_secs);
+        Self {
+            longest_secs: lengths.fold(0.0, f64::max),
+            felt,
+        }
+    }
+
+    /// All of them, by start.
+    #[must_use]
+    pub fn all(&self) -> &[Felt] {
+        &self.felt
+    }
+
+    /// Those that began before a time and did not end longer ago than `past_secs`; the latest of them
+    /// where they are many.
+    fn about(&self, time_secs: f64, past_secs: f64) -> &[Felt] {
+        let begun = self.felt.partition_point(|f| f.start_secs <= time_secs);
+        let oldest_secs = time_secs - past_secs - self.longest_secs;
+        let first = self.felt.partition_point(|f| f.start_secs < oldest_secs);
+        &self.felt[first.max(begun.saturating_sub(MOST))..begun]
+    }
+
+    /// The strongest emotion in force at a time; `before` keeps its place until another one is
+    /// clearly stronger. Of two equals, the later one.
+    #[must_use]
+    pub fn strongest(&self, time_secs: f64, before: Option<&Felt>) -> Option<&Felt> {
+        let in_force = self.about(time_secs, 0.0).iter();
+        let in_force = in_force.filter(|f| f.is_in_force(time_secs));
+        let strongest = in_force.max_by(|a, b| a.potential.total_cmp(&b.potential))?;
+        let kept = before.filter(|b| b.is_in_force(time_secs) && *b != strongest);
+        let kept = kept.filter(|b| strongest.potential < b.potential + HYSTERESIS);
+        match kept {
+            // What begins later in the script than all that is felt is what the story is about now.
+            Some(b) if strongest.start_secs <= b.start_secs => {
+                self.felt.iter().find(|f| *f == b).or(Some(strongest))
+            }
+            _ => Some(strongest),
+        }
+    }
+
+    /// The mood at a time.
+    #[must_use]
+    pub fn mood(&self, time_secs: f64) -> Mood {
+        let felt = self.about(time_secs, FORGOTTEN_SECS).iter();
+        felt.fold(Mood::default(), |mood, f| {
+            let left = f.left_at(time_secs);
+            Mood {
+                valence: mood.valence + f.kind.valence.sign() * left,
+                arousal: mood.arousal + f.activation * left,
+            }
+        })
+    }
+}
+
+/// The same with times in their order and amounts on their scales.
+fn ordered(felt: Felt) -> Option<Felt> {
+    let all = [
+        felt.start_secs,
+        felt.apex_secs,
+        felt.until_secs,
+        felt.end_secs,
+        felt.potential,
+        felt.intensity,
+        felt.activation,
+    ];
+    if !all.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let apex_secs = felt.apex_secs.max(felt.start_secs);
+    let until_secs = felt.until_secs.max(apex_secs);
+    Some(Felt {
+        potential: felt.potential.clamp(0.0, STRONGEST),
+        intensity: felt.intensity.clamp(0.0, STRONGEST),
+        activation: felt.activation.clamp(-1.0, 1.0),
+        apex_secs,
+        until_secs,
+        end_secs: felt.end_secs.max(until_secs),
+        ..felt
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn felt(kind: &str, start: f64, potential: f64) -> Felt {
+        Felt {
+            kind: EmotionType::named(kind).expect(kind),
+            potential,
+            intensity: potential,
+            activation: 0.3,
+            start_secs: start,
+            apex_secs: start + 0.6,
+            until_secs: start + 3.0,
+            end_secs: start + 7.0,
+        }
+    }
+
+    #[test]
+    fn a_mood_is_the_low_pass_of_what_is_felt() {
+        let feelings = Feelings::new([felt("joy", 1.0, 5.0), felt("anger", 6.0, 3.0)]);
+        // The same by small steps.
+        let (mut valence, step) = (0.0, 0.001);
+        for i in 0..40_000 {
+            let t = f64::from(i) * step;
+            let sum: f64 = feelings
+                .all()
+                .iter()
+                .map(|f| f.kind.valence.sign() * f.intensity_at(t))
+                .sum();
+            valence += (sum - valence) * step / MOOD_SECS;
+            if i % 1000 == 0 {
+                let mood = feelings.mood(t + step).valence;
+                assert!((mood - valence).abs() < 2e-3, "{t}: {mood} {valence}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_strongest_emotion_is_not_disturbed_by_one_like_it() {
+        let feelings = Feelings::new([felt("joy", 0.0, 5.0), felt("hope", 0.0, 5.1)]);
+        let joy = feelings.all()[0];
+        let first = feelings.strongest(1.0, None).expect("one");
+        assert_eq!(first.kind.name, "hope");
+        let kept = feelings.strongest(1.0, Some(&joy)).expect("one");
+        assert_eq!(kept.kind.name, "joy");
+        let later = Feelings::new([joy, felt("anger", 2.0, 4.9)]);
+        assert_eq!(
+            later.strongest(2.5, Some(&joy)).map(|f| f.kind.name),
+            Some("joy")
+        );
+        assert_eq!(feelings.strongest(8.0, None), None);
+    }
+}
