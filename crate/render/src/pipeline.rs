@@ -1,7 +1,7 @@
 //! Shader modules, layouts and pipelines.
 
 use raconteur_body::MaterialKind;
-use raconteur_stage::{Fill, Shown};
+use raconteur_stage::{Fill, SetKind, Shown};
 use wgpu::{
     BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,
     ShaderModule, TextureFormat, VertexBufferLayout,
@@ -45,9 +45,12 @@ impl SharedResources {
 
 /// Every pipeline of one tier of quality.
 pub(crate) struct Pipelines {
-    pub(crate) theatre: RenderPipeline,
-    /// What draws the backdrop as a still, and what lays it down, where that is done.
-    pub(crate) still: Option<[RenderPipeline; 2]>,
+    /// What draws the places that were wanted.
+    theatres: Vec<Theatre>,
+    /// Which of them is the stage now.
+    theatre: usize,
+    /// What lays down the backdrop as a still, where that is done.
+    pub(crate) laid: Option<RenderPipeline>,
     pub(crate) tone_map: RenderPipeline,
     target: TargetKind,
     /// Surfaces are drawn by the shaders of the lowest quality.
@@ -64,6 +67,27 @@ pub(crate) struct Pipelines {
     pub(crate) overlay: Option<RenderPipeline>,
     /// What draws lines over figures, once they were wanted: those behind, those before.
     pub(crate) lines: Option<[RenderPipeline; 2]>,
+}
+
+/// What draws one place.
+pub(crate) struct Theatre {
+    entry: &'static str,
+    /// Behind the figure.
+    pub(crate) behind: RenderPipeline,
+    /// As a still, where that is done.
+    pub(crate) still: Option<RenderPipeline>,
+}
+
+/// The fragment shader of a place. Each is a program of its own: a software rasteriser runs both
+/// sides of every branch.
+fn theatre_entry(kind: SetKind) -> &'static str {
+    match kind {
+        SetKind::Curtain | SetKind::Studio => "fs_theatre",
+        SetKind::Fireside => "fs_fireside",
+        SetKind::Garden => "fs_garden",
+        SetKind::Night => "fs_night",
+        SetKind::School => "fs_school",
+    }
 }
 
 /// Whether a figure's own materials are not what draws it.
@@ -155,6 +179,35 @@ impl PipelineDescription<'_> {
     }
 }
 
+/// What is drawn behind everything tests depth and leaves it.
+const BEHIND: Option<(CompareFunction, bool)> = Some((CompareFunction::LessEqual, false));
+
+/// One triangle over the whole picture.
+fn full_screen<'a>(
+    module: &'a ShaderModule,
+    layout: &'a wgpu::PipelineLayout,
+    format: TextureFormat,
+) -> PipelineDescription<'a> {
+    PipelineDescription {
+        label: "full screen",
+        module,
+        layout,
+        constants: &[],
+        vertex: "",
+        buffers: &[],
+        fragment: None,
+        target: Some(format),
+        blend: None,
+        writes: wgpu::ColorWrites::ALL,
+        samples: 1,
+        coverage: false,
+        cull: None,
+        topology: PrimitiveTopology::TriangleList,
+        depth: None,
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
 fn pipeline_layout(
     device: &Device,
     label: &str,
@@ -185,77 +238,35 @@ impl Pipelines {
             ("COVERAGE", flag(target.samples > 1)),
             ("SIMPLE", flag(target.is_direct)),
         ];
-        let full_screen =
-            |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
-                PipelineDescription {
-                    label,
-                    module,
-                    layout,
-                    constants,
-                    vertex,
-                    buffers: &[],
-                    fragment: Some(fragment),
-                    target: Some(format),
-                    blend: None,
-                    writes: wgpu::ColorWrites::ALL,
-                    samples,
-                    coverage: false,
-                    cull: None,
-                    topology: PrimitiveTopology::TriangleList,
-                    depth,
-                    bias: wgpu::DepthBiasState::default(),
-                }
-                .build(device)
-            };
-        let theatre_layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
         let tone_map_layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
-        let behind = Some((CompareFunction::LessEqual, false));
-        let theatre = |samples, depth| {
-            full_screen(
-                "theatre",
-                &shared.stage,
-                &theatre_layout,
-                &constants,
-                "vs_theatre",
-                "fs_theatre",
-                target.format,
-                samples,
-                depth,
-            )
-        };
-        let still = target.is_direct.then(|| {
-            let laid = full_screen(
-                "backdrop",
-                &shared.tone_map,
-                &tone_map_layout,
-                &[],
-                "vs_still",
-                "fs_still",
-                target.format,
-                target.samples,
-                behind,
-            );
-            [theatre(1, None), laid]
+        let laid = target.is_direct.then(|| {
+            PipelineDescription {
+                label: "backdrop",
+                vertex: "vs_still",
+                fragment: Some("fs_still"),
+                samples: target.samples,
+                depth: BEHIND,
+                ..full_screen(&shared.tone_map, &tone_map_layout, target.format)
+            }
+            .build(device)
         });
         let tone_map_constants = [
             early,
             ("SMOOTH_EDGES", flag(target.samples == 1)),
             ("TARGET_ENCODES", flag(shared.output.is_srgb())),
         ];
-        let tone_map = full_screen(
-            "tone map",
-            &shared.tone_map,
-            &tone_map_layout,
-            &tone_map_constants,
-            "vs_tone_map",
-            "fs_tone_map",
-            shared.output,
-            1,
-            None,
-        );
-        Self {
-            theatre: theatre(target.samples, behind),
-            still,
+        let tone_map = PipelineDescription {
+            label: "tone map",
+            constants: &tone_map_constants,
+            vertex: "vs_tone_map",
+            fragment: Some("fs_tone_map"),
+            ..full_screen(&shared.tone_map, &tone_map_layout, shared.output)
+        }
+        .build(device);
+        let mut pipelines = Self {
+            theatres: Vec::new(),
+            theatre: 0,
+            laid,
             tone_map,
             target,
             simple: target.is_direct,
@@ -265,7 +276,49 @@ impl Pipelines {
             bare: Vec::new(),
             overlay: None,
             lines: None,
+        };
+        // Most stories begin here.
+        pipelines.prepare_theatre(device, shared, SetKind::Curtain);
+        pipelines
+    }
+
+    /// Compiles what draws a place, if it was not drawn yet, and makes it the stage.
+    pub(crate) fn prepare_theatre(
+        &mut self,
+        device: &Device,
+        shared: &SharedResources,
+        kind: SetKind,
+    ) {
+        let entry = theatre_entry(kind);
+        if let Some(known) = self.theatres.iter().position(|t| t.entry == entry) {
+            self.theatre = known;
+            return;
         }
+        let layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
+        let make = |samples, depth| {
+            PipelineDescription {
+                label: "theatre",
+                constants: &self.constants,
+                vertex: "vs_theatre",
+                fragment: Some(entry),
+                samples,
+                depth,
+                ..full_screen(&shared.stage, &layout, self.target.format)
+            }
+            .build(device)
+        };
+        let theatre = Theatre {
+            entry,
+            behind: make(self.target.samples, BEHIND),
+            still: self.target.is_direct.then(|| make(1, None)),
+        };
+        self.theatre = self.theatres.len();
+        self.theatres.push(theatre);
+    }
+
+    /// What draws the stage.
+    pub(crate) fn theatre(&self) -> Option<&Theatre> {
+        self.theatres.get(self.theatre)
     }
 
     /// Compiles what a key needs, with its shadow from `lights` lamps, if no figure has
