@@ -149,7 +149,7 @@ export class Music {
     // Without it the sound of another origin is silence to an audio graph.
     sound.crossOrigin = this.#from.credentials === 'include' ? 'use-credentials' : 'anonymous';
     sound.preload = 'auto';
-    sound.loop = piece.library;
+    sound.loop = piece.loops;
     sound.preservesPitch = this.#keepsPitch;
     const gain = this.audio.createGain();
     gain.gain.value = 0;
@@ -181,8 +181,8 @@ export class Music {
     const now = this.audio.currentTime;
     const story = run.position + run.rate * (now - run.at);
     let place = story - piece.startSecs;
-    if (piece.library && sound.duration > 0) place = ((place % sound.duration) + sound.duration) % sound.duration;
-    const over = !piece.library && place >= sound.duration;
+    if (piece.loops && sound.duration > 0) place = ((place % sound.duration) + sound.duration) % sound.duration;
+    const over = !piece.loops && place >= sound.duration;
     if (now < run.at || place < 0 || over || story >= piece.endSecs) {
       if (!sound.paused) sound.pause();
       playing.inTime = false;

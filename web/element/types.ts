@@ -140,6 +140,30 @@ export interface Story {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** How camera, light and music express what is felt. */
+export interface Expressed {
+  /** The strongest emotion; `neutral` where nothing is felt. */
+  readonly emotion: string;
+  /** How strong the events are that elicit it, 0 to 10. */
+  readonly potential: number;
+  /** How strong it is just now, 0 to 10. */
+  readonly intensity: number;
+  readonly shot: 'extremeCloseUp' | 'closeUp' | 'medium' | 'storyteller' | 'full' | 'long';
+  readonly angle: 'eye' | 'high' | 'low';
+  /** The colour of the key light that the emotion asks for, sRGB, 0 to 255. */
+  readonly color: readonly [number, number, number];
+  /** What the key light loses by the emotion, 0 to 1. */
+  readonly attenuation: number;
+  /** How bright the key light is against the stage's own. */
+  readonly brightness: number;
+  /** How good the mood is, usually -10 to 10. */
+  readonly valence: number;
+  /** How active, likewise. */
+  readonly arousal: number;
+  /** The files of the music that is heard. */
+  readonly music: readonly string[];
+}
+
 /** A piece of music at its place in the story. */
 export interface Piece {
   readonly startSecs: number;
@@ -147,8 +171,9 @@ export interface Piece {
   readonly endSecs: number;
   /** Path from the story's folder, or from `music/` of the asset library. An `.opus` may have an `.mp3` beside it. */
   readonly file: string;
-  /** It is of the library, and begins again when it is over. */
   readonly library: boolean;
+  /** It begins again when it is over. */
+  readonly loops: boolean;
   /** How loud it is at story times; straight between them. */
   readonly level: readonly (readonly [atSecs: number, level: number])[];
 }
@@ -348,6 +373,8 @@ export interface Engine {
   resize(width: number, height: number, dpr: number): void;
   /** The music under the story and what joined it. */
   music(): Piece[];
+  /** How the environment expresses what is felt at a story time; none before a load. */
+  expressed(timeSecs: number): Expressed | undefined;
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
   /** Takes the speech of fragments that will come: a bundle that begins with what is known. Whether it does. */

@@ -98,7 +98,7 @@ impl Soundtrack {
         self._scratch = Some(scratch);
         let mut command = FFMPEG.command();
         command.args(["-v", "error", "-nostdin", "-y"]);
-        if cue.library {
+        if cue.loops {
             command.args(["-stream_loop", "-1"]);
         }
         let heard_secs = cue.end_secs.min(end) - cue.start_secs;

@@ -23,6 +23,7 @@ pub use lower::voice::{SpokenClause, spoken_clauses};
 pub use lower::ways::{WayCue, WayKind};
 pub use options::{LanguageTag, Options};
 pub use play::event::{AcceptedClause, Event};
+pub use play::player::readings::Expressed;
 pub use play::player::{Loaded, Manipulator, Player, StoryInput};
 pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;

@@ -19,6 +19,9 @@ pub struct Options {
     pub language: Option<LanguageTag>,
     /// How much of the speaker is in the picture until the script says otherwise.
     pub shot: Shot,
+    /// Whether the camera moves where an emotion takes it; else it cuts, for those who ask for less
+    /// motion.
+    pub moving_camera: bool,
     /// No less room than this is kept for gestures, however small the script's own are:
     /// while one edits a script the picture stands still.
     pub room: Room,
@@ -64,6 +67,7 @@ impl Default for Options {
             handedness: None,
             language: None,
             shot: Shot::Storyteller,
+            moving_camera: true,
             room: Room::default(),
         }
     }

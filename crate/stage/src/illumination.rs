@@ -8,8 +8,12 @@ use crate::{DirectedLight, Lighting, Set};
 
 /// How much of the key's colour fill and room take on. Designed: skin stays skin.
 const SHARED_TINT: f32 = 0.35;
-/// How much of its brightness they take on, as an exponent. Designed.
-const SHARED_BRIGHTNESS: f64 = 0.7;
+/// Lamps follow a brightness as a lens opens: in part, so that a face is read in the dark and not
+/// burnt in the light; exponents of the key and of the rest. Designed.
+const KEY_FOLLOWS: f64 = 0.65;
+const REST_FOLLOWS: f64 = 0.5;
+/// How much of a colour's own darkness is made up, as an exponent: a grey lamp is no weak one.
+const MADE_UP: f64 = 0.6;
 /// Intensity at which shadows are as an emotion has them, of 10. Designed.
 const FULL_MANNER: f64 = 5.0;
 /// A key lamp never comes from further below or above, radians.
@@ -82,7 +86,10 @@ impl Illumination {
     /// The lamps of a stage in this light.
     #[must_use]
     pub fn lamps(&self, lighting: &Lighting) -> Lighting {
-        let key = self.color.map(|c| c * self.brightness as f32);
+        let most = self.color.iter().copied().fold(0.0, f32::max);
+        let made_up = ops::pow(f64::from(most).max(1e-3), MADE_UP);
+        let power = ops::pow(self.brightness.max(0.0), KEY_FOLLOWS) / made_up;
+        let key = self.color.map(|c| c * power as f32);
         let (tint, gain) = self.shared();
         let rest = tint.map(|c| c * gain);
         Lighting {
@@ -118,7 +125,7 @@ impl Illumination {
     /// Colour and brightness of everything but the key.
     fn shared(&self) -> ([f32; 3], f32) {
         let tint = self.color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT);
-        let gain = ops::pow(self.brightness.max(0.0), SHARED_BRIGHTNESS) as f32;
+        let gain = ops::pow(self.brightness.max(0.0), REST_FOLLOWS) as f32;
         (tint, gain)
     }
 

@@ -212,8 +212,8 @@ mod tests {
     use raconteur_base::DVec3;
 
     use super::*;
-    use crate::camera::STAGE_HALF_WIDTH_M;
     use crate::Room;
+    use crate::camera::STAGE_HALF_WIDTH_M;
 
     const STATURE_M: f64 = 1.66;
 

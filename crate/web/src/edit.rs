@@ -59,12 +59,14 @@ impl Player {
         }
     }
 
-    /// Lights the stage by a light of `Lighting::PRESETS`, turned about the figure, radians; by the stage's
-    /// own where there is none of the name.
+    /// Lights the stage by a light of `Lighting::PRESETS`, turned about the figure, radians; by the
+    /// set's own where there is none of the name.
     #[wasm_bindgen(js_name = setLight)]
     pub fn set_light(&mut self, name: &str, turn: f64) {
         let turn = if turn.is_finite() { turn } else { 0.0 };
-        self.lighting = Lighting::named(name).unwrap_or_default().turned(turn);
+        let named = Lighting::named(name);
+        let is_chosen = named.is_some() || turn != 0.0;
+        self.lighting = is_chosen.then(|| named.unwrap_or_default().turned(turn));
         if let Some(performer) = &mut self.performer {
             performer.set_lighting(self.lighting);
         }

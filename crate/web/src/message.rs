@@ -1,6 +1,7 @@
 //! Messages to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
+use raconteur_player::stage::{Angle, EmotionType, Shot};
 use raconteur_player::{Event, MusicCue, UtteranceCue};
 use serde::Serialize;
 
@@ -106,6 +107,7 @@ pub struct MusicPiece {
     end_secs: f64,
     file: String,
     library: bool,
+    loops: bool,
     level: Vec<(f64, f64)>,
 }
 
@@ -116,7 +118,56 @@ impl From<MusicCue> for MusicPiece {
             end_secs: cue.end_secs,
             file: cue.file,
             library: cue.library,
+            loops: cue.loops,
             level: cue.level,
+        }
+    }
+}
+
+/// How the environment expresses what is felt.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Expressed {
+    emotion: &'static str,
+    potential: f64,
+    intensity: f64,
+    shot: &'static str,
+    angle: &'static str,
+    /// sRGB.
+    color: [u8; 3],
+    attenuation: f64,
+    brightness: f64,
+    valence: f64,
+    arousal: f64,
+    music: Vec<String>,
+}
+
+impl From<raconteur_player::Expressed> for Expressed {
+    fn from(expressed: raconteur_player::Expressed) -> Self {
+        let emotion = expressed.emotion.unwrap_or_else(|| EmotionType::neutral());
+        Self {
+            emotion: emotion.name,
+            potential: expressed.potential,
+            intensity: expressed.intensity,
+            shot: match expressed.shot {
+                Shot::Long => "long",
+                Shot::Full => "full",
+                Shot::Storyteller => "storyteller",
+                Shot::Medium => "medium",
+                Shot::Close => "closeUp",
+                Shot::ExtremeClose => "extremeCloseUp",
+            },
+            angle: match expressed.angle {
+                Angle::Eye => "eye",
+                Angle::High => "high",
+                Angle::Low => "low",
+            },
+            color: emotion.key_color,
+            attenuation: emotion.attenuation(expressed.intensity),
+            brightness: expressed.light.brightness,
+            valence: expressed.mood.valence,
+            arousal: expressed.mood.arousal,
+            music: expressed.music,
         }
     }
 }

@@ -18,13 +18,16 @@ use web_sys::HtmlCanvasElement;
 
 use crate::activity::{Activity, ActivityGuard, note};
 use crate::lesson::Lesson;
-use crate::message::{Interruption, MusicPiece, Performance, Story, Utterance};
+use crate::message::{Expressed, Interruption, MusicPiece, Performance, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MOST_PIXELS: f64 = 8192.0;
+
+/// Less idle life than this asks for less motion of the camera as well.
+const LITTLE_MOTION: f64 = 0.5;
 
 /// The outcome of a tick; `TickStatus` in `web/element/types.ts`.
 #[derive(Clone, Copy)]
@@ -43,8 +46,8 @@ pub struct Player {
     pub(crate) picture: Option<CanvasTarget>,
     /// Width over height.
     pub(crate) aspect: f64,
-    /// What lights the stage.
-    pub(crate) lighting: Lighting,
+    /// The lamps that the page chooses in place of those of the story's set.
+    pub(crate) lighting: Option<Lighting>,
     /// The view that a page chooses in place of the shot.
     pub(crate) view: Option<View>,
     /// The share of the picture's height that captions take.
@@ -83,7 +86,7 @@ impl Player {
             picture,
             aspect: 1.0,
             view: None,
-            lighting: Lighting::default(),
+            lighting: None,
             captions: 0.0,
             handedness: None,
             language: None,
@@ -343,6 +346,12 @@ impl Player {
         plain(&music.map(MusicPiece::from).collect::<Vec<_>>())
     }
 
+    /// How the environment expresses what is felt at a story time; an `Expressed`.
+    pub fn expressed(&self, time_secs: f64) -> Result<JsValue, JsError> {
+        let expressed = self.performer.as_ref().map(|p| p.expressed(time_secs));
+        plain(&expressed.map(Expressed::from))
+    }
+
     /// The cues passed since the last call.
     #[wasm_bindgen(js_name = drainEvents)]
     pub fn drain_events(&mut self) -> Result<JsValue, JsError> {
@@ -459,6 +468,8 @@ impl Player {
             } else {
                 motion.clamp(0.0, 1.0)
             },
+            // Who asks for less motion asks for cuts.
+            moving_camera: motion.is_nan() || motion >= LITTLE_MOTION,
             room,
             handedness: self.handedness,
             language: self.language,

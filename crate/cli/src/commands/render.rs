@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Player;
 use raconteur_render::headless::Headless;
 use raconteur_render::{Quality, RenderOptions};
-use raconteur_stage::{Lighting, Set, SetKind, Shot};
+use raconteur_stage::{Set, SetKind, Shot};
 
 use crate::Outcome;
 use crate::film;
@@ -25,6 +25,7 @@ enum ShotName {
     Full,
     Medium,
     Close,
+    ExtremeClose,
     Long,
 }
 
@@ -53,7 +54,7 @@ pub(crate) struct Render {
     /// Width and height in pixels.
     #[arg(long, default_value = "1280x720", value_parser = parse_size)]
     size: (u32, u32),
-    /// How much of the speaker is in the picture.
+    /// How much of the speaker is in the picture until the story or an emotion says otherwise.
     #[arg(long, value_enum, default_value = "storyteller")]
     shot: ShotName,
     /// How much work goes into a picture: lowest, low, medium or high.
@@ -115,6 +116,7 @@ impl Render {
             ShotName::Full => Shot::Full,
             ShotName::Medium => Shot::Medium,
             ShotName::Close => Shot::Close,
+            ShotName::ExtremeClose => Shot::ExtremeClose,
             ShotName::Long => Shot::Long,
         };
         let mut loaded = files.player(self.figure.as_deref(), shot)?;
@@ -123,6 +125,7 @@ impl Render {
             &files.text,
             &loaded.diagnostics,
         )?;
+        loaded.player.set_place(self.set);
         let mut headless = Headless::new_blocking(RenderOptions {
             quality: self.quality,
         })
@@ -141,16 +144,7 @@ impl Render {
     fn draw(&self, player: &mut Player, headless: &mut Headless, time: f64) -> Result<Vec<u8>> {
         let (w, h) = self.size;
         let frame = player.frame(time, f64::from(w) / f64::from(h));
-        let Some(kind) = self.set else {
-            return Ok(headless.render_rgba(frame, w, h)?);
-        };
-        let mut frame = frame.clone();
-        frame.set = Set::of(kind);
-        // A light that the story chose stays.
-        if frame.lighting == Lighting::default() {
-            frame.lighting = frame.set.lighting();
-        }
-        Ok(headless.render_rgba(&frame, w, h)?)
+        Ok(headless.render_rgba(frame, w, h)?)
     }
 
     fn film(

@@ -51,7 +51,8 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpa
     for one in &elicited {
         // Several that begin together are blended; a later one takes over.
         let next = starts.partition_point(|start| *start <= one.start_secs);
-        let (mut until_secs, mut end_secs) = (one.until_secs, one.until_secs + one.emotion.decay_secs);
+        let (mut until_secs, mut end_secs) =
+            (one.until_secs, one.until_secs + one.emotion.decay_secs);
         if let Some(next) = starts.get(next) {
             until_secs = until_secs.min(*next);
             end_secs = end_secs.min(next + CHANGE_SECS);
@@ -77,7 +78,9 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpa
         let text = script.document.clause(utterance.clause).kind.spoken();
         if let Some(text) = text.filter(|text| !text.pieces.is_empty()) {
             let found = text.emoticons().into_iter();
-            spans.extend(found.filter_map(|one| written(&one, &utterance.timed, &starts).map(plain)));
+            spans.extend(
+                found.filter_map(|one| written(&one, &utterance.timed, &starts).map(plain)),
+            );
             continue;
         }
         let elicited = spoken_in(&elicited, utterance).and_then(|i| word_of(elicited[i].emotion));
@@ -391,7 +394,8 @@ mod tests {
             let script = Script::read(&eml, None);
             let said = utterances(&script);
             let end = said[0].timed.end_secs();
-            (spans(&script, &said), end)
+            let spans = spans(&script, &said).into_iter().map(|felt| felt.span);
+            (spans.collect::<Vec<_>>(), end)
         };
         let (alone, end) = spans("<voice-text time='1'>Good day :-)</voice-text>");
         assert_eq!(alone[0].affect, Affect::named("joy").expect("a word"));
@@ -420,7 +424,7 @@ mod tests {
                 "<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' {attributes}/></body></eml>"
             );
             let script = Script::read(&eml, None);
-            spans(&script, &[]).first().map(|s| s.affect)
+            spans(&script, &[]).first().map(|s| s.span.affect)
         };
         let of = |affect: Option<Affect>| {
             affect.map(|a| {

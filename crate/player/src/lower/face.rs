@@ -1,8 +1,8 @@
 //! From a script's emotions and control parameters to plans of the face.
 
+use raconteur_actor::Manner;
 use raconteur_actor::nonverbal::Way;
 use raconteur_actor::parameters::ParameterCommand;
-use raconteur_actor::Manner;
 use raconteur_eml::{Expressions, Performer};
 
 use crate::lower::cues::UtteranceCue;

@@ -160,7 +160,11 @@ mod tests {
             let mut t = 2.5;
             while t < end_secs {
                 let b = lamps.at(t).brightness;
-                (least, most) = if rises { (least, b.max(most)) } else { (b.min(least), most) };
+                (least, most) = if rises {
+                    (least, b.max(most))
+                } else {
+                    (b.min(least), most)
+                };
                 if rises && b < most - 0.2 {
                     (rises, least, turns) = (false, b, turns + 1);
                 } else if !rises && b > least + 0.2 {

@@ -26,7 +26,7 @@ struct LibraryPiece {
     name: &'static str,
     valence: Valence,
     is_aroused: bool,
-    /// A bar of four beats, seconds.
+    /// A bar, seconds.
     bar_secs: f64,
 }
 
@@ -34,23 +34,23 @@ const fn piece(
     name: &'static str,
     valence: Valence,
     is_aroused: bool,
-    beats_a_minute: f64,
+    [beats, beats_a_minute]: [f64; 2],
 ) -> LibraryPiece {
     LibraryPiece {
         name,
         valence,
         is_aroused,
-        bar_secs: 240.0 / beats_a_minute,
+        bar_secs: 60.0 * beats / beats_a_minute,
     }
 }
 
 /// The pieces of `assets/music`. A neutral mood has one, however active.
 const LIBRARY: [LibraryPiece; 5] = [
-    piece("positive-calm", Valence::Positive, false, 84.0),
-    piece("positive-lively", Valence::Positive, true, 132.0),
-    piece("neutral", Valence::Neutral, false, 96.0),
-    piece("negative-calm", Valence::Negative, false, 58.0),
-    piece("negative-tense", Valence::Negative, true, 138.0),
+    piece("positive-calm", Valence::Positive, false, [3.0, 84.0]),
+    piece("positive-lively", Valence::Positive, true, [4.0, 132.0]),
+    piece("neutral", Valence::Neutral, false, [4.0, 100.0]),
+    piece("negative-calm", Valence::Negative, false, [3.0, 54.0]),
+    piece("negative-tense", Valence::Negative, true, [4.0, 144.0]),
 ];
 
 impl LibraryPiece {
@@ -145,7 +145,10 @@ impl Scoring<'_> {
     /// the mood. A story in which nothing is felt has none of its own.
     pub(crate) fn led(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
         if self.feelings.all().is_empty() {
-            return script.into_iter().filter(|c| c.by == Lead::Script).collect();
+            return script
+                .into_iter()
+                .filter(|c| c.by == Lead::Script)
+                .collect();
         }
         let mut led = Vec::new();
         let mut from_secs = self.follows.then_some(0.0);
@@ -242,7 +245,10 @@ impl Scoring<'_> {
         let mut t = from_secs;
         while t < to_secs + step_secs {
             let share = self.feelings.mood(t).activity();
-            if line.last().is_none_or(|(_, l)| (l - share).abs() >= LEAST_CHANGE) {
+            if line
+                .last()
+                .is_none_or(|(_, l)| (l - share).abs() >= LEAST_CHANGE)
+            {
                 // Straight from where it was before, not from long ago.
                 if let Some(&(at, level)) = line.last().filter(|(at, _)| t - at > step_secs) {
                     line.push(((t - step_secs).max(at), level));
@@ -283,7 +289,10 @@ mod tests {
         };
         let led = scoring.led(script).into_iter();
         led.map(|c| {
-            let file = c.voices.first().map_or_else(String::new, |v| v.file.clone());
+            let file = c
+                .voices
+                .first()
+                .map_or_else(String::new, |v| v.file.clone());
             (c.start_secs, file)
         })
         .collect()
@@ -291,10 +300,7 @@ mod tests {
 
     #[test]
     fn moods_change_the_piece_on_bar_lines_and_not_soon() {
-        let feelings = vec![
-            felt("joy", 10.0, 6.0, 0.3),
-            felt("anger", 30.0, 8.0, 0.6),
-        ];
+        let feelings = vec![felt("joy", 10.0, 6.0, 0.3), felt("anger", 30.0, 8.0, 0.6)];
         let led = scored(feelings, &[], Vec::new());
         let names: Vec<&str> = led.iter().map(|(_, file)| &**file).collect();
         assert_eq!(names[0], "neutral.opus");

@@ -118,29 +118,6 @@ fn add_once<'d>(needed: &mut Vec<(&'d str, Span)>, name: &'d str, span: Span) {
 mod tests {
     use super::*;
     use crate::Script;
-    use raconteur_eml::parse;
-
-    #[test]
-    fn what_is_not_performed_is_reported_once_each() {
-        let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
-                    <body><voice-text time='0'>a <pitch base='low'>b</pitch>\
-                    </voice-text><r:light time='1' color='#ffeedd'/><r:light time='2' color='#ffeedd'/>\
-                    <r:emotion time='1' type='joy'/></body></eml>";
-        let parsed = parse(text);
-        assert_eq!(parsed.diagnostics, []);
-        let messages: Vec<String> = Needs::of(&parsed.document)
-            .diagnostics()
-            .into_iter()
-            .map(|d| d.message)
-            .collect();
-        assert_eq!(
-            messages,
-            [
-                "`light` is not performed yet; it occurs 2 times",
-                "`emotion` is in voice and face only; camera and light do not follow it yet",
-            ]
-        );
-    }
 
     #[test]
     fn loaded_animations_are_needed_by_file_and_others_by_name() {

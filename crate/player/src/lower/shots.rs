@@ -69,6 +69,8 @@ pub(crate) struct Take {
     pub(crate) angle: Angle,
     /// Whether an emotion asks for it: hands stay in it, however near it is.
     pub(crate) is_felt: bool,
+    /// Whether the script says so.
+    pub(crate) is_written: bool,
 }
 
 /// What the shots of a performance are made from.
@@ -81,6 +83,8 @@ pub(crate) struct Shooting<'a> {
     pub(crate) feelings: &'a Feelings,
     /// Whether emotions lead the camera where no script does.
     pub(crate) follows: bool,
+    /// Whether the camera moves, or cuts only.
+    pub(crate) moves: bool,
 }
 
 /// The shots of a performance by time, of which there is always one.
@@ -109,6 +113,7 @@ impl ShotSequence {
             shot: *usual,
             angle: Angle::Eye,
             is_felt: false,
+            is_written: false,
         };
         let mut now = first;
         let take = |&(start_secs, leader): &(f64, Leader)| {
@@ -121,8 +126,13 @@ impl ShotSequence {
                 Leader::Emotion(felt) => {
                     let (shot, angle) = asked(felt.as_ref()).unwrap_or((*usual, Angle::Eye));
                     let steps = (nearness(shot) - nearness(now.shot)).abs();
-                    let secs = if steps >= CUT_STEPS { 0.0 } else { MOVE_SECS };
-                    (secs, shot, angle, felt.is_some())
+                    let cuts = steps >= CUT_STEPS || !shooting.moves;
+                    (
+                        if cuts { 0.0 } else { MOVE_SECS },
+                        shot,
+                        angle,
+                        felt.is_some(),
+                    )
                 }
             };
             now = Take {
@@ -131,6 +141,7 @@ impl ShotSequence {
                 shot,
                 angle,
                 is_felt,
+                is_written: matches!(leader, Leader::Script(_)),
             };
             now
         };
@@ -218,6 +229,7 @@ mod tests {
             cues: shots(&script),
             feelings: &Feelings::default(),
             follows: true,
+            moves: true,
         })
     }
 

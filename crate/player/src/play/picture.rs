@@ -11,11 +11,14 @@ use crate::lower::lamps::LampSequence;
 use crate::lower::lead::Channels;
 use crate::lower::plan::ScriptPlan;
 use crate::lower::shots::{Shooting, ShotSequence, Take};
+use crate::options::Options;
 
 /// How the figure is shown at any time.
 pub(crate) struct Picture {
     /// The shot until something is said or felt.
     shot: Shot,
+    /// Whether emotions move the camera, or let it cut.
+    moves: bool,
     /// The channels that express emotions.
     channels: Channels,
     shots: ShotSequence,
@@ -35,18 +38,20 @@ pub(crate) struct Subject {
 }
 
 impl Picture {
-    /// The picture of a story that begins with a shot.
-    pub(crate) fn new(shot: Shot, story: &ScriptPlan, feelings: &Feelings) -> Self {
+    /// The picture of a story.
+    pub(crate) fn new(options: &Options, story: &ScriptPlan, feelings: &Feelings) -> Self {
         let mut geometry = Geometry::default();
         geometry.retell(&story.geometry);
         let nothing = Shooting {
-            usual: shot,
+            usual: options.shot,
             cues: Vec::new(),
             feelings: &Feelings::default(),
             follows: false,
+            moves: false,
         };
         let mut picture = Self {
-            shot,
+            shot: options.shot,
+            moves: options.moving_camera,
             channels: story.channels,
             shots: ShotSequence::new(nothing),
             lamps: LampSequence::default(),
@@ -69,6 +74,7 @@ impl Picture {
             cues: plans.clone().flat_map(|p| &p.shots).copied().collect(),
             feelings,
             follows: self.channels.camera,
+            moves: self.moves,
         });
         let lamps = plans.flat_map(|p| &p.lamps).copied().collect();
         self.lamps = LampSequence::new(lamps, feelings, self.channels.light);
@@ -137,7 +143,8 @@ impl Picture {
             // The lens goes near, and makes room for hands.
             near @ (Shot::Close | Shot::ExtremeClose) if take.is_felt => {
                 let rest = Span::of(near, stature_m, aspect);
-                frame(Shot::Storyteller, room((rest, QUICK_ZOOM)))
+                let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
+                frame(Shot::Storyteller, room((rest, zoom)))
             }
             shot => frame(shot, usual()),
         };

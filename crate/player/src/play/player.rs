@@ -32,7 +32,7 @@ use crate::play::sway::Sway;
 
 mod clips;
 mod improvise;
-mod readings;
+pub(crate) mod readings;
 mod welcome;
 
 use clips::Animations;
@@ -82,6 +82,8 @@ pub struct Player {
     feelings: Feelings,
     /// The lamps that the page chooses; none: those of the story's set.
     lighting: Option<Lighting>,
+    /// The place that the page chooses; none: the story's.
+    place: Option<SetKind>,
     picture: Picture,
     layers: Layers,
     /// The tissue of the face, if the figure has any.
@@ -136,9 +138,10 @@ impl Player {
             options,
             script,
             animations,
-            picture: Picture::new(options.shot, &score.story, &feelings),
+            picture: Picture::new(&options, &score.story, &feelings),
             feelings,
             lighting: None,
+            place: None,
             score,
             clock: Clock::new(),
             layers: Layers::new(actor, needs, morphs),
@@ -371,8 +374,16 @@ impl Player {
         self.lighting = lighting;
     }
 
+    /// Where the story is told; by none, where it says.
+    pub fn set_place(&mut self, place: Option<SetKind>) {
+        self.place = place;
+    }
+
     /// The place in which the story is told.
     fn set(&self) -> Set {
+        if let Some(place) = self.place {
+            return Set::of(place);
+        }
         let environment = self.script.document.environment.as_ref();
         Set::of(match environment.map(|e| e.set).unwrap_or_default() {
             Scenery::Curtain => SetKind::Curtain,

@@ -79,10 +79,7 @@ impl Score {
             follows: self.story.channels.music,
             end_secs,
         };
-        music::cues(
-            &scoring.led(clauses),
-            plans.flat_map(|p| &p.utterances),
-        )
+        music::cues(&scoring.led(clauses), plans.flat_map(|p| &p.utterances))
     }
 
     /// The cues after one time up to and including another, by time.

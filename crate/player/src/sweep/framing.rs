@@ -6,6 +6,7 @@ use raconteur_stage::Camera;
 
 use super::Check;
 use crate::Player;
+use crate::lower::shots::SHORTEST_SECS;
 
 /// Looks a second.
 const RATE_HZ: f64 = 15.0;
@@ -32,12 +33,18 @@ fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
     shown(camera, aspect, place).iter().all(|x| x.abs() <= 1.0)
 }
 
-/// Share of the strokes' time, close shots aside, in which wrist and fingertips are out of the picture, how far crown
-/// and chin come to its edge, and the fastest zoom, over a story.
+/// Share of the strokes' time, written close shots aside, in which wrist and fingertips are out of the
+/// picture, how far crown and chin come to its edge, the fastest zoom, that of shots that emotions ask
+/// for apart, and what such a shot lacks to the shortest, over a story.
 pub(super) fn framing(player: &mut Player) -> Vec<Check> {
     let mut hands = Check::new("hands-out", 2.0, "% of strokes");
     let mut face = Check::new("face-cut", 1.0, "of the picture");
     let mut zoom = Check::new("zoom", 10.0, "%/s");
+    let mut near = Check::new("zoom-felt", 50.0, "%/s");
+    let mut short = Check::new("shot-short", 0.0, "s");
+    for (start_secs, length_secs) in player.felt_shots() {
+        short.measure((SHORTEST_SECS - length_secs).max(0.0), "shot", start_secs);
+    }
     for aspect in ASPECTS {
         let (mut out, mut all) = (0u32, 0u32);
         let mut last: Option<Camera> = None;
@@ -63,7 +70,12 @@ pub(super) fn framing(player: &mut Player) -> Vec<Check> {
             if let Some(before) = last.filter(|b| b.eye_in_world == camera.eye_in_world) {
                 let half = |c: &Camera| ops::tan(0.5 * c.fov_y_rad);
                 let rate = ops::ln(half(&camera) / half(&before)).abs() * RATE_HZ;
-                zoom.measure(100.0 * rate, "camera", t);
+                match player.kept_shot(t - 1.0 / RATE_HZ, t) {
+                    Some(true) => near.measure(100.0 * rate, "camera", t),
+                    Some(false) => zoom.measure(100.0 * rate, "camera", t),
+                    // It moves or cuts on purpose.
+                    None => {}
+                }
             }
             last = Some(camera);
         }
@@ -71,5 +83,5 @@ pub(super) fn framing(player: &mut Player) -> Vec<Check> {
             hands.measure(100.0 * f64::from(out) / f64::from(all), "hands", 0.0);
         }
     }
-    vec![hands, face, zoom]
+    vec![hands, face, zoom, near, short]
 }

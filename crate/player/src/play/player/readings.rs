@@ -2,11 +2,73 @@
 //! pose.
 
 use raconteur_base::{DVec3, Side};
-use raconteur_stage::SpeechNow;
+use raconteur_stage::{Angle, EmotionType, Illumination, Mood, Shot, SpeechNow};
 
 use super::{Manipulator, Player};
 
+/// How the environment expresses what is felt at a time (GEVH 3.5.4).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expressed {
+    /// The strongest emotion, where something is felt.
+    pub emotion: Option<&'static EmotionType>,
+    /// Its potential, 0 to 10.
+    pub potential: f64,
+    /// How strong it is just now, 0 to 10.
+    pub intensity: f64,
+    /// The shot that is taken, or moved to.
+    pub shot: Shot,
+    /// From where.
+    pub angle: Angle,
+    /// What is done to the light.
+    pub light: Illumination,
+    /// The mood.
+    pub mood: Mood,
+    /// The files of the music that is heard.
+    pub music: Vec<String>,
+}
+
 impl Player {
+    /// How the environment expresses what is felt at a time.
+    #[must_use]
+    pub fn expressed(&self, time_secs: f64) -> Expressed {
+        let felt = self.feelings.strongest(time_secs, None);
+        let take = self.picture.shots().at(time_secs);
+        let music = self.music().into_iter();
+        let heard = music.filter(|cue| cue.level_at(time_secs) > 0.0);
+        Expressed {
+            emotion: felt.map(|f| f.kind),
+            potential: felt.map_or(0.0, |f| f.potential),
+            intensity: felt.map_or(0.0, |f| f.intensity_at(time_secs)),
+            shot: take.shot,
+            angle: take.angle,
+            light: self.picture.illumination(time_secs),
+            mood: self.feelings.mood(time_secs),
+            music: heard.map(|cue| cue.file).collect(),
+        }
+    }
+
+    /// Lengths of the shots that emotions ask for, story seconds: when each begins and how long it
+    /// stays until what is felt changes it.
+    pub(crate) fn felt_shots(&self) -> Vec<(f64, f64)> {
+        let takes = self.picture.shots().later().windows(2);
+        let lengths = takes.filter_map(|pair| {
+            let [take, next] = pair else { return None };
+            let led = take.is_felt || next.is_felt;
+            (led && !next.is_written)
+                .then_some((take.start_secs, next.start_secs - take.start_secs))
+        });
+        lengths.collect()
+    }
+
+    /// Whether an emotion has taken the shot that is kept from one time to another; none where the camera
+    /// goes to another one.
+    pub(crate) fn kept_shot(&self, from_secs: f64, to_secs: f64) -> Option<bool> {
+        let shots = self.picture.shots();
+        let take = shots.at(to_secs);
+        let is_kept = take == shots.at(from_secs) && !shots.moves(from_secs);
+        is_kept.then_some(take.is_felt)
+    }
+
     /// The utterance and word that are heard at a time; of several, the last to begin.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
