@@ -1,5 +1,7 @@
 //! Shader modules, layouts and pipelines.
 
+mod theatre;
+
 use raconteur_body::MaterialKind;
 use raconteur_stage::{Fill, SetKind, Shown};
 use wgpu::{
@@ -16,6 +18,7 @@ use crate::overlay::OverlayVertex;
 use crate::sources::{STAGE, TONE_MAP};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::tissue::TissueVertex;
+use theatre::Theatre;
 
 /// What every tier of quality shares: made once for a device.
 pub(crate) struct SharedResources {
@@ -67,27 +70,6 @@ pub(crate) struct Pipelines {
     pub(crate) overlay: Option<RenderPipeline>,
     /// What draws lines over figures, once they were wanted: those behind, those before.
     pub(crate) lines: Option<[RenderPipeline; 2]>,
-}
-
-/// What draws one place.
-pub(crate) struct Theatre {
-    entry: &'static str,
-    /// Behind the figure.
-    pub(crate) behind: RenderPipeline,
-    /// As a still, where that is done.
-    pub(crate) still: Option<RenderPipeline>,
-}
-
-/// The fragment shader of a place. Each is a program of its own: a software rasteriser runs both
-/// sides of every branch.
-fn theatre_entry(kind: SetKind) -> &'static str {
-    match kind {
-        SetKind::Curtain | SetKind::Studio => "fs_theatre",
-        SetKind::Fireside => "fs_fireside",
-        SetKind::Garden => "fs_garden",
-        SetKind::Night => "fs_night",
-        SetKind::School => "fs_school",
-    }
 }
 
 /// Whether a figure's own materials are not what draws it.
@@ -280,45 +262,6 @@ impl Pipelines {
         // Most stories begin here.
         pipelines.prepare_theatre(device, shared, SetKind::Curtain);
         pipelines
-    }
-
-    /// Compiles what draws a place, if it was not drawn yet, and makes it the stage.
-    pub(crate) fn prepare_theatre(
-        &mut self,
-        device: &Device,
-        shared: &SharedResources,
-        kind: SetKind,
-    ) {
-        let entry = theatre_entry(kind);
-        if let Some(known) = self.theatres.iter().position(|t| t.entry == entry) {
-            self.theatre = known;
-            return;
-        }
-        let layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
-        let make = |samples, depth| {
-            PipelineDescription {
-                label: "theatre",
-                constants: &self.constants,
-                vertex: "vs_theatre",
-                fragment: Some(entry),
-                samples,
-                depth,
-                ..full_screen(&shared.stage, &layout, self.target.format)
-            }
-            .build(device)
-        };
-        let theatre = Theatre {
-            entry,
-            behind: make(self.target.samples, BEHIND),
-            still: self.target.is_direct.then(|| make(1, None)),
-        };
-        self.theatre = self.theatres.len();
-        self.theatres.push(theatre);
-    }
-
-    /// What draws the stage.
-    pub(crate) fn theatre(&self) -> Option<&Theatre> {
-        self.theatres.get(self.theatre)
     }
 
     /// Compiles what a key needs, with its shadow from `lights` lamps, if no figure has

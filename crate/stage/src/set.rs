@@ -41,9 +41,9 @@ pub struct Set {
     pub fog_density: f32,
 }
 
-/// Density of the thickest fog, per metre: little is left of a wall three metres behind.
+/// Density of the thickest fog, per metre: a third is left of a wall three metres behind.
 /// Chosen by eye.
-const THICKEST_FOG: f32 = 0.55;
+const THICKEST_FOG: f32 = 0.40;
 
 impl Set {
     /// Places by name.
@@ -75,27 +75,27 @@ impl Set {
                 [0.080, 0.045, 0.032],
             ],
             SetKind::Fireside => [
-                [0.105, 0.056, 0.032],
-                [0.040, 0.025, 0.018],
-                [0.030, 0.020, 0.016],
-                [0.300, 0.105, 0.026],
+                [0.115, 0.060, 0.033],
+                [0.045, 0.026, 0.017],
+                [0.030, 0.018, 0.013],
+                [0.340, 0.118, 0.028],
             ],
             SetKind::Garden => [
-                [0.075, 0.125, 0.030],
-                [0.038, 0.068, 0.022],
-                [0.420, 0.520, 0.600],
-                [0.300, 0.310, 0.150],
+                [0.075, 0.118, 0.034],
+                [0.044, 0.070, 0.028],
+                [0.520, 0.600, 0.660],
+                [0.340, 0.320, 0.160],
             ],
             SetKind::Night => [
-                [0.020, 0.032, 0.030],
+                [0.030, 0.044, 0.042],
                 [0.030, 0.052, 0.110],
                 [0.006, 0.012, 0.040],
                 [0.300, 0.330, 0.400],
             ],
             SetKind::School => [
                 [0.190, 0.120, 0.066],
-                [0.180, 0.170, 0.130],
-                [0.330, 0.310, 0.255],
+                [0.190, 0.178, 0.128],
+                [0.370, 0.340, 0.270],
                 [0.100, 0.105, 0.105],
             ],
             SetKind::Studio => [[0.20; 3], [0.20; 3], [0.30; 3], [0.0; 3]],
@@ -119,7 +119,7 @@ impl Set {
             SetKind::Curtain => Lighting::default(),
             // The key from the hearth's side, as if a lamp stood before it.
             SetKind::Fireside => Lighting {
-                key: lamp([-0.72, 0.42, 0.80], [1.12, 0.86, 0.61]),
+                key: lamp([-0.72, 0.42, 0.80], [1.12, 0.88, 0.64]),
                 fill: lamp([0.80, 0.15, 0.85], [0.12, 0.115, 0.125]),
                 rim: lamp([-0.70, 0.30, -0.90], [1.30, 0.70, 0.32]),
                 sky: [0.135, 0.120, 0.110],
@@ -139,7 +139,7 @@ impl Set {
             },
             // A lantern's warmth on the face against the moon's cool edge.
             SetKind::Night => Lighting {
-                key: lamp([-0.62, 0.55, 0.85], [0.90, 0.85, 0.82]),
+                key: lamp([-0.62, 0.55, 0.85], [0.98, 0.90, 0.82]),
                 fill: lamp([0.80, 0.15, 0.85], [0.10, 0.14, 0.22]),
                 rim: lamp([0.55, 0.70, -0.95], [0.85, 1.20, 1.75]),
                 sky: [0.105, 0.130, 0.190],
@@ -149,7 +149,7 @@ impl Set {
             },
             // White panels under a ceiling and a row of windows at one side.
             SetKind::School => Lighting {
-                key: lamp([-0.62, 0.72, 0.80], [0.92, 0.93, 0.92]),
+                key: lamp([-0.62, 0.72, 0.80], [0.94, 0.93, 0.90]),
                 fill: lamp([0.80, 0.25, 0.80], [0.22, 0.225, 0.23]),
                 rim: lamp([0.50, 0.90, -0.85], [0.70, 0.74, 0.80]),
                 sky: [0.26, 0.265, 0.27],
@@ -174,7 +174,7 @@ impl Set {
             backdrop_high: high,
             glow,
             // What shines lights the air, too.
-            fog: std::array::from_fn(|i| 0.5 * (low[i] + high[i]) + 0.2 * glow[i]),
+            fog: std::array::from_fn(|i| 0.5 * (low[i] + high[i]) + 0.12 * glow[i]),
             fog_density: THICKEST_FOG * mist.clamp(0.0, 1.0),
             ..self
         }
