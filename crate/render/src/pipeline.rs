@@ -1,7 +1,9 @@
 //! Shader modules, layouts and pipelines.
 
+mod theatre;
+
 use raconteur_body::MaterialKind;
-use raconteur_stage::{Fill, Shown};
+use raconteur_stage::{Fill, SetKind, Shown};
 use wgpu::{
     BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,
     ShaderModule, TextureFormat, VertexBufferLayout,
@@ -16,6 +18,7 @@ use crate::overlay::OverlayVertex;
 use crate::sources::{STAGE, TONE_MAP};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::tissue::TissueVertex;
+use theatre::Theatre;
 
 /// What every tier of quality shares: made once for a device.
 pub(crate) struct SharedResources {
@@ -45,9 +48,12 @@ impl SharedResources {
 
 /// Every pipeline of one tier of quality.
 pub(crate) struct Pipelines {
-    pub(crate) theatre: RenderPipeline,
-    /// What draws the backdrop as a still, and what lays it down, where that is done.
-    pub(crate) still: Option<[RenderPipeline; 2]>,
+    /// What draws the places that were wanted.
+    theatres: Vec<Theatre>,
+    /// Which of them is the stage now.
+    theatre: usize,
+    /// What lays down the backdrop as a still, where that is done.
+    pub(crate) laid: Option<RenderPipeline>,
     pub(crate) tone_map: RenderPipeline,
     target: TargetKind,
     /// Surfaces are drawn by the shaders of the lowest quality.
@@ -155,6 +161,35 @@ impl PipelineDescription<'_> {
     }
 }
 
+/// What is drawn behind everything tests depth and leaves it.
+const BEHIND: Option<(CompareFunction, bool)> = Some((CompareFunction::LessEqual, false));
+
+/// One triangle over the whole picture.
+fn full_screen<'a>(
+    module: &'a ShaderModule,
+    layout: &'a wgpu::PipelineLayout,
+    format: TextureFormat,
+) -> PipelineDescription<'a> {
+    PipelineDescription {
+        label: "full screen",
+        module,
+        layout,
+        constants: &[],
+        vertex: "",
+        buffers: &[],
+        fragment: None,
+        target: Some(format),
+        blend: None,
+        writes: wgpu::ColorWrites::ALL,
+        samples: 1,
+        coverage: false,
+        cull: None,
+        topology: PrimitiveTopology::TriangleList,
+        depth: None,
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
 fn pipeline_layout(
     device: &Device,
     label: &str,
@@ -185,77 +220,35 @@ impl Pipelines {
             ("COVERAGE", flag(target.samples > 1)),
             ("SIMPLE", flag(target.is_direct)),
         ];
-        let full_screen =
-            |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
-                PipelineDescription {
-                    label,
-                    module,
-                    layout,
-                    constants,
-                    vertex,
-                    buffers: &[],
-                    fragment: Some(fragment),
-                    target: Some(format),
-                    blend: None,
-                    writes: wgpu::ColorWrites::ALL,
-                    samples,
-                    coverage: false,
-                    cull: None,
-                    topology: PrimitiveTopology::TriangleList,
-                    depth,
-                    bias: wgpu::DepthBiasState::default(),
-                }
-                .build(device)
-            };
-        let theatre_layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
         let tone_map_layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
-        let behind = Some((CompareFunction::LessEqual, false));
-        let theatre = |samples, depth| {
-            full_screen(
-                "theatre",
-                &shared.stage,
-                &theatre_layout,
-                &constants,
-                "vs_theatre",
-                "fs_theatre",
-                target.format,
-                samples,
-                depth,
-            )
-        };
-        let still = target.is_direct.then(|| {
-            let laid = full_screen(
-                "backdrop",
-                &shared.tone_map,
-                &tone_map_layout,
-                &[],
-                "vs_still",
-                "fs_still",
-                target.format,
-                target.samples,
-                behind,
-            );
-            [theatre(1, None), laid]
+        let laid = target.is_direct.then(|| {
+            PipelineDescription {
+                label: "backdrop",
+                vertex: "vs_still",
+                fragment: Some("fs_still"),
+                samples: target.samples,
+                depth: BEHIND,
+                ..full_screen(&shared.tone_map, &tone_map_layout, target.format)
+            }
+            .build(device)
         });
         let tone_map_constants = [
             early,
             ("SMOOTH_EDGES", flag(target.samples == 1)),
             ("TARGET_ENCODES", flag(shared.output.is_srgb())),
         ];
-        let tone_map = full_screen(
-            "tone map",
-            &shared.tone_map,
-            &tone_map_layout,
-            &tone_map_constants,
-            "vs_tone_map",
-            "fs_tone_map",
-            shared.output,
-            1,
-            None,
-        );
-        Self {
-            theatre: theatre(target.samples, behind),
-            still,
+        let tone_map = PipelineDescription {
+            label: "tone map",
+            constants: &tone_map_constants,
+            vertex: "vs_tone_map",
+            fragment: Some("fs_tone_map"),
+            ..full_screen(&shared.tone_map, &tone_map_layout, shared.output)
+        }
+        .build(device);
+        let mut pipelines = Self {
+            theatres: Vec::new(),
+            theatre: 0,
+            laid,
             tone_map,
             target,
             simple: target.is_direct,
@@ -265,7 +258,10 @@ impl Pipelines {
             bare: Vec::new(),
             overlay: None,
             lines: None,
-        }
+        };
+        // Most stories begin here.
+        pipelines.prepare_theatre(device, shared, SetKind::Curtain);
+        pipelines
     }
 
     /// Compiles what a key needs, with its shadow from `lights` lamps, if no figure has

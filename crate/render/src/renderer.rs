@@ -299,7 +299,7 @@ impl Renderer {
                 ],
             )
         });
-        self.backdrop = self.tier.pipelines.still.as_ref().map(|_| {
+        self.backdrop = self.tier.pipelines.laid.as_ref().map(|_| {
             Backdrop::new(
                 &self.device,
                 &self.shared.layouts,
@@ -342,6 +342,7 @@ impl Renderer {
     fn send_shown(&mut self, frame: &Frame) {
         let (device, queue) = (&self.device, &self.queue);
         let pipelines = &mut self.tier.pipelines;
+        pipelines.prepare_theatre(device, &self.shared, frame.set.kind);
         let has_tissue = self.figure.as_ref().is_some_and(GpuFigure::has_tissue);
         pipelines.prepare_shown(device, &self.shared, &frame.shown, has_tissue);
         if !frame.lines.is_empty() {
@@ -399,11 +400,11 @@ impl Renderer {
 
     /// Draws the stage as a still, if the picture is the first that needs it.
     fn draw_backdrop(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
-        let (Drawn::Now, Some(backdrop), Some([theatre, _])) = (
-            self.backdrop_drawn,
-            &self.backdrop,
-            &self.tier.pipelines.still,
-        ) else {
+        let theatre = self.tier.pipelines.theatre();
+        let still = theatre.and_then(|t| t.still.as_ref());
+        let (Drawn::Now, Some(backdrop), Some(still)) =
+            (self.backdrop_drawn, &self.backdrop, still)
+        else {
             return;
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -420,7 +421,7 @@ impl Renderer {
             ..Default::default()
         });
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
-        pass.set_pipeline(theatre);
+        pass.set_pipeline(still);
         pass.draw(0..3, 0..1);
         counts.add(1);
     }
@@ -428,15 +429,18 @@ impl Renderer {
     /// Fills what solid surfaces leave with the stage.
     fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
         let pipelines = &self.tier.pipelines;
-        match (&self.backdrop, &pipelines.still) {
-            (Some(backdrop), Some([_, laid])) if self.backdrop_drawn != Drawn::Directly => {
+        match (&self.backdrop, &pipelines.laid) {
+            (Some(backdrop), Some(laid)) if self.backdrop_drawn != Drawn::Directly => {
                 pass.set_bind_group(0, &backdrop.group, &[]);
                 pass.set_pipeline(laid);
                 pass.draw(0..3, 0..1);
                 pass.set_bind_group(0, &self.tier.lit_group, &[]);
             }
             _ => {
-                pass.set_pipeline(&pipelines.theatre);
+                let Some(theatre) = pipelines.theatre() else {
+                    return;
+                };
+                pass.set_pipeline(&theatre.behind);
                 pass.draw(0..3, 0..1);
             }
         }

@@ -3,7 +3,7 @@
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-pub(crate) const STAGE: [&str; 13] = [
+pub(crate) const STAGE: [&str; 14] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
@@ -15,6 +15,7 @@ pub(crate) const STAGE: [&str; 13] = [
     include_str!(concat!(env!("OUT_DIR"), "/lash.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/sets.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/simple.wgsl")),
 ];

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use raconteur_base::DVec3;
 use raconteur_body::Bone;
-use raconteur_stage::Frame;
+use raconteur_stage::{Frame, SetKind};
 
 use crate::environment;
 use crate::shadow::ShadowView;
@@ -34,6 +34,7 @@ pub(crate) struct FrameUniform {
     backdrop_low: [f32; 4],
     backdrop_high: [f32; 4],
     glow: [f32; 4],
+    fog: [f32; 4],
     stand: [f32; 4],
     feet: [[f32; 4]; 2],
     shadow: [f32; 4],
@@ -50,6 +51,18 @@ pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
     frame.world_from_joint.first().map_or(DVec3::ZERO, |root| {
         DVec3::new(root.translation.x, 0.0, root.translation.z)
     })
+}
+
+/// A place's number in the shaders.
+fn number_of(kind: SetKind) -> f32 {
+    match kind {
+        SetKind::Studio => 0.0,
+        SetKind::Curtain => 1.0,
+        SetKind::Fireside => 2.0,
+        SetKind::Garden => 3.0,
+        SetKind::Night => 4.0,
+        SetKind::School => 5.0,
+    }
 }
 
 impl FrameUniform {
@@ -116,12 +129,10 @@ impl FrameUniform {
             sky: color(light.sky, 0.0),
             ground: color(light.ground, light.exposure),
             floor: color(frame.set.floor, 0.0),
-            backdrop_low: color(
-                frame.set.backdrop_low,
-                f32::from(u8::from(frame.set.curtain)),
-            ),
+            backdrop_low: color(frame.set.backdrop_low, number_of(frame.set.kind)),
             backdrop_high: color(frame.set.backdrop_high, 0.0),
             glow: color(frame.set.glow, 0.0),
+            fog: color(frame.set.fog, frame.set.fog_density),
             stand: point(stand_in_world(frame), stature_m as f32),
             feet: [sole(Bone::LMidtarsal), sole(Bone::RMidtarsal)],
             shadow: [

@@ -19,6 +19,6 @@ pub use camera::{Camera, MOST_CAPTIONS, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
 pub use line::Line;
-pub use set::Set;
+pub use set::{Set, SetKind};
 pub use shown::{Fill, Shown};
 pub use storyteller::{Gesture, Span, TakenSpace};

@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Player;
 use raconteur_render::headless::Headless;
 use raconteur_render::{Quality, RenderOptions};
-use raconteur_stage::Shot;
+use raconteur_stage::{Lighting, Set, SetKind, Shot};
 
 use crate::Outcome;
 use crate::film;
@@ -25,6 +25,7 @@ enum ShotName {
     Full,
     Medium,
     Close,
+    Long,
 }
 
 /// Draw a picture or film of a story.
@@ -61,6 +62,18 @@ pub(crate) struct Render {
     /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
     #[arg(long)]
     figure: Option<String>,
+    /// The place behind the speaker, in its usual light: curtain, fireside, garden, night or
+    /// school; without it, the story's.
+    #[arg(long, value_parser = parse_set)]
+    set: Option<SetKind>,
+}
+
+fn parse_set(name: &str) -> Result<SetKind, String> {
+    let found = Set::NAMES.iter().find(|(known, _)| *known == name);
+    found.map(|(_, kind)| *kind).ok_or_else(|| {
+        let names = Set::NAMES.map(|(known, _)| known);
+        format!("one of {}", names.join(", "))
+    })
 }
 
 fn parse_quality(name: &str) -> Result<Quality, String> {
@@ -102,6 +115,7 @@ impl Render {
             ShotName::Full => Shot::Full,
             ShotName::Medium => Shot::Medium,
             ShotName::Close => Shot::Close,
+            ShotName::Long => Shot::Long,
         };
         let mut loaded = files.player(self.figure.as_deref(), shot)?;
         report::print(
@@ -127,7 +141,16 @@ impl Render {
     fn draw(&self, player: &mut Player, headless: &mut Headless, time: f64) -> Result<Vec<u8>> {
         let (w, h) = self.size;
         let frame = player.frame(time, f64::from(w) / f64::from(h));
-        Ok(headless.render_rgba(frame, w, h)?)
+        let Some(kind) = self.set else {
+            return Ok(headless.render_rgba(frame, w, h)?);
+        };
+        let mut frame = frame.clone();
+        frame.set = Set::of(kind);
+        // A light that the story chose stays.
+        if frame.lighting == Lighting::default() {
+            frame.lighting = frame.set.lighting();
+        }
+        Ok(headless.render_rgba(&frame, w, h)?)
     }
 
     fn film(

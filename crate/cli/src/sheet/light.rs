@@ -1,7 +1,7 @@
 //! Lights of a contact sheet.
 
 use raconteur_base::DVec3;
-use raconteur_stage::{DirectedLight, Lighting, Set};
+use raconteur_stage::{DirectedLight, Lighting, Set, SetKind};
 
 /// A lamp from the character's right and little else: it shows relief. Designed, by eye.
 fn lamp() -> Lighting {
@@ -38,11 +38,5 @@ pub(crate) fn named(name: &str) -> Option<Lighting> {
 
 /// A grey room.
 pub(crate) fn room() -> Set {
-    Set {
-        floor: [0.20; 3],
-        backdrop_low: [0.20; 3],
-        backdrop_high: [0.30; 3],
-        glow: [0.0; 3],
-        curtain: false,
-    }
+    Set::of(SetKind::Studio)
 }

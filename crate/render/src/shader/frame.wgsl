@@ -17,9 +17,10 @@ struct Frame {
     sky: vec4<f32>,
     ground: vec4<f32>,         // w: exposure
     floor: vec4<f32>,
-    backdrop_low: vec4<f32>,   // w: 1 with curtain and boards, 0 in a studio
+    backdrop_low: vec4<f32>,   // w: number of the place, 0 in a studio, 1 at the curtain
     backdrop_high: vec4<f32>,
     glow: vec4<f32>,
+    fog: vec4<f32>,            // w: density per metre beyond the figure
     stand: vec4<f32>,          // where the figure stands, w: stature, metres
     feet: array<vec4<f32>, 2>, // soles left and right, world
     shadow: vec4<f32>,         // x: tap distance in uv, y: normal offset in metres, z: depth bias,

@@ -49,8 +49,14 @@ fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
     return light * cavity * mix(0.55, 1.0, smoothstep(0.0, 0.5, p.y));
 }
 
-fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f32> {
-    let from_stand = p.xz - frame.stand.xz;
+// How much of the air's colour is in the way from a place `distance` metres off.
+fn fogged(light: vec3<f32>, distance: f32) -> vec3<f32> {
+    let beyond = max(distance - length(frame.eye_in_world.xz - frame.stand.xz), 0.0);
+    return mix(frame.fog.xyz, light, exp(-frame.fog.w * beyond));
+}
+
+// Wooden floor: tone in x, and 0 in the grooves in y.
+fn planks(p: vec3<f32>, px: f32) -> vec2<f32> {
     let width = 0.14;
     let x = p.x / width;
     let plank = floor(x);
@@ -58,24 +64,33 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
     let z = p.z / 1.9 + shift * 3.0;
     let tint = hash_unit(vec3<i32>(i32(plank), i32(floor(z)), 2));
     let grain = noise(vec3<f32>(p.x * 70.0, p.z * 3.5, tint * 31.0)) - 0.5;
-    let px = distance * frame.viewport.w * 1.2;
     let seen = 1.0 - smoothstep(0.25, 1.0, px / 0.02);
     let edge = min(fract(x), 1.0 - fract(x)) * width;
     let butt = min(fract(z), 1.0 - fract(z)) * 1.9;
     let groove = min(smoothstep(0.0, 0.004 + px, edge), smoothstep(0.0, 0.004 + px, butt));
-    var tone = frame.floor.xyz * (0.86 + 0.28 * tint + 0.30 * grain * seen);
-    tone *= mix(0.72, 1.0, groove);
+    return vec2<f32>((0.86 + 0.28 * tint + 0.30 * grain * seen) * mix(0.72, 1.0, groove), groove);
+}
+
+// Soles darken the floor right under them; `share` is how much.
+fn contact_shade(p: vec3<f32>, share: f32) -> f32 {
+    var contact = 1.0;
+    for (var i = 0; i < 2; i++) {
+        let d = (p - frame.feet[i].xyz) * vec3<f32>(1.0, 1.0, 0.55);
+        contact *= 1.0 - share * exp(-dot(d, d) / 0.0075);
+    }
+    return contact;
+}
+
+fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f32> {
+    let from_stand = p.xz - frame.stand.xz;
+    let plank = planks(p, distance * frame.viewport.w * 1.2);
+    let tone = frame.floor.xyz * plank.x;
 
     let pool = exp(-dot(from_stand, from_stand) * 0.55);
     let n = vec3<f32>(0.0, 1.0, 0.0);
     let share = key_share(p, n, at);
     let key = frame.key.xyz * (frame.key_dir.y * share * (0.10 + 0.95 * pool));
-    // Soles darken the boards right under them.
-    var contact = 1.0;
-    for (var i = 0; i < 2; i++) {
-        let d = (p - frame.feet[i].xyz) * vec3<f32>(1.0, 1.0, 0.55);
-        contact *= 1.0 - 0.62 * exp(-dot(d, d) / 0.0075);
-    }
+    let contact = contact_shade(p, 0.62);
     let body = 1.0 - 0.35 * exp(-dot(from_stand, from_stand) / 0.10);
     var light = tone * (key + (frame.sky.xyz * (0.25 + 0.45 * pool) + frame.glow.xyz) * (contact * body));
 
@@ -87,7 +102,7 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
     let mirror_pool = exp(-p.x * p.x * 0.35) * (0.4 + 0.6 * s);
     let soft = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, saturate1(r.y / max(length(r), 1e-3)))
         + frame.glow.xyz * mirror_pool;
-    light += soft * (f * 1.4 * groove * contact);
+    light += soft * (f * 1.4 * plank.y * contact);
     return light;
 }
 
@@ -95,17 +110,14 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
 fn studio(ray: vec3<f32>, t_floor: f32, at: vec2<f32>) -> vec3<f32> {
     let up = normalize(ray).y;
     let wall = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, smoothstep(-0.25, 0.35, up));
-    if t_floor > 1e8 { return wall; }
+    let far = 6.0 + length(frame.eye_in_world.xz);
+    if t_floor > 1e8 { return fogged(wall, far); }
     let p = frame.eye_in_world.xyz + ray * t_floor;
     let from_stand = p.xz - frame.stand.xz;
     let near = exp(-dot(from_stand, from_stand) * 0.9);
     let share = key_share(p, vec3<f32>(0.0, 1.0, 0.0), at);
-    var contact = 1.0;
-    for (var i = 0; i < 2; i++) {
-        let d = (p - frame.feet[i].xyz) * vec3<f32>(1.0, 1.0, 0.55);
-        contact *= 1.0 - 0.5 * exp(-dot(d, d) / 0.0075);
-    }
-    return wall * contact * mix(1.0, 0.55 + 0.45 * share, near);
+    let light = wall * contact_shade(p, 0.5) * mix(1.0, 0.55 + 0.45 * share, near);
+    return fogged(light, min(t_floor * length(ray), far));
 }
 
 @fragment
@@ -133,5 +145,6 @@ fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
     } else {
         light = curtain(eye + v.ray * t_curtain, v.ray);
     }
+    light = fogged(light, min(t_floor, t_curtain) * length(v.ray));
     return written(light, 1.0, v.clip.xy);
 }
