@@ -247,6 +247,11 @@ export class RaconteurPlayer extends MediaElement {
     return show && statisticsOf(show);
   }
 
+  /** How camera, light and music express what is felt at the present moment (GEVH 3.5.4), once a story is loaded. */
+  get expressed(): Expressed | undefined {
+    return this.#context.show?.picture.expressed(this.currentTime);
+  }
+
   /** Lets a file of the user's own perform, a `.glb` or `.vrm`; it stays on this machine. */
   useFigure(file: File): void {
     this.#figures.given = file;

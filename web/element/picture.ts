@@ -191,6 +191,11 @@ export class Picture {
     return this.#guard((engine) => engine.music()) ?? [];
   }
 
+  /** How camera, light and music express what is felt at a time. */
+  expressed(secs: number): Expressed | undefined {
+    return this.#guard((engine) => engine.expressed(secs));
+  }
+
   /** The clock may pass the end of the story. */
   setOpenEnded(openEnded: boolean): void {
     if (openEnded === this.#openEnded) return;

@@ -8,10 +8,13 @@ use crate::{DirectedLight, Lighting, Set};
 
 /// How much of the key's colour fill and room take on. Designed: skin stays skin.
 const SHARED_TINT: f32 = 0.35;
+/// How much white is in every key light. Designed: no gel is pure, and what has none of its colour
+/// would be black.
+const WHITE: f32 = 0.06;
 /// Lamps follow a brightness as a lens opens: in part, so that a face is read in the dark and not
 /// burnt in the light; exponents of the key and of the rest. Designed.
-const KEY_FOLLOWS: f64 = 0.65;
-const REST_FOLLOWS: f64 = 0.5;
+const KEY_FOLLOWS: f64 = 0.5;
+const REST_FOLLOWS: f64 = 0.3;
 /// How much of a colour's own darkness is made up, as an exponent: a grey lamp is no weak one.
 const MADE_UP: f64 = 0.6;
 /// Intensity at which shadows are as an emotion has them, of 10. Designed.
@@ -89,7 +92,7 @@ impl Illumination {
         let most = self.color.iter().copied().fold(0.0, f32::max);
         let made_up = ops::pow(f64::from(most).max(1e-3), MADE_UP);
         let power = ops::pow(self.brightness.max(0.0), KEY_FOLLOWS) / made_up;
-        let key = self.color.map(|c| c * power as f32);
+        let key = self.color.map(|c| (c + (most - c) * WHITE) * power as f32);
         let (tint, gain) = self.shared();
         let rest = tint.map(|c| c * gain);
         Lighting {

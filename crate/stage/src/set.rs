@@ -1,8 +1,7 @@
 //! Floor and backdrop.
 
-use raconteur_base::{DVec3, Length};
-
-use crate::{DirectedLight, Lighting};
+use crate::Lighting;
+use crate::light::lamp;
 
 /// A place that the stage shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,14 +177,6 @@ impl Set {
             fog_density: THICKEST_FOG * mist.clamp(0.0, 1.0),
             ..self
         }
-    }
-}
-
-/// A light from a direction of any length.
-fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
-    DirectedLight {
-        towards_light_in_world: DVec3::new(x, y, z).normalized(),
-        irradiance,
     }
 }
 
