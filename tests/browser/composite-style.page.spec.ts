@@ -168,7 +168,7 @@ test('a face that rests is drawn with everything', async ({ page }) => {
   const seen = await fine.evaluateHandle((canvas: HTMLElement) => {
     const seen = { hidden: false };
     new MutationObserver(() => {
-      seen.hidden ||= canvas.hidden;
+      seen.hidden ||= canvas.hidden !== false;
     }).observe(canvas, { attributeFilter: ['hidden'] });
     return seen;
   });

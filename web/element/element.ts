@@ -47,6 +47,7 @@ import {
   type Telling,
   type View,
   type Words,
+  type Expressed,
 } from './types.js';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */

@@ -28,6 +28,7 @@ import {
   type Story,
   TickStatus,
   type View,
+  type Expressed,
 } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
