@@ -5,7 +5,7 @@ import { expectNoBarriers } from './access.js';
 import { expect, ready, test } from './stage.js';
 
 /** Pages with a player, and documents. */
-const STAGES = ['', 'viewer/', 'gestures/', 'face/', 'composite/'];
+const STAGES = ['', 'viewer/', 'gestures/', 'face/', 'expression/', 'composite/'];
 const DOCUMENTS = ['docs/', 'docs/readme.html', 'docs/eml.html', 'docs/voices.html', 'docs/library-music.html'];
 
 async function open(page: Page, path: string): Promise<void> {
@@ -61,7 +61,7 @@ test('every page and every story finds all that it asks for', async ({ stage, pa
   page.on('response', (response) => {
     if (response.status() >= 400) missing.push(`${response.status()} ${response.url()}`);
   });
-  for (const path of [...STAGES, ...DOCUMENTS, 'docs', 'viewer', 'gestures', 'face', 'composite', '#mathematical-dance', '#step-lesson']) {
+  for (const path of [...STAGES, ...DOCUMENTS, 'docs', 'viewer', 'gestures', 'face', 'expression', 'composite', '#mathematical-dance', '#step-lesson']) {
     // An address that differs in its fragment alone would not load the page anew.
     await page.goto('about:blank');
     await page.goto(`/${path}`);

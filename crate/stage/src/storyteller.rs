@@ -35,6 +35,8 @@ const FACE: Span = Span {
     bottom: 0.835,
     top: 1.045,
 };
+/// How far hands are held out, share of stature. Designed.
+const HELD_OUT: f64 = 0.22;
 /// Half the width of a head that turns, share of stature.
 const HEAD_HALF_WIDTH: f64 = 0.085;
 /// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
@@ -152,6 +154,17 @@ impl Span {
                 .bottom
                 .min(self.top - (self.top - lowest) / (1.0 - share)),
             ..self
+        }
+    }
+
+    /// What is shown from above or below, by the camera's elevation in radians: what is held out before
+    /// the figure is seen lower or higher than at eye height.
+    #[must_use]
+    pub fn seen_from(self, elevation_rad: f64) -> Self {
+        let shift = HELD_OUT * ops::sincos(elevation_rad).0 * (self.height() / AT_REST).min(1.0);
+        Self {
+            bottom: self.bottom - shift.max(0.0),
+            top: self.top - shift.min(0.0),
         }
     }
 

@@ -52,7 +52,8 @@ fn kind_of(affect: &Affect) -> Option<&'static EmotionType> {
         let place = emotion::place(word).filter(|place| !place.is_neutral())?;
         Some((EmotionType::named(word)?, along(affect.place, place)))
     });
-    let nearest = words.max_by(|(_, a), (_, b)| a.total_cmp(b));
+    // Of several in one place the first.
+    let nearest = words.rev().max_by(|(_, a), (_, b)| a.total_cmp(b));
     nearest.map(|(kind, _)| kind)
 }
 

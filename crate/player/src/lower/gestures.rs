@@ -267,16 +267,28 @@ pub(crate) fn strokes(
         .collect()
 }
 
-/// How much of a hand hangs below its wrist in a gesture: fingers point forward or up.
-const HANGING: f64 = 0.4;
+/// How much of a hand hangs below its wrist in a gesture whose palm is led, fingers forward or up, and
+/// in one whose hand is left alone.
+const HANGING: [f64; 2] = [0.4, 0.6];
+/// Where the lens of a storyteller's shot is: height, and distance before the figure, shares of stature.
+const LENS_HEIGHT: f64 = 0.8;
+const LENS_DISTANCE: f64 = 1.85;
 
-/// The space that a stroke's hand takes, if it goes anywhere.
-pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64) -> Option<Gesture> {
+/// The space that a stroke's hand takes, if it goes anywhere. What is held towards the lens is seen
+/// lower, so that the space reaches down to where it seems to be at the figure itself.
+pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64, stature_m: f64) -> Option<Gesture> {
+    let led = stroke.keys.iter().any(|k| k.hand_in_world.is_some());
+    let hanging = HANGING[usize::from(!led)] * hand_length_m;
+    let lens = [LENS_HEIGHT, LENS_DISTANCE].map(|share| share * stature_m);
+    let seen_from_lens = |y: f64, z: f64| {
+        let nearness = lens[1] / (lens[1] - z.clamp(0.0, 0.5 * lens[1]));
+        y.min(lens[0] + (y - lens[0]) * nearness)
+    };
     let wrists = stroke.keys.iter().filter_map(|k| k.wrist_in_world);
     let space = wrists
         .map(|wrist| TakenSpace {
             top_m: wrist.y + hand_length_m,
-            bottom_m: wrist.y - HANGING * hand_length_m,
+            bottom_m: seen_from_lens(wrist.y - hanging, wrist.z + 0.5 * hand_length_m),
             half_width_m: wrist.x.abs() + hand_length_m,
         })
         .reduce(|a, b| TakenSpace {

@@ -139,14 +139,24 @@ impl Picture {
             shot.frame(floor_in_world, stature_m, aspect, room)
         };
         let usual = || room((Span::default(), SLOW_ZOOM));
-        let of = |take: &Take| match take.shot {
-            // The lens goes near, and makes room for hands.
-            near @ (Shot::Close | Shot::ExtremeClose) if take.is_felt => {
-                let rest = Span::of(near, stature_m, aspect);
-                let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
-                frame(Shot::Storyteller, room((rest, zoom)))
+        let of = |take: &Take| {
+            let elevation_rad = take.angle.elevation_rad();
+            let room = |rest| {
+                let room = room(rest);
+                Room {
+                    span: room.span.seen_from(elevation_rad),
+                    ..room
+                }
+            };
+            match take.shot {
+                // The lens goes near, and makes room for hands.
+                near @ (Shot::Close | Shot::ExtremeClose) if take.is_felt => {
+                    let rest = Span::of(near, stature_m, aspect);
+                    let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
+                    frame(Shot::Storyteller, room((rest, zoom)))
+                }
+                shot => frame(shot, room((Span::default(), SLOW_ZOOM))),
             }
-            shot => frame(shot, usual()),
         };
         match self.view {
             Some(view) => view.of(&frame(Shot::Full, usual())),

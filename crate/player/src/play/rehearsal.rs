@@ -61,7 +61,7 @@ impl Rehearsal<'_> {
             .flat_map(|p| {
                 let strokes = p.strokes.iter().flatten();
                 strokes
-                    .filter_map(|s| gestures::space(s, hand_m))
+                    .filter_map(|s| gestures::space(s, hand_m, stature_m))
                     .chain(manipulators::space(&p.manipulators, hand_m))
             })
             .map(|g| Gesture {

@@ -41,7 +41,7 @@ pub(super) fn framing(player: &mut Player) -> Vec<Check> {
     let mut face = Check::new("face-cut", 1.0, "of the picture");
     let mut zoom = Check::new("zoom", 10.0, "%/s");
     let mut near = Check::new("zoom-felt", 50.0, "%/s");
-    let mut short = Check::new("shot-short", 0.0, "s");
+    let mut short = Check::new("shot-short", 0.001, "s");
     for (start_secs, length_secs) in player.felt_shots() {
         short.measure((SHORTEST_SECS - length_secs).max(0.0), "shot", start_secs);
     }

@@ -80,6 +80,13 @@ impl Check {
     }
 }
 
+/// What [`sweep`] finds of the picture alone: whether it holds hands and face, how fast it zooms and how
+/// soon it changes.
+#[must_use]
+pub fn look_at_the_picture(player: &mut Player) -> Vec<Check> {
+    framing::framing(player)
+}
+
 /// Sweeps over the whole of a story. Times pass in a player as in a viewer's; its cues do
 /// not.
 #[must_use]

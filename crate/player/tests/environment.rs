@@ -1,0 +1,210 @@
+//! How camera, light and music express what is felt (GEVH 3.5.4), over stories at random.
+
+mod common;
+
+use common::{figure, perform, story};
+use raconteur_player::eml::Severity;
+use raconteur_player::stage::emotion::{Angle, EMOTIONS, Valence};
+use raconteur_player::stage::{Camera, Lighting, Set, Shot};
+use raconteur_player::sweep::look_at_the_picture;
+use raconteur_player::{Options, Player};
+use raconteur_tier::sized;
+
+/// Choices from a seed: Sebastiano Vigna's splitmix64.
+struct Dice(u64);
+
+impl Dice {
+    fn share(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.share()
+    }
+
+    fn pick<T: Copy>(&mut self, items: &[T]) -> T {
+        items[(self.share() * items.len() as f64) as usize % items.len()]
+    }
+}
+
+/// A story at random: emotions of every kind that overlap or not, gestures between waist and crown.
+fn at_random(seed: u64, head: &str) -> String {
+    let mut dice = Dice(seed);
+    let mut body = String::new();
+    let mut t = 1.0;
+    while t < 24.0 {
+        let kind = EMOTIONS[1 + (dice.share() * 24.0) as usize % 24].name;
+        let (potential, secs) = (dice.between(0.2, 10.0), dice.between(0.0, 6.0));
+        let (threshold, decay) = (dice.pick(&[0.0, 0.0, 1.0]), dice.between(0.5, 5.0));
+        body += &format!(
+            "<r:emotion time='{t:.2}' type='{kind}' potential='{potential:.2}' duration='{secs:.2}' \
+             threshold='{threshold}' decay='{decay:.2}'/>"
+        );
+        t += dice.between(0.3, 7.0);
+    }
+    let mut t = 1.5;
+    while t < 26.0 {
+        let hands = dice.pick(&["left", "right", "both"]);
+        let [x, y, z] = [
+            dice.between(4.0, 13.0),
+            dice.between(4.0, 24.0),
+            dice.between(-16.0, -9.0),
+        ];
+        let x = if hands == "right" { -x } else { x };
+        body += &format!(
+            "<gesture-key time='{t:.2}' duration='0.8' handedness='{hands}'><hand-shapes><key time='0' id='1'/>\
+             </hand-shapes><motion coords='speaker'><key time='0' x='{x:.1}' y='{y:.1}' z='{z:.1}'/>\
+             <key time='0.6' x='{:.1}' y='{:.1}' z='{z:.1}'/></motion></gesture-key>",
+            0.8 * x,
+            y + 1.0
+        );
+        t += dice.between(1.2, 6.0);
+    }
+    format!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment {head}/></head><body>{body}<null time='30'/>\
+         </body></eml>"
+    )
+}
+
+fn player(eml: &str) -> Player {
+    let loaded = perform(eml, None, figure(), Options::default());
+    let errors = loaded
+        .diagnostics
+        .iter()
+        .filter(|d| d.severity == Severity::Error);
+    assert_eq!(errors.count(), 0, "{:?}", loaded.diagnostics);
+    loaded.player
+}
+
+#[test]
+fn no_shot_is_short_hands_stay_in_it_and_no_face_is_cut() {
+    let mut worst: Vec<(&str, f64)> = Vec::new();
+    for seed in 0..sized(8, 1000) as u64 {
+        let mut player = player(&at_random(seed, ""));
+        for check in look_at_the_picture(&mut player) {
+            assert!(check.is_ok(), "story {seed}: {check:?}");
+            match worst.iter_mut().find(|(name, _)| *name == check.name) {
+                Some((_, most)) => *most = most.max(check.worst),
+                None => worst.push((check.name, check.worst)),
+            }
+        }
+    }
+    println!("worst of all: {worst:?}");
+}
+
+#[test]
+fn poses_do_not_depend_on_the_environment() {
+    for seed in 0..sized(3, 50) as u64 {
+        let mut on = player(&at_random(seed, ""));
+        let mut off = player(&at_random(
+            seed,
+            "camera='false' light='false' music='false' set='night'",
+        ));
+        for i in 0..30 {
+            let t = f64::from(i);
+            assert_eq!(on.digest(t), off.digest(t), "story {seed} at {t}");
+        }
+        assert!(off.music().is_empty() && !on.music().is_empty());
+        let quiet = off.frame(12.0, 1.6).lighting;
+        assert_eq!(quiet, off.frame(0.0, 1.6).lighting);
+    }
+}
+
+/// What the environment shows at a time.
+fn shown(player: &mut Player, t: f64) -> (Camera, Lighting, Set, Vec<String>) {
+    let music = player.expressed(t).music;
+    let frame = player.frame(t, 1.6);
+    (frame.camera, frame.lighting, frame.set, music)
+}
+
+#[test]
+fn seeking_shows_what_playing_shows() {
+    let mut player = player(&at_random(7, "set='garden'"));
+    let played: Vec<_> = (0..120)
+        .map(|i| shown(&mut player, 0.25 * f64::from(i)))
+        .collect();
+    for i in (0..120).rev() {
+        let i = (i * 37) % 120;
+        player.seek(0.25 * f64::from(i));
+        let sought = shown(&mut player, 0.25 * f64::from(i));
+        assert!(sought == played[i as usize], "at {}", 0.25 * f64::from(i));
+    }
+}
+
+#[test]
+fn no_channel_is_faster_than_it_says() {
+    const STEP_SECS: f64 = 1.0 / 60.0;
+    for seed in 0..sized(4, 200) as u64 {
+        let mut player = player(&at_random(seed, ""));
+        let mut last: Option<(Lighting, f64)> = None;
+        for i in 0..1800 {
+            let t = STEP_SECS * f64::from(i);
+            let frame = player.frame(t, 1.6);
+            let light = frame.lighting;
+            let height = (0.5 * frame.camera.fov_y_rad).tan();
+            if let Some((before, was)) = last {
+                // From nothing to twice the stage's own light in 1.4 s, eased: 1.875 times the mean.
+                let most = (2.0 * 1.875 * STEP_SECS / 1.4) as f32;
+                for c in 0..3 {
+                    let step = (light.key.irradiance[c] - before.key.irradiance[c]).abs();
+                    assert!(step <= most, "story {seed} at {t}: {step}");
+                }
+                // A shot that is kept, or moved to, zooms; a cut is no zoom.
+                let zoom = (height / was).ln().abs();
+                let cut = player.expressed(t).shot != player.expressed(t - STEP_SECS).shot;
+                assert!(zoom < 0.05 || cut, "story {seed} at {t}: {zoom}");
+            }
+            last = Some((light, height));
+        }
+    }
+}
+
+#[test]
+fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
+    let player = story("white-rabbit", figure(), Options::default()).player;
+    let felt: Vec<_> = (0..1500)
+        .map(|i| player.expressed(0.1 * f64::from(i)))
+        .collect();
+    let find = |name: &str| {
+        let mut all = felt
+            .iter()
+            .filter(|e| e.emotion.is_some_and(|e| e.name == name));
+        let strongest = all
+            .clone()
+            .max_by(|a, b| a.intensity.total_cmp(&b.intensity));
+        (all.any(|e| e.angle == Angle::Low), strongest.expect(name))
+    };
+    let (low, anger) = find("anger");
+    assert!(low && anger.light.color == [1.0, 0.0, 0.0], "{anger:?}");
+    let (_, sorrow) = find("sorry-for");
+    assert!(sorrow.light.brightness < 1.0, "{sorrow:?}");
+    let (_, joy) = find("joy");
+    assert!(
+        joy.light.brightness >= 1.0 && joy.light.color[2] < 0.5,
+        "{joy:?}"
+    );
+    let shots: Vec<Shot> = felt.iter().map(|e| e.shot).collect();
+    for shot in [Shot::Storyteller, Shot::Close] {
+        assert!(shots.contains(&shot), "{shot:?}");
+    }
+    let moods: Vec<Valence> = felt.iter().map(|e| e.mood.sign()).collect();
+    for sign in [Valence::Negative, Valence::Neutral, Valence::Positive] {
+        assert!(moods.contains(&sign), "{sign:?}");
+    }
+    let music = player.music();
+    for piece in ["neutral.opus", "negative-calm.opus", "positive-lively.opus"] {
+        assert!(
+            music.iter().any(|cue| cue.file == piece),
+            "{piece}: {music:?}"
+        );
+    }
+    // One after the other on bar lines; two at once while one takes over.
+    for t in 0..1500 {
+        let heard = player.expressed(0.1 * f64::from(t)).music;
+        assert!(heard.len() <= 4, "{heard:?}");
+    }
+}
