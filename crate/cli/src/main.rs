@@ -70,6 +70,8 @@ enum Command {
     Voice(commands::voice::Voice),
     /// Play stories without pixels and report what a viewer would notice.
     Sweep(commands::sweep::Sweep),
+    /// Show how camera, light and music express emotions.
+    Express(commands::express::Express),
     /// Play a score on the built-in synthesiser.
     Compose(commands::compose::Compose),
     /// Pack a story as a course for a learning management system, or for a plain site.
@@ -94,6 +96,7 @@ impl Command {
             Self::Bake(c) => c.run(),
             Self::Voice(c) => c.run(),
             Self::Sweep(c) => c.run(),
+            Self::Express(c) => c.run(),
             Self::Compose(c) => c.run(),
             Self::Export(c) => c.run(),
             Self::Serve(c) => c.run(),

@@ -3,7 +3,7 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use crate::storyteller::{AT_REST, Span};
+use crate::storyteller::{AT_REST, FACE, HEAD, Span};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,6 +170,17 @@ impl Shot {
                 top: 1.01,
                 half_width: 0.08,
             },
+        }
+    }
+
+    /// What the shot shows where an emotion asks for it, while no gesture needs more, in a picture of
+    /// `aspect`: of the near ones the face, whole.
+    #[must_use]
+    pub fn felt_span(self, stature_m: f64, aspect: f64) -> Span {
+        match self {
+            Self::Close => HEAD.with_head(stature_m, aspect),
+            Self::ExtremeClose => FACE.with_head(stature_m, aspect),
+            _ => Span::default(),
         }
     }
 

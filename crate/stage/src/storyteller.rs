@@ -7,8 +7,6 @@
 use raconteur_base::curve::{lerp, minimum_jerk, smooth};
 use raconteur_base::ops;
 
-use crate::camera::Shot;
-
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
 const EYES: f64 = 0.933;
 /// Height of the picture about the eyes while no gesture needs more, share of stature: a head
@@ -27,11 +25,11 @@ const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
 /// What the nearest pictures of a face show, shares of stature: head and shoulders, and the face with
 /// room for nods. Designed.
-const HEAD: Span = Span {
+pub(crate) const HEAD: Span = Span {
     bottom: 0.76,
     top: 1.06,
 };
-const FACE: Span = Span {
+pub(crate) const FACE: Span = Span {
     bottom: 0.835,
     top: 1.045,
 };
@@ -111,21 +109,15 @@ impl Default for Span {
 }
 
 impl Span {
-    /// What a shot that an emotion asks for shows while no gesture needs more, in a picture of
-    /// `aspect`: of the near ones the face, whole.
+    /// The same with a head that turns, in a picture of `aspect`.
     #[must_use]
-    pub fn of(shot: Shot, stature_m: f64, aspect: f64) -> Self {
-        let near = match shot {
-            Shot::Close => HEAD,
-            Shot::ExtremeClose => FACE,
-            _ => return Self::default(),
-        };
-        let face = TakenSpace {
-            top_m: near.top * stature_m,
-            bottom_m: near.bottom * stature_m,
+    pub(crate) fn with_head(self, stature_m: f64, aspect: f64) -> Self {
+        let head = TakenSpace {
+            top_m: self.top * stature_m,
+            bottom_m: self.bottom * stature_m,
             half_width_m: HEAD_HALF_WIDTH * stature_m,
         };
-        near.with(&face, stature_m, aspect)
+        self.with(&head, stature_m, aspect)
     }
 
     fn height(self) -> f64 {
@@ -225,8 +217,8 @@ mod tests {
     use raconteur_base::DVec3;
 
     use super::*;
-    use crate::Room;
     use crate::camera::STAGE_HALF_WIDTH_M;
+    use crate::{Room, Shot};
 
     const STATURE_M: f64 = 1.66;
 

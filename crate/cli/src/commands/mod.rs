@@ -4,6 +4,7 @@ pub(crate) mod bake;
 pub(crate) mod check;
 pub(crate) mod compose;
 pub(crate) mod export;
+pub(crate) mod express;
 pub(crate) mod faces;
 pub(crate) mod figure;
 pub(crate) mod fmt;

@@ -69,7 +69,7 @@ pub(crate) struct Render {
     set: Option<SetKind>,
 }
 
-fn parse_set(name: &str) -> Result<SetKind, String> {
+pub(crate) fn parse_set(name: &str) -> Result<SetKind, String> {
     let found = Set::NAMES.iter().find(|(known, _)| *known == name);
     found.map(|(_, kind)| *kind).ok_or_else(|| {
         let names = Set::NAMES.map(|(known, _)| known);
@@ -89,7 +89,7 @@ fn parse_quality(name: &str) -> Result<Quality, String> {
 /// Largest side of a picture, pixels; what every adapter can draw.
 const LARGEST_SIDE: u32 = 8192;
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let (w, h) = text
         .split_once('x')
         .ok_or("write WIDTHxHEIGHT, for example 1280x720")?;

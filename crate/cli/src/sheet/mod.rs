@@ -108,6 +108,9 @@ pub(crate) fn draw(
     Ok(board.picture())
 }
 
+/// What is wrong where it has too many.
+const FULL: &str = "more tiles than the sheet has places for";
+
 /// A sheet that tiles are put on one after another.
 pub(crate) struct Board {
     picture: Picture,
@@ -145,13 +148,7 @@ impl Board {
         tile: &Tile,
         headless: &mut Headless,
     ) -> Result<()> {
-        let places = self
-            .layout
-            .places
-            .get(self.next)
-            .zip(self.widths.get(self.next));
-        let (&place, &width) = places.context("more tiles than the sheet has places for")?;
-        self.next += 1;
+        let width = *self.widths.get(self.next).context(FULL)?;
         let mut frame =
             Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
         frame.set = light::room();
@@ -168,9 +165,22 @@ impl Board {
             Style::Wire => wire::draw(figure, &tile.posed, &tile.camera, size),
             Style::Silhouette => silhouette(headless, &mut frame, size)?,
         };
-        self.picture.lay(place, size, &pixels);
+        self.lay(&pixels, &tile.caption)
+    }
+
+    /// Lays the picture of the next tile down, of the size that it has.
+    pub(crate) fn lay(&mut self, pixels: &[u8], caption: &str) -> Result<()> {
+        let places = self
+            .layout
+            .places
+            .get(self.next)
+            .zip(self.widths.get(self.next));
+        let (&place, &width) = places.context(FULL)?;
+        self.next += 1;
+        let size = (width, self.height);
+        self.picture.lay(place, size, pixels);
         if self.has_captions {
-            self.picture.write_under(place, size, &tile.caption);
+            self.picture.write_under(place, size, caption);
         }
         Ok(())
     }

@@ -17,6 +17,7 @@ pub(crate) mod moods;
 pub(crate) mod music;
 pub(crate) mod needs;
 pub(crate) mod parameters;
+pub(crate) mod piece;
 pub(crate) mod plan;
 pub(crate) mod questions;
 pub(crate) mod script;

@@ -5,7 +5,7 @@ use raconteur_eml::{Arousal, Document, Lead};
 use raconteur_stage::emotion::Valence;
 use raconteur_stage::{Feelings, Mood};
 
-use crate::lower::music::{MusicClause, Voice};
+use crate::lower::piece::{MusicClause, Voice};
 
 /// No piece that a mood asks for is heard shorter, seconds. Designed.
 const SHORTEST_SECS: f64 = 8.0;

@@ -4,10 +4,11 @@
 //! that music steps back under speech, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{ClauseKind, Lead};
+use raconteur_eml::ClauseKind;
 
 use crate::lower::cues::UtteranceCue;
 use crate::lower::moods;
+use crate::lower::piece::{MusicClause, Voice};
 use crate::lower::script::Script;
 
 /// Share of the music's level under speech: 8 dB less. Designed: words stay clear
@@ -19,42 +20,6 @@ const STEP_BACK_SECS: f64 = 0.3;
 const RETURN_SECS: f64 = 0.9;
 /// Even what begins or ends at once does so in this time, so that it does not click; seconds.
 const CLICK_SECS: f64 = 0.01;
-
-/// One of the files that make a piece of music.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Voice {
-    pub(crate) file: String,
-    pub(crate) library: bool,
-    /// Whether it begins again when it is over.
-    pub(crate) loops: bool,
-    /// Its level against the piece at story times, by time, straight between them; none: 1.
-    pub(crate) share: Vec<(f64, f64)>,
-}
-
-/// What is heard from a time on.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct MusicClause {
-    pub(crate) start_secs: f64,
-    /// Who leads from then on.
-    pub(crate) by: Lead,
-    /// None: silence.
-    pub(crate) voices: Vec<Voice>,
-    pub(crate) volume: f64,
-    pub(crate) fade_secs: f64,
-}
-
-impl MusicClause {
-    /// Music fades to silence.
-    pub(crate) fn silence(start_secs: f64, fade_secs: f64) -> Self {
-        Self {
-            start_secs,
-            by: Lead::Emotion,
-            voices: Vec::new(),
-            volume: 1.0,
-            fade_secs,
-        }
-    }
-}
 
 /// A piece of music at its time.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,7 +15,8 @@ use crate::lower::lamps::{self, LampCue};
 use crate::lower::lead::Channels;
 use crate::lower::manipulators;
 use crate::lower::moods::{self, OwnPiece};
-use crate::lower::music::{self, MusicClause};
+use crate::lower::music;
+use crate::lower::piece::MusicClause;
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
 

@@ -8,7 +8,8 @@ use crate::live::{self, Live};
 use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::felt;
 use crate::lower::moods::Scoring;
-use crate::lower::music::{self, MusicClause, MusicCue};
+use crate::lower::music::{self, MusicCue};
+use crate::lower::piece::MusicClause;
 use crate::lower::plan::ScriptPlan;
 
 /// The story, and the live performance that has joined it.

@@ -1,0 +1,249 @@
+//! `raconteur express`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result};
+use clap::{Args, Subcommand, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_player::{Options, Player, StoryInput};
+use raconteur_render::RenderOptions;
+use raconteur_render::headless::Headless;
+use raconteur_stage::emotion::EMOTIONS;
+use raconteur_stage::{Frame, SetKind};
+
+use crate::commands::render::{parse_set, parse_size};
+use crate::picture::{self, write_png};
+use crate::sheet::Board;
+use crate::soundtrack::Soundtrack;
+use crate::story::find_figure;
+use crate::{Outcome, film};
+
+/// The emotions of the third study of GEVH (section 4.3).
+const STUDY: [&str; 8] = [
+    "anger",
+    "disliking",
+    "distress",
+    "fear",
+    "joy",
+    "liking",
+    "reproach",
+    "neutral",
+];
+/// When the emotion of a clip begins, seconds.
+const BEGIN_SECS: f64 = 1.0;
+/// When a picture of the sheet is taken: camera and light have come to what they show, seconds.
+const SETTLED_SECS: f64 = 5.0;
+
+/// Show how camera, light and music express emotions.
+#[derive(Args)]
+pub(crate) struct Express {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Make a film of each emotion: by default the eight clips of the third study of GEVH.
+    Clips(Clips),
+    /// Draw all emotions in one pose by the face, by each channel alone, and by all together.
+    Sheet(Sheet),
+}
+
+/// A channel of the environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Channel {
+    Camera,
+    Light,
+    Music,
+}
+
+const CHANNELS: [Channel; 3] = [Channel::Camera, Channel::Light, Channel::Music];
+
+#[derive(Args)]
+struct Shown {
+    /// Potential of the emotions, 0 to 10.
+    #[arg(long, default_value_t = 5.0)]
+    potential: f64,
+    /// A figure's name, or the path of a .glb file.
+    #[arg(long, default_value = "sofia")]
+    figure: String,
+    /// Where it stands: curtain, fireside, garden, night or school.
+    #[arg(long, value_parser = parse_set)]
+    set: Option<SetKind>,
+}
+
+#[derive(Args)]
+struct Clips {
+    /// The folder that the films go into.
+    #[arg(short, long)]
+    output: PathBuf,
+    /// Emotions by name.
+    #[arg(default_values = STUDY, value_parser = parse_emotion)]
+    emotions: Vec<String>,
+    #[command(flatten)]
+    shown: Shown,
+    /// A channel that stays as it is; may be given several times.
+    #[arg(long, value_enum)]
+    without: Vec<Channel>,
+    /// Length of a film, seconds.
+    #[arg(long, default_value_t = 10.0)]
+    length: f64,
+    /// Width and height in pixels.
+    #[arg(long, default_value = "640x360", value_parser = parse_size)]
+    size: (u32, u32),
+    /// Frames a second.
+    #[arg(long, default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=240))]
+    fps: u32,
+}
+
+#[derive(Args)]
+struct Sheet {
+    /// Where to write the picture (PNG).
+    #[arg(short, long)]
+    output: PathBuf,
+    #[command(flatten)]
+    shown: Shown,
+    /// Height of each tile, pixels.
+    #[arg(long, default_value_t = 150)]
+    height: u32,
+}
+
+fn parse_emotion(name: &str) -> Result<String, String> {
+    if EMOTIONS.iter().any(|e| e.name == name) {
+        return Ok(name.to_owned());
+    }
+    let names: Vec<&str> = EMOTIONS.iter().map(|e| e.name).collect();
+    Err(format!("one of {}", names.join(", ")))
+}
+
+impl Shown {
+    /// A player of a script that elicits an emotion for so long and lets some channels express it.
+    fn player(&self, emotion: &str, by: &[Channel], secs: f64) -> Result<Player> {
+        let on = |channel: Channel| by.contains(&channel);
+        let felt = if emotion == "neutral" {
+            String::new()
+        } else {
+            format!(
+                "<r:emotion time='{BEGIN_SECS}' type='{emotion}' potential='{}' duration='{secs}'/>",
+                self.potential.clamp(0.0, 10.0)
+            )
+        };
+        let eml = format!(
+            "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment camera='{}' light='{}' \
+             music='{}'/></head><body>{felt}<null time='{secs}'/></body></eml>",
+            on(Channel::Camera),
+            on(Channel::Light),
+            on(Channel::Music),
+        );
+        let mut player = Player::load(StoryInput {
+            eml: &eml,
+            bundle: None,
+            figure: find_figure(&self.figure)?.into(),
+            options: Options::default(),
+        })
+        .player;
+        player.set_place(self.set);
+        Ok(player)
+    }
+}
+
+fn progress(count: u64, of: &str) -> Result<ProgressBar> {
+    let style =
+        ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {of}, {{eta}} left"))?;
+    Ok(ProgressBar::new(count).with_style(style))
+}
+
+impl Express {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
+            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
+        )?;
+        match &self.what {
+            What::Clips(clips) => clips.run(&mut headless)?,
+            What::Sheet(sheet) => sheet.run(&mut headless)?,
+        }
+        Ok(Outcome::Fine)
+    }
+}
+
+impl Clips {
+    fn run(&self, headless: &mut Headless) -> Result<()> {
+        fs::create_dir_all(&self.output)
+            .with_context(|| format!("making {}", self.output.display()))?;
+        let by: Vec<Channel> = CHANNELS
+            .into_iter()
+            .filter(|c| !self.without.contains(c))
+            .collect();
+        let (w, h) = self.size;
+        let length = if self.length.is_finite() {
+            self.length.clamp(1.0, 600.0)
+        } else {
+            10.0
+        };
+        let count = (length * f64::from(self.fps)).ceil() as u64;
+        let bar = progress(count * self.emotions.len() as u64, "frames")?;
+        for (i, emotion) in self.emotions.iter().enumerate() {
+            let mut player = self.shown.player(emotion, &by, length)?;
+            if i == 0 {
+                picture::set_figure(headless, player.figure())?;
+            }
+            // The script lies nowhere; all its music is the library's.
+            let soundtrack = Soundtrack::of(&player, Path::new(""), 0.0, length);
+            let path = self.output.join(format!("{emotion}.mp4"));
+            let mut sink = film::Sink::open(&path, self.size, self.fps, length, &soundtrack)?;
+            for n in 0..count {
+                let frame =
+                    player.frame(n as f64 / f64::from(self.fps), f64::from(w) / f64::from(h));
+                sink.push(&headless.render_rgba(frame, w, h)?)?;
+                bar.inc(1);
+            }
+            sink.close()?;
+        }
+        bar.finish_and_clear();
+        Ok(())
+    }
+}
+
+impl Sheet {
+    fn run(&self, headless: &mut Headless) -> Result<()> {
+        const ASPECT: f64 = 16.0 / 9.0;
+        let height = self.height.clamp(16, 1024);
+        let width = (f64::from(height) * ASPECT).round() as u32;
+        let columns: [(&str, &[Channel]); 4] = [
+            ("face", &[]),
+            ("camera", &[Channel::Camera]),
+            ("light", &[Channel::Light]),
+            ("all", &CHANNELS),
+        ];
+        let aspects = vec![ASPECT; columns.len() * EMOTIONS.len()];
+        let mut board = Board::new(&aspects, height, None, columns.len() as u32);
+        let bar = progress(aspects.len() as u64, "pictures")?;
+        // One pose: what moves is the environment alone.
+        let mut calm = self.shown.player("neutral", &[], 2.0 * SETTLED_SECS)?;
+        picture::set_figure(headless, calm.figure())?;
+        let pose = calm.frame(SETTLED_SECS, ASPECT).clone();
+        for emotion in &EMOTIONS {
+            for (name, by) in columns {
+                let mut player = self.shown.player(emotion.name, by, 2.0 * SETTLED_SECS)?;
+                let seen = player.frame(SETTLED_SECS, ASPECT).clone();
+                let shown = if matches!(name, "face" | "all") {
+                    seen
+                } else {
+                    Frame {
+                        camera: seen.camera,
+                        lighting: seen.lighting,
+                        set: seen.set,
+                        ..pose.clone()
+                    }
+                };
+                let pixels = headless.render_rgba(&shown, width, height)?;
+                board.lay(&pixels, &format!("{}: {name}", emotion.name))?;
+                bar.inc(1);
+            }
+        }
+        bar.finish_and_clear();
+        let picture = board.picture();
+        write_png(&self.output, picture.size(), picture.rgba())
+    }
+}
