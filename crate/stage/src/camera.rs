@@ -3,7 +3,7 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use crate::storyteller::{AT_REST, FACE, HEAD, Span};
+use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,6 +178,7 @@ impl Shot {
     #[must_use]
     pub fn felt_span(self, stature_m: f64, aspect: f64) -> Span {
         match self {
+            Self::Medium => BUST.with_head(stature_m, aspect),
             Self::Close => HEAD.with_head(stature_m, aspect),
             Self::ExtremeClose => FACE.with_head(stature_m, aspect),
             _ => Span::default(),

@@ -10,7 +10,10 @@ use crate::{DirectedLight, Lighting, Set};
 const SHARED_TINT: f32 = 0.35;
 /// How much white is in every key light. Designed: no gel is pure, and what has none of its colour
 /// would be black.
-const WHITE: f32 = 0.06;
+const WHITE: f32 = 0.10;
+/// How the colour grows with the intensity, an exponent of its share of [`FULL_MANNER`]. Designed: a
+/// weak emotion tinges, a strong one drenches.
+const TINGE: f64 = 0.7;
 /// Lamps follow a brightness as a lens opens: in part, so that a face is read in the dark and not
 /// burnt in the light; exponents of the key and of the rest. Designed.
 const KEY_FOLLOWS: f64 = 0.5;
@@ -61,9 +64,10 @@ impl Illumination {
     #[must_use]
     pub fn of(emotion: &EmotionType, intensity: f64) -> Self {
         let share = (intensity / FULL_MANNER).clamp(0.0, 1.0);
+        let tinge = ops::pow(share, TINGE);
         let lamp = emotion.lamp;
         Self {
-            color: linear(emotion.key_color),
+            color: linear(emotion.key_color).map(|c| lerp(1.0, f64::from(c), tinge) as f32),
             brightness: emotion.brightness(intensity),
             turn_rad: share * lamp.turn_rad,
             lift_rad: share * lamp.lift_rad,

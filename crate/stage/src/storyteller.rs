@@ -23,8 +23,12 @@ const ABOVE: f64 = 1.0 / 3.0;
 const LOWEST: f64 = 0.36;
 const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
-/// What the nearest pictures of a face show, shares of stature: head and shoulders, and the face with
-/// room for nods. Designed.
+/// What pictures that emotions ask for show, shares of stature: from the waist up, head and shoulders, and
+/// the face with room for nods. Designed.
+pub(crate) const BUST: Span = Span {
+    bottom: 0.61,
+    top: 1.09,
+};
 pub(crate) const HEAD: Span = Span {
     bottom: 0.76,
     top: 1.06,

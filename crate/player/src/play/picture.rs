@@ -150,7 +150,7 @@ impl Picture {
             };
             match take.shot {
                 // The lens goes near, and makes room for hands.
-                near @ (Shot::Close | Shot::ExtremeClose) if take.is_felt => {
+                near @ (Shot::Medium | Shot::Close | Shot::ExtremeClose) if take.is_felt => {
                     let rest = near.felt_span(stature_m, aspect);
                     let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
                     frame(Shot::Storyteller, room((rest, zoom)))
