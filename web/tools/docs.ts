@@ -27,6 +27,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
       ['docs/embedding.md', 'Embedding', 'A script tag or a package, what to serve, what fails.'],
       ['examples/README.md', 'Examples', 'Small applications with React, Vue, Svelte, Solid, Next, and without any of them.'],
       ['docs/element.md', 'The element', 'Every attribute, property, method and event.'],
+      ['docs/expression.md', 'Expression', 'How camera, light and music express what is felt.'],
       ['docs/courses.md', 'Courses', 'A story for SCORM, cmi5 and xAPI, or for any server.'],
       ['docs/live.md', 'Live', 'Minds that send EML while a story plays.'],
       ['docs/figures.md', 'Figures', 'The figures of the library and how they are made.'],

@@ -217,7 +217,14 @@ impl Sheet {
             ("all", &CHANNELS),
         ];
         let aspects = vec![ASPECT; columns.len() * EMOTIONS.len()];
-        let mut board = Board::new(&aspects, height, None, columns.len() as u32);
+        // Three emotions a row.
+        let across = 3 * columns.len() as u32;
+        let mut board = Board::new(
+            &aspects,
+            height,
+            None,
+            (f64::from(across) * ASPECT).ceil() as u32,
+        );
         let bar = progress(aspects.len() as u64, "pictures")?;
         // One pose: what moves is the environment alone.
         let mut calm = self.shown.player("neutral", &[], 2.0 * SETTLED_SECS)?;

@@ -299,6 +299,21 @@ mod tests {
     }
 
     #[test]
+    fn bars_are_as_long_as_the_scores_of_the_library_have_them() {
+        for piece in &LIBRARY {
+            for ending in ["", "-rise"] {
+                let path = format!("../../assets/music/{}{ending}.json", piece.name);
+                let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+                let text = std::fs::read_to_string(&path).expect(piece.name);
+                let score: serde_json::Value = serde_json::from_str(&text).expect(piece.name);
+                let number = |name: &str| score[name].as_f64().expect(name);
+                let bar_secs = 60.0 * number("beats") / number("bpm");
+                assert!((bar_secs - piece.bar_secs).abs() < 1e-9, "{}", piece.name);
+            }
+        }
+    }
+
+    #[test]
     fn moods_change_the_piece_on_bar_lines_and_not_soon() {
         let feelings = vec![felt("joy", 10.0, 6.0, 0.3), felt("anger", 30.0, 8.0, 0.6)];
         let led = scored(feelings, &[], Vec::new());
