@@ -153,6 +153,7 @@ export default defineConfig(({ mode }) => {
           viewer: join(root, 'viewer/index.html'),
           gestures: join(root, 'gestures/index.html'),
           face: join(root, 'face/index.html'),
+          expression: join(root, 'expression/index.html'),
           composite: join(root, 'composite/index.html'),
           'raconteur-player': join(root, 'web/element/index.ts'),
           'raconteur-composite': join(root, 'web/composite/index.ts'),

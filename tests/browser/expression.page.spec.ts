@@ -97,10 +97,21 @@ test('two settings stand side by side and play as one', async ({ stage, page }) 
   const times = (): Promise<number[]> => page.locator('raconteur-player').evaluateAll((all) => (all as RaconteurPlayer[]).map((p) => p.currentTime));
   await expect.poll(async () => Math.min(...(await times()))).toBeGreaterThan(SHOWN_SECS + 0.5);
   expect(await page.locator('raconteur-player').evaluateAll((all) => (all as RaconteurPlayer[]).map((p) => p.muted))).toEqual([false, true]);
+  await expect.poll(() => page.evaluate(() => window.record.starts.length)).toBeGreaterThan(0);
+  // What is changed while it plays goes on playing, and so does the other one.
+  await strength(page, 1);
+  await expect.poll(() => page.locator('#a').evaluate((p: RaconteurPlayer) => p.readyState === 4 && p.textContent)).toContain('potential="1"');
+  await expect.poll(() => page.locator('raconteur-player').evaluateAll((all) => all.map((p) => (p as RaconteurPlayer).paused))).toEqual([false, false]);
+  await expect.poll(async () => (await times()).reduce((first, second) => (first > SHOWN_SECS ? Math.abs(first - second) : Infinity))).toBeLessThan(0.6);
   await choose(page, 'Pause', 'button');
   await expect.poll(() => page.locator('#b').evaluate((p: RaconteurPlayer) => p.paused)).toBe(true);
   await choose(page, 'Compare', 'button');
   await expect(page.locator('#b')).toBeHidden();
+
+  // At its end it stands again where all has come.
+  await page.locator('#a').evaluate((p: RaconteurPlayer) => void (p.currentTime = p.duration - 0.5));
+  await choose(page, 'Play', 'button');
+  await expect.poll(() => page.locator('#a').evaluate((p: RaconteurPlayer) => [p.paused, p.currentTime])).toEqual([true, SHOWN_SECS]);
 });
 
 test('the disc is dragged and walked by keys: direction is the type, distance its potential', async ({ stage, page }) => {

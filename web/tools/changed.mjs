@@ -47,7 +47,7 @@ export function needed() {
   // What every crate is built from, or plays from.
   const all = files.some((file) => /^(Cargo\.|rust-toolchain|\.ci\/|assets\/|tests\/suite\/)/.test(file));
   const rust = all ? [...crates.keys()] : affected(files, crates);
-  const web = files.some((file) => /^(web|face|gestures|viewer|tests\/browser|index\.html|package|vite\.config|tsconfig|docs|biome)/.test(file));
+  const web = files.some((file) => /^(web|face|expression|gestures|viewer|tests\/browser|index\.html|package|vite\.config|tsconfig|docs|biome)/.test(file));
   const checks = files.length > 0 ? ['spelling'] : [];
   if (rust.length > 0) checks.push('format', 'clippy', 'rust');
   if (web) checks.push('lint', 'types');

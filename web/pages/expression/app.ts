@@ -1,0 +1,116 @@
+/** The state of the page: what is set for each player, and that both play as one. */
+
+import type { RaconteurPlayer } from '../../element/element.js';
+import { PageState } from '../page-state.js';
+import { Sitting } from './sitting.js';
+import { beginning, settingOf, type Setting, type Side, type State } from './state.js';
+import { write } from './write.js';
+
+/** What is said of every text that no voice was made for: this page needs none. */
+const NO_VOICE = 'player::no-bundle';
+
+/** Players that are further apart than this do not play as one. */
+const APART_SECS = 0.2;
+
+export type Tab = 'types' | 'disc';
+
+export class App extends PageState<State> {
+  tab: Tab = 'types';
+  readonly sittings: Readonly<Record<Side, Sitting>>;
+
+  constructor(
+    a: RaconteurPlayer,
+    b: RaconteurPlayer,
+    private readonly render: () => void,
+  ) {
+    super(a, beginning, (state) => write(state.a));
+    this.sittings = { a: new Sitting(a, () => this.#tell()), b: new Sitting(b, () => this.#tell()) };
+    this.#playTogether();
+  }
+
+  /** The sides that are on stage. */
+  get shown(): readonly Side[] {
+    return this.state.compares ? ['a', 'b'] : ['a'];
+  }
+
+  /** The setting that the controls change. */
+  get edited(): Setting {
+    return settingOf(this.state, this.state.edits);
+  }
+
+  /** The same for the time of one change. */
+  edit(change: (setting: Setting) => void): (state: State) => void {
+    return (state) => {
+      const setting = settingOf(state, state.edits);
+      change(setting);
+      state[state.edits] = setting;
+    };
+  }
+
+  compare(on: boolean): void {
+    this.set((s) => {
+      s.compares = on;
+      s.b = settingOf(s, 'b');
+      s.edits = on ? 'b' : 'a';
+    });
+  }
+
+  /** Plays from the very beginning, where nothing is felt yet. */
+  playAll(): void {
+    this.player.currentTime = 0;
+    this.player.play().catch(() => undefined);
+  }
+
+  /** One player leads; two of them would not be heard apart, so that one speaks and plays music whose setting is changed. */
+  #playTogether(): void {
+    const { a, b } = this.sittings;
+    let isNew = false;
+    const join = (): void => {
+      if (!this.state.compares || a.player.paused) return;
+      if (Math.abs(a.player.currentTime - b.player.currentTime) > APART_SECS) b.player.currentTime = a.player.currentTime;
+      if (b.player.paused) b.player.play().catch(() => undefined);
+    };
+    a.player.addEventListener('playing', () => {
+      isNew = true;
+      join();
+    });
+    b.player.addEventListener('loadedmetadata', join);
+    // Whoever waited for a voice has fallen behind; once, since each jump may take as long again.
+    b.player.addEventListener('playing', () => {
+      if (isNew) join();
+      isNew = false;
+    });
+    a.player.addEventListener('pause', () => b.player.pause());
+    a.player.addEventListener('ratechange', () => (b.player.playbackRate = a.player.playbackRate));
+    a.player.addEventListener('ended', () => Object.values(this.sittings).forEach((sitting) => sitting.stand()));
+    a.player.addEventListener('figurechange', () => {
+      if (a.player.figure !== undefined) b.player.figure = a.player.figure;
+    });
+  }
+
+  protected override draw(): void {
+    this.render();
+  }
+
+  protected override follow(): string {
+    return write(this.edited);
+  }
+
+  /** Each player that is on stage tells its own text. */
+  override rehearse(): Promise<void> {
+    const { a, b } = this.sittings;
+    const { edits, compares } = this.state;
+    a.player.muted = edits !== 'a';
+    b.player.muted = edits !== 'b';
+    b.player.hidden = !compares;
+    if (!compares) b.player.pause();
+    for (const side of this.shown) this.sittings[side].take(write(settingOf(this.state, side)));
+    return Promise.resolve();
+  }
+
+  /** A player has come to another text or moment. */
+  #tell(): void {
+    this.diagnostics = this.sittings[this.state.edits].player.diagnostics.filter(({ code }) => code !== NO_VOICE);
+    this.redraw();
+  }
+}

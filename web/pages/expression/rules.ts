@@ -1,0 +1,134 @@
+/** The rules by which the environment expresses what is felt (GEVH 3.5.4), as sentences about one moment. */
+
+import type { Expressed } from '../../element/types.js';
+import type { Channels } from './state.js';
+import { BAD, GOOD, STRONGEST } from './types.js';
+
+/** A rule that fires, or a channel in which none does. */
+export interface Rule {
+  readonly channel: 'feeling' | keyof Channels;
+  readonly text: string;
+  /** Where GEVH has it; empty where it is silent. */
+  readonly source: string;
+  /** The colour that it is about, of CSS. */
+  readonly color?: string;
+}
+
+/** A distance of the camera, and from which potential on it is taken. */
+interface Band {
+  readonly from: number;
+  readonly shot: Expressed['shot'];
+  readonly name: string;
+  readonly rule: number;
+}
+
+/** GEVH 3.5.4.1, rules 3 to 6: each band without its upper end, as `EmotionType::distance` of `crate/stage` has them. */
+export const BANDS: readonly [Band, ...Band[]] = [
+  { from: 0, shot: 'full', name: 'full shot', rule: 3 },
+  { from: 1.5, shot: 'medium', name: 'medium shot', rule: 4 },
+  { from: 2.5, shot: 'closeUp', name: 'close-up', rule: 5 },
+  { from: 4.5, shot: 'extremeCloseUp', name: 'extreme close-up', rule: 6 },
+];
+
+export function bandOf(potential: number): Band {
+  return BANDS.findLast((band) => potential >= band.from) ?? BANDS[0];
+}
+
+/** The colours of GEVH table 3.2. */
+const COLORS: Readonly<Record<string, string>> = {
+  '255,0,0': 'red',
+  '200,200,200': 'grey',
+  '220,255,0': 'green-yellow',
+  '153,153,153': 'dark grey',
+  '255,255,255': 'white',
+  '255,255,200': 'bright yellow',
+  '255,255,0': 'yellow',
+};
+
+/** Moods beyond these are good or bad, or active: `crate/stage/src/mood.rs`. */
+const MOODY = 1;
+const AROUSED = 0.6;
+
+/** A number for people: with a true minus, and no more digits than are read. */
+export const told = (n: number, digits = 1): string => {
+  const text = Math.abs(n).toFixed(digits);
+  return n < 0 && Number(text) !== 0 ? `−${text}` : text;
+};
+
+const capital = (word: string): string => `${word.charAt(0).toUpperCase()}${word.slice(1)}`;
+
+function angleRule({ emotion, angle }: Expressed): Rule {
+  const name = capital(emotion);
+  if (angle === 'eye') return { channel: 'camera', text: `${name} has no angle of its own → eye height`, source: '' };
+  return { channel: 'camera', text: `${name} → ${angle} angle`, source: angle === 'low' ? '3.5.4.1, rule 1' : '3.5.4.1, rule 2' };
+}
+
+function shotRule({ potential }: Expressed): Rule {
+  const { from, name, rule } = bandOf(potential);
+  const next = BANDS.find((band) => band.from > potential)?.from;
+  const range = next === undefined ? `from ${told(from)} on` : `in [${told(from)}; ${told(next)})`;
+  return { channel: 'camera', text: `Potential ${told(potential)} ${range} → ${name}`, source: `3.5.4.1, rule ${rule}` };
+}
+
+function colorRule({ emotion, color }: Expressed): Rule {
+  const css = `rgb(${color.join(' ')})`;
+  return { channel: 'light', text: `${capital(emotion)} → ${COLORS[color.join()] ?? css} key light`, source: 'table 3.2', color: css };
+}
+
+function lossRule({ emotion, intensity, attenuation, brightness }: Expressed): Rule {
+  const isGood = GOOD.some((name) => name === emotion);
+  const share = `${told(intensity)}/${STRONGEST}`;
+  const [sense, how, equation] = isGood ? ['Good', `min(0.5, 1 − ${share})`, '3.1'] : ['Bad', `max(0.25, ${share})`, '3.2'];
+  return { channel: 'light', text: `${sense}: attenuation ${how} = ${told(attenuation, 2)} → ${told(100 * brightness, 0)} % as bright`, source: `equation ${equation}` };
+}
+
+/** What the mood is called, and the bounds that make it so. */
+function moodOf({ valence, arousal }: Expressed): string {
+  const tone = valence > MOODY ? `above ${MOODY}, good` : valence < -MOODY ? `below −${MOODY}, bad` : `within ±${MOODY}, neutral`;
+  const active = arousal > AROUSED ? `above ${AROUSED}, active` : `not above ${AROUSED}, calm`;
+  return `Mood ${told(valence)} (${tone}), arousal ${told(arousal)} (${active})`;
+}
+
+/** The piece without its folder and ending; what arousal adds to it has a file of its own. */
+function pieceOf(music: readonly string[]): string {
+  const names = music.map((file) => file.replace(/^.*\/|\.\w+$/g, ''));
+  const piece = names.find((name) => !name.endsWith('-rise'));
+  if (piece === undefined) return 'silence';
+  return names.includes(`${piece}-rise`) ? `${piece}, with its livelier voices` : piece;
+}
+
+const off = (channel: keyof Channels, text: string): Rule => ({ channel, text, source: '' });
+
+const OFF: Readonly<Record<keyof Channels, string>> = {
+  camera: 'Off: the storyteller’s shot, at eye height',
+  light: 'Off: the light of the set',
+  music: 'Off: silence',
+};
+
+/** Nothing is felt: what each channel does of itself. */
+const PLAIN: Readonly<Record<keyof Channels, string>> = {
+  camera: 'The storyteller’s shot, at eye height',
+  light: 'The light of the set',
+  music: 'Silence',
+};
+
+/** All rules that fire at a moment. */
+export function rulesOf(expressed: Expressed, channels: Channels): readonly Rule[] {
+  const { emotion, potential } = expressed;
+  const isFelt = [...GOOD, ...BAD].some((name) => name === emotion) && potential > 0;
+  const feeling: Rule = {
+    channel: 'feeling',
+    text: isFelt ? `${capital(emotion)}, potential ${told(potential)}, intensity ${told(expressed.intensity)}` : 'Nothing is felt: no rule fires',
+    source: isFelt ? '3.5.4' : '',
+  };
+  const of = (channel: keyof Channels, rules: () => readonly Rule[]): readonly Rule[] => {
+    if (!channels[channel]) return [off(channel, OFF[channel])];
+    return isFelt ? rules() : [off(channel, PLAIN[channel])];
+  };
+  return [
+    feeling,
+    ...of('camera', () => [angleRule(expressed), shotRule(expressed)]),
+    ...of('light', () => [colorRule(expressed), lossRule(expressed)]),
+    ...of('music', () => [{ channel: 'music', text: `${moodOf(expressed)} → ${pieceOf(expressed.music)}`, source: '3.5.4.3' }]),
+  ];
+}

@@ -1,0 +1,97 @@
+/** The types of emotions of Ortony, Clore and Collins, and where the page's disc has them. */
+
+import { WORDS, type EmotionWord } from '../face/disc.js';
+
+export const GOOD = ['joy', 'happy-for', 'gloating', 'hope', 'satisfaction', 'relief', 'pride', 'admiration', 'gratification', 'gratitude', 'love', 'liking'] as const;
+export const BAD = ['distress', 'sorry-for', 'resentment', 'fear', 'fears-confirmed', 'disappointment', 'shame', 'reproach', 'remorse', 'anger', 'hate', 'disliking'] as const;
+
+export type FeltName = (typeof GOOD)[number] | (typeof BAD)[number];
+export type EmotionName = 'neutral' | FeltName;
+
+/** The greatest potential of `r:emotion`, and how exactly the page sets it. */
+export const STRONGEST = 10;
+export const POTENTIAL_STEP = 0.1;
+
+export const rounded = (potential: number): number => Math.round(Math.min(STRONGEST, Math.max(0, potential)) / POTENTIAL_STEP) / Math.round(1 / POTENTIAL_STEP);
+
+/** A type's direction on the disc. */
+export interface Ray {
+  readonly name: FeltName;
+  /** 1 to the right, where evaluation is positive, or -1. */
+  readonly side: 1 | -1;
+  /** From the horizontal upwards, degrees. */
+  readonly rise: number;
+}
+
+/** Degrees between two rays. */
+const APART = 12;
+
+/** Where F&H table 4.4 has a type. */
+function placeOf(name: FeltName): EmotionWord {
+  const place = WORDS.find((w) => w.word === name || w.also.includes(name));
+  if (place === undefined) throw new Error(`the disc has no ${name}`);
+  return place;
+}
+
+/**
+ * One side of the disc from the most active to the most passive direction of F&H table 4.4. Several types share a
+ * direction there, so they are spread evenly: each can be dragged to.
+ */
+function fan(names: readonly FeltName[], side: 1 | -1): readonly Ray[] {
+  const rise = (name: FeltName): number => {
+    const { activation, evaluation } = placeOf(name);
+    return Math.atan2(activation, side * evaluation);
+  };
+  const ordered = [...names].sort((a, b) => rise(b) - rise(a));
+  return ordered.map((name, i) => ({ name, side, rise: ((ordered.length - 1) / 2 - i) * APART }));
+}
+
+const RIGHT = fan(GOOD, 1);
+const LEFT = fan(BAD, -1);
+
+export const RAYS: readonly Ray[] = [...RIGHT, ...LEFT];
+
+const isFelt = (name: EmotionName): name is FeltName => name !== 'neutral';
+
+export const rayOf = (name: EmotionName): Ray | undefined => RAYS.find((ray) => isFelt(name) && ray.name === name);
+
+/** A place of the disc: to the right and upwards, 1 at its rim. */
+export interface Spot {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Where a ray is at a distance from the middle. */
+export function spotOf({ side, rise }: Ray, distance: number): Spot {
+  const radians = (rise * Math.PI) / 180;
+  return { x: side * distance * Math.cos(radians), y: distance * Math.sin(radians) };
+}
+
+/** What is felt: a type and how strong the events are that elicit it. */
+export interface Felt {
+  readonly emotion: EmotionName;
+  readonly potential: number;
+}
+
+/** The type in whose direction a place lies, and a potential that is its distance from the middle; in the very middle nothing is felt. */
+export function feltAt({ x, y }: Spot): Felt {
+  const potential = rounded(Math.hypot(x, y) * STRONGEST);
+  if (potential === 0) return { emotion: 'neutral', potential };
+  const along = (ray: Ray): number => {
+    const to = spotOf(ray, 1);
+    return to.x * x + to.y * y;
+  };
+  const nearest = RAYS.reduce((best, ray) => (along(ray) > along(best) ? ray : best));
+  return { emotion: nearest.name, potential };
+}
+
+/** Where arrow keys lead on the disc: up and down to the next type of a side, to the rim stronger, through the middle to the other side. */
+export function stepFrom({ emotion, potential }: Felt, right: number, up: number): Felt {
+  const own = rayOf(emotion);
+  if (own === undefined) return right === 0 ? { emotion, potential } : feltAt({ x: (right * POTENTIAL_STEP) / STRONGEST, y: 0 });
+  const [near, far] = own.side > 0 ? [RIGHT, LEFT] : [LEFT, RIGHT];
+  const index = Math.min(near.length - 1, Math.max(0, near.indexOf(own) - Math.sign(up)));
+  const along = potential + own.side * right * POTENTIAL_STEP;
+  const ray = (along < 0 ? far : near)[index] ?? own;
+  return { emotion: ray.name, potential: rounded(Math.abs(along)) };
+}
