@@ -75,7 +75,17 @@ test('music plays in time, after a seek and at another speed as well', async ({ 
 
   await stage.pause();
   expect((await state(page)).paused).toBe(true);
-  expect(await page.evaluate(() => window.music.length)).toBe(1);
+  // The piece and the voices that arousal adds.
+  expect(await page.evaluate(() => window.music.length)).toBe(2);
+});
+
+test('what is felt has music, which does not keep the story waiting', async ({ stage, page }) => {
+  await open(stage, page, "<r:emotion time='0' type='joy' potential='8' duration='40'/>");
+  await stage.play();
+  await stage.until(20);
+  const { music } = (await stage.player.evaluate((p: RaconteurPlayer) => p.expressed)) ?? { music: [] };
+  expect(music).toEqual(['positive-lively.opus', 'positive-lively-rise.opus']);
+  await expect.poll(() => page.evaluate(() => window.music.some(({ sound, gain }) => sound.src.includes('positive-lively.') && (gain?.gain.value ?? 0) > 0.3))).toBe(true);
 });
 
 test('a story goes on without music that is not there', async ({ stage, page }) => {

@@ -20,6 +20,9 @@ const MOST_PULL = 0.015;
 const SETTLE_MS = 400;
 /** How fast its level follows. */
 const FOLLOW_SECS = 0.02;
+/** How fast one that comes late comes in, and for how long it does. */
+const LATE_SECS = 0.4;
+const LATE_MS = 2000;
 
 /** The level of a line of points at a story time; straight between them. */
 export function levelAt(line: Piece['level'], secs: number): number {
@@ -48,6 +51,8 @@ interface Playing {
   setMs: number;
   /** It has been at its place: from now on it is heard. */
   inTime: boolean;
+  /** Since when. */
+  heardMs: number;
 }
 
 /** The folders that files are looked for in, and how they are fetched. */
@@ -122,7 +127,8 @@ export class Music {
 
   ready(position: number): boolean {
     return this.#pieces.every((piece) => {
-      if (position < piece.startSecs || position >= piece.endSecs) return true;
+      // What is danced to is waited for; a loop that sets a mood comes when it is there.
+      if (piece.loops || position < piece.startSecs || position >= piece.endSecs) return true;
       const playing = this.#playing.get(keyOf(piece));
       return playing !== undefined && (playing.settled || performance.now() - playing.sinceMs > PATIENCE_MS);
     });
@@ -154,7 +160,7 @@ export class Music {
     const gain = this.audio.createGain();
     gain.gain.value = 0;
     this.audio.createMediaElementSource(sound).connect(gain).connect(this.#output);
-    const playing: Playing = { piece, sound, gain, sinceMs: performance.now(), settled: false, missing: false, setMs: 0, inTime: false };
+    const playing: Playing = { piece, sound, gain, sinceMs: performance.now(), settled: false, missing: false, setMs: 0, inTime: false, heardMs: 0 };
     const root = piece.library ? this.#from.library : this.#from.story;
     const files = piece.file.endsWith('.opus') ? [piece.file, piece.file.replace(/opus$/, 'mp3')] : [piece.file];
     if (!sound.canPlayType('audio/ogg; codecs=opus')) files.reverse();
@@ -199,9 +205,13 @@ export class Music {
       this.#place(playing, place);
     } else {
       if (sound.playbackRate !== todo) sound.playbackRate = todo;
-      playing.inTime ||= !sound.seeking && sound.readyState > 2;
+      if (!playing.inTime && !sound.seeking && sound.readyState > 2) {
+        playing.inTime = true;
+        playing.heardMs = performance.now();
+      }
     }
-    gain.gain.setTargetAtTime(playing.inTime ? levelAt(piece.level, story) : 0, now, FOLLOW_SECS);
+    const follow = piece.loops && performance.now() - playing.heardMs < LATE_MS ? LATE_SECS : FOLLOW_SECS;
+    gain.gain.setTargetAtTime(playing.inTime ? levelAt(piece.level, story) : 0, now, playing.inTime ? follow : FOLLOW_SECS);
   }
 
   #place(playing: Playing, secs: number): void {
