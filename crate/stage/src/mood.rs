@@ -147,19 +147,17 @@ impl Feelings {
     /// The strongest emotion in force at a time; `before` keeps its place until another one is
     /// clearly stronger. Of two equals, the later one.
     #[must_use]
-    pub fn strongest(&self, time_secs: f64, before: Option<&Felt>) -> Option<&Felt> {
+    pub fn strongest(&self, time_secs: f64, before: Option<&Felt>) -> Option<Felt> {
         let in_force = self.about(time_secs, 0.0).iter();
         let in_force = in_force.filter(|f| f.is_in_force(time_secs));
         let strongest = in_force.max_by(|a, b| a.potential.total_cmp(&b.potential))?;
-        let kept = before.filter(|b| b.is_in_force(time_secs) && *b != strongest);
-        let kept = kept.filter(|b| strongest.potential < b.potential + HYSTERESIS);
-        match kept {
+        let kept = before.filter(|b| {
             // What begins later in the script than all that is felt is what the story is about now.
-            Some(b) if strongest.start_secs <= b.start_secs => {
-                self.felt.iter().find(|f| *f == b).or(Some(strongest))
-            }
-            _ => Some(strongest),
-        }
+            b.is_in_force(time_secs)
+                && strongest.start_secs <= b.start_secs
+                && strongest.potential < b.potential + HYSTERESIS
+        });
+        Some(*kept.unwrap_or(strongest))
     }
 
     /// The mood at a time.

@@ -75,7 +75,7 @@ pub(crate) fn leaders(
                 continue;
             }
             // Emotions have it again, from whatever the script left.
-            now = feelings.strongest(t, None).copied();
+            now = feelings.strongest(t, None);
             (since_secs, due_secs) = (t, f64::INFINITY);
             taken.push((t, Leader::Emotion(now)));
             continue;
@@ -83,7 +83,7 @@ pub(crate) fn leaders(
         if by_script {
             continue;
         }
-        let strongest = feelings.strongest(t, now.as_ref()).copied();
+        let strongest = feelings.strongest(t, now.as_ref());
         if same(now.as_ref(), strongest.as_ref()) {
             continue;
         }

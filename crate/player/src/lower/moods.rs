@@ -18,6 +18,8 @@ const STEP_SECS: f64 = 0.5;
 const MOST_STEPS: f64 = 20_000.0;
 /// How far a mood has to come back before its music ends, of the bound at which it begins. Designed.
 const LETS_GO: f64 = 0.7;
+/// Pieces that a script may bring; there are six moods, and it bounds the work.
+const MOST_OWN: usize = 12;
 /// A smaller change of a voice's level is not written.
 const LEAST_CHANGE: f64 = 0.03;
 
@@ -101,6 +103,7 @@ pub(crate) struct OwnPiece {
 pub(crate) fn own_pieces(document: &Document) -> Vec<OwnPiece> {
     let pieces = document.environment.iter().flat_map(|e| &e.pieces);
     pieces
+        .take(MOST_OWN)
         .map(|piece| OwnPiece {
             valence: of_script(piece.valence),
             is_aroused: piece.arousal.map(|a| a == Arousal::High),
