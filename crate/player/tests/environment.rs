@@ -210,3 +210,34 @@ fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
         assert!(heard.len() <= 4, "{heard:?}");
     }
 }
+
+#[test]
+fn a_flood_of_feelings_is_filmed_like_any_other() {
+    let pieces = "<r:piece valence='positive' file='music/a.opus' bar='0'/>".repeat(2000);
+    let felt: String = (0..20_000)
+        .map(|i| {
+            let (time, kind) = (0.01 * f64::from(i), EMOTIONS[1 + i as usize % 24].name);
+            format!(
+                "<r:emotion time='{time}' type='{kind}' potential='{}'/>",
+                i % 11
+            )
+        })
+        .collect();
+    let switches = "<r:camera time='3' by='emotion'/><r:light time='3' by='emotion'/>\
+                    <r:music time='3' by='emotion'/>"
+        .repeat(500);
+    let mut player = player(&format!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment>{pieces}</r:environment></head>\
+         <body>{felt}{switches}<null time='300'/></body></eml>"
+    ));
+    let music = player.music();
+    assert!(music.len() < 200, "{}", music.len());
+    let mut shots = 0;
+    let mut last = None;
+    for i in 0..200 {
+        let now = player.expressed(f64::from(i)).shot;
+        shots += usize::from(last.replace(now) != Some(now));
+    }
+    assert!(shots < 60, "{shots}");
+    assert!(player.frame(100.0, 1.6).camera.fov_y_rad.is_finite());
+}
