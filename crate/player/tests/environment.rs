@@ -241,3 +241,26 @@ fn a_flood_of_feelings_is_filmed_like_any_other() {
     assert!(shots < 60, "{shots}");
     assert!(player.frame(100.0, 1.6).camera.fov_y_rad.is_finite());
 }
+
+#[test]
+fn no_level_of_music_jumps() {
+    const RATE_HZ: f64 = 48_000.0;
+    let mut players: Vec<Player> = (0..20).map(|seed| player(&at_random(seed, ""))).collect();
+    players.push(story("white-rabbit", figure(), Options::default()).player);
+    let mut steepest = 0.0_f64;
+    for player in &players {
+        for cue in player.music() {
+            assert_eq!(cue.level_at(cue.start_secs), 0.0, "{cue:?}");
+            for pair in cue.level.windows(2) {
+                let [(from_secs, from), (to_secs, to)] = pair else {
+                    continue;
+                };
+                steepest = steepest.max((to - from).abs() / (to_secs - from_secs));
+            }
+        }
+    }
+    // From one sample to the next, of a piece at full scale.
+    let step_db = 20.0 * ops::ln(steepest / RATE_HZ) / std::f64::consts::LN_10;
+    println!("{step_db:.1} dB");
+    assert!(step_db < -50.0, "{step_db} dB");
+}
