@@ -13,6 +13,15 @@ const ALL_LOOKS = (['light', 'dark'] as const).flatMap((colorScheme) => [
 /** How a page is looked at; in the gate each colour scheme and each width once. */
 export const LOOKS = ALL_LOOKS.filter(({ colorScheme, device }) => isLong || (colorScheme === 'light') === (device === 'phone'));
 
+/** Looks at a page as it stands then. */
+export async function lookAt(page: Page, { colorScheme, width, height }: (typeof LOOKS)[number]): Promise<void> {
+  await page.emulateMedia({ colorScheme });
+  await page.setViewportSize({ width, height });
+}
+
+/** The parts of a page that are looked at in one way; in the gate each part in one of them. */
+export const partsIn = (look: (typeof LOOKS)[number], parts: readonly string[]): readonly string[] => parts.filter((_, i) => isLong || i % LOOKS.length === LOOKS.indexOf(look));
+
 /** Checks the page as it is now; `part` says which part of it is open. */
 export async function expectNoBarriers(page: Page, part = 'page'): Promise<void> {
   const { violations } = await new AxeBuilder({ page }).analyze();

@@ -3,21 +3,12 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { isLong } from '../../web/test/tier.js';
-import { expectNoBarriers, LOOKS } from './access.js';
-import { drawSimply } from './composite.js';
+import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
+import { open, Visit } from './composite.js';
 import { expect, test } from './stage.js';
 
 /** Software draws slowly. */
 const DRAWN_MS = 100_000;
-
-async function open(page: Page): Promise<void> {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await page.setViewportSize({ width: 1024, height: 700 });
-  await page.goto('/composite/');
-  await drawSimply(page);
-  await expect(page.locator('[data-ready]')).toBeAttached({ timeout: 60_000 });
-  await tab(page, 'Features');
-}
 
 const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();
 
@@ -33,56 +24,11 @@ async function saved(page: Page, button: string, within = DRAWN_MS): Promise<{ n
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
-test('steps have small pictures, and branches say where they come from', async ({ page }) => {
-  await open(page);
-  await set(page, 'weight', '0.5');
-  await tab(page, 'History');
-  const steps = page.getByRole('list', { name: 'Steps' }).getByRole('listitem');
-  const pictures = steps.locator('img');
-  await expect(pictures.last()).toHaveAttribute('src', /^data:image\/(webp|png);/);
-  await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  await tab(page, 'Features');
-  await set(page, 'weight', '-0.5');
-  await tab(page, 'History');
-  await expect(steps.nth(2)).toContainText('from the beginning');
-  await expect(steps.nth(2).locator('img')).toBeAttached();
-  await expect(steps.nth(1)).toHaveClass('aside');
-});
-
-test('a picture for paper has the size that it says', async ({ page }) => {
-  await open(page);
-  await tab(page, 'Export');
-  await page.getByText('Profile', { exact: true }).click();
-  const { name, bytes } = await saved(page, 'Save picture');
-  expect(name).toBe('face-profile.png');
-  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([1181, 1476]);
-  expect(bytes.subarray(37, 41).toString()).toBe('pHYs');
-  await expect(page.locator('#status')).toHaveText('face-profile.png is saved.');
-});
-
-test('a browser without an encoder saves the film as a GIF, and a film can be cancelled', async ({ page }) => {
-  await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'VideoEncoder'));
-  await open(page);
-  await tab(page, 'Export');
-  await page.getByRole('button', { name: 'Save film' }).click();
-  await expect(page.getByRole('progressbar', { name: 'Film' })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Save picture' })).toBeDisabled();
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.locator('#status')).toHaveText('Film: cancelled.');
-  await expect(page.getByRole('progressbar', { name: 'Film' })).not.toBeAttached();
-  // The player that took its pictures is gone.
-  await expect(page.getByLabel('Pictures of the face')).toHaveCount(0);
-  const { name, bytes } = await saved(page, 'Save film');
-  expect(name).toBe('face.gif');
-  expect(bytes.subarray(0, 6).toString()).toBe('GIF89a');
-  expect(bytes.length).toBeGreaterThan(50_000);
-});
-
 // Ninety-six pictures take minutes in software.
 if (isLong) {
   test('the film is a video where the browser has an encoder', async ({ page }) => {
     test.slow();
-    await open(page);
+    await open(page, 1024, 700);
     await tab(page, 'Export');
     const { name, bytes } = await saved(page, 'Save film', 3 * DRAWN_MS);
     if (name === 'face.webm') expect(bytes.readUInt32BE(0)).toBe(0x1a45dfa3);
@@ -91,60 +37,111 @@ if (isLong) {
   });
 }
 
-test('a report has all values, and what somebody typed is text in it', async ({ page, context }) => {
-  await open(page);
-  await set(page, 'weight', '0.5');
-  await tab(page, 'History');
-  await page.getByLabel('Name this face').fill('<img src=x> & </title>');
-  await page.getByRole('button', { name: 'Name', exact: true }).click();
-  await tab(page, 'Export');
-  const { name, bytes } = await saved(page, 'Save report');
-  expect(name).toBe('img-src-x-title.html');
-  const text = bytes.toString();
-  expect(text).toContain('&lt;img src=x&gt; &amp; &lt;/title&gt;');
-  expect(text).not.toMatch(/<img src="?x|<script|<!--/);
-  const reader = await context.newPage();
-  const asked: string[] = [];
-  reader.on('request', ({ url }) => {
-    if (!url().startsWith('data:')) asked.push(url());
+/** Tests that need nothing but an editor. */
+test.describe('in one visit', () => {
+  test.describe.configure({ mode: 'serial' });
+  let visit: Visit;
+  let page: Page;
+  test.beforeAll(async ({ browser }) => {
+    visit = await Visit.begin(browser, 1024, 700);
+    page = visit.page;
   });
-  await reader.setContent(text);
-  await expect(reader.locator('h1')).toHaveText('<img src=x> & </title>');
-  await expect(reader.locator('tr', { hasText: 'weight' }).first()).toContainText('+0.50');
-  await expect(reader.locator('img')).toHaveCount(3);
-  await expect(reader.locator('.steps li')).toHaveCount(2);
-  await expectNoBarriers(reader, 'the report');
-  expect(asked).toEqual([]);
-});
+  test.afterAll(() => page.context().close());
+  test.beforeEach(() => visit.anew());
 
-test('on paper there is the report alone, and the screen stays as it is', async ({ page }) => {
-  await page.addInitScript(() => {
-    window.print = () => document.documentElement.setAttribute('data-printed', '');
-  });
-  await open(page);
-  await tab(page, 'Export');
-  await page.getByRole('button', { name: 'Print report' }).click();
-  await expect(page.locator('html[data-printed]')).toBeAttached({ timeout: DRAWN_MS });
-  const report = page.locator('body > .report');
-  await expect(report).toBeHidden();
-  await page.emulateMedia({ media: 'print' });
-  await expect(report.locator('h1')).toHaveText('Face without a name');
-  await expect(page.locator('raconteur-composite')).toBeHidden();
-  await page.emulateMedia({ media: 'screen' });
-  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-  await expect(report).not.toBeAttached();
-  await expect(page.locator('raconteur-composite')).toBeVisible();
-});
-
-for (const { colorScheme, device, width, height } of LOOKS) {
-  test(`pictures are accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme });
-    await open(page);
-    await page.setViewportSize({ width, height });
+  test('steps have small pictures, and branches say where they come from', async () => {
     await set(page, 'weight', '0.5');
-    for (const name of ['History', 'Export']) {
-      await tab(page, name);
-      await expectNoBarriers(page, name);
+    await tab(page, 'History');
+    const steps = page.getByRole('list', { name: 'Steps' }).getByRole('listitem');
+    const pictures = steps.locator('img');
+    await expect(pictures.last()).toHaveAttribute('src', /^data:image\/(webp|png);/);
+    await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await tab(page, 'Features');
+    await set(page, 'weight', '-0.5');
+    await tab(page, 'History');
+    await expect(steps.nth(2)).toContainText('from the beginning');
+    await expect(steps.nth(2).locator('img')).toBeAttached();
+    await expect(steps.nth(1)).toHaveClass('aside');
+  });
+
+  test('a picture for paper has the size that it says', async () => {
+    await tab(page, 'Export');
+    await page.getByText('Profile', { exact: true }).click();
+    const { name, bytes } = await saved(page, 'Save picture');
+    expect(name).toBe('face-profile.png');
+    expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([1181, 1476]);
+    expect(bytes.subarray(37, 41).toString()).toBe('pHYs');
+    await expect(page.locator('#status')).toHaveText('face-profile.png is saved.');
+  });
+
+  test('a report has all values, and what somebody typed is text in it', async ({ context }) => {
+    await set(page, 'weight', '0.5');
+    await tab(page, 'History');
+    await page.getByLabel('Name this face').fill('<img src=x> & </title>');
+    await page.getByRole('button', { name: 'Name', exact: true }).click();
+    await tab(page, 'Export');
+    const { name, bytes } = await saved(page, 'Save report');
+    expect(name).toBe('img-src-x-title.html');
+    const text = bytes.toString();
+    expect(text).toContain('&lt;img src=x&gt; &amp; &lt;/title&gt;');
+    expect(text).not.toMatch(/<img src="?x|<script|<!--/);
+    const reader = await context.newPage();
+    const asked: string[] = [];
+    reader.on('request', ({ url }) => {
+      if (!url().startsWith('data:')) asked.push(url());
+    });
+    await reader.setContent(text);
+    await expect(reader.locator('h1')).toHaveText('<img src=x> & </title>');
+    await expect(reader.locator('tr', { hasText: 'weight' }).first()).toContainText('+0.50');
+    await expect(reader.locator('img')).toHaveCount(3);
+    await expect(reader.locator('.steps li')).toHaveCount(2);
+    await expectNoBarriers(reader, 'the report');
+    expect(asked).toEqual([]);
+  });
+
+  test('pictures are accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async () => {
+    await set(page, 'weight', '0.5');
+    for (const look of LOOKS) {
+      await lookAt(page, look);
+      for (const name of partsIn(look, ['History', 'Export'])) {
+        await tab(page, name);
+        await expectNoBarriers(page, `${name}, ${look.device}`);
+      }
     }
   });
-}
+
+  test('on paper there is the report alone, and the screen stays as it is', async () => {
+    await page.evaluate(() => {
+      window.print = () => document.documentElement.setAttribute('data-printed', '');
+    });
+    await tab(page, 'Export');
+    await page.getByRole('button', { name: 'Print report' }).click();
+    await expect(page.locator('html[data-printed]')).toBeAttached({ timeout: DRAWN_MS });
+    const report = page.locator('body > .report');
+    await expect(report).toBeHidden();
+    await page.emulateMedia({ media: 'print' });
+    await expect(report.locator('h1')).toHaveText('Face without a name');
+    await expect(page.locator('raconteur-composite')).toBeHidden();
+    await page.emulateMedia({ media: 'screen' });
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    await expect(report).not.toBeAttached();
+    await expect(page.locator('raconteur-composite')).toBeVisible();
+  });
+
+  test('a browser without an encoder saves the film as a GIF, and a film can be cancelled', async () => {
+    await page.evaluate(() => Reflect.deleteProperty(globalThis, 'VideoEncoder'));
+    await tab(page, 'Export');
+    await page.getByRole('button', { name: 'Save film' }).click();
+    await expect(page.getByRole('progressbar', { name: 'Film' })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Save picture' })).toBeDisabled();
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect(page.locator('#status')).toHaveText('Film: cancelled.');
+    await expect(page.getByRole('progressbar', { name: 'Film' })).not.toBeAttached();
+    // The player that took its pictures is gone.
+    await expect(page.getByLabel('Pictures of the face')).toHaveCount(0);
+    const { name, bytes } = await saved(page, 'Save film');
+    expect(name).toBe('face.gif');
+    expect(bytes.subarray(0, 6).toString()).toBe('GIF89a');
+    expect(bytes.length).toBeGreaterThan(50_000);
+  });
+});

@@ -4,18 +4,9 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { expectNoBarriers, LOOKS } from './access.js';
-import { drawSimply } from './composite.js';
+import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
+import { drawSimply, open, Visit } from './composite.js';
 import { expect, test } from './stage.js';
-
-async function open(page: Page): Promise<void> {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await page.setViewportSize({ width: 1280, height: 900 });
-  await page.goto('/composite/');
-  await drawSimply(page);
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
-  await tab(page, 'Features');
-}
 
 const tab = (page: Page, name: string) => page.getByRole('tab', { name }).click();
 const press = (page: Page, name: string) => page.getByRole('button', { name, exact: true }).first().click();
@@ -41,33 +32,6 @@ async function put(page: Page, act: unknown): Promise<void> {
   await page.locator('.file input').setInputFiles({ name: 'it.json', mimeType: 'application/json', buffer: await session(page, act) });
 }
 
-test('a press on the face chooses a segment, and dragging moves it', async ({ page }) => {
-  await open(page);
-  await tab(page, 'Parts');
-  const chosen = page.locator('.segments :checked');
-  await page.mouse.click(...(await at(page, 0.5, 0.52)));
-  await expect(chosen).toHaveCount(1);
-  await expect(page.locator('.segments label:has(:checked)')).toContainText('nose');
-  await page.keyboard.down('Shift');
-  await page.mouse.click(...(await at(page, 0.5, 0.75)));
-  await page.keyboard.up('Shift');
-  await expect(chosen).toHaveCount(2);
-  await page.getByText('moves', { exact: true }).click();
-  const [x, y] = await at(page, 0.5, 0.5);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x, y - 30, { steps: 4 });
-  await page.mouse.up();
-  await tab(page, 'History');
-  await expect(present(page)).toContainText('moved, nose');
-  await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(2);
-  // Beside the head nothing is chosen.
-  await tab(page, 'Parts');
-  await page.getByText('turns the head', { exact: true }).click();
-  await page.mouse.click(...(await at(page, 0.03, 0.1)));
-  await expect(chosen).toHaveCount(0);
-});
-
 test('hair, its colour and what is worn are steps, kept with the session', async ({ page }) => {
   await open(page);
   const bare = await picture(page);
@@ -84,57 +48,12 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   expect(dressed).not.toBe(bare);
   await page.waitForTimeout(800);
   await page.reload();
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
+  await page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => e.ready);
   await tab(page, 'Style');
   await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'true');
   for (let i = 0; i < 5; i += 1) await press(page, 'Undo');
   await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
   await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'false');
-});
-
-test('a beard is chosen, cut and taken off', async ({ page }) => {
-  await open(page);
-  await tab(page, 'Style');
-  const style = page.getByRole('region', { name: 'Beard' }).getByLabel('Style');
-  const bare = await picture(page);
-  for (const [cut, differs] of [
-    ['Full', true],
-    ['Moustache', true],
-    ['None', false],
-    ['Goatee', true],
-    ['As it is', false],
-  ] as const) {
-    await style.selectOption(cut);
-    if (differs) await expect.poll(() => picture(page)).not.toBe(bare);
-    else await expect.poll(() => picture(page)).toBe(bare);
-    await expect(page.locator('#trouble')).toHaveText('');
-  }
-});
-
-test('marks are placed by a press and by the keyboard, made longer and taken away', async ({ page }) => {
-  await open(page);
-  await tab(page, 'Marks');
-  const bare = await picture(page);
-  await press(page, 'Scar');
-  await page.mouse.click(...(await at(page, 0.03, 0.1)));
-  await expect(page.locator('#trouble')).toContainText('beside the head');
-  await page.mouse.click(...(await at(page, 0.57, 0.6)));
-  const scar = page.getByRole('region', { name: 'Scar 1' });
-  await expect(scar).toBeVisible();
-  await expect.poll(() => picture(page)).not.toBe(bare);
-  await scar.getByLabel('Length, Scar 1, exactly').fill('60');
-  await scar.getByLabel('Length, Scar 1, exactly').blur();
-  await press(page, 'Mole');
-  await page.locator('#pad').focus();
-  await page.keyboard.press('Enter');
-  await expect(page.getByRole('region', { name: 'Mole 2' })).toBeVisible();
-  const marked = await picture(page);
-  await press(page, 'Take scar 1 away');
-  await press(page, 'Take mole 1 away');
-  await expect.poll(() => picture(page)).not.toBe(marked);
-  await expect(page.getByRole('region', { name: 'Mole 1' })).toBeHidden();
-  await press(page, 'Undo');
-  await expect(page.getByRole('region', { name: 'Mole 1' })).toBeVisible();
 });
 
 test('the figure file tells a story on another page', async ({ page }) => {
@@ -157,107 +76,185 @@ test('the figure file tells a story on another page', async ({ page }) => {
   expect(await player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => /figure|avatar/.test(d.code)))).toEqual([]);
 });
 
-test('a face that rests is drawn with everything', async ({ page }) => {
-  await open(page);
-  const fine = page.locator('#fine');
-  await expect(fine).toBeHidden();
-  await page.locator('raconteur-composite').evaluate((e) => e.setAttribute('quality', 'auto'));
-  await press(page, 'weight: more');
-  await expect(fine).toBeVisible({ timeout: 60_000 });
-  // It is gone for a second or two only, and a busy page may be asked too late.
-  const seen = await fine.evaluateHandle((canvas: HTMLElement) => {
-    const seen = { hidden: false };
-    new MutationObserver(() => {
-      seen.hidden ||= canvas.hidden !== false;
-    }).observe(canvas, { attributeFilter: ['hidden'] });
-    return seen;
+/** Tests that need nothing but an editor. */
+test.describe('in one visit', () => {
+  test.describe.configure({ mode: 'serial' });
+  let visit: Visit;
+  let page: Page;
+  test.beforeAll(async ({ browser }) => {
+    visit = await Visit.begin(browser);
+    page = visit.page;
   });
-  await press(page, 'weight: more');
-  await expect.poll(() => seen.evaluate(({ hidden }) => hidden)).toBe(true);
-});
+  test.afterAll(() => page.context().close());
+  test.beforeEach(() => visit.anew());
 
-test('every feature can be changed alone', async ({ page }) => {
-  await open(page);
-  const told = await page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite) => {
-    const { faces } = e;
-    const start = e.save();
-    if (faces === undefined || start === undefined) throw new Error('it is not open');
-    const acts = faces.pack.attributes.map(({ part, name }) => ({ kind: 'add', part, name, amount: 0.1, region: {}, alone: true }));
-    await e.open({ ...start, steps: [...start.steps, ...acts.map((act, i) => ({ parent: i, act }))], here: acts.length });
-    e.undo();
-    const last = faces.pack.attributes.at(-1);
-    const before = last === undefined ? 0 : faces.value(last.part, last.name);
-    e.redo();
-    return [acts.length, last === undefined ? 0 : faces.value(last.part, last.name) - before];
+  test('a press on the face chooses a segment, and dragging moves it', async () => {
+    await tab(page, 'Parts');
+    const chosen = page.locator('.segments :checked');
+    await page.mouse.click(...(await at(page, 0.5, 0.52)));
+    await expect(chosen).toHaveCount(1);
+    await expect(page.locator('.segments label:has(:checked)')).toContainText('nose');
+    await page.keyboard.down('Shift');
+    await page.mouse.click(...(await at(page, 0.5, 0.75)));
+    await page.keyboard.up('Shift');
+    await expect(chosen).toHaveCount(2);
+    await page.getByText('moves', { exact: true }).click();
+    const [x, y] = await at(page, 0.5, 0.5);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y - 30, { steps: 4 });
+    await page.mouse.up();
+    await tab(page, 'History');
+    await expect(present(page)).toContainText('moved, nose');
+    await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(2);
+    // Beside the head nothing is chosen.
+    await tab(page, 'Parts');
+    await page.getByText('turns the head', { exact: true }).click();
+    await page.mouse.click(...(await at(page, 0.03, 0.1)));
+    await expect(chosen).toHaveCount(0);
   });
-  expect(told[0]).toBeGreaterThan(49);
-  expect(told[1]).toBeCloseTo(0.1, 6);
-});
 
-test('light comes from elsewhere', async ({ page }) => {
-  await open(page);
-  const before = await picture(page);
-  await page.getByRole('combobox', { name: 'Light' }).selectOption('Lamp');
-  await expect.poll(() => picture(page)).not.toBe(before);
-  const lamp = await picture(page);
-  await page.getByRole('button', { name: 'Light more from the right' }).click();
-  await expect.poll(() => picture(page)).not.toBe(lamp);
-});
-
-test('what cannot be is told, and nothing is lost', async ({ page }) => {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(request.url()));
-  await open(page);
-  await tab(page, 'Features');
-  await page.getByLabel('weight, exactly').fill('0.5');
-  await page.getByLabel('weight, exactly').blur();
-  const trouble = page.locator('#trouble');
-  const held = [0, 1].map((value) => ({ part: 'shape', name: 'weight', value, segments: [] }));
-  const faults: [unknown, RegExp][] = [
-    [{ kind: 'hold', held }, /weight/],
-    [{ kind: 'look', what: 'x', look: { hair: { from: 'https://example.com/x.glb' } } }, /Step 3 .* cannot be read/],
-    [{ kind: 'marks', what: 'x', marks: [{ kind: 'scar', size: 1e9 }] }, /Step 3 .* cannot be read/],
-    [{ kind: 'import', index: 10 ** 9, part: 'both', region: {} }, /could not be opened/],
-  ];
-  for (const [act, told] of faults) {
-    await put(page, act);
-    await expect(trouble).toContainText(told);
-    await expect(trouble).toContainText('What you had is still here');
-    await expect(page.getByLabel('weight, exactly')).toHaveValue('0.5');
-  }
-  expect(asked.filter((url) => url.includes('example.com'))).toEqual([]);
-});
-
-test('a browser whose storage is full says so, and goes on', async ({ page }) => {
-  await page.addInitScript(() => {
-    IDBObjectStore.prototype.put = () => {
-      throw new DOMException('no room', 'QuotaExceededError');
-    };
+  test('a beard is chosen, cut and taken off', async () => {
+    await tab(page, 'Style');
+    const style = page.getByRole('region', { name: 'Beard' }).getByLabel('Style');
+    const bare = await picture(page);
+    for (const [cut, differs] of [
+      ['Full', true],
+      ['Moustache', true],
+      ['None', false],
+      ['Goatee', true],
+      ['As it is', false],
+    ] as const) {
+      await style.selectOption(cut);
+      if (differs) await expect.poll(() => picture(page)).not.toBe(bare);
+      else await expect.poll(() => picture(page)).toBe(bare);
+      await expect(page.locator('#trouble')).toHaveText('');
+    }
   });
-  await open(page);
-  await page.getByLabel('weight, exactly').fill('0.5');
-  await page.getByLabel('weight, exactly').blur();
-  await expect(page.locator('#trouble')).toContainText('its storage is full. Save it as a file');
-  await page.getByLabel('weight, exactly').fill('0.7');
-  await page.getByLabel('weight, exactly').blur();
-  await tab(page, 'History');
-  await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(3);
-});
 
-for (const { colorScheme, device, width, height } of LOOKS) {
-  test(`style and marks are accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme });
-    await open(page);
+  test('marks are placed by a press and by the keyboard, made longer and taken away', async () => {
+    await tab(page, 'Marks');
+    const bare = await picture(page);
+    await press(page, 'Scar');
+    await page.mouse.click(...(await at(page, 0.03, 0.1)));
+    await expect(page.locator('#trouble')).toContainText('beside the head');
+    await page.mouse.click(...(await at(page, 0.57, 0.6)));
+    const scar = page.getByRole('region', { name: 'Scar 1' });
+    await expect(scar).toBeVisible();
+    await expect.poll(() => picture(page)).not.toBe(bare);
+    await scar.getByLabel('Length, Scar 1, exactly').fill('60');
+    await scar.getByLabel('Length, Scar 1, exactly').blur();
+    await press(page, 'Mole');
+    await page.locator('#pad').focus();
+    await page.keyboard.press('Enter');
+    await expect(page.getByRole('region', { name: 'Mole 2' })).toBeVisible();
+    const marked = await picture(page);
+    await press(page, 'Take scar 1 away');
+    await press(page, 'Take mole 1 away');
+    await expect.poll(() => picture(page)).not.toBe(marked);
+    await expect(page.getByRole('region', { name: 'Mole 1' })).toBeHidden();
+    await press(page, 'Undo');
+    await expect(page.getByRole('region', { name: 'Mole 1' })).toBeVisible();
+  });
+
+  test('every feature can be changed alone', async () => {
+    const told = await page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite) => {
+      const { faces } = e;
+      const start = e.save();
+      if (faces === undefined || start === undefined) throw new Error('it is not open');
+      const acts = faces.pack.attributes.map(({ part, name }) => ({ kind: 'add', part, name, amount: 0.1, region: {}, alone: true }));
+      await e.open({ ...start, steps: [...start.steps, ...acts.map((act, i) => ({ parent: i, act }))], here: acts.length });
+      e.undo();
+      const last = faces.pack.attributes.at(-1);
+      const before = last === undefined ? 0 : faces.value(last.part, last.name);
+      e.redo();
+      return [acts.length, last === undefined ? 0 : faces.value(last.part, last.name) - before];
+    });
+    expect(told[0]).toBeGreaterThan(49);
+    expect(told[1]).toBeCloseTo(0.1, 6);
+  });
+
+  test('what cannot be is told, and nothing is lost', async () => {
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url()));
+    await tab(page, 'Features');
+    await page.getByLabel('weight, exactly').fill('0.5');
+    await page.getByLabel('weight, exactly').blur();
+    const trouble = page.locator('#trouble');
+    const held = [0, 1].map((value) => ({ part: 'shape', name: 'weight', value, segments: [] }));
+    const faults: [unknown, RegExp][] = [
+      [{ kind: 'hold', held }, /weight/],
+      [{ kind: 'look', what: 'x', look: { hair: { from: 'https://example.com/x.glb' } } }, /Step 3 .* cannot be read/],
+      [{ kind: 'marks', what: 'x', marks: [{ kind: 'scar', size: 1e9 }] }, /Step 3 .* cannot be read/],
+      [{ kind: 'import', index: 10 ** 9, part: 'both', region: {} }, /could not be opened/],
+    ];
+    for (const [act, told] of faults) {
+      await put(page, act);
+      await expect(trouble).toContainText(told);
+      await expect(trouble).toContainText('What you had is still here');
+      await expect(page.getByLabel('weight, exactly')).toHaveValue('0.5');
+    }
+    expect(asked.filter((url) => url.includes('example.com'))).toEqual([]);
+  });
+
+  test('light comes from elsewhere', async () => {
+    const before = await picture(page);
+    await page.getByRole('combobox', { name: 'Light' }).selectOption('Lamp');
+    await expect.poll(() => picture(page)).not.toBe(before);
+    const lamp = await picture(page);
+    await page.getByRole('button', { name: 'Light more from the right' }).click();
+    await expect.poll(() => picture(page)).not.toBe(lamp);
+  });
+
+  test('style and marks are accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async () => {
     await tab(page, 'Style');
     await press(page, 'Round glasses');
     await press(page, 'blond');
-    await page.setViewportSize({ width, height });
-    await expectNoBarriers(page, 'Style');
     await tab(page, 'Marks');
     await press(page, 'Tattoo');
     await page.locator('#pad').focus();
     await page.keyboard.press('Enter');
     await expect(page.getByRole('region', { name: 'Tattoo 1' })).toBeVisible();
-    await expectNoBarriers(page, 'Marks');
+    for (const look of LOOKS) {
+      await lookAt(page, look);
+      for (const name of partsIn(look, ['Style', 'Marks'])) {
+        await tab(page, name);
+        await expectNoBarriers(page, `${name}, ${look.device}`);
+      }
+    }
   });
-}
+
+  test('a face that rests is drawn with everything', async () => {
+    const fine = page.locator('#fine');
+    await expect(fine).toBeHidden();
+    await page.locator('raconteur-composite').evaluate((e) => e.setAttribute('quality', 'auto'));
+    await press(page, 'weight: more');
+    await expect(fine).toBeVisible({ timeout: 60_000 });
+    // It is gone for a second or two only, and a busy page may be asked too late.
+    const seen = await fine.evaluateHandle((canvas: HTMLElement) => {
+      const seen = { hidden: false };
+      new MutationObserver(() => {
+        seen.hidden ||= canvas.hidden !== false;
+      }).observe(canvas, { attributeFilter: ['hidden'] });
+      return seen;
+    });
+    await press(page, 'weight: more');
+    await expect.poll(() => seen.evaluate(({ hidden }) => hidden)).toBe(true);
+    await drawSimply(page);
+  });
+
+  test('a browser whose storage is full says so, and goes on', async () => {
+    await page.evaluate(() => {
+      IDBObjectStore.prototype.put = () => {
+        throw new DOMException('no room', 'QuotaExceededError');
+      };
+    });
+    await page.getByLabel('weight, exactly').fill('0.5');
+    await page.getByLabel('weight, exactly').blur();
+    await expect(page.locator('#trouble')).toContainText('its storage is full. Save it as a file');
+    await page.getByLabel('weight, exactly').fill('0.7');
+    await page.getByLabel('weight, exactly').blur();
+    await tab(page, 'History');
+    await expect(page.getByRole('list', { name: 'Steps' }).getByRole('listitem')).toHaveCount(3);
+  });
+});

@@ -3,22 +3,11 @@
 import type { Locator, Page } from '@playwright/test';
 import type { CompositeEventMap, RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { expectNoBarriers, LOOKS } from './access.js';
-import { drawSimply } from './composite.js';
+import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
+import { open, Visit } from './composite.js';
 import { expect, test, type Stage } from './stage.js';
 
-async function open(page: Page): Promise<void> {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await page.setViewportSize({ width: 1280, height: 900 });
-  await page.goto('/composite/');
-  await drawSimply(page);
-  await ready(page);
-  await page.getByRole('tab', { name: 'Features' }).click();
-}
-
-async function ready(page: Page): Promise<void> {
-  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
-}
+const ready = (page: Page): Promise<void> => page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => e.ready);
 
 const value = (page: Page | Locator, name: string) => page.getByLabel(`${name}, exactly`);
 
@@ -31,45 +20,6 @@ async function set(page: Page | Locator, name: string, to: string): Promise<void
 async function group(page: Page, name: string): Promise<void> {
   await page.getByLabel('Group').selectOption(name);
 }
-
-test('features change, are held, undone and found by a word', async ({ page }) => {
-  await open(page);
-  await group(page, 'nose');
-  await set(page, 'breadth of the alar wings', '0.8');
-  await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
-  await page.getByRole('button', { name: 'Hold breadth of the alar wings' }).click();
-  await set(page, 'length of the nose', '0.1');
-  await page.getByRole('button', { name: 'length of the nose: more' }).click();
-  await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
-  await expect(value(page, 'length of the nose')).toHaveValue('0.2');
-  await page.getByRole('tab', { name: 'Held' }).click();
-  await expect(page.getByRole('button', { name: 'Let go of breadth of the alar wings' })).toBeVisible();
-  await page.getByRole('tab', { name: 'Features' }).click();
-  for (let i = 0; i < 4; i += 1) await page.getByRole('button', { name: 'Undo', exact: true }).click();
-  await expect(value(page, 'breadth of the alar wings')).toHaveValue('0');
-  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
-  await page.keyboard.press('Control+Shift+Z');
-  await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
-  await page.getByLabel('Search').fill('freckl');
-  await expect(value(page, 'freckles')).toBeVisible();
-});
-
-test('a description chooses faces, and parts of them are taken over', async ({ page }) => {
-  await open(page);
-  await page.getByRole('tab', { name: 'Parts' }).click();
-  await page.getByRole('checkbox', { name: 'nose', exact: true }).check();
-  await page.getByRole('tab', { name: 'Faces' }).click();
-  await page.getByText('A woman', { exact: true }).click();
-  await page.getByText('66 and older', { exact: true }).click();
-  const faces = page.locator('.sheet button');
-  await expect(faces.first()).toContainText(/^\s*Woman of (6[6-9]|7\d|80)/);
-  // Choosing changes nothing by itself.
-  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
-  await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 60_000 });
-  await faces.nth(1).click();
-  await page.getByRole('tab', { name: 'History' }).click();
-  await expect(page.locator('.steps-list [aria-current="step"]')).toContainText('nose');
-});
 
 test('what the browser kept is there again, and a hostile file loses nothing', async ({ page }) => {
   await open(page);
@@ -107,18 +57,6 @@ test('the face says a sentence, and nothing leaves the machine', async ({ page, 
   expect(elsewhere).toEqual([]);
 });
 
-for (const { colorScheme, device, width, height } of LOOKS) {
-  test(`the editor is accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme });
-    await open(page);
-    await page.setViewportSize({ width, height });
-    for (const tab of ['Features', 'Parts', 'Held', 'History', 'Faces']) {
-      await page.getByRole('tab', { name: tab }).click();
-      await expectNoBarriers(page, tab);
-    }
-  });
-}
-
 type Embedded = ReturnType<typeof embedded>;
 
 /** An editor on a page of somebody else, and what it tells that page. */
@@ -148,13 +86,16 @@ async function openTwo(stage: Stage, page: Page): Promise<[Embedded, Embedded]> 
   await page.setViewportSize({ width: 1300, height: 900 });
   const body = `<script type="module" src="/raconteur-composite.js"></script><h1>A page</h1><input aria-label="Elsewhere">
     <div id="there"></div>
-    <raconteur-composite id="one" assets="/assets/" session="one" label="One"></raconteur-composite>
-    <raconteur-composite id="two" assets="/assets" session="two" label="Two" figure="papous"></raconteur-composite>`;
+    <raconteur-composite id="one" assets="/assets/" session="one" label="One" quality="lowest"></raconteur-composite>
+    <raconteur-composite id="two" assets="/assets" session="two" label="Two" figure="papous" quality="lowest"></raconteur-composite>`;
   await stage.open(body, { 'test.css': '#two { width: 420px; --accent: rgb(0, 90, 160); } body { margin: 0 }' });
   const [one, two] = [embedded(page, 'one'), embedded(page, 'two')];
-  await Promise.all([one.ready(), two.ready()]);
-  await Promise.all([one.hear(), two.hear()]);
-  for (const { editor } of [one, two]) await editor.getByRole('tab', { name: 'Features' }).click();
+  const begun = async ({ ready, hear, editor }: Embedded) => {
+    await ready();
+    await hear();
+    await editor.getByRole('tab', { name: 'Features' }).click();
+  };
+  await Promise.all([begun(one), begun(two)]);
   return [one, two];
 }
 
@@ -254,4 +195,64 @@ test('an editor begins with a saved session, and says what it cannot open', asyn
   await expect(one.editor.locator('[aria-current="step"]')).toContainText('A face by chance');
   // Nothing is kept where the page did not ask for it.
   expect(await page.evaluate(async () => (await indexedDB.databases()).length)).toBe(0);
+});
+
+/** Tests that need nothing but an editor. */
+test.describe('in one visit', () => {
+  test.describe.configure({ mode: 'serial' });
+  let visit: Visit;
+  let page: Page;
+  test.beforeAll(async ({ browser }) => {
+    visit = await Visit.begin(browser);
+    page = visit.page;
+  });
+  test.afterAll(() => page.context().close());
+  test.beforeEach(() => visit.anew());
+
+  test('features change, are held, undone and found by a word', async () => {
+    await group(page, 'nose');
+    await set(page, 'breadth of the alar wings', '0.8');
+    await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
+    await page.getByRole('button', { name: 'Hold breadth of the alar wings' }).click();
+    await set(page, 'length of the nose', '0.1');
+    await page.getByRole('button', { name: 'length of the nose: more' }).click();
+    await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
+    await expect(value(page, 'length of the nose')).toHaveValue('0.2');
+    await page.getByRole('tab', { name: 'Held' }).click();
+    await expect(page.getByRole('button', { name: 'Let go of breadth of the alar wings' })).toBeVisible();
+    await page.getByRole('tab', { name: 'Features' }).click();
+    for (let i = 0; i < 4; i += 1) await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await expect(value(page, 'breadth of the alar wings')).toHaveValue('0');
+    await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
+    await page.keyboard.press('Control+Shift+Z');
+    await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
+    await page.getByLabel('Search').fill('freckl');
+    await expect(value(page, 'freckles')).toBeVisible();
+  });
+
+  test('a description chooses faces, and parts of them are taken over', async () => {
+    await page.getByRole('tab', { name: 'Parts' }).click();
+    await page.getByRole('checkbox', { name: 'nose', exact: true }).check();
+    await page.getByRole('tab', { name: 'Faces' }).click();
+    await page.getByText('A woman', { exact: true }).click();
+    await page.getByText('66 and older', { exact: true }).click();
+    const faces = page.locator('.sheet button');
+    await expect(faces.first()).toContainText(/^\s*Woman of (6[6-9]|7\d|80)/);
+    // Choosing changes nothing by itself.
+    await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
+    await expect(page.locator('.sheet img').first()).toBeVisible({ timeout: 60_000 });
+    await faces.nth(1).click();
+    await page.getByRole('tab', { name: 'History' }).click();
+    await expect(page.locator('.steps-list [aria-current="step"]')).toContainText('nose');
+  });
+
+  test('the editor is accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async () => {
+    for (const look of LOOKS) {
+      await lookAt(page, look);
+      for (const tab of partsIn(look, ['Features', 'Parts', 'Held', 'History', 'Faces'])) {
+        await page.getByRole('tab', { name: tab }).click();
+        await expectNoBarriers(page, `${tab}, ${look.device}`);
+      }
+    }
+  });
 });

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { curvesOf, type DirectControl, type FaceCurves } from '../../web/element/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { expectNoBarriers, LOOKS } from './access.js';
+import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, ready, test } from './stage.js';
 
 /** Opens the page standing still, two seconds into its script. */
@@ -213,18 +213,17 @@ for (const [width, height] of [
   });
 }
 
-for (const { colorScheme, device, width, height } of LOOKS) {
-  test(`the face is accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ stage, page }) => {
-    expect(stage.backend).toBe('page');
-    await page.emulateMedia({ colorScheme });
-    await open(page);
-    await page.setViewportSize({ width, height });
-    await page.getByLabel('Story', { exact: true }).selectOption('hello-world');
-    await expect(page.locator('.phone')).not.toHaveCount(0);
-    await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.pause());
-    for (const tab of ['Emotion', 'Muscles', 'Jaw & more', 'Visemes']) {
+test('the face is accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  await page.getByLabel('Story', { exact: true }).selectOption('hello-world');
+  await expect(page.locator('.phone')).not.toHaveCount(0);
+  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.pause());
+  for (const look of LOOKS) {
+    await lookAt(page, look);
+    for (const tab of partsIn(look, ['Emotion', 'Muscles', 'Jaw & more', 'Visemes'])) {
       await turnTo(page, tab);
-      await expectNoBarriers(page, tab);
+      await expectNoBarriers(page, `${tab}, ${look.device}`);
     }
-  });
-}
+  }
+});

@@ -13,21 +13,21 @@ async function open(page: Page, path: string): Promise<void> {
   if (STAGES.includes(path)) await ready(page.locator('raconteur-player'));
 }
 
-for (const { width, height } of [
-  { width: 1440, height: 900 },
-  { width: 1024, height: 768 },
-]) {
-  test(`who tells a story is chosen without scrolling at ${width} × ${height}`, async ({ stage, page }) => {
-    expect(stage.backend).toBe('page');
+test('who tells a story is chosen without scrolling on a desktop and on a tablet', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page, '');
+  for (const { width, height } of [
+    { width: 1440, height: 900 },
+    { width: 1024, height: 768 },
+  ]) {
     await page.setViewportSize({ width, height });
-    await open(page, '');
     const box = await page.locator('.cast').boundingBox();
-    expect(box!.y + box!.height).toBeLessThanOrEqual(height);
+    expect(box!.y + box!.height, `${width}`).toBeLessThanOrEqual(height);
     const stageBox = await page.locator('raconteur-player').boundingBox();
     // It stands right below the stage, with no blank between.
-    expect(box!.y - (stageBox!.y + stageBox!.height)).toBeLessThan(80);
-  });
-}
+    expect(box!.y - (stageBox!.y + stageBox!.height), `${width}`).toBeLessThan(80);
+  }
+});
 
 for (const path of [...STAGES, ...DOCUMENTS]) {
   test(`on a phone the sections of /${path} are one line, and nothing scrolls sideways`, async ({ stage, page }) => {
@@ -61,7 +61,8 @@ test('every page and every story finds all that it asks for', async ({ stage, pa
   page.on('response', (response) => {
     if (response.status() >= 400) missing.push(`${response.status()} ${response.url()}`);
   });
-  for (const path of [...STAGES, ...DOCUMENTS, 'docs', 'viewer', 'gestures', 'face', 'expression', 'composite', '#mathematical-dance', '#step-lesson']) {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const path of [...STAGES, ...DOCUMENTS, '#mathematical-dance', '#step-lesson']) {
     // An address that differs in its fragment alone would not load the page anew.
     await page.goto('about:blank');
     await page.goto(`/${path}`);
@@ -69,6 +70,11 @@ test('every page and every story finds all that it asks for', async ({ stage, pa
   }
   expect(missing).toEqual([]);
   expect((await page.request.get('/favicon.ico')).status()).toBe(200);
+  // An address without its slash leads to the page.
+  for (const folder of [...STAGES.filter((path) => path !== ''), 'docs/']) {
+    const response = await page.request.get(`/${folder.slice(0, -1)}`);
+    expect([response.status(), new URL(response.url()).pathname]).toEqual([200, `/${folder}`]);
+  }
 });
 
 test('handles of the timeline are large enough for a finger', async ({ stage, page }) => {

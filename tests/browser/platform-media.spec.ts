@@ -1,5 +1,6 @@
 /** The tests of web-platform-tests for media elements, asked of the browser's own element and of the player. */
 
+import { sampled, seed } from '../../web/test/tier.js';
 import { ask, makeFilm, openKit } from './media-kit.js';
 import { themes } from './platform/index.js';
 import { inapplicable } from './platform/inapplicable.js';
@@ -48,8 +49,10 @@ test('every row is there once, and the share of those that are missed is small',
   expect(share).toBeGreaterThanOrEqual(LEAST);
 });
 
-for (const theme of themes) {
-  test(`as web-platform-tests expect: ${theme.name}`, async ({ stage }) => {
+for (const whole of themes) {
+  test(`as web-platform-tests expect: ${whole.name}`, async ({ stage }) => {
+    const theme = { ...whole, rows: sampled(whole.rows, 2, ({ test }) => test) };
+    console.log(`${theme.rows.length} of ${whole.rows.length} rows, drawn by TEST_SEED=${seed}`);
     // Devices are told of only where a microphone is allowed.
     await stage.page.context().grantPermissions(['microphone']);
     await openKit(stage, Object.fromEntries(theme.rows.map(({ test, ask }) => [test, ask])), { hasPicture: theme.seen ?? false, isStrict: false });

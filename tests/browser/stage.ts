@@ -1,10 +1,11 @@
 /** A bare page with players for the tests, and eyes and ears to check them with. */
 
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { test as base, expect, type Locator, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { decodePose, type PoseNow } from '../../web/element/pose.js';
+import { visitedAt, visits } from '../../web/tools/graph.mjs';
 
 export { expect };
 
@@ -140,6 +141,17 @@ type Files = { [path: string]: string | Buffer };
 /** Waits until a player is loaded. */
 export async function ready(player: Locator): Promise<void> {
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+}
+
+/** Does something that changes the picture, and waits until the change is drawn. */
+export async function drawn(player: Locator, act: () => Promise<unknown>): Promise<void> {
+  const next = await player.evaluateHandle((p: RaconteurPlayer) => {
+    const told = { isDrawn: false };
+    p.requestVideoFrameCallback(() => (told.isDrawn = true));
+    return told;
+  });
+  await act();
+  await expect.poll(() => next.evaluate(({ isDrawn }) => isDrawn), { timeout: 60_000 }).toBe(true);
 }
 
 /** The pose that a player shows. */
@@ -278,7 +290,24 @@ export interface BackendOption {
 }
 
 /** A test with a stage on the project's back end. */
-export const test = base.extend<{ stage: Stage } & BackendOption>({
+export const test = base.extend<{ stage: Stage; visiting: undefined } & BackendOption>({
+  // `npm test -- --changed` runs the specs that visit what has changed: no spec visits what it has not declared.
+  visiting: [
+    async ({ context, baseURL }, use, { file }) => {
+      const seen = new Set<string | undefined>();
+      context.on('request', (request) => {
+        const { origin, pathname } = new URL(request.url());
+        if (origin === baseURL && ['document', 'script'].includes(request.resourceType())) seen.add(visitedAt(pathname));
+      });
+      await use(undefined);
+      const declared = visits()[basename(file)] ?? [];
+      expect(
+        [...seen].filter((name) => name !== undefined && !declared.includes(name)),
+        'visited, and not declared in visits.json',
+      ).toEqual([]);
+    },
+    { auto: true },
+  ],
   backend: ['webgl', { option: true }],
   stage: async ({ page, backend }, use) => {
     await page.addInitScript(listen);

@@ -62,6 +62,9 @@ async function packed(page: Page): Promise<Buffer> {
   return Buffer.from(webp.split(',')[1] ?? '', 'base64');
 }
 
+// As it is seen.
+test.use({ deviceScaleFactor: 1 });
+
 test('the still before the first picture is the first picture', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   if (process.env['UPDATE'] !== undefined) {

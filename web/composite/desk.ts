@@ -40,6 +40,7 @@ export class Desk {
   }
 
   draw(tab: Tab): TemplateResult {
+    if (tab !== 'start') this.#portraits.rest();
     return this.#panels[tab]();
   }
 

@@ -8,6 +8,8 @@ import { openHidden, wait } from './hidden-player.js';
 import { Latest } from './latest.js';
 import { lookOf } from './people.js';
 
+/** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */
+const LOOKED_AT_MS = 400;
 /** Pictures that are kept. */
 const MOST = 240;
 /** So near that hair and chin are in the picture. */
@@ -53,6 +55,11 @@ export class Portraits {
     if (!this.#drawing && this.#next() !== undefined) void this.#draw();
   }
 
+  /** Nobody looks at faces now: none is drawn after the present one. */
+  rest(): void {
+    this.#wanted = [];
+  }
+
   /** Lets go of the player; the next faces that are wanted get another. */
   release(): void {
     this.#player = undefined;
@@ -65,7 +72,9 @@ export class Portraits {
 
   async #draw(): Promise<void> {
     this.#drawing = true;
+    await wait(LOOKED_AT_MS);
     try {
+      if (this.#next() === undefined) return;
       const player = (this.#player ??= (await openHidden(this.place, { label: 'Faces of the database', like: this.app.player, quality: 'low', look: LOOK })).player);
       for (let index = this.#next(); index !== undefined; index = this.#next()) {
         const key = this.#key(index);
@@ -81,9 +90,10 @@ export class Portraits {
     } catch {
       // Without pictures the faces are still there, by their words.
       this.#wanted = [];
+    } finally {
+      this.#drawing = false;
+      this.app.redraw();
     }
-    this.#drawing = false;
-    this.app.redraw();
   }
 
   /** A face of the database, as it would be taken over; the face that is edited stays as it is. */

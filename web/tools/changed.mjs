@@ -1,5 +1,6 @@
 // Which checks a change needs, by the graph of crates. Only Node's own modules.
 
+import { specsOf, visits } from './graph.mjs';
 import { ask, Stop } from './steps.mjs';
 
 /** Files that differ from `main`, committed or not, and new ones that git does not ignore. */
@@ -40,18 +41,31 @@ export function sources(name, crates = packages({ tests: false })) {
   return [...found].map((one) => crates.get(one)?.folder ?? one).sort();
 }
 
-/** What `npm test -- --changed` runs: checks by name, and the crates whose tests they are. */
+/** What the web is made of and checked by. */
+const WEB = /^(web|face|expression|gestures|viewer|composite|packages|tests\/browser|index\.html|package|vite\.config|tsconfig|biome|docs|\w+\.md$)/;
+/** Of that, what no page and no element is made of. */
+const ASIDE = /^(web\/test|web\/tools|web\/package|package|tsconfig|biome)/;
+
+/** The specs that a change of some files needs: all where it is not known what reads one of them. */
+function specs(files) {
+  const found = specsOf(files);
+  return found.unknown.some((file) => !ASIDE.test(file)) ? Object.keys(visits()) : found.specs;
+}
+
+/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, and the specs. */
 export function needed() {
   const files = changedFiles();
   const crates = packages();
   // What every crate is built from, or plays from.
   const all = files.some((file) => /^(Cargo\.|rust-toolchain|\.ci\/|assets\/|tests\/suite\/)/.test(file));
   const rust = all ? [...crates.keys()] : affected(files, crates);
-  const web = files.some((file) => /^(web|face|expression|gestures|viewer|tests\/browser|index\.html|package|vite\.config|tsconfig|docs|biome)/.test(file));
+  const web = files.filter((file) => WEB.test(file));
   const checks = files.length > 0 ? ['spelling'] : [];
   if (rust.length > 0) checks.push('format', 'clippy', 'rust');
-  if (web) checks.push('lint', 'types');
+  if (web.length > 0) checks.push('lint', 'types');
   // The unit tests of the web compare the wasm builds with the program.
-  if (web || rust.includes('raconteur-web')) checks.push('wasm', 'unit');
-  return { checks, crates: rust };
+  if (web.length > 0 || rust.includes('raconteur-web')) checks.push('wasm', 'unit');
+  const visited = specs(web);
+  if (visited.length > 0) checks.push('browser');
+  return { checks, crates: rust, specs: visited };
 }

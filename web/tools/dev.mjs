@@ -3,7 +3,8 @@
 // TypeScript or CSS reloads what it concerns.
 
 import { mkdirSync, rmSync } from 'node:fs';
-import { isAbsolute, join, relative } from 'node:path';
+import { join, relative } from 'node:path';
+import { targetFolder } from './kept.mjs';
 import { packages, rust } from './setup.mjs';
 import { main, root, serverOptions, start, Stop } from './steps.mjs';
 
@@ -18,8 +19,7 @@ const SETTLED_MS = 200;
 /** Compiles the player and writes its JavaScript side. */
 async function build(backend) {
   const since = Date.now();
-  const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
-  const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/debug/raconteur_web.wasm');
+  const compiled = join(targetFolder(), 'wasm32-unknown-unknown/debug/raconteur_web.wasm');
   await start('cargo', ['build', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', backend]);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });

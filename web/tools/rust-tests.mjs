@@ -11,7 +11,7 @@ import { packages, sources } from './changed.mjs';
 import { root, stamp, Stop } from './steps.mjs';
 
 /** Programs that take longest: begun first, none of them runs alone at the end. */
-const SLOWEST = ['sweep', 'raconteur_sculpt', 'library', 'face', 'symmetry', 'penetration', 'allocations', 'serve', 'limb_speed', 'bake'];
+const SLOWEST = ['raconteur_sculpt', 'sweep', 'shipped', 'library', 'symmetry', 'face', 'environment', 'serve', 'bake', 'bad_input', 'penetration', 'limb_speed'];
 
 /**
  * Compiles the tests of the workspace with its programs: `tests` with name, package, folder and executable,

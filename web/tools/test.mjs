@@ -1,9 +1,14 @@
 // `npm test`, the gate: prepares everything, then checks everything once. `npm run test:long` runs all that
 // there is (`--long`). With names of checks only those run, with `--changed` those that the files need which
-// differ from the branch main, and Rust's tests of the crates that they reach. docs/testing.md tells more.
+// differ from the branch main, and Rust's tests of the crates that they reach; with `--fresh` it runs in a new
+// clone beside this one, for which nothing is kept. docs/testing.md tells more.
 
 import { availableParallelism } from 'node:os';
+import { isPage, isTimed } from '../../tests/browser/kinds.mjs';
 import { needed, sources } from './changed.mjs';
+import { fresh } from './fresh.mjs';
+import { begin, keep } from './kept.mjs';
+import { probe } from './probe.mjs';
 import { buildTests, runTests } from './rust-tests.mjs';
 import { packages, page, rust, schemas, system, typos } from './setup.mjs';
 import { main, once, start, Stop } from './steps.mjs';
@@ -38,10 +43,11 @@ const PAGES = ['crate/cli', 'index.html', 'gestures', 'viewer', 'face', 'express
 /** What ran, for the report at the end. */
 const tests = [];
 
-const playwright = async (name, workers, projects) => {
+/** Runs the tests of some projects, or of these only those of the specs that are named. */
+const playwright = async (name, workers, projects, specs = []) => {
   const path = reportPath(name);
   try {
-    await node('node_modules/@playwright/test/cli.js', ['test', '--config', 'tests/browser/playwright.config.ts', '--workers', String(workers), ...projects.map((p) => `--project=${p}`)], {
+    await node('node_modules/@playwright/test/cli.js', ['test', '--config', 'tests/browser/playwright.config.ts', '--workers', String(workers), ...projects.map((p) => `--project=${p}`), ...specs.map((spec) => `/${spec}`)], {
       env: { ...process.env, BROWSER_REPORT: path },
     });
   } finally {
@@ -49,13 +55,20 @@ const playwright = async (name, workers, projects) => {
   }
 };
 
+/** The tests in a browser: two at a time, but what is timed by sound has the machine for itself. */
+const BROWSER = [
+  { name: 'player', workers: 2, projects: ['webgl', 'webgpu'], inputs: PLAYED, has: (spec) => !isPage(spec) && !isTimed(spec) },
+  { name: 'pages', workers: 2, projects: ['page'], inputs: [...PLAYED, ...PAGES], has: isPage },
+  { name: 'sound', workers: 1, projects: isLong ? ['webgl-sound', 'webgpu-sound'] : ['webgl-sound'], inputs: PLAYED, has: isTimed },
+];
+
 /** The checks by name, in their order: what fails soon comes first. */
 const checks = {
   format: () => cargo(['fmt', '--all', '--check']),
   lint: () => node('node_modules/@biomejs/biome/bin/biome', ['check', '--error-on-warnings', '.']),
   spelling: async () => start(await typos(), []),
   compile: () => built(),
-  rust: async (crates) => {
+  rust: async ({ crates } = {}) => {
     tests.push(...(await runTests((await built()).tests, { crates, runsAll: isLong })));
   },
   // Benches want crates of their own to be read first.
@@ -66,6 +79,8 @@ const checks = {
     }
   },
   doc: () => cargo(['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
+  // What is committed passes where nothing was ever compiled.
+  fresh: () => fresh(),
   // To run them takes a nightly compiler.
   fuzz: () => cargo(['check', '--locked', '--manifest-path', 'fuzz/Cargo.toml']),
   voices: async () => {
@@ -95,24 +110,27 @@ const checks = {
     await page(kind, await program('raconteur-bindgen'));
     await node('web/tools/size.mjs');
   },
-  browser: async () => {
+  browser: async ({ specs } = {}) => {
     // Figures are compared with the command line's pictures of them.
     await page(kind, await program('raconteur-bindgen'));
-    const workers = Math.min(2, availableParallelism());
-    await unlessPassed('player', PLAYED, () => playwright('player', workers, ['webgl', 'webgpu']));
-    await schemas();
-    await unlessPassed('pages', [...PLAYED, ...PAGES], () => playwright('pages', workers, ['page']));
-    // What is timed by sound has the machine for itself.
-    await unlessPassed('sound', PLAYED, () => playwright('sound', 1, isLong ? ['webgl-sound', 'webgpu-sound'] : ['webgl-sound']));
+    if (specs === undefined || specs.some((spec) => spec.startsWith('course'))) await schemas();
+    for (const { name, workers, projects, inputs, has } of BROWSER) {
+      const run = (some) => playwright(name, Math.min(workers, availableParallelism()), projects, some);
+      if (specs === undefined) await unlessPassed(name, inputs, () => run());
+      else if (specs.some(has)) await run(specs.filter(has));
+    }
   },
 };
 
 /** Checks of the long tier alone. */
-const LONG = ['doc', 'fuzz', 'people', 'size'];
+const LONG = ['doc', 'fresh', 'fuzz', 'people', 'size'];
+/** Checks after which there is more to keep, and no compiler is at work. */
+const COMPILES = ['compile', 'clippy', 'clippy-wasm', 'wasm'];
 /** Checks that run what `built` makes. */
 const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'package', 'size', 'browser'];
 
 await main(async () => {
+  if (process.argv.includes('--fresh')) return fresh();
   const change = process.argv.includes('--changed') ? needed() : undefined;
   if (change?.checks.length === 0) {
     console.log('Nothing differs from main that a check looks at.');
@@ -123,8 +141,11 @@ await main(async () => {
   if (unknown !== undefined) throw new Stop(`There is no check ${unknown}; there are ${Object.keys(checks).join(', ')}.`);
   const wanted = Object.keys(checks).filter((name) => (named.length > 0 ? named.includes(name) : isLong || !LONG.includes(name)));
 
+  // Before anything else is at work.
+  const pace = await probe();
   await rust();
   await system('cpp');
+  begin();
   // Downloads wait for the network while the compiler works.
   const runsBuilt = wanted.some((name) => RUNS_BUILT.includes(name));
   const prepared = Promise.all([packages(), ...(runsBuilt ? [system('browser', 'engines')] : [])]);
@@ -134,9 +155,10 @@ await main(async () => {
   for (const name of wanted) {
     console.log(`\n=== ${name}`);
     const begun = performance.now();
-    await checks[name](change?.crates);
+    await checks[name](change);
     times.push({ name, secs: (performance.now() - begun) / 1000 });
+    if (COMPILES.includes(name)) keep();
   }
-  report(times, tests, named.length === 0);
+  report({ checks: times, tests, probe: pace, isWhole: named.length === 0 });
   console.log('\nAll is well. The times are kept in .setup/times.json.');
 });

@@ -1,7 +1,15 @@
-/** What a check took. */
+/** What a check or a test took. */
 export interface Timed {
   readonly name: string;
   readonly secs: number;
 }
-export function shares(text: string): Map<string, number>;
-export function slower(checks: readonly Timed[], wanted: ReadonlyMap<string, number>): string[];
+/** Times of a run, and what the probe took before it. */
+export interface Times {
+  readonly checks: readonly Timed[];
+  readonly tests: readonly Timed[];
+  readonly probe: number;
+}
+export function budgets(text: string): Map<string, number>;
+export function referenceProbe(text: string): number;
+export function slower(checks: readonly Timed[], wanted: ReadonlyMap<string, number>, pace: number): string[];
+export function grown(now: Times, before: Times): string[];

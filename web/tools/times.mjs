@@ -1,16 +1,19 @@
-// How long checks and tests took: printed, kept in `.setup/times.json`, and held against the shares of
-// docs/testing.md. Only Node's own modules.
+// How long checks and tests took: printed, kept in `.setup/times.json`, and held against the budgets of
+// docs/testing.md and against the last whole run of main. Only Node's own modules.
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { root } from './steps.mjs';
+import { keptPath } from './kept.mjs';
+import { ask, root } from './steps.mjs';
 
 /** How many of the slowest tests are named. */
 const NAMED = 10;
-/** A check that takes more than this many times its share is named. */
-const SLOW = 1.5;
-/** Below this many seconds a share is too small to be told from chance. */
+/** What takes more than this many times its budget, or its time on main, is named. */
+const SLOW = 1.25;
+/** Below this many seconds a check is too short to be told from chance. */
 const LEAST_SECS = 10;
+/** A test that grew by less is not named. */
+const LEAST_GROWTH_SECS = 5;
 
 /** A path for a report that another program writes, without the one of the last run. */
 export function reportPath(name) {
@@ -36,33 +39,67 @@ export function browserTimes(path) {
   );
 }
 
-/** The share of each check in the whole, 0 to 1, from the table of docs/testing.md: its rows end with a percentage. */
-export function shares(text) {
-  const rows = [...text.matchAll(/^\| `([\w-]+)` \|.*\| ([\d.]+) % \|$/gm)];
-  return new Map(rows.map(([, name, percent]) => [name, Number(percent) / 100]));
+/** The budget of each check from the table of docs/testing.md, whose rows end with seconds on the reference machine. */
+export function budgets(text) {
+  const rows = [...text.matchAll(/^\| `([\w-]+)` \|.*\| (\d+) s \| [\d.]+ % \|$/gm)];
+  return new Map(rows.map(([, name, secs]) => [name, Number(secs)]));
 }
 
-/** Checks that took more than `SLOW` times their share of all that ran, as sentences. */
-export function slower(checks, wanted) {
-  const known = checks.filter(({ name }) => wanted.has(name));
-  const total = known.reduce((sum, { secs }) => sum + secs, 0);
-  const whole = known.reduce((sum, { name }) => sum + wanted.get(name), 0);
-  return known
-    .map(({ name, secs }) => ({ name, secs, share: (wanted.get(name) / whole) * total }))
-    .filter(({ secs, share }) => secs > LEAST_SECS && secs > SLOW * share)
-    .map(({ name, secs, share }) => `${name} took ${secs.toFixed(0)} s; by its share in docs/testing.md it would be ${share.toFixed(0)} s.`);
+/** Seconds of the probe on the reference machine, from docs/testing.md. */
+export function referenceProbe(text) {
+  const [, secs] = /the probe takes ([\d.]+) s/.exec(text) ?? [];
+  if (secs === undefined) throw new Error('docs/testing.md does not say how long the probe takes on the reference machine.');
+  return Number(secs);
 }
 
-/** Prints and keeps the times of a run; `isWhole` where every check ran, so that shares mean something. */
-export function report(checks, tests, isWhole) {
+/** Checks that took more than `SLOW` times their budget on a machine that is `pace` times slower than the reference, as sentences. */
+export function slower(checks, wanted, pace) {
+  return checks
+    .filter(({ name }) => wanted.has(name))
+    .map(({ name, secs }) => ({ name, secs, budget: wanted.get(name) * pace }))
+    .filter(({ secs, budget }) => secs > LEAST_SECS && secs > SLOW * budget)
+    .map(({ name, secs, budget }) => `${name} took ${secs.toFixed(0)} s; its budget is ${budget.toFixed(0)} s on this machine.`);
+}
+
+/** Checks and tests that take longer than they did in `before`, a run of main, as sentences: the greatest growth first. */
+export function grown(now, before) {
+  const pace = now.probe / before.probe;
+  const old = new Map([...before.checks, ...before.tests].map(({ name, secs }) => [name, secs * pace]));
+  return [...now.checks, ...now.tests]
+    .filter(({ name, secs }) => old.has(name) && secs - old.get(name) > LEAST_GROWTH_SECS && secs > SLOW * old.get(name))
+    .sort((a, b) => b.secs - old.get(b.name) - (a.secs - old.get(a.name)))
+    .slice(0, NAMED)
+    .map(({ name, secs }) => `${name} took ${secs.toFixed(1)} s; on main it would be ${old.get(name).toFixed(1)} s.`);
+}
+
+/** Whether what is checked out is part of main and nothing is changed. */
+const isMain = () => ask('git', ['status', '--porcelain'])?.trim() === '' && ask('git', ['merge-base', '--is-ancestor', 'HEAD', 'main']) !== undefined;
+
+/**
+ * Prints and keeps the times of a run: `checks` and `tests` with seconds, and what the `probe` took before them.
+ * Of a whole run says what was slower than its budget and what grew since main, and keeps it where it is of main.
+ */
+export function report({ checks, tests, probe, isWhole }) {
   const slowest = [...tests].sort((a, b) => b.secs - a.secs).slice(0, NAMED);
   if (slowest.length > 0) console.log('\nThe slowest tests:');
   for (const { name, secs } of slowest) console.log(`  ${secs.toFixed(1).padStart(6)} s  ${name}`);
   console.log('\nThe checks:');
   for (const { name, secs } of checks) console.log(`  ${secs.toFixed(1).padStart(6)} s  ${name}`);
-  mkdirSync(join(root, '.setup'), { recursive: true });
-  writeFileSync(join(root, '.setup/times.json'), `${JSON.stringify({ checks, tests }, null, 1)}\n`);
+  console.log(`  ${checks.reduce((sum, { secs }) => sum + secs, 0).toFixed(1).padStart(6)} s  all`);
+  const now = { checks, tests, probe };
+  write(join(root, '.setup/times.json'), now);
+  const text = readFileSync(join(root, 'docs/testing.md'), 'utf8');
+  const pace = probe / referenceProbe(text);
+  console.log(`This machine is just now ${pace.toFixed(2)} times as slow as the reference machine.`);
+  for (const sentence of slower(checks, budgets(text), pace)) console.log(`Over its budget: ${sentence}`);
   if (!isWhole) return;
-  const table = join(root, 'docs/testing.md');
-  for (const sentence of slower(checks, shares(readFileSync(table, 'utf8')))) console.log(`Slower than usual: ${sentence}`);
+  const kept = keptPath('times.json');
+  const before = read(kept);
+  if (before !== undefined) for (const sentence of grown(now, before)) console.log(`Grew: ${sentence}`);
+  if (isMain()) write(kept, now);
+}
+
+function write(path, value) {
+  mkdirSync(dirname(path), { recursive: true });
+  writeFileSync(path, `${JSON.stringify(value, null, 1)}\n`);
 }

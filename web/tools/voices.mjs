@@ -6,7 +6,8 @@
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
+import { targetFolder } from './kept.mjs';
 import { main, root, run, Stop } from './steps.mjs';
 
 /** Engine, voice, how a column is headed, and whether it stands for its engine. */
@@ -102,8 +103,7 @@ ${table(measured, isEmotion)}`;
 /** The command line as it is shipped. */
 function build() {
   run('cargo', ['build', '--locked', '--release', '--package', 'raconteur-cli'], { why: 'Building the command line' });
-  const target = resolve(root, process.env['CARGO_TARGET_DIR'] ?? 'target');
-  return join(target, 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');
+  return join(targetFolder(), 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');
 }
 
 await main(async () => {

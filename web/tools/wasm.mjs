@@ -5,8 +5,9 @@
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
-import { isAbsolute, join } from 'node:path';
+import { join } from 'node:path';
 import { packages, sources } from './changed.mjs';
+import { targetFolder } from './kept.mjs';
 import { once, root, start, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
@@ -39,7 +40,7 @@ export async function buildWasm(kind = kinds.shipped, bindgen) {
     const inputs = [...sources(crateOf(feature), crates), 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
     return once(stampOf(kind, feature), { inputs, outputs }, async () => {
-      const compiled = cargo.then(() => compile(feature, kind.profile, join(root, folder)));
+      const compiled = cargo.then(() => compile(feature, kind, join(root, folder)));
       cargo = compiled.catch(() => undefined);
       await finish(await compiled, join(root, folder), kind, bindgen);
     });
@@ -50,22 +51,21 @@ export async function buildWasm(kind = kinds.shipped, bindgen) {
 const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : feature}`;
 
 /** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
-async function compile(feature, profile, folder) {
+async function compile(feature, { profile, isOptimized }, folder) {
   const name = crateOf(feature);
-  // Messages of panics name source files: without the folders of the build machine.
+  // Messages of panics name source files: without the folders of the build machine. What tests play may name them,
+  // and is compiled alike in every checkout, so that it can be kept between them.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
-  const flags = [
-    process.env['RUSTFLAGS'] ?? '',
-    '-Ctarget-feature=+simd128',
-    `--remap-path-prefix=${cargoHome}=cargo`,
-    `--remap-path-prefix=${root}=.`,
-  ].join(' ').trim();
+  const hidden = isOptimized ? [`--remap-path-prefix=${cargoHome}=cargo`, `--remap-path-prefix=${root}=.`] : [];
+  const flags = [process.env['RUSTFLAGS'] ?? '', '-Ctarget-feature=+simd128', ...hidden].join(' ').trim();
+  // What is tested is compiled together as far as that goes, so that crates are compiled once for all: the first
+  // variant that is asked for brings the others. What ships has the features that it needs alone.
+  const variants = isOptimized || feature === 'webgpu' ? [feature] : builds.filter((variant) => variant !== 'webgpu');
   await start('cargo', [
-    'build', '--locked', '--package', name, '--target', 'wasm32-unknown-unknown',
-    '--profile', profile, ...(backends.includes(feature) ? ['--features', feature] : []),
+    'build', '--locked', ...variants.flatMap((variant) => ['--package', crateOf(variant)]), '--target', 'wasm32-unknown-unknown',
+    '--profile', profile, ...variants.filter((variant) => backends.includes(variant)).flatMap((variant) => ['--features', `raconteur-web/${variant}`]),
   ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTFLAGS: flags } });
-  const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
-  const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/${profile}/${name.replace('-', '_')}.wasm`);
+  const compiled = join(targetFolder(), `wasm32-unknown-unknown/${profile}/${name.replace('-', '_')}.wasm`);
   if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });

@@ -19,7 +19,6 @@ pub use lower::music::MusicCue;
 pub use lower::questions::{AnswerCue, OptionCue, QuestionCue};
 pub use lower::script::{LoadStage, Script, performer_of};
 pub use lower::units::Units;
-pub use lower::voice::{SpokenClause, spoken_clauses};
 pub use lower::ways::{WayCue, WayKind};
 pub use options::{LanguageTag, Options};
 pub use play::event::{AcceptedClause, Event};

@@ -6,10 +6,10 @@ mod common;
 use std::fs;
 use std::sync::Arc;
 
-use common::{assets, equip, perform, read, turn};
+use common::{assets, equip, perform, turn, without_tissue};
 use raconteur_player::Options;
 use raconteur_player::base::{DVec3, Side};
-use raconteur_player::body::{Bone, Figure};
+use raconteur_player::body::Bone;
 use raconteur_player::sweep::sweep;
 use raconteur_tier::{FIGURES, share};
 
@@ -29,13 +29,6 @@ fn animations() -> Vec<String> {
     names
 }
 
-/// A figure without the tissue of its face, which no animation of the library moves.
-fn figure(name: &str) -> Arc<Figure> {
-    let mut figure = Arc::unwrap_or_clone(read(name));
-    figure.tissue = None;
-    Arc::new(figure)
-}
-
 /// A story that plays one animation for so long, and nothing else: what is pushed at time 0 has
 /// been so before.
 fn story(name: &str, secs: f64) -> String {
@@ -48,7 +41,8 @@ fn story(name: &str, secs: f64) -> String {
 
 /// Sweeps animations on one figure, its share of them or in the long tier all, twice through if they repeat.
 fn nothing_would_make_a_viewer_wince(who: &str) {
-    let figure = figure(who);
+    // No animation of the library moves the face.
+    let figure = without_tissue(who);
     let mut wrong = Vec::new();
     let names = animations();
     assert!(names.len() >= 63, "{names:?}");
@@ -102,7 +96,7 @@ fn lia_plays_animations_well() {
 #[test]
 fn hands_behind_are_joined_at_the_small_of_the_back() {
     for who in FIGURES {
-        let figure = figure(who);
+        let figure = without_tissue(who);
         let scale = figure.skeleton.stature_m() / 1.7;
         let options = Options::default();
         let mut player = perform(&story("hands-behind", 4.0), None, figure, options).player;

@@ -7,7 +7,7 @@ use raconteur_eml as eml;
 use raconteur_eml::{ClauseKind, TextSegment, VoiceText};
 use raconteur_speech::emotion::EmotionPoint;
 
-use raconteur_player::{SpokenClause, spoken_clauses};
+use raconteur_spoken::{SpokenClause, spoken_clauses};
 
 /// Something that a script says.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,10 +7,11 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 16] = [
+const ALLOWED: [(&str, &[&str]); 17] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
+    ("spoken", &["eml", "speech"]),
     ("tissue", &["base"]),
     ("body", &["base", "tissue"]),
     ("faces", &["base", "body"]),
@@ -20,11 +21,11 @@ const ALLOWED: [(&str, &[&str]); 16] = [
     (
         "player",
         &[
-            "base", "eml", "speech", "tissue", "body", "faces", "actor", "stage",
+            "base", "eml", "speech", "spoken", "tissue", "body", "faces", "actor", "stage",
         ],
     ),
     ("web", &["player", "faces", "render"]),
-    ("voice", &["base", "speech", "eml", "player"]),
+    ("voice", &["base", "speech", "eml", "spoken"]),
     ("say", &["base", "speech", "eml", "voice"]),
     ("sculpt", &["base", "body", "tissue", "faces"]),
     ("avatar", &["base", "body", "tissue"]),

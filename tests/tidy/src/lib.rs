@@ -1,7 +1,10 @@
 //! Rules of the workspace that the compiler does not know, checked by `cargo test`:
 //! which crate may use which, that no files of a crate need each other, where platform crates may appear, how long files grow,
+//! how long the gate may take,
 //! and that nothing of a maker's machine is left in the tree.
 
+#[cfg(test)]
+mod budget;
 #[cfg(test)]
 mod cycles;
 #[cfg(test)]

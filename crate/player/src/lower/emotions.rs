@@ -7,11 +7,11 @@ use raconteur_eml::{ClauseId, ClauseKind, Emoticon, Emotion, EmotionSpace};
 use raconteur_speech::TimedUtterance;
 use raconteur_speech::bundle::Emotion as Spoken;
 use raconteur_speech::emotion::EmotionPoint;
+use raconteur_spoken::{PLAIN_POTENTIAL, place_of, word_of};
 
 use crate::lower::cues::UtteranceCue;
 use crate::lower::felt::FeltSpan;
 use crate::lower::script::Script;
-use crate::lower::voice::{PLAIN_POTENTIAL, place_of, word_of};
 
 /// How long an emotion takes to come, seconds. Designed: an onset that is felt, not posed.
 const ATTACK_SECS: f64 = 0.6;

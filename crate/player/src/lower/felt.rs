@@ -4,9 +4,8 @@ use raconteur_actor::parameters::{ParameterCommand, ParameterScript, ParameterTr
 use raconteur_actor::{Affect, EmotionSpan, Library};
 use raconteur_base::ops;
 use raconteur_speech::emotion::{self, EmotionPoint};
+use raconteur_spoken::PLAIN_POTENTIAL;
 use raconteur_stage::{EmotionType, Felt};
-
-use crate::lower::voice::PLAIN_POTENTIAL;
 
 /// An emotion of the face, and how strong the events are that elicit it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -416,7 +416,8 @@ impl Player {
         self.picture.set_captions(share);
     }
 
-    fn camera(&self, aspect: f64) -> Camera {
+    /// The camera of the frame that is shown, for a picture of `aspect` (width over height).
+    pub(crate) fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
         // Where the script has moved the figure; the camera does not follow its sway.
         let moved = self.layers.actor().world_from_figure(time_secs);

@@ -1,10 +1,12 @@
 //! What a viewer would notice of the face: lips that stay apart in a closure, lids that do not
 //! meet, skin in skin, teeth or bone.
 
+use std::ops::RangeInclusive;
+
 use raconteur_body::face::{FaceControls, Network, Tissue};
 use raconteur_speech::phones::Class;
 
-use super::{Check, RATE_HZ};
+use super::{Check, RATE_HZ, frames};
 use crate::lower::cues::CueKind;
 use crate::play::player::Player;
 
@@ -174,16 +176,15 @@ impl FaceSweep {
 }
 
 /// The same story, spoken faster than its skin is: what must close, closes then too.
-pub(super) fn fast(player: &Player) -> Vec<Check> {
+pub(super) fn fast(player: &Player, secs: &RangeInclusive<f64>) -> Vec<Check> {
     let Some((tissue, _)) = player.face() else {
         return Vec::new();
     };
     let mut sweep = FaceSweep::new(player);
     let mut network = Network::new(tissue);
-    let rest = player.face_controls(0.0);
+    let rest = player.face_controls(*secs.start());
     network.reset(tissue, &rest, &rest);
-    let steps = (player.end_secs() * RATE_HZ / FAST).floor() as u64;
-    for i in 0..=steps {
+    for i in frames(secs, RATE_HZ / FAST) {
         let t = i as f64 * FAST / RATE_HZ;
         let controls = player.face_controls(t);
         network.step(tissue, &controls);

@@ -2,14 +2,14 @@
 
 use raconteur_base::{DVec3, Side, ops};
 use raconteur_body::Bone;
-use raconteur_stage::Camera;
+use raconteur_stage::{Camera, Frame};
 
 use super::Check;
 use crate::Player;
 use crate::lower::shots::SHORTEST_SECS;
 
 /// Looks a second.
-const RATE_HZ: f64 = 15.0;
+pub(super) const RATE_HZ: f64 = 15.0;
 /// Pictures that stories are seen in, width over height.
 const ASPECTS: [f64; 3] = [16.0 / 9.0, 1.0, 9.0 / 16.0];
 /// Crown and chin from the joint of the skull, shares of stature: with hair, and with a beard.
@@ -33,55 +33,97 @@ fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
     shown(camera, aspect, place).iter().all(|x| x.abs() <= 1.0)
 }
 
+/// Places of a frame that a picture should hold, world, metres.
+pub(super) struct Places {
+    skull: DVec3,
+    /// Wrist, middle fingertip and thumb of the left and of the right hand.
+    tips: [[DVec3; 3]; 2],
+}
+
+impl Places {
+    pub(super) fn of(frame: &Frame) -> Self {
+        let at = |bone: Bone| frame.world_from_joint[bone.index()].translation;
+        let tip = |side| ["wrist", "middle2", "thumb2"].map(|b| at(Bone::on(side, b)));
+        Self {
+            skull: at(Bone::Skull),
+            tips: Side::BOTH.map(tip),
+        }
+    }
+}
+
+/// What is seen in pictures of one shape.
+#[derive(Clone, Copy, Default)]
+struct Seen {
+    /// Looks at a hand in a stroke, and those of them where it is out of the picture.
+    strokes: u32,
+    out: u32,
+    last: Option<Camera>,
+}
+
 /// Share of the strokes' time, written close shots aside, in which wrist and fingertips are out of the
 /// picture, how far crown and chin come to its edge, the fastest zoom, that of shots that emotions ask
 /// for apart, and what such a shot lacks to the shortest, over a story.
-pub(super) fn framing(player: &mut Player) -> Vec<Check> {
-    let mut hands = Check::new("hands-out", 2.0, "% of strokes");
-    let mut face = Check::new("face-cut", 1.0, "of the picture");
-    let mut zoom = Check::new("zoom", 10.0, "%/s");
-    let mut near = Check::new("zoom-felt", 50.0, "%/s");
-    let mut short = Check::new("shot-short", 0.001, "s");
-    for (start_secs, length_secs) in player.felt_shots() {
-        short.measure((SHORTEST_SECS - length_secs).max(0.0), "shot", start_secs);
+pub(super) struct Framing {
+    seen: [Seen; ASPECTS.len()],
+    face: Check,
+    zoom: Check,
+    near: Check,
+    short: Check,
+}
+
+impl Framing {
+    pub(super) fn new(player: &Player) -> Self {
+        let mut short = Check::new("shot-short", 0.001, "s");
+        for (start_secs, length_secs) in player.felt_shots() {
+            short.measure((SHORTEST_SECS - length_secs).max(0.0), "shot", start_secs);
+        }
+        Self {
+            seen: [Seen::default(); ASPECTS.len()],
+            face: Check::new("face-cut", 1.0, "of the picture"),
+            zoom: Check::new("zoom", 10.0, "%/s"),
+            near: Check::new("zoom-felt", 50.0, "%/s"),
+            short,
+        }
     }
-    for aspect in ASPECTS {
-        let (mut out, mut all) = (0u32, 0u32);
-        let mut last: Option<Camera> = None;
-        for i in 0..=(player.end_secs() * RATE_HZ) as u64 {
-            let t = i as f64 / RATE_HZ;
-            let frame = player.frame(t, aspect);
-            let camera = frame.camera;
-            let at = |bone: Bone| frame.world_from_joint[bone.index()].translation;
-            let skull = at(Bone::Skull);
-            let tips = Side::BOTH
-                .map(|side| ["wrist", "middle2", "thumb2"].map(|b| at(Bone::on(side, b))));
-            let stature_m = player.figure().skeleton.stature_m();
+
+    /// Looks at the frame that the player shows, `RATE_HZ` times a second.
+    pub(super) fn look(&mut self, player: &Player, places: &Places, t: f64) {
+        let stature_m = player.figure().skeleton.stature_m();
+        for (seen, aspect) in self.seen.iter_mut().zip(ASPECTS) {
+            let camera = player.camera(aspect);
             for y in [CROWN, -CHIN] {
-                let place = shown(&camera, aspect, skull + DVec3::Y * (y * stature_m));
-                face.measure(place[0].abs().max(place[1].abs()), "head", t);
+                let place = shown(&camera, aspect, places.skull + DVec3::Y * (y * stature_m));
+                self.face
+                    .measure(place[0].abs().max(place[1].abs()), "head", t);
             }
-            for (side, tips) in Side::BOTH.into_iter().zip(tips) {
+            for (side, tips) in Side::BOTH.into_iter().zip(places.tips) {
                 if player.is_in_seen_stroke(side, t) {
-                    all += 1;
-                    out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));
+                    seen.strokes += 1;
+                    seen.out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));
                 }
             }
-            if let Some(before) = last.filter(|b| b.eye_in_world == camera.eye_in_world) {
+            let before = seen.last.replace(camera);
+            if let Some(before) = before.filter(|b| b.eye_in_world == camera.eye_in_world) {
                 let half = |c: &Camera| ops::tan(0.5 * c.fov_y_rad);
                 let rate = ops::ln(half(&camera) / half(&before)).abs() * RATE_HZ;
                 match player.kept_shot(t - 1.0 / RATE_HZ, t) {
-                    Some(true) => near.measure(100.0 * rate, "camera", t),
-                    Some(false) => zoom.measure(100.0 * rate, "camera", t),
+                    Some(true) => self.near.measure(100.0 * rate, "camera", t),
+                    Some(false) => self.zoom.measure(100.0 * rate, "camera", t),
                     // It moves or cuts on purpose.
                     None => {}
                 }
             }
-            last = Some(camera);
-        }
-        if all > 0 {
-            hands.measure(100.0 * f64::from(out) / f64::from(all), "hands", 0.0);
         }
     }
-    vec![hands, face, zoom, near, short]
+
+    pub(super) fn checks(self) -> Vec<Check> {
+        let mut hands = Check::new("hands-out", 2.0, "% of strokes");
+        for Seen { strokes, out, .. } in self.seen {
+            if strokes > 0 {
+                let share = f64::from(out) / f64::from(strokes);
+                hands.measure(100.0 * share, "hands", 0.0);
+            }
+        }
+        vec![hands, self.face, self.zoom, self.near, self.short]
+    }
 }

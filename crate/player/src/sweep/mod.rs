@@ -11,6 +11,7 @@ mod framing;
 mod hair;
 mod solids;
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
@@ -22,6 +23,7 @@ use raconteur_body::{Bone, Figure, Skeleton};
 
 use crate::Player;
 use face::FaceSweep;
+use framing::{Framing, Places};
 use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
 
@@ -84,28 +86,43 @@ impl Check {
 /// soon it changes.
 #[must_use]
 pub fn look_at_the_picture(player: &mut Player) -> Vec<Check> {
-    framing::framing(player)
+    let mut framing = Framing::new(player);
+    for i in frames(&(0.0..=player.end_secs()), framing::RATE_HZ) {
+        let t = i as f64 / framing::RATE_HZ;
+        let places = Places::of(player.frame(t, 1.0));
+        framing.look(player, &places, t);
+    }
+    framing.checks()
 }
 
 /// Sweeps over the whole of a story. Times pass in a player as in a viewer's; its cues do
 /// not.
 #[must_use]
 pub fn sweep(player: &mut Player) -> Vec<Check> {
+    let end = player.end_secs();
+    sweep_between(player, 0.0..=end)
+}
+
+/// Sweeps over a stretch of a story, story time, seconds.
+#[must_use]
+pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Check> {
     let mut sweep = Sweep::new(player.figure());
     let mut face = player.face().is_some().then(|| FaceSweep::new(player));
     // The player moves while the meshes are read.
     let figure = Arc::clone(player.figure());
     let mut hair = HairSweep::new(&figure);
-    let frames = (player.end_secs() * RATE_HZ).floor() as u64;
-    for i in 0..=frames {
+    let mut framing = Framing::new(player);
+    let every = |rate_hz: f64, i: u64| i.is_multiple_of((RATE_HZ / rate_hz) as u64);
+    for i in frames(&secs, RATE_HZ) {
         let t = i as f64 / RATE_HZ;
         let frame = player.frame(t, 1.6);
         sweep.look(&frame.world_from_joint, t);
-        if let Some(hair) = hair
-            .as_mut()
-            .filter(|_| i % (RATE_HZ / hair::RATE_HZ) as u64 == 0)
-        {
+        if let Some(hair) = hair.as_mut().filter(|_| every(hair::RATE_HZ, i)) {
             hair.look(&frame.world_from_joint, t);
+        }
+        let places = Places::of(frame);
+        if every(framing::RATE_HZ, i) {
+            framing.look(player, &places, t);
         }
         if let (Some(face), Some(tissue)) = (&mut face, player.face()) {
             let controls = player.face_controls(t);
@@ -113,14 +130,19 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
             face.look_at_lids(&controls, player.lids_rad(), t);
         }
     }
-    let late = late_strokes(player);
+    let late = late_strokes(player, &secs);
     let mut checks = sweep.checks();
     checks.push(late);
-    checks.extend(framing::framing(player));
+    checks.extend(framing.checks());
     checks.extend(hair.map(HairSweep::check));
     checks.extend(face.into_iter().flat_map(FaceSweep::checks));
-    checks.extend(face::fast(player));
+    checks.extend(face::fast(player, &secs));
     checks
+}
+
+/// The numbers of the frames within a stretch, at so many a second.
+fn frames(secs: &RangeInclusive<f64>, rate_hz: f64) -> RangeInclusive<u64> {
+    (secs.start() * rate_hz).ceil() as u64..=(secs.end() * rate_hz).floor() as u64
 }
 
 /// Measures of every frame.
@@ -305,13 +327,12 @@ fn turn(from: DQuat, to: DQuat) -> DVec3 {
 }
 
 /// How long after its time a stroke begins: the hand is at its first place.
-fn late_strokes(player: &mut Player) -> Check {
+fn late_strokes(player: &mut Player, secs: &RangeInclusive<f64>) -> Check {
     let mut check = Check::new("late-stroke", 20.0, "ms");
-    let end = player.end_secs();
     for side in Side::BOTH {
         let bone = Bone::on(side, "wrist");
         for (begins, place) in player.strokes(side) {
-            if !(0.0..=end).contains(&begins) {
+            if !secs.contains(&begins) {
                 continue;
             }
             let steps = (LOOKED_FOR_SECS * 1e3) as u32;

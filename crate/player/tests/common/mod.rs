@@ -40,6 +40,13 @@ pub(crate) fn read(figure: &str) -> Arc<Figure> {
     Arc::new(read_figure(figure, &bytes).expect("a figure"))
 }
 
+/// A figure of the library without the tissue of its face, for what its face has no part in.
+pub(crate) fn without_tissue(figure: &str) -> Arc<Figure> {
+    let mut figure = Arc::unwrap_or_clone(read(figure));
+    figure.tissue = None;
+    Arc::new(figure)
+}
+
 /// `sofia`, read once.
 pub(crate) fn figure() -> Arc<Figure> {
     static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();

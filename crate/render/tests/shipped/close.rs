@@ -10,6 +10,7 @@ use raconteur_body::figure::Maps;
 use raconteur_body::{Figure, MaterialKind};
 use raconteur_render::{Headless, Quality, RenderOptions};
 use raconteur_stage::{DirectedLight, Lighting};
+use raconteur_tier::share;
 
 /// Nose, jaw, ear and nails, from the front, half to the side, the side and below; angles in
 /// radians.
@@ -53,7 +54,7 @@ fn no_pixel_of_the_skin_lights_up_alone() {
     let mut device = Headless::new_blocking(RenderOptions::default())
         .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"));
     let mut all = Vec::new();
-    for name in FIGURES {
+    for (turn, name) in FIGURES.into_iter().enumerate() {
         let mut figure = figure(name);
         // Strands of hair, lashes, eyes and their wet may glitter.
         figure.meshes.retain(|m| {
@@ -63,7 +64,8 @@ fn no_pixel_of_the_skin_lights_up_alone() {
             )
         });
         send(&mut device, &figure);
-        for (at, yaw, pitch) in VIEWS {
+        // In the gate each view of some figures.
+        for (at, yaw, pitch) in share(&VIEWS, turn % 2, 2) {
             let frame = frame(&figure, Lighting::default(), at, yaw, pitch);
             let side = SIDE as u32;
             let picture = device.render_rgba(&frame, side, side).expect("drawn");
@@ -141,18 +143,21 @@ fn no_light_comes_through_below_the_jaw() {
     let on = lamp(key.towards_light_in_world, key.irradiance, stage.exposure);
     let off = lamp(key.towards_light_in_world, [0.0; 3], stage.exposure);
     let mut device = headless(Quality::High);
-    for name in FIGURES {
+    for (turn, name) in FIGURES.into_iter().enumerate() {
+        let views = share(&VIEWS, turn % 2, 2);
         let lit = skin_and_chalk(name).map(|figure| {
             send(&mut device, &figure);
-            VIEWS.map(|view| {
+            let of = |view: &(At, f64, f64)| {
+                let view = *view;
                 let (on, off) = (
                     red(&mut device, &figure, on, view),
                     red(&mut device, &figure, off, view),
                 );
                 on.iter().zip(&off).map(|(a, b)| a - b).collect::<Vec<_>>()
-            })
+            };
+            views.iter().map(of).collect::<Vec<_>>()
         });
-        for (v, view) in VIEWS.iter().enumerate() {
+        for (v, view) in views.iter().enumerate() {
             let mut glow: Vec<i32> = lit[0][v]
                 .iter()
                 .zip(&lit[1][v])
@@ -175,9 +180,9 @@ fn grain(picture: &[i32], x: usize, y: usize) -> i32 {
 
 #[test]
 fn a_shadow_beside_the_nose_has_no_grain() {
-    for quality in [Quality::Medium, Quality::High] {
+    for (turn, quality) in [Quality::Medium, Quality::High].into_iter().enumerate() {
         let mut device = headless(quality);
-        for name in FIGURES {
+        for name in share(&FIGURES, turn, 2) {
             let [_, chalk] = skin_and_chalk(name);
             send(&mut device, &chalk);
             let mut strong = 0;

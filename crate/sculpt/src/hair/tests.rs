@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use raconteur_base::DVec3;
 
 use super::*;
+use crate::cells::Cells;
 use crate::head;
 use crate::part::PartVertex;
 use crate::people::{NAMES, preset};
@@ -24,9 +25,16 @@ fn people() -> &'static [(Head, HairParams)] {
     })
 }
 
+/// The room about each of their bare heads.
+fn spaces() -> &'static [Space] {
+    static SPACES: OnceLock<Vec<Space>> = OnceLock::new();
+    SPACES.get_or_init(|| people().iter().map(|(h, _)| Space::new(h, &[])).collect())
+}
+
 /// Hair of one style on one head.
 struct Worn {
     head: &'static Head,
+    space: &'static Space,
     style: HairStyle,
     name: &'static str,
     grown: Grown,
@@ -46,7 +54,8 @@ fn worn() -> &'static [Worn] {
             .iter()
             .enumerate()
             .map(|(i, &(style, name))| {
-                let (head, own) = &people()[(i + 2) % people().len()];
+                let whose = (i + 2) % people().len();
+                let (head, own) = &people()[whose];
                 let p = HairParams {
                     style,
                     beard: None,
@@ -54,6 +63,7 @@ fn worn() -> &'static [Worn] {
                 };
                 Worn {
                     head,
+                    space: &spaces()[whose],
                     style,
                     name,
                     grown: hair(head, &p, &[]),
@@ -94,7 +104,7 @@ fn every_style_grows() {
 #[test]
 fn hair_keeps_clear_of_the_skin() {
     for w in worn() {
-        let space = Space::new(w.head, &[]);
+        let space = w.space;
         for piece in w.cards() {
             // Middles of the rows; roots go into the skin.
             let rows = piece.part.vertices.chunks_exact(2);
@@ -118,9 +128,11 @@ fn hair_keeps_clear_of_the_skin() {
 
 #[test]
 fn the_scalp_is_covered_from_all_sides() {
+    /// A card as near as this covers a place, metres.
+    const COVERED_M: f64 = 0.022;
     // From every place well inside the line some card lies above, within what a style is thick.
     for w in worn().iter().filter(|w| w.style != HairStyle::Bald) {
-        let space = Space::new(w.head, &[]);
+        let space = w.space;
         let line = Line::new(&HairParams {
             style: w.style,
             square: true,
@@ -132,6 +144,7 @@ fn the_scalp_is_covered_from_all_sides() {
             .flat_map(|p| p.part.vertices.chunks_exact(2))
             .map(|r| space.frame.place((r[0].position + r[1].position) / 2.0))
             .collect();
+        let cells = Cells::new(&rows, COVERED_M);
         let mut bare = 0;
         let wanted: Vec<DVec3> = space
             .skin
@@ -140,7 +153,8 @@ fn the_scalp_is_covered_from_all_sides() {
             .filter(|p| line.smooth_distance(*p) > 0.02 && space.height_without_ears(*p) < 0.002)
             .collect();
         for p in &wanted {
-            let near = rows.iter().any(|r| r.distance_squared(*p) < 0.022 * 0.022);
+            let mut about = cells.near(*p).map(|i| rows[i as usize]);
+            let near = about.any(|r| r.distance_squared(*p) < COVERED_M * COVERED_M);
             bare += usize::from(!near);
         }
         assert!(

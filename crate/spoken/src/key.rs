@@ -4,7 +4,7 @@
 
 use raconteur_eml::{ClauseKind, Level, Markup, TextSegment, VoiceSay, VoiceText};
 
-use super::SpokenClause;
+use crate::SpokenClause;
 
 /// FNV-1a, 64 bits.
 struct Hash(u64);
@@ -179,7 +179,7 @@ fn fields(hash: &mut Hash, markup: &Markup) {
 mod tests {
     use raconteur_eml::parse;
 
-    use super::super::{SpokenClause, spoken_clauses};
+    use crate::{SpokenClause, spoken_clauses};
 
     fn keys(body: &str) -> Vec<u64> {
         let source = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");

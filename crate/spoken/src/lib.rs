@@ -1,0 +1,101 @@
+//! What a script says: its spoken clauses in document order, by which voice and in which emotion, and
+//! the keys of their utterances in a speech bundle.
+//!
+//! Bakers and the player know a clause by the same key. It lies apart from both, so that voices are not
+//! compiled again when something moves otherwise.
+
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        reason = "tests fail by panicking"
+    )
+)]
+
+mod key;
+
+use raconteur_eml::{ClauseId, ClauseKind, Document, Emotion};
+use raconteur_speech::emotion::{EmotionPoint, place};
+
+/// The potential at which an emotion has the strength of F&H table 4.4.
+pub const PLAIN_POTENTIAL: f64 = 5.0;
+
+/// Where an emotion of a script lies; none for neutral. A dimension that is given takes the place
+/// of that of the word.
+#[must_use]
+pub fn place_of(emotion: &Emotion) -> Option<EmotionPoint> {
+    let word = emotion.kind.and_then(|kind| place(kind.word()));
+    let of_word = word.unwrap_or_default();
+    let place = EmotionPoint {
+        activation: emotion.activation.unwrap_or(of_word.activation),
+        evaluation: emotion.evaluation.unwrap_or(of_word.evaluation),
+        power: emotion.power.unwrap_or(of_word.power),
+    };
+    (!place.is_neutral()).then_some(place)
+}
+
+/// The word of an emotion that is there as the table has it; none where a dimension was given.
+#[must_use]
+pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
+    let given = [emotion.activation, emotion.evaluation, emotion.power];
+    let kind = emotion.kind?;
+    given.iter().all(Option::is_none).then(|| kind.word())
+}
+
+/// A clause that says something, heard or made ready, and how: by the last `voice-change` and
+/// the last emotion before it, as one reads the document.
+#[derive(Clone, Copy, Debug)]
+pub struct SpokenClause<'d> {
+    /// Which clause of the document.
+    pub id: ClauseId,
+    /// What it is.
+    pub kind: &'d ClauseKind,
+    /// The voice, as the script names it; none: the story's own.
+    pub voice: Option<&'d str>,
+    /// The emotion, unless it is neutral.
+    pub emotion: Option<&'d Emotion>,
+}
+
+impl SpokenClause<'_> {
+    /// The key of its utterance in a bundle: a digest of the words, their markup, the voice and
+    /// the emotion.
+    #[must_use]
+    pub fn key(&self) -> u64 {
+        key::of(self)
+    }
+
+    /// The emotion that is elicited for it: its word, where the place is that of the word as the
+    /// table has it, and its place, scaled by the potential.
+    #[must_use]
+    pub fn elicited(&self) -> Option<(Option<&'static str>, EmotionPoint)> {
+        let emotion = self.emotion?;
+        let place = place_of(emotion)?.scaled(emotion.intensity() / PLAIN_POTENTIAL);
+        Some((word_of(emotion), place))
+    }
+}
+
+/// What a document says, in document order.
+#[must_use]
+pub fn spoken_clauses(document: &Document) -> Vec<SpokenClause<'_>> {
+    let mut clauses = Vec::new();
+    let (mut voice, mut emotion) = (None, None);
+    for (id, clause) in document.iter() {
+        let kind = &clause.kind;
+        match kind {
+            ClauseKind::VoiceChange(change) => voice = Some(change.voice.as_str()),
+            ClauseKind::Emotion(next) => {
+                let felt = place_of(next).is_some() && next.intensity() > 0.0;
+                emotion = felt.then_some(next);
+            }
+            ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => clauses.push(SpokenClause {
+                id,
+                kind,
+                voice,
+                emotion,
+            }),
+            _ => {}
+        }
+    }
+    clauses
+}

@@ -1,0 +1,20 @@
+// The gate in a new clone for which nothing is kept: that what is committed needs nothing that only this machine
+// has by now. Only Node's own modules.
+
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { root, run, start } from './steps.mjs';
+
+/** Clones what is committed into a folder of its own, runs the gate there, and takes the folder away. */
+export async function fresh() {
+  const folder = mkdtempSync(join(tmpdir(), 'raconteur-fresh-'));
+  const clone = join(folder, 'clone');
+  try {
+    run('git', ['clone', '--quiet', root, clone], { why: 'Cloning this checkout' });
+    const { CARGO_TARGET_DIR: _, TEST_LONG: __, ...env } = process.env;
+    await start(process.execPath, ['web/tools/test.mjs'], { cwd: clone, env: { ...env, RACONTEUR_KEPT: join(folder, 'kept'), CARGO_INCREMENTAL: '0' }, why: 'The gate in a new clone' });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

@@ -1,0 +1,86 @@
+// What the pages of the site and the tests in a browser are made of, read from their sources: a file reaches another
+// where it names it, relative to itself, in quotation marks. Only Node's own modules.
+
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { root } from './steps.mjs';
+
+/** What a test in a browser visits, and the files in which it begins. */
+export const ENTRIES = {
+  home: ['index.html'],
+  viewer: ['viewer/index.html'],
+  gestures: ['gestures/index.html'],
+  face: ['face/index.html'],
+  expression: ['expression/index.html'],
+  composite: ['composite/index.html', 'web/composite/index.ts'],
+  docs: ['docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'web/tools/docs.ts', 'web/pages/docs.css'],
+  player: ['web/element/index.ts'],
+  course: ['web/course/index.ts', 'web/tools/course.ts'],
+};
+
+/** The folder of the tests in a browser. */
+export const SPECS = 'tests/browser';
+
+/** For each spec what it visits besides the player, which is on every page. */
+export const visits = () => JSON.parse(readFileSync(join(root, SPECS, 'visits.json'), 'utf8'));
+
+/** What an address of the site belongs to, by its path; undefined for what a test alone serves. */
+export function visitedAt(path) {
+  const [, script] = /^\/raconteur-(composite|course)\.js$/.exec(path) ?? [];
+  const [, folder = ''] = path.split('/');
+  const name = script ?? (folder === '' || folder === 'index.html' ? 'home' : folder);
+  return name in ENTRIES ? name : undefined;
+}
+
+const isFile = (path) => existsSync(join(root, path)) && statSync(join(root, path)).isFile();
+
+/** The file that a name in `from` stands for, from the root; undefined where it is none. */
+function named(from, name) {
+  const [path = ''] = name.split(/[?#]/);
+  if (path === '') return undefined;
+  const places = path.startsWith('/') ? [path.slice(1)] : [relative(root, join(root, dirname(from), path))];
+  return places.flatMap((place) => [place, place.replace(/\.js$/, '.ts')]).find(isFile);
+}
+
+const read = new Map();
+
+/** The files that a file names, read once. */
+function names(file) {
+  const found = read.get(file) ?? namesIn(file);
+  read.set(file, found);
+  return found;
+}
+
+function namesIn(file) {
+  if (!/\.(ts|mjs|css|html)$/.test(file)) return [];
+  const text = readFileSync(join(root, file), 'utf8');
+  const quoted = [...text.matchAll(/["'(]((?:\.{1,2}\/|\/)[^"'()\s]+)["')]/g)].map(([, name = '']) => named(file, name));
+  const parts = [...text.matchAll(/<!-- part: ([\w-]+) -->/g)].map(([, name]) => `web/pages/parts/${name}.html`);
+  return [...quoted, ...parts].filter((name) => name !== undefined && isFile(name));
+}
+
+const inside = (path) => (isFile(path) ? [path] : readdirSync(join(root, path), { recursive: true, encoding: 'utf8' }).map((name) => `${path}/${name}`).filter(isFile));
+
+/** All files that some reach, themselves among them; a folder stands for what is in it. */
+export function reached(begins) {
+  const found = new Set(begins.filter((path) => existsSync(join(root, path))).flatMap(inside));
+  for (const file of found) for (const name of names(file)) found.add(name);
+  return found;
+}
+
+/**
+ * The specs that files of the web reach, and the files that no page, element or spec is made of. A spec is reached
+ * by what it names and by what it visits.
+ */
+export function specsOf(files) {
+  const parts = Object.fromEntries(Object.entries(ENTRIES).map(([name, begins]) => [name, reached(begins)]));
+  const known = new Set(Object.values(parts).flatMap((all) => [...all]));
+  const specs = [];
+  for (const [spec, visited] of Object.entries(visits())) {
+    // What a spec names of the element is there for its types, and what it visits has it.
+    const own = new Set([...reached([`${SPECS}/${spec}`])].filter((file) => !file.startsWith('web/') || !known.has(file)));
+    for (const file of own) known.add(file);
+    if (files.some((file) => own.has(file) || ['player', ...visited].some((name) => parts[name].has(file)))) specs.push(spec);
+  }
+  return { specs, unknown: files.filter((file) => !known.has(file)) };
+}

@@ -1,0 +1,89 @@
+// What cargo compiled of other people's crates, kept between checkouts in the user's cache: a checkout that has
+// no target folder begins with it. Only Node's own modules.
+//
+// Cargo names what it compiles of a registry's crate by a hash of all that it was compiled with, and of nothing
+// in the checkout, so that two checkouts can share such a file; of the workspace's own crates it compares only
+// times, so that these are never shared. Files that the compiler writes once are hard links; the small ones that
+// cargo rewrites are copies.
+
+import { copyFileSync, cpSync, existsSync, linkSync, mkdirSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { isAbsolute, join } from 'node:path';
+import { root } from './steps.mjs';
+
+/** Beyond this many bytes what is kept is thrown away and gathered anew: crates that nothing needs any more are among it. */
+const MOST_BYTES = 6 * 2 ** 30;
+
+/** Names of the workspace's own packages begin with it. */
+const OWN = 'raconteur';
+
+/** Where cargo compiles. */
+export function targetFolder() {
+  const given = process.env['CARGO_TARGET_DIR'] ?? 'target';
+  return isAbsolute(given) ? given : join(root, given);
+}
+
+/** A path of what is kept between checkouts: below `RACONTEUR_KEPT`, else in the user's cache. */
+export const keptPath = (name) => join(process.env['RACONTEUR_KEPT'] ?? join(process.env['XDG_CACHE_HOME'] ?? join(homedir(), '.cache'), 'raconteur'), name);
+
+const compiled = () => keptPath('compiled');
+
+const list = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
+
+/** Folders of a target folder in which cargo compiles, one for each profile and platform: `debug`, `wasm32-unknown-unknown/debug`. */
+function profiles(target) {
+  const below = (path) => list(join(target, path)).map((name) => (path === '' ? name : join(path, name)));
+  return below('')
+    .flatMap((path) => [path, ...(statSync(join(target, path)).isDirectory() ? below(path) : [])])
+    .filter((path) => existsSync(join(target, path, '.fingerprint')));
+}
+
+const hashOf = (name) => /-([0-9a-f]{16})(?:\.|$)/.exec(name)?.[1];
+
+/** A file that is written once: the same file under two names where the disk can do that. */
+function share(from, to) {
+  try {
+    linkSync(from, to);
+  } catch (error) {
+    if (error.code === 'EEXIST') return;
+    copyFileSync(from, to);
+  }
+}
+
+/** Gives `to` what `from` has compiled of other people's crates and `to` has not. Tells how many there were. */
+export function carry(from, to) {
+  let carried = 0;
+  for (const profile of profiles(from)) {
+    const [source, goal] = [join(from, profile), join(to, profile)];
+    const there = new Set(list(join(goal, '.fingerprint')));
+    const units = list(join(source, '.fingerprint')).filter((name) => !name.startsWith(OWN) && !there.has(name));
+    if (units.length === 0) continue;
+    const hashes = new Set(units.map(hashOf));
+    mkdirSync(join(goal, 'deps'), { recursive: true });
+    for (const name of list(join(source, 'deps'))) if (hashes.has(hashOf(name))) share(join(source, 'deps', name), join(goal, 'deps', name));
+    for (const name of units) {
+      if (existsSync(join(source, 'build', name))) cpSync(join(source, 'build', name), join(goal, 'build', name), { recursive: true, preserveTimestamps: true });
+    }
+    // Last: cargo takes what has one of these as compiled.
+    for (const name of units) cpSync(join(source, '.fingerprint', name), join(goal, '.fingerprint', name), { recursive: true, preserveTimestamps: true });
+    carried += units.length;
+  }
+  return carried;
+}
+
+const sizeOf = (path) => (statSync(path).isDirectory() ? list(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0) : statSync(path).size);
+
+/** Begins a checkout that has compiled nothing with what is kept. */
+export function begin() {
+  const target = targetFolder();
+  if (profiles(target).length > 0 || !existsSync(compiled())) return;
+  const carried = carry(compiled(), target);
+  console.log(`  ${carried} compiled parts of other people's crates are taken from ${compiled()}`);
+}
+
+/** Keeps what this checkout has compiled. Only after cargo was right to the end: nothing half-written is there then. */
+export function keep() {
+  const kept = compiled();
+  if (existsSync(kept) && sizeOf(kept) > MOST_BYTES) rmSync(kept, { recursive: true });
+  carry(targetFolder(), kept);
+}
