@@ -3,9 +3,13 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
+import { sized } from '../../web/test/tier.js';
 import { serveElsewhere } from './elsewhere.js';
 import { story, voiceFiles } from './fixture.js';
 import { expect, ready, test, type Stage } from './stage.js';
+
+/** How often a player is taken out of its page. */
+const TIMES = sized(8, 20);
 
 /** The least width and height of what is pressed (WCAG 2.2, 2.5.8). */
 const LEAST_TARGET = 24;
@@ -99,14 +103,14 @@ test('it is printed with its picture, and without what nobody can press on paper
   await expect(stage.player.locator('[part~=controls]')).toBeVisible();
 });
 
-test('it is taken out and put back twenty times, in play and at rest', { tag: '@draws' }, async ({ stage }) => {
+test(`it is taken out and put back ${TIMES} times, in play and at rest`, { tag: '@draws' }, async ({ stage }) => {
   test.setTimeout(300_000);
   await stage.open(`<main>${player()}</main>`, files);
   await stage.ready();
-  const told = await stage.player.evaluate(async (p: RaconteurPlayer) => {
+  const told = await stage.player.evaluate(async (p: RaconteurPlayer, times) => {
     const main = p.parentElement;
     const all: { paused: boolean; error: unknown; ready: number }[] = [];
-    for (let i = 0; i < 20; i++) {
+    for (let i = 0; i < times; i++) {
       if (i % 2 === 0) await p.play();
       p.remove();
       // Some return within the same script, as when a list is sorted, some much later.
@@ -117,7 +121,7 @@ test('it is taken out and put back twenty times, in play and at rest', { tag: '@
       all.push({ paused: p.paused, error: p.error, ready: readyState });
     }
     return all;
-  });
+  }, TIMES);
   expect(told.filter(({ error }) => error !== null)).toEqual([]);
   // One that is moved within a script keeps its story, the others give it back.
   expect(told.map(({ ready }) => ready)).toEqual(told.map((_, i) => (i % 3 > 0 ? 0 : 4)));

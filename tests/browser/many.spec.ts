@@ -6,8 +6,8 @@ import { sized } from '../../web/test/tier.js';
 import { story } from './fixture.js';
 import { expect, test } from './stage.js';
 
-const CHANGES = sized(40, 300);
-const PLAYERS = sized(10, 50);
+const CHANGES = sized(16, 300);
+const PLAYERS = sized(6, 50);
 
 declare global {
   interface Window {

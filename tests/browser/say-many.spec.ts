@@ -5,7 +5,7 @@ import { sized } from '../../web/test/tier.js';
 import { expect, type Stage, test } from './stage.js';
 
 /** Texts of which most are replaced while they are made or said. */
-const TEXTS = sized(40, 200);
+const TEXTS = sized(16, 200);
 
 const story = (text: string) => `<eml><body><voice-text time='0.1'>${text}</voice-text></body></eml>`;
 

@@ -1,11 +1,12 @@
-/** Eight players on one page, each with a device of its own: all paint at once, and none is blank. */
+/** Many players on one page, each with a device of its own: all paint at once, and none is blank. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
+import { sized } from '../../web/test/tier.js';
 import { story } from './fixture.js';
 import { expect, ready, test } from './stage.js';
 
-const PLAYERS = 8;
+const PLAYERS = sized(4, 8);
 /** Mean absolute difference of a picture from its own mean: a canvas of one colour has none. */
 const LEAST_SPREAD = 4;
 
