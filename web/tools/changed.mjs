@@ -52,7 +52,10 @@ function specs(files) {
   return found.unknown.some((file) => !ASIDE.test(file)) ? Object.keys(visits()) : found.specs;
 }
 
-/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, and the specs. */
+/** Unit tests of what Rust does in the wasm builds, which are all that it can break. */
+export const COMPARED = ['web/test/pose.test.ts', 'web/test/gesture-maths.test.ts'];
+
+/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, the specs, and unit tests where not all. */
 export function needed() {
   const files = changedFiles();
   const crates = packages();
@@ -67,5 +70,5 @@ export function needed() {
   if (web.length > 0 || rust.includes('raconteur-web')) checks.push('wasm', 'unit');
   const visited = specs(web);
   if (visited.length > 0) checks.push('browser');
-  return { checks, crates: rust, specs: visited };
+  return { checks, crates: rust, specs: visited, units: web.length > 0 ? [] : COMPARED };
 }

@@ -90,11 +90,11 @@ const checks = {
   people: async () => node('web/tools/people.mjs', [await program('raconteur')]),
   wasm: async () => buildWasm(kind, await program('raconteur-bindgen')),
   types: () => node('node_modules/typescript/bin/tsc', ['--noEmit']),
-  unit: async () => {
+  unit: async ({ units = [] } = {}) => {
     const path = reportPath('unit');
     // The poses of the wasm builds are compared with the command line's.
     await built();
-    await node('node_modules/vitest/vitest.mjs', ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${path}`]);
+    await node('node_modules/vitest/vitest.mjs', ['run', ...units, '--reporter=default', '--reporter=json', `--outputFile.json=${path}`]);
     tests.push(...unitTimes(path));
   },
   // Two bundlers of an empty folder, and plain Node.
