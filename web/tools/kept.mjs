@@ -6,7 +6,7 @@
 // times, so that these are never shared. Files that the compiler writes once are hard links; the small ones that
 // cargo rewrites are copies.
 
-import { copyFileSync, cpSync, existsSync, linkSync, mkdirSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, linkSync, lstatSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { root } from './steps.mjs';
@@ -34,7 +34,7 @@ const list = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
 function profiles(target) {
   const below = (path) => list(join(target, path)).map((name) => (path === '' ? name : join(path, name)));
   return below('')
-    .flatMap((path) => [path, ...(statSync(join(target, path)).isDirectory() ? below(path) : [])])
+    .flatMap((path) => [path, ...(lstatSync(join(target, path)).isDirectory() ? below(path) : [])])
     .filter((path) => existsSync(join(target, path, '.fingerprint')));
 }
 
@@ -71,7 +71,11 @@ export function carry(from, to) {
   return carried;
 }
 
-const sizeOf = (path) => (statSync(path).isDirectory() ? list(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0) : statSync(path).size);
+/** Bytes of a folder; links are not followed. */
+function sizeOf(path) {
+  const entry = lstatSync(path);
+  return entry.isDirectory() ? list(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0) : entry.size;
+}
 
 /** Begins a checkout that has compiled nothing with what is kept. */
 export function begin() {
