@@ -226,8 +226,7 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
-    use crate::people;
-    use crate::soundness::shipped;
+    use crate::soundness::{people_built, shipped};
     use crate::yardstick::{Yardstick, deviation};
     use raconteur_body::annotation::annotations;
     use raconteur_body::write::to_packed_glb;
@@ -245,7 +244,7 @@ mod tests {
 
     #[test]
     fn faces_and_hands_measure_like_their_sex_and_age() {
-        for name in people::NAMES {
+        for name in people_built() {
             let (params, built) = shipped(name);
             let all = readings(
                 &built.figure,
