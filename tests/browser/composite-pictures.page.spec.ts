@@ -42,11 +42,11 @@ test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;
   let page: Page;
-  test.beforeAll(async ({ browser }) => {
-    visit = await Visit.begin(browser, 1024, 700);
+  test.beforeAll(async ({ browser }, { file }) => {
+    visit = await Visit.begin(browser, file, 1024, 700);
     page = visit.page;
   });
-  test.afterAll(() => page.context().close());
+  test.afterAll(() => visit.end());
   test.beforeEach(() => visit.anew());
 
   test('steps have small pictures, and branches say where they come from', async () => {

@@ -48,7 +48,7 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   expect(dressed).not.toBe(bare);
   await page.waitForTimeout(800);
   await page.reload();
-  await page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => e.ready);
+  await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
   await tab(page, 'Style');
   await expect(page.getByRole('button', { name: 'Headscarf' })).toHaveAttribute('aria-pressed', 'true');
   for (let i = 0; i < 5; i += 1) await press(page, 'Undo');
@@ -81,11 +81,11 @@ test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;
   let page: Page;
-  test.beforeAll(async ({ browser }) => {
-    visit = await Visit.begin(browser);
+  test.beforeAll(async ({ browser }, { file }) => {
+    visit = await Visit.begin(browser, file);
     page = visit.page;
   });
-  test.afterAll(() => page.context().close());
+  test.afterAll(() => visit.end());
   test.beforeEach(() => visit.anew());
 
   test('a press on the face chooses a segment, and dragging moves it', async () => {

@@ -202,12 +202,22 @@ test.describe('in one visit', () => {
   test.describe.configure({ mode: 'serial' });
   let visit: Visit;
   let page: Page;
-  test.beforeAll(async ({ browser }) => {
-    visit = await Visit.begin(browser);
+  test.beforeAll(async ({ browser }, { file }) => {
+    visit = await Visit.begin(browser, file);
     page = visit.page;
   });
-  test.afterAll(() => page.context().close());
+  test.afterAll(() => visit.end());
   test.beforeEach(() => visit.anew());
+
+  test('the editor is accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async () => {
+    for (const look of LOOKS) {
+      await lookAt(page, look);
+      for (const tab of partsIn(look, ['Features', 'Parts', 'Held', 'History', 'Faces'])) {
+        await page.getByRole('tab', { name: tab }).click();
+        await expectNoBarriers(page, `${tab}, ${look.device}`);
+      }
+    }
+  });
 
   test('features change, are held, undone and found by a word', async () => {
     await group(page, 'nose');
@@ -244,15 +254,5 @@ test.describe('in one visit', () => {
     await faces.nth(1).click();
     await page.getByRole('tab', { name: 'History' }).click();
     await expect(page.locator('.steps-list [aria-current="step"]')).toContainText('nose');
-  });
-
-  test('the editor is accessible by day and by night, on a phone and on a desktop, without a sideways scroll', async () => {
-    for (const look of LOOKS) {
-      await lookAt(page, look);
-      for (const tab of partsIn(look, ['Features', 'Parts', 'Held', 'History', 'Faces'])) {
-        await page.getByRole('tab', { name: tab }).click();
-        await expectNoBarriers(page, `${tab}, ${look.device}`);
-      }
-    }
   });
 });

@@ -2,6 +2,7 @@
 
 import type { Browser, Page } from '@playwright/test';
 import type { RaconteurComposite } from '../../web/composite/element.js';
+import { watched } from './stage.js';
 
 /** A face at rest is drawn as simply as one that changes: where a processor draws, another picture takes seconds. */
 export async function drawSimply(page: Page): Promise<void> {
@@ -24,13 +25,24 @@ export async function open(page: Page, width = 1280, height = 900): Promise<void
 export class Visit {
   #start: unknown;
 
-  private constructor(readonly page: Page) {}
+  private constructor(
+    readonly page: Page,
+    private readonly expectDeclared: () => void,
+  ) {}
 
-  static async begin(browser: Browser, width?: number, height?: number): Promise<Visit> {
-    const visit = new Visit(await (await browser.newContext()).newPage());
+  /** For a spec, by its file. */
+  static async begin(browser: Browser, file: string, width?: number, height?: number): Promise<Visit> {
+    const context = await browser.newContext();
+    const expectDeclared = watched(context, file);
+    const visit = new Visit(await context.newPage(), expectDeclared);
     await open(visit.page, width, height);
     visit.#start = await visit.page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => e.save());
     return visit;
+  }
+
+  async end(): Promise<void> {
+    this.expectDeclared();
+    await this.page.context().close();
   }
 
   /** As if the editor had just been opened, but for what is chosen outside the history. */

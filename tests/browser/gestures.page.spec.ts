@@ -4,7 +4,7 @@ import type { Locator, Page } from '@playwright/test';
 import { curvesOf } from '../../web/element/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
-import { drawn, expect, poseOf, ready, test } from './stage.js';
+import { expect, moved, poseOf, ready, test } from './stage.js';
 
 /** The text as the page keeps it. */
 const text = (page: Page) => page.evaluate(() => sessionStorage.getItem('raconteur.gestures') ?? '');
@@ -341,12 +341,12 @@ test('a hand that gestures is in the picture from every side at each width', asy
       [1024, 1366],
       [1920, 1080],
     ] as const) {
-      await drawn(player, () => page.setViewportSize({ width, height }));
+      await moved(player, () => page.setViewportSize({ width, height }));
       const shown = await sides.evaluate((select: HTMLSelectElement) => select.selectedOptions[0]?.text ?? '');
       // The one that is shown comes last: to choose it again would draw nothing.
       const names = await sides.locator('option').allTextContents();
       for (const side of [...names.filter((name) => name !== shown), shown]) {
-        await drawn(player, () => sides.selectOption(side));
+        await moved(player, () => sides.selectOption(side));
         const pose = await poseOf(player);
         const box = await player.boundingBox();
         if (pose === undefined || box === null) throw new Error('nobody is on stage');

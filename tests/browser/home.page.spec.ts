@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { drawn, expect, poseOf, ready, test } from './stage.js';
+import { expect, poseOf, ready, test } from './stage.js';
 
 const STORIES = join(import.meta.dirname, '../../assets/stories');
 
@@ -126,7 +126,6 @@ test('the stage’s shadow does not dim who stands below it, by day and by night
 test('the disc that plays does not lie on the face at each width', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   await page.emulateMedia({ reducedMotion: 'reduce' });
-  await open(page, 1280, 720);
   const player = page.locator('raconteur-player');
   for (const [width, height] of [
     [390, 844],
@@ -134,7 +133,9 @@ test('the disc that plays does not lie on the face at each width', async ({ stag
     [1440, 900],
     [1920, 1080],
   ] as const) {
-    await drawn(player, () => page.setViewportSize({ width, height }));
+    await open(page, width, height);
+    await page.reload();
+    await ready(player);
     const pose = await poseOf(player);
     const frame = await player.boundingBox();
     const disc = await player.locator('.disc').boundingBox();

@@ -61,7 +61,6 @@ test('every page and every story finds all that it asks for', async ({ stage, pa
   page.on('response', (response) => {
     if (response.status() >= 400) missing.push(`${response.status()} ${response.url()}`);
   });
-  await page.emulateMedia({ reducedMotion: 'reduce' });
   for (const path of [...STAGES, ...DOCUMENTS, '#mathematical-dance', '#step-lesson']) {
     // An address that differs in its fragment alone would not load the page anew.
     await page.goto('about:blank');

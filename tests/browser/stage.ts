@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { test as base, expect, type Locator, type Page } from '@playwright/test';
+import { test as base, expect, type BrowserContext, type Locator, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { decodePose, type PoseNow } from '../../web/element/pose.js';
 import { visitedAt, visits } from '../../web/tools/graph.mjs';
@@ -143,15 +143,12 @@ export async function ready(player: Locator): Promise<void> {
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
 }
 
-/** Does something that changes the picture, and waits until the change is drawn. */
-export async function drawn(player: Locator, act: () => Promise<unknown>): Promise<void> {
-  const next = await player.evaluateHandle((p: RaconteurPlayer) => {
-    const told = { isDrawn: false };
-    p.requestVideoFrameCallback(() => (told.isDrawn = true));
-    return told;
-  });
+/** Does something that moves the camera, and waits until what is shown is seen from there. */
+export async function moved(player: Locator, act: () => Promise<unknown>): Promise<void> {
+  const camera = async () => JSON.stringify((await poseOf(player))?.camera);
+  const before = await camera();
   await act();
-  await expect.poll(() => next.evaluate(({ isDrawn }) => isDrawn), { timeout: 60_000 }).toBe(true);
+  await expect.poll(camera, { timeout: 60_000 }).not.toBe(before);
 }
 
 /** The pose that a player shows. */
@@ -289,22 +286,30 @@ export interface BackendOption {
   backend: string;
 }
 
+/** Watches what of the site a spec visits in a context; the function that it gives expects all of that to be declared. */
+export function watched(context: BrowserContext, file: string): () => void {
+  const seen = new Set<string | undefined>();
+  context.on('request', (request) => {
+    const { hostname, pathname } = new URL(request.url());
+    if (hostname === 'localhost' && ['document', 'script'].includes(request.resourceType())) seen.add(visitedAt(pathname));
+  });
+  return () => {
+    const declared = visits()[basename(file)] ?? [];
+    expect(
+      [...seen].filter((name) => name !== undefined && !declared.includes(name)),
+      'visited, and not declared in visits.json',
+    ).toEqual([]);
+  };
+}
+
 /** A test with a stage on the project's back end. */
 export const test = base.extend<{ stage: Stage; visiting: undefined } & BackendOption>({
   // `npm test -- --changed` runs the specs that visit what has changed: no spec visits what it has not declared.
   visiting: [
-    async ({ context, baseURL }, use, { file }) => {
-      const seen = new Set<string | undefined>();
-      context.on('request', (request) => {
-        const { origin, pathname } = new URL(request.url());
-        if (origin === baseURL && ['document', 'script'].includes(request.resourceType())) seen.add(visitedAt(pathname));
-      });
+    async ({ context }, use, { file }) => {
+      const expectDeclared = watched(context, file);
       await use(undefined);
-      const declared = visits()[basename(file)] ?? [];
-      expect(
-        [...seen].filter((name) => name !== undefined && !declared.includes(name)),
-        'visited, and not declared in visits.json',
-      ).toEqual([]);
+      expectDeclared();
     },
     { auto: true },
   ],

@@ -71,7 +71,7 @@ export class App {
   /** The step that a control which moves begins at, and its act by now. */
   #moving: { readonly from: Uint8Array; readonly values: Values; act: Act | undefined } | undefined;
   #drawn = 0;
-  #showing = false;
+  #showing: Promise<void> | undefined;
   #behind = false;
 
   constructor(
@@ -88,7 +88,7 @@ export class App {
 
   /** The stage shows the face of the present step, and no control moves. */
   get resting(): boolean {
-    return this.#moving === undefined && !this.#showing;
+    return this.#moving === undefined && this.#showing === undefined;
   }
 
   /** How a feature changes: in the segments that are chosen, or in the whole head; alone, unless what goes with it changes too. */
@@ -323,11 +323,19 @@ export class App {
   }
 
   /** Puts the face on the figure; while one is put on, the next waits, and those between are never shown. */
-  async show(): Promise<void> {
+  show(): Promise<void> {
     this.#behind = true;
     this.page.moved();
-    if (this.#showing) return;
-    this.#showing = true;
+    this.#showing ??= this.#showNow();
+    return this.#showing;
+  }
+
+  /** Resolves when the stage shows the face as it was changed last. */
+  get shownAsItIs(): Promise<void> {
+    return this.#showing ?? Promise.resolve();
+  }
+
+  async #showNow(): Promise<void> {
     try {
       while (this.#behind) {
         this.#behind = false;
@@ -336,7 +344,7 @@ export class App {
     } catch (error) {
       this.page.say(error instanceof Error ? error.message : String(error));
     }
-    this.#showing = false;
+    this.#showing = undefined;
     this.page.shown();
   }
 

@@ -131,11 +131,12 @@ export class RaconteurComposite extends LitElement {
     return this.#app?.faces;
   }
 
-  /** Opens a session that `save` gave or a file holds; rejects where it cannot be read, and what was there stays. */
+  /** Opens a session that `save` gave or a file holds, and resolves when its face is shown; rejects where it cannot be read, and what was there stays. */
   async open(saved: unknown): Promise<void> {
     await this.#ready;
     this.#app?.open(saved);
     this.#changed();
+    await this.#app?.shownAsItIs;
   }
 
   /** The session as data, for `JSON.stringify`; undefined until the editor is ready. */

@@ -1,7 +1,6 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { COMPARED } from '../tools/changed.mjs';
 import { ENTRIES, SPECS, specsOf, visitedAt, visits } from '../tools/graph.mjs';
 
 const all = Object.keys(visits());
@@ -37,10 +36,4 @@ test('an address belongs to a page, or to a test alone', () => {
   expect(visitedAt('/raconteur-composite.js')).toBe('composite');
   expect(visitedAt('/test/')).toBeUndefined();
   expect(visitedAt('/app/face-1.js')).toBeUndefined();
-});
-
-test('the unit tests that Rust can break are those that name a wasm build', () => {
-  const folder = import.meta.dirname;
-  const named = readdirSync(folder).filter((name) => name.endsWith('.test.ts') && /kind\.folder/.test(readFileSync(join(folder, name), 'utf8')) && name !== 'graph.test.ts');
-  expect(named.map((name) => `web/test/${name}`).sort()).toEqual([...COMPARED].sort());
 });

@@ -43,19 +43,19 @@ export function sources(name, crates = packages({ tests: false })) {
 
 /** What the web is made of and checked by. */
 const WEB = /^(web|face|expression|gestures|viewer|composite|packages|tests\/browser|index\.html|package|vite\.config|tsconfig|biome|docs|\w+\.md$)/;
-/** Of that, what no page and no element is made of. */
-const ASIDE = /^(web\/test|web\/tools|web\/package|package|tsconfig|biome)/;
+/** What every page is built, served or visited with. */
+const EVERYWHERE = /^(package|vite\.config|web\/test\/tier|web\/tools\/(chromium|links|notices|parts|wasm)\.|tests\/browser\/(playwright\.config|kinds|stage)\.)/;
+/** What no page and no element is made of. */
+const ASIDE = /^(web\/test\/|web\/tools\/|web\/package\/|tsconfig|biome)/;
 
-/** The specs that a change of some files needs: all where it is not known what reads one of them. */
+/** The specs that a change of some files needs: all where it is not known what reads a file of the web. */
 function specs(files) {
   const found = specsOf(files);
-  return found.unknown.some((file) => !ASIDE.test(file)) ? Object.keys(visits()) : found.specs;
+  const isAll = files.some((file) => EVERYWHERE.test(file)) || found.unknown.some((file) => WEB.test(file) && !ASIDE.test(file));
+  return isAll ? Object.keys(visits()) : found.specs;
 }
 
-/** Unit tests of what Rust does in the wasm builds, which are all that it can break. */
-export const COMPARED = ['web/test/pose.test.ts', 'web/test/gesture-maths.test.ts'];
-
-/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, the specs, and unit tests where not all. */
+/** What `npm test -- --changed` runs: checks by name, the crates whose tests they are, and the specs. */
 export function needed() {
   const files = changedFiles();
   const crates = packages();
@@ -66,9 +66,9 @@ export function needed() {
   const checks = files.length > 0 ? ['spelling'] : [];
   if (rust.length > 0) checks.push('format', 'clippy', 'rust');
   if (web.length > 0) checks.push('lint', 'types');
-  // The unit tests of the web compare the wasm builds with the program.
-  if (web.length > 0 || rust.includes('raconteur-web')) checks.push('wasm', 'unit');
-  const visited = specs(web);
+  // The unit tests of the web compare the wasm builds with the program, and read files of crates and of the library.
+  if (web.length > 0 || rust.length > 0) checks.push('wasm', 'unit');
+  const visited = specs(files);
   if (visited.length > 0) checks.push('browser');
-  return { checks, crates: rust, specs: visited, units: web.length > 0 ? [] : COMPARED };
+  return { checks, crates: rust, specs: visited };
 }

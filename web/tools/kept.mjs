@@ -6,7 +6,7 @@
 // times, so that these are never shared. Files that the compiler writes once are hard links; the small ones that
 // cargo rewrites are copies.
 
-import { copyFileSync, cpSync, existsSync, linkSync, lstatSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, linkSync, lstatSync, mkdirSync, readdirSync, renameSync, rmSync, utimesSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { root } from './steps.mjs';
@@ -40,15 +40,37 @@ function profiles(target) {
 
 const hashOf = (name) => /-([0-9a-f]{16})(?:\.|$)/.exec(name)?.[1];
 
-/** A file that is written once: the same file under two names where the disk can do that. */
-function share(from, to) {
+/** Work in a folder beside its place, which comes there whole or not at all: others may be at the same. */
+function place(to, make) {
+  const half = `${to}.${process.pid}`;
+  rmSync(half, { recursive: true, force: true });
   try {
-    linkSync(from, to);
+    make(half);
+    renameSync(half, to);
   } catch (error) {
-    if (error.code === 'EEXIST') return;
-    copyFileSync(from, to);
+    // Another run was sooner.
+    if (!['EEXIST', 'ENOTEMPTY'].includes(error.code)) throw error;
+  } finally {
+    // Also where both were one file already, which are left as they are.
+    rmSync(half, { recursive: true, force: true });
   }
 }
+
+/** A file that is written once: the same file under two names where the disk can do that. */
+function share(from, to) {
+  place(to, (half) => {
+    try {
+      linkSync(from, half);
+    } catch {
+      copyFileSync(from, half);
+      const { atime, mtime } = lstatSync(from);
+      utimesSync(half, atime, mtime);
+    }
+  });
+}
+
+/** A folder of small files, which each checkout has for itself. */
+const copy = (from, to) => place(to, (half) => cpSync(from, half, { recursive: true, preserveTimestamps: true, verbatimSymlinks: true }));
 
 /** Gives `to` what `from` has compiled of other people's crates and `to` has not. Tells how many there were. */
 export function carry(from, to) {
@@ -56,16 +78,14 @@ export function carry(from, to) {
   for (const profile of profiles(from)) {
     const [source, goal] = [join(from, profile), join(to, profile)];
     const there = new Set(list(join(goal, '.fingerprint')));
-    const units = list(join(source, '.fingerprint')).filter((name) => !name.startsWith(OWN) && !there.has(name));
+    const units = list(join(source, '.fingerprint')).filter((name) => /-[0-9a-f]{16}$/.test(name) && !name.startsWith(OWN) && !there.has(name));
     if (units.length === 0) continue;
     const hashes = new Set(units.map(hashOf));
-    mkdirSync(join(goal, 'deps'), { recursive: true });
+    for (const folder of ['deps', 'build', '.fingerprint']) mkdirSync(join(goal, folder), { recursive: true });
     for (const name of list(join(source, 'deps'))) if (hashes.has(hashOf(name))) share(join(source, 'deps', name), join(goal, 'deps', name));
-    for (const name of units) {
-      if (existsSync(join(source, 'build', name))) cpSync(join(source, 'build', name), join(goal, 'build', name), { recursive: true, preserveTimestamps: true });
-    }
+    for (const name of units) if (existsSync(join(source, 'build', name))) copy(join(source, 'build', name), join(goal, 'build', name));
     // Last: cargo takes what has one of these as compiled.
-    for (const name of units) cpSync(join(source, '.fingerprint', name), join(goal, '.fingerprint', name), { recursive: true, preserveTimestamps: true });
+    for (const name of units) copy(join(source, '.fingerprint', name), join(goal, '.fingerprint', name));
     carried += units.length;
   }
   return carried;
@@ -77,17 +97,34 @@ function sizeOf(path) {
   return entry.isDirectory() ? list(path).reduce((sum, name) => sum + sizeOf(join(path, name)), 0) : entry.size;
 }
 
+/** Does something with what is kept; where that cannot be done, all is compiled here as it always was. */
+function tried(what, work) {
+  try {
+    work();
+  } catch (error) {
+    console.log(`  ${what}: ${error.message}`);
+  }
+}
+
 /** Begins a checkout that has compiled nothing with what is kept. */
 export function begin() {
   const target = targetFolder();
   if (profiles(target).length > 0 || !existsSync(compiled())) return;
-  const carried = carry(compiled(), target);
-  console.log(`  ${carried} compiled parts of other people's crates are taken from ${compiled()}`);
+  tried('Nothing that was compiled before is used', () => {
+    const carried = carry(compiled(), target);
+    console.log(`  ${carried} compiled parts of other people's crates are taken from ${compiled()}`);
+  });
 }
 
 /** Keeps what this checkout has compiled. Only after cargo was right to the end: nothing half-written is there then. */
 export function keep() {
-  const kept = compiled();
-  if (existsSync(kept) && sizeOf(kept) > MOST_BYTES) rmSync(kept, { recursive: true });
-  carry(targetFolder(), kept);
+  tried('What was compiled is not kept', () => {
+    const kept = compiled();
+    carry(targetFolder(), kept);
+    if (!existsSync(kept) || sizeOf(kept) <= MOST_BYTES) return;
+    // Out of the way at once: others may begin with it.
+    const old = `${kept}.${process.pid}`;
+    renameSync(kept, old);
+    rmSync(old, { recursive: true });
+  });
 }

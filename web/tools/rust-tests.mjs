@@ -52,7 +52,7 @@ function notes(tests) {
 
 /**
  * Runs the tests of the packages in `crates`, or of all. Packages that have passed are not run again while
- * nothing changes that they read, unless `runsAll`. Stops where a test fails, after all have run.
+ * nothing changes that they read, unless `runsAll`: `spared`. Stops where a test fails, after all have run; `done` are the tests with seconds.
  */
 export async function runTests(tests, { crates, runsAll }) {
   const wanted = tests.filter((t) => crates === undefined || crates.includes(`raconteur-${t.package}`));
@@ -71,7 +71,7 @@ export async function runTests(tests, { crates, runsAll }) {
   const count = (of) => done.reduce((sum, program) => sum + program[of], 0);
   console.log(`\n${count('passed')} passed, ${count('failed')} failed, ${count('ignored')} skipped`);
   if (broken.length > 0) throw new Stop(`Tests failed:\n${broken.map(saysWhy).join('\n')}`);
-  return done.flatMap((program) => program.tests);
+  return { spared: skipped, done: done.flatMap((program) => program.tests) };
 }
 
 /** Which of a program's tests failed, or how it ended where none did. */

@@ -1,7 +1,7 @@
 // How long checks and tests took: printed, kept in `.setup/times.json`, and held against the budgets of
 // docs/testing.md and against the last whole run of main. Only Node's own modules.
 
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { keptPath } from './kept.mjs';
 import { ask, root } from './steps.mjs';
@@ -24,6 +24,15 @@ export function reportPath(name) {
 }
 
 const read = (path) => (existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : undefined);
+
+/** What an earlier run left; undefined where there is nothing, or where it cannot be read. */
+function readKept(path) {
+  try {
+    return read(path);
+  } catch {
+    return undefined;
+  }
+}
 
 /** Tests of a report of vitest, with seconds. */
 export function unitTimes(path) {
@@ -77,9 +86,10 @@ const isMain = () => ask('git', ['status', '--porcelain'])?.trim() === '' && ask
 
 /**
  * Prints and keeps the times of a run: `checks` and `tests` with seconds, and what the `probe` took before them.
- * Of a whole run says what was slower than its budget and what grew since main, and keeps it where it is of main.
+ * Says what was slower than its budget; of a whole run of the gate (`isWhole`) in which nothing had passed before also
+ * what grew since main, and keeps it where it is of main. The long tier (`isLong`) has no budgets.
  */
-export function report({ checks, tests, probe, isWhole }) {
+export function report({ checks, tests, probe, isWhole, isLong }) {
   const slowest = [...tests].sort((a, b) => b.secs - a.secs).slice(0, NAMED);
   if (slowest.length > 0) console.log('\nThe slowest tests:');
   for (const { name, secs } of slowest) console.log(`  ${secs.toFixed(1).padStart(6)} s  ${name}`);
@@ -88,18 +98,21 @@ export function report({ checks, tests, probe, isWhole }) {
   console.log(`  ${checks.reduce((sum, { secs }) => sum + secs, 0).toFixed(1).padStart(6)} s  all`);
   const now = { checks, tests, probe };
   write(join(root, '.setup/times.json'), now);
+  if (isLong) return;
   const text = readFileSync(join(root, 'docs/testing.md'), 'utf8');
   const pace = probe / referenceProbe(text);
   console.log(`This machine is just now ${pace.toFixed(2)} times as slow as the reference machine.`);
   for (const sentence of slower(checks, budgets(text), pace)) console.log(`Over its budget: ${sentence}`);
   if (!isWhole) return;
   const kept = keptPath('times.json');
-  const before = read(kept);
+  const before = readKept(kept);
   if (before !== undefined) for (const sentence of grown(now, before)) console.log(`Grew: ${sentence}`);
   if (isMain()) write(kept, now);
 }
 
 function write(path, value) {
   mkdirSync(dirname(path), { recursive: true });
-  writeFileSync(path, `${JSON.stringify(value, null, 1)}\n`);
+  // Whole or not at all: it may be broken off.
+  writeFileSync(`${path}.new`, `${JSON.stringify(value, null, 1)}\n`);
+  renameSync(`${path}.new`, path);
 }
