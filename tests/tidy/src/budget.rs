@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// The sum of the budgets of the gate's checks, minutes on the reference machine.
-const MOST_MINUTES: u32 = 30;
+const MOST_MINUTES: u32 = 43;
 
 /// The last but one cell of each row of the table in `docs/testing.md` that ends with a share: seconds.
 fn budgets(text: &str) -> Vec<u32> {
