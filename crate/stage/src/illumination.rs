@@ -176,6 +176,30 @@ mod tests {
     use crate::emotion::EMOTIONS;
 
     #[test]
+    fn a_strong_emotion_has_the_lamp_of_the_table() {
+        for emotion in &EMOTIONS {
+            let strong = Illumination::of(emotion, 10.0);
+            let lamp = emotion.lamp;
+            assert_eq!(strong.turn_rad, lamp.turn_rad, "{}", emotion.name);
+            assert_eq!(strong.lift_rad, lamp.lift_rad, "{}", emotion.name);
+            assert_eq!(strong.mist, lamp.mist, "{}", emotion.name);
+            assert!((strong.softness - lamp.softness).abs() < 1e-12);
+            // A lamp that goes round turns its light about the figure by as much, and to that side.
+            let own = Lighting::default();
+            let side = |l: &Lighting| {
+                let towards = l.key.towards_light_in_world;
+                ops::atan2(towards.x, towards.z)
+            };
+            let turned = side(&strong.lamps(&own)) - side(&own);
+            assert!(
+                turned * side(&own) * lamp.turn_rad >= -1e-9,
+                "{} {turned}",
+                emotion.name
+            );
+        }
+    }
+
+    #[test]
     fn no_emotion_changes_nothing_and_none_jumps_in() {
         let own = Lighting::default();
         let none = Illumination::default();
