@@ -13,6 +13,16 @@ export interface PalmFunctions {
   palmOf(left: boolean, directions: Float64Array): Float64Array;
 }
 
+/** How the engine tells plain text: `crate/web/src/telling.rs`. Languages are tags of BCP 47. */
+export interface TellingFunctions {
+  /** The script of a text, phrase by phrase or not, so many characters of it; undefined where it has no word. */
+  told(text: string, language: string, phrased: boolean, most: number): string | undefined;
+  /** The fragment that goes on after a text that has left the feeling `felt`, and the feeling that this one leaves; undefined where it has no word. */
+  toldOn(text: string, language: string, felt: string): { readonly fragment: string; readonly feels: string } | undefined;
+  /** The clauses of a text that comes piece by piece, and what may go on; with `whole` nothing more comes. */
+  cutText(text: string, language: string, whole: boolean): { readonly clauses: readonly string[]; readonly rest: string };
+}
+
 /** A script that was fetched. */
 export interface Script {
   readonly text: string;
@@ -21,7 +31,7 @@ export interface Script {
 }
 
 /** What the JavaScript side of a build gives for one instance. */
-interface Instance extends PalmFunctions {
+interface Instance extends PalmFunctions, TellingFunctions {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   performerOf(eml: string): Performer;
   decodeScript(bytes: Uint8Array): Script;

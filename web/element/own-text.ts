@@ -1,6 +1,7 @@
 /** The story that stands between the tags of a player, and is what a reader without scripts has of it. */
 
-import type { Diagnostic } from './types.js';
+import { openInstance } from './backend.js';
+import type { Backend, Diagnostic } from './types.js';
 
 /** A script of this type carries EML as it is: the parser of HTML leaves it alone, and no policy of the page is about it. */
 const EML_TYPE = 'application/eml+xml';
@@ -76,13 +77,12 @@ export class OwnText {
   }
 
   /** The story as EML; undefined where there is none. `report` hears what is lost of it. */
-  async eml(language: string, report: (diagnostic: Diagnostic) => void): Promise<string | undefined> {
+  async eml(language: string, backend: Promise<Backend>, report: (diagnostic: Diagnostic) => void): Promise<string | undefined> {
     const own = written(this.#host);
     if (own === undefined || own.isEml) return own?.text;
     if (own.isMangled) report(MANGLED);
     if (own.text.length > MOST_CHARACTERS) report(TOO_LONG);
-    const { told } = await import('../speech/told.js');
-    return told(own.text, { language, most: MOST_CHARACTERS });
+    return (await openInstance(await backend)).told(own.text, language, false, MOST_CHARACTERS);
   }
 
   /** Watches while the player is in a page; what is there already is no change. */

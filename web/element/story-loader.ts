@@ -16,7 +16,7 @@ import type { PictureEvents } from './picture-events.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Diagnostic, type Story } from './types.js';
+import { PlayerError, type Backend, type Diagnostic, type Story } from './types.js';
 import { SilentVoice } from './voice.js';
 
 /** What is told where nothing is to be told yet. */
@@ -223,7 +223,7 @@ export class StoryLoader {
     const ranking = player.backend ? Promise.resolve([player.backend] as const) : chooseBackends();
     const choosing = ranking.then(([best]) => best);
     void choosing.then(warmUp);
-    const wish = await this.#wish();
+    const wish = await this.#wish(choosing);
     signal.throwIfAborted();
     const fetching = fetchStory(
       wish,
@@ -243,12 +243,12 @@ export class StoryLoader {
   }
 
   /** What is to be told: a text that takes the place of the story's file, else that file, else what stands between the tags; where lines come from elsewhere, nothing yet. */
-  async #wish(): Promise<StoryWish> {
+  async #wish(backend: Promise<Backend>): Promise<StoryWish> {
     const { player, text, diagnostics } = this.#context;
     const { src, mind } = player;
     const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined, credentials: credentialsOf(player) };
     if (src || text !== undefined) return wish;
-    const own = await this.#own.eml(wish.language, (d) => diagnostics.report(d));
+    const own = await this.#own.eml(wish.language, backend, (d) => diagnostics.report(d));
     if (own !== undefined) return { ...wish, text: own };
     if (this.#bare || mind) return { ...wish, text: EMPTY };
     throw new NoStoryError('No story is given: set the attribute src, or write one between the tags.');

@@ -1,17 +1,13 @@
 /** Words that come piece by piece: cut into clauses, each of which is performed as soon as it is whole. Fetched only where it is used. */
 
-import { SIGN_FIRST, toldOn } from '../speech/told.js';
-import type { PlayerContext } from './context.js';
+import { openInstance, type TellingFunctions } from './backend.js';
+import { languageOf, type PlayerContext } from './context.js';
 import { perform, Sender } from './fragments.js';
 import type { Show } from './show.js';
 import type { Answer, Diagnostic, Words } from './types.js';
 
 /** A longer text is told so far. */
 const MOST_CHARACTERS = 100_000;
-/** What has no end for so long is cut between two words. */
-const LONGEST_CLAUSE = 240;
-/** A comma or dash ends a clause of so many words. */
-const ENOUGH_WORDS = 5;
 /** No more than this is waiting to be said: what comes may be interrupted, and what waits takes room. */
 const AHEAD_SECS = 20;
 /** The story time, and an engine that is busy or away, are asked this often. */
@@ -19,58 +15,12 @@ const LOOK_MS = 100;
 /** An engine that takes nothing for so long will not. */
 const MOST_TRIES = 300;
 
-/** A mark with the signs that close after it, before a space; a long dash needs none. The end of a line. */
-const MARKS = /([.?!…;:]+|,)["'”’»)\]]*(?=\s)|\s[–-](?=\s)|—(?=.)|\n/gsu;
-/** Words before a point that is no end, besides initials, numbers and what has points in it. */
-const ABBREVIATIONS = new Set('mr mrs ms dr st prof sr jr vs etc no vol fig ca bzw usw nr hr fr evtl ggf inkl approx dept ave'.split(' '));
-
-/** Whether the point after a word ends something. */
-function ends(word: string): boolean {
-  const bare = word.replace(/^["'“‘«([]+/, '').toLowerCase();
-  return !(ABBREVIATIONS.has(bare) || /^(?:\p{L}|\d{1,2})$/u.test(bare) || /[\p{L}\d]\.[\p{L}\d]/u.test(bare));
-}
-
-const countWords = (text: string): number => text.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word)).length;
-
-/** Where a text that is too long for one clause is cut: after a word, and never in the middle of a character. */
-function tooLong(text: string): number {
-  const space = text.lastIndexOf(' ', LONGEST_CLAUSE);
-  if (space > 0) return space;
-  return /[\uD800-\uDBFF]/.test(text.charAt(LONGEST_CLAUSE - 1)) ? LONGEST_CLAUSE - 1 : LONGEST_CLAUSE;
-}
-
-/** The clauses that are whole, and what is not; all of them put together are the text. */
-export function cut(text: string): { clauses: string[]; rest: string } {
-  const clauses: string[] = [];
-  let from = 0;
-  const take = (to: number) => {
-    while (to - from > LONGEST_CLAUSE) {
-      const next = from + tooLong(text.slice(from, from + LONGEST_CLAUSE + 1));
-      clauses.push(text.slice(from, next));
-      from = next;
-    }
-  };
-  for (const { 0: mark, 1: sign, index } of text.matchAll(MARKS)) {
-    if (index < from) continue;
-    const before = text.slice(from, index);
-    const words = countWords(before);
-    const weak = mark !== '\n' && (sign === undefined || sign === ',');
-    // What says nothing yet goes with what follows.
-    if (words === 0 || (weak && words < ENOUGH_WORDS)) continue;
-    if (sign === '.' && !ends(/\S+$/.exec(before)?.[0] ?? '')) continue;
-    // A sign of a feeling belongs to what is before it.
-    const felt = weak ? undefined : SIGN_FIRST.exec(text.slice(index + mark.length, index + mark.length + 16))?.[0];
-    const end = index + mark.length + (felt?.length ?? 0);
-    take(end);
-    if (end > from) clauses.push(text.slice(from, end));
-    from = Math.max(from, end);
-  }
-  take(text.length);
-  return { clauses, rest: text.slice(from) };
-}
-
 /** Where a text is told. */
 export interface Stage {
+  /** How its engine tells texts. */
+  readonly telling: Pick<TellingFunctions, 'toldOn' | 'cutText'>;
+  /** What the text is read in, a tag of BCP 47. */
+  readonly language: string;
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
   /** Story time. */
   now(): number;
@@ -94,7 +44,7 @@ class Speaker {
   }
 
   async say(clause: string): Promise<void> {
-    const made = toldOn(clause, this.#feels);
+    const made = this.#stage.telling.toldOn(clause, this.#stage.language, this.#feels);
     if (made === undefined) return;
     for (let tries = 0; tries < MOST_TRIES; tries++) {
       await this.#until(AHEAD_SECS);
@@ -154,6 +104,7 @@ const tooMuch: Diagnostic = {
 /** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */
 export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Promise<void> {
   const speaker = new Speaker(stage, end);
+  const cut = (text: string, whole: boolean) => stage.telling.cutText(text, stage.language, whole);
   const over = new Promise<undefined>((done) => end.addEventListener('abort', () => done(undefined), { once: true }));
   let pieces: Pieces | undefined;
   let failure: { readonly error: unknown } | undefined;
@@ -164,7 +115,7 @@ export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Prom
       const next = await Promise.race([pieces.next(), over]);
       if (next === undefined || next.done) break;
       const piece = String(next.value);
-      const whole = cut(rest + piece.slice(0, room));
+      const whole = cut(rest + piece.slice(0, room), false);
       rest = whole.rest;
       for (const clause of whole.clauses) await speaker.say(clause);
       if (piece.length > room) {
@@ -178,7 +129,7 @@ export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Prom
   }
   // A source that is not read to its end is let go; one that has failed has nothing to say about that.
   pieces?.return?.().catch(() => undefined);
-  for (const clause of cut(`${rest}\n`).clauses) await speaker.say(clause);
+  for (const clause of cut(rest, true).clauses) await speaker.say(clause);
   await speaker.silence();
   if (failure !== undefined && !end.aborted) throw failure.error;
 }
@@ -186,6 +137,8 @@ export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Prom
 /** Tells a text on the stage of a player; the clock does not stop for want of words meanwhile. */
 export async function tellWords(context: PlayerContext, show: Show, words: Words, end: AbortSignal): Promise<void> {
   const stage: Stage = {
+    telling: await openInstance(show.picture.backend),
+    language: languageOf(context.player, show.story),
     perform: (fragment) => perform(context, show, Sender.Page, fragment),
     now: () => show.transport.position,
     report: (diagnostic) => context.diagnostics.report(diagnostic),

@@ -1,11 +1,14 @@
 /** "Say it": a sentence of the visitor's own, told on the stage. */
 
+import { chooseBackends, openInstance } from '../element/backend.js';
 import type { RaconteurPlayer } from '../element/index.js';
-import { told } from '../speech/told.js';
 import { INVITATIONS } from '../speech/words.js';
 import { showStage } from './home-stage.js';
 import { Voices } from './home-voice.js';
 import { save } from './workbench.js';
+
+/** As long as a text is that somebody types, characters; the field takes no more. */
+const MOST_CHARACTERS = 600;
 
 /** Where the address has a text that was shared, and before it its language where that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
@@ -33,7 +36,8 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   let script: string | undefined;
 
   const tell = async (plays: boolean): Promise<void> => {
-    const next = told(field.value, { language: language.value, isPhrased: voices.isSlow(language.value) });
+    const engine = await openInstance(player.backend ?? (await chooseBackends())[0]);
+    const next = engine.told(field.value, language.value, voices.isSlow(language.value), MOST_CHARACTERS);
     if (next === undefined) {
       note.textContent = 'Write a few words first.';
       field.focus();

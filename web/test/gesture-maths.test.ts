@@ -1,7 +1,5 @@
 /** Palms, courses and the camera of the pages, against what the engine does. */
 
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import type { PalmFunctions } from '../element/backend.js';
 import { cross, dot, Lens, type Vector } from '../element/pose.js';
@@ -9,22 +7,9 @@ import type { Triple } from '../pages/gestures/gesture.js';
 import { Palms } from '../pages/gestures/palm.js';
 import { wayAt } from '../pages/gestures/profile.js';
 import { roll, twist } from '../pages/gestures/roll.js';
-import { kind } from './tier.js';
+import { COMPILE_MS, openBuild } from './build.js';
 
-/** As much of the JavaScript side of a build as is used here. */
-type Instance = PalmFunctions & ((source: { module_or_path: WebAssembly.Module }) => Promise<unknown>);
-
-/** A busy machine takes its time to compile a build. */
-const COMPILE_MS = 60_000;
-
-/** What a build reads: the same in both. */
-async function openPalms(): Promise<Palms> {
-  const folder = join(import.meta.dirname, '../..', kind.folder, 'webgl');
-  const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };
-  const instance = instantiate() as Instance;
-  await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });
-  return new Palms(instance);
-}
+const openPalms = async (): Promise<Palms> => new Palms(await openBuild<PalmFunctions>());
 
 /** EML's axes have z to the back, the engine's to the front. */
 const flipDepth = ([x, y, z]: Triple): Triple => [x, y, -z];

@@ -14,7 +14,7 @@ pub const EMOTICONS: [(&str, &str); 6] = [
 ];
 
 /// Common ways to write the same; these have no spaces.
-const VARIANTS: [(&str, &str); 14] = [
+const VARIANTS: [(&str, &str); 17] = [
     (":)", "joy"),
     (":D", "joy"),
     (":-D", "joy"),
@@ -29,6 +29,9 @@ const VARIANTS: [(&str, &str); 14] = [
     (":|", "disgust"),
     (">:(", "anger"),
     (">:-(", "anger"),
+    (":P", "kidding"),
+    (":-P", "kidding"),
+    ("<3", "love"),
 ];
 
 /// Emoji by the word that they stand for, without variation selectors and tones of skin.
@@ -94,7 +97,7 @@ fn is_variation(c: char) -> bool {
 pub fn whole(token: &str) -> Option<(&'static str, &str)> {
     // No sign is empty, and none begins otherwise.
     let sign = token.trim_start_matches(OPENING);
-    if !sign.starts_with([':', ';', '>']) {
+    if !sign.starts_with([':', ';', '>', '<']) {
         return None;
     }
     let all = EMOTICONS.iter().chain(&VARIANTS);

@@ -30,6 +30,7 @@ mod sorted;
 mod span;
 mod suggest;
 mod syntax;
+pub mod telling;
 mod time_expr;
 mod timeline;
 mod voice;

@@ -4,6 +4,7 @@ use crate::clauses::speech::{Audio, Boundary, Markup, UtteranceKind, VoiceSay};
 use crate::work::step;
 use crate::{Name, Span};
 use raconteur_base::emoticon::{self, Spaced};
+use raconteur_base::text::signs::Shown;
 use std::ops::ControlFlow;
 
 /// SABLE's level of text without emphasis.
@@ -129,7 +130,8 @@ pub enum MarkEvent {
 /// A spoken word: a token between white space that holds a letter or a digit and is no emoticon.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
-    /// The token, punctuation attached, without emoji.
+    /// The token, punctuation attached, without emoji, and with the signs on their own that
+    /// belong to it: "5 %". What captions show.
     pub text: String,
     /// From its first to its last byte in the source; markup inside is included.
     pub span: Span,
@@ -155,17 +157,33 @@ impl VoiceText {
     /// comments do not.
     #[must_use]
     pub fn words(&self) -> Vec<Word> {
-        let mut words = Vec::new();
+        let mut words: Vec<Word> = Vec::new();
+        let mut shown = Shown::default();
         let _ = self.scan(&mut |item| {
-            if let Item::Word(token) = item {
-                words.push(Word {
-                    text: token.spoken_text(),
-                    span: token.span,
-                    emphasized: token.emphasized,
-                });
+            match item {
+                Item::Word(token) => {
+                    shown.word(&token.spoken_text());
+                    words.push(Word {
+                        text: String::new(),
+                        span: token.span,
+                        emphasized: token.emphasized,
+                    });
+                }
+                Item::Signs(signs) => shown.sign(signs),
+                Item::Emoticon { parts, rest, .. } => {
+                    shown.take_back(parts);
+                    if !rest.is_empty() {
+                        shown.sign(rest);
+                    }
+                }
+                Item::Gap => shown.part(),
+                Item::Mark(_) => {}
             }
             ControlFlow::Continue(())
         });
+        for (word, text) in words.iter_mut().zip(shown.finish()) {
+            word.text = text;
+        }
         words
     }
 
@@ -424,7 +442,7 @@ impl<'v> Token<'v> {
     }
 
     /// The token as it is spoken and captioned: without markup and emoji.
-    fn spoken_text(&self) -> String {
+    pub(crate) fn spoken_text(&self) -> String {
         let text = self.text();
         emoticon::without_emoji(text).unwrap_or_else(|| text.to_owned())
     }
@@ -528,7 +546,10 @@ mod tests {
                       it<!-- x -->'s 42.<break/>So<div>me</div></voice-text></body></eml>";
         let words = voice(source).words();
         let texts: Vec<&str> = words.iter().map(|w| w.text.as_str()).collect();
-        assert_eq!(texts, ["Hello,", "w\u{f6}rld!", "it's", "42.", "So", "me"]);
+        assert_eq!(
+            texts,
+            ["Hello,", "w\u{f6}rld!", "\u{2014} it's", "42.", "So", "me"]
+        );
         let sources: Vec<&str> = words.iter().map(|w| w.span.slice(source)).collect();
         assert_eq!(
             sources,
@@ -542,7 +563,7 @@ mod tests {
                       :-oh : - o :- o :-O : o</voice-text></body></eml>";
         let words = voice(source).words();
         let texts: Vec<&str> = words.iter().map(|w| w.text.as_str()).collect();
-        assert_eq!(texts, ["nicht", "irdisch", "mehr", "o", ":-oh", "o"]);
+        assert_eq!(texts, ["nicht", "irdisch", "mehr", "o", ":-oh :", "o"]);
     }
 
     #[test]

@@ -6,7 +6,11 @@ use crate::language;
 use crate::resolve::{Item, resolve};
 use crate::spoken::{Sentence, Token};
 use crate::style::Style;
-use crate::text::{Lexicon, speakable};
+use crate::text::{Lexicon, SayAs, speakable};
+use raconteur_base::text::language::Language;
+use raconteur_base::text::script::Script;
+use raconteur_base::text::word::Word;
+use raconteur_base::text::{sentence, signs};
 use raconteur_speech::bundle::SentenceKind;
 
 /// Silence between two sentences where the author asks for none in particular, seconds.
@@ -30,12 +34,6 @@ const LONGEST_SENTENCE: usize = 100;
 /// The most tokens of an utterance: some hours of speech.
 const MOST_TOKENS: usize = 100_000;
 
-/// Words after which a full stop does not end a sentence, besides those that are read as
-/// something longer.
-const ABBREVIATIONS: [&str; 14] = [
-    "mr", "mrs", "ms", "dr", "st", "prof", "vs", "no", "etc", "nr", "hr", "fr", "sr", "sra",
-];
-
 /// An utterance, ready for engines.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plan {
@@ -43,7 +41,7 @@ pub struct Plan {
     pub lead_pause_secs: f64,
     /// In order.
     pub sentences: Vec<Planned>,
-    /// The words as written, in order.
+    /// The words as written, in order, each with the signs on their own that belong to it.
     pub words: Vec<String>,
     /// The styles that tokens refer to.
     pub styles: Vec<Style>,
@@ -114,6 +112,9 @@ pub fn plan(
         },
         open: Planned::default(),
         waiting: Vec::new(),
+        signs: Vec::new(),
+        is_over: false,
+        script: None,
         language,
         lexicon,
         silence_secs: 0.0,
@@ -122,7 +123,12 @@ pub fn plan(
     for item in &resolved.items {
         planner.item(item);
     }
-    planner.say_waiting();
+    planner.part();
+    // Signs after the last pause are shown with what was before it.
+    if let Some(word) = planner.plan.words.last_mut() {
+        let left = core::mem::take(&mut planner.signs);
+        left.iter().for_each(|sign| signs::attach(word, sign));
+    }
     planner.close(SENTENCE_PAUSE_SECS);
     if planner.silence_secs > LONGEST_SILENCE_SECS {
         return Err(PlanError::TooMuchSilence(planner.silence_secs));
@@ -133,10 +139,14 @@ pub fn plan(
     Ok(planner.plan)
 }
 
-/// A written word that is not yet turned into tokens.
+/// A written word, or signs on their own, not yet turned into tokens.
 struct Waiting {
+    /// Whose tokens they are.
     word: usize,
+    is_sign: bool,
     text: String,
+    /// Signs that are not read with it: the mark behind a word that is spelled.
+    after: String,
     style: usize,
     together: Option<usize>,
 }
@@ -146,6 +156,12 @@ struct Planner<'a> {
     open: Planned,
     /// Words that are read together, because nothing parts them.
     waiting: Vec<Waiting>,
+    /// Signs on their own since the last word.
+    signs: Vec<String>,
+    /// The open sentence ends before the next word.
+    is_over: bool,
+    /// Of the waiting words, where they are not written as the voice's language is.
+    script: Option<Script>,
     language: &'a str,
     lexicon: &'a Lexicon,
     silence_secs: f64,
@@ -159,39 +175,30 @@ impl Planner<'_> {
                 text,
                 style,
                 together,
+                behind,
             } => {
-                let other = self
-                    .waiting
-                    .last()
-                    .is_some_and(|w| w.together != *together || !self.alike(w.style, *style));
-                if other {
-                    self.say_waiting();
-                }
+                self.settle_signs(Some((text, *style, *together)));
+                // What is spelled has its own signs in it, and no others.
+                let is_spelled = self.plan.styles[*style].say_as == Some(SayAs::Literal);
+                let behind = if is_spelled { *behind } else { 0 };
+                let (read, after) = text.split_at(text.len() - behind);
                 self.waiting.push(Waiting {
-                    word: self.plan.words.len(),
-                    text: text.clone(),
+                    word: self.plan.words.len() - 1,
+                    is_sign: false,
+                    text: read.to_owned(),
+                    after: after.to_owned(),
                     style: *style,
                     together: *together,
                 });
-                self.plan.words.push(text.clone());
             }
-            // Signs on their own belong to the word before; a dash parts it from the next.
-            Item::Punctuation(signs) => match self.waiting.last_mut() {
-                Some(last) => {
-                    let dash = signs
-                        .chars()
-                        .any(|c| matches!(c, '-' | '\u{2013}' | '\u{2014}'));
-                    last.text.push_str(if dash { "," } else { signs });
-                }
-                None => self.punctuate(signs),
-            },
+            Item::Punctuation(signs) => self.signs.push(signs.clone()),
             Item::Emoticon(word) => self.plan.emoticons.push((self.plan.words.len(), word)),
             Item::Break { msec, boundary } => {
-                self.say_waiting();
+                self.part();
                 self.pause(f64::from(*msec) / 1000.0, *boundary);
             }
             Item::Division(division) => {
-                self.say_waiting();
+                self.part();
                 self.close(match division {
                     Division::Sentence => SENTENCE_PAUSE_SECS,
                     Division::Paragraph => PARAGRAPH_PAUSE_SECS,
@@ -202,7 +209,7 @@ impl Planner<'_> {
                 background,
                 level,
             } => {
-                self.say_waiting();
+                self.part();
                 self.plan.sounds.push(Sound {
                     word: self.plan.words.len(),
                     src: src.clone(),
@@ -212,6 +219,84 @@ impl Planner<'_> {
             }
             Item::Mark(_) => {}
         }
+    }
+
+    /// Something else than words follows.
+    fn part(&mut self) {
+        if !self.waiting.is_empty() {
+            self.settle_signs(None);
+        }
+        self.say_waiting();
+    }
+
+    /// Gives the signs since the last word to it, or to the `next`, which is then the last.
+    fn settle_signs(&mut self, next: Option<(&str, usize, Option<usize>)>) {
+        let signs = core::mem::take(&mut self.signs);
+        // After a pause they belong to what follows.
+        let previous = self.waiting.last().map(|_| self.plan.words.len() - 1);
+        let count = signs::belonging_to_previous(
+            &signs.iter().map(String::as_str).collect::<Vec<_>>(),
+            previous.map(|word| self.plan.words[word].as_str()),
+            next.map(|(text, ..)| text),
+        );
+        let (before, after) = signs.split_at(count);
+        if let Some(word) = previous {
+            for sign in before {
+                signs::attach(&mut self.plan.words[word], sign);
+                self.wait_sign(word, sign, next.and_then(|(_, _, together)| together));
+            }
+        }
+        let Some((text, style, together)) = next else {
+            return;
+        };
+        let script = Script::of(text).filter(|script| !script.is_read_in(self.language));
+        let other = self.waiting.last().is_some_and(|w| {
+            w.together != together || !self.alike(w.style, style) || self.script != script
+        });
+        if other {
+            self.say_waiting();
+        }
+        self.script = script;
+        let word = self.plan.words.len();
+        for sign in after {
+            self.waiting.push(Waiting {
+                word,
+                is_sign: true,
+                text: sign.clone(),
+                after: String::new(),
+                style,
+                together,
+            });
+        }
+        self.plan
+            .words
+            .push([after, &[text.to_owned()]].concat().join(" "));
+    }
+
+    /// Signs after a word are read with it. `next` is what the word after them is together with.
+    fn wait_sign(&mut self, word: usize, sign: &str, next: Option<usize>) {
+        let Some(last) = self.waiting.last_mut() else {
+            return;
+        };
+        // What stands for several words, or is one thing with them, has those within in it.
+        if last.together.is_some() {
+            let signs = match last.together == next {
+                true => &mut last.text,
+                false => &mut last.after,
+            };
+            let is_dash = sign.contains(['-', '\u{2013}', '\u{2014}']);
+            signs.push_str(if is_dash { "," } else { sign });
+            return;
+        }
+        let style = last.style;
+        self.waiting.push(Waiting {
+            word,
+            is_sign: true,
+            text: sign.to_owned(),
+            after: String::new(),
+            style,
+            together: None,
+        });
     }
 
     /// Whether words of two styles may be read as one text.
@@ -225,17 +310,6 @@ impl Planner<'_> {
             self.plan.sentences.last_mut()
         } else {
             Some(&mut self.open)
-        }
-    }
-
-    /// Adds signs to the last token.
-    fn punctuate(&mut self, signs: &str) {
-        if let Some(token) = self.open.sentence.tokens.last_mut()
-            && token.punctuation.is_empty()
-        {
-            token
-                .punctuation
-                .extend(signs.chars().filter(|c| ",.;:!?".contains(*c)).take(3));
         }
     }
 
@@ -279,6 +353,7 @@ impl Planner<'_> {
             }
             return;
         }
+        self.is_over = false;
         let mut done = core::mem::take(&mut self.open);
         let last = done.sentence.tokens.last();
         let signs = last.map_or("", |t| t.punctuation.as_str());
@@ -304,7 +379,10 @@ impl Planner<'_> {
         let style = self.plan.styles[first.style].clone();
         let language = match &style.language {
             Some(name) => language::tag(name).unwrap_or_else(|| self.language.to_owned()),
-            None => self.language.to_owned(),
+            None => match self.script {
+                Some(script) => script.language().to_owned(),
+                None => self.language.to_owned(),
+            },
         };
         let read =
             |words: &[&str]| speakable(words, &language, style.say_as.as_ref(), self.lexicon);
@@ -344,8 +422,18 @@ impl Planner<'_> {
                 token.punctuation = signs.chars().take(3).collect();
             }
         }
-        for (word, tokens) in waiting.iter().zip(tokens) {
-            self.begin_word(word, &style.speaker, &language);
+        for (word, tokens) in waiting.iter().zip(&mut tokens) {
+            let signs = word.after.chars().filter(|c| ",.;:!?".contains(*c));
+            if let Some(token) = tokens.last_mut().filter(|t| t.punctuation.is_empty()) {
+                token.punctuation = signs.take(3).collect();
+            }
+        }
+        let ends = self.sentence_ends(&waiting, &language);
+        for ((word, tokens), ends) in waiting.iter().zip(tokens).zip(ends) {
+            if !word.is_sign || !tokens.is_empty() {
+                self.begin_word(word, &style.speaker, &language);
+            }
+            self.is_over |= ends;
             for token in tokens {
                 self.tokens += 1;
                 if self.tokens > MOST_TOKENS {
@@ -365,6 +453,19 @@ impl Planner<'_> {
         }
     }
 
+    /// Whether a sentence ends after each of some words.
+    fn sentence_ends(&self, waiting: &[Waiting], language: &str) -> Vec<bool> {
+        let whole: Vec<String> = waiting
+            .iter()
+            .map(|w| [w.text.as_str(), &w.after].concat())
+            .collect();
+        let words: Vec<Word<'_>> = whole.iter().map(|word| Word::parse(word)).collect();
+        let language = Language::of(language);
+        (0..words.len())
+            .map(|at| sentence::ends_after(&words, at, language))
+            .collect()
+    }
+
     /// Ends the sentence before a word that begins another, or that another says.
     fn begin_word(&mut self, word: &Waiting, speaker: &Speaker, language: &str) {
         let begins_small = word
@@ -372,12 +473,10 @@ impl Planner<'_> {
             .chars()
             .find(|c| c.is_alphanumeric())
             .is_some_and(char::is_lowercase);
-        let tokens = &self.open.sentence.tokens;
-        if (tokens.last().is_some_and(ends_sentence) && !begins_small)
-            || tokens.len() >= LONGEST_SENTENCE
-        {
+        if (self.is_over && !begins_small) || self.open.sentence.tokens.len() >= LONGEST_SENTENCE {
             self.close(SENTENCE_PAUSE_SECS);
         }
+        self.is_over = false;
         let same = self.open.speaker == *speaker && self.open.sentence.language == language;
         if !self.open.sentence.tokens.is_empty() && !same {
             self.close(CHANGE_PAUSE_SECS);
@@ -390,12 +489,6 @@ impl Planner<'_> {
             self.open.sentence.language = language.to_owned();
         }
     }
-}
-
-fn ends_sentence(token: &Token) -> bool {
-    let stop_only = token.punctuation.contains('.') && !token.punctuation.contains(['!', '?']);
-    let abbreviated = stop_only && ABBREVIATIONS.contains(&token.text.to_lowercase().as_str());
-    token.punctuation.contains(['.', '!', '?']) && !abbreviated
 }
 
 #[cfg(test)]
@@ -486,6 +579,62 @@ mod tests {
         assert_eq!(show(&p), ["0:You 1:came?<0.1>", "2:and 3:left"]);
         assert_eq!(p.sentences[0].sentence.kind, SentenceKind::Question);
         assert_eq!(p.sentences[0].pause_secs, 0.1);
+    }
+
+    #[test]
+    fn what_is_spelled_has_its_own_signs_and_no_others() {
+        let literal = || Segment::Open(Markup::SayAs(SayAs::Literal));
+        for (inside, behind, expected) in [
+            (
+                "W3C",
+                ", please.",
+                "1:double 1:you 1:three 1:see, 2:please.",
+            ),
+            ("a.", " b", "1:eigh 1:dot 2:b"),
+            ("hi", "!", "1:aitch 1:eye!"),
+        ] {
+            let p = planned(vec![
+                text("Spell "),
+                literal(),
+                text(inside),
+                Segment::Close,
+                text(behind),
+            ]);
+            assert_eq!(
+                show(&p),
+                [format!("0:Spell {expected}")],
+                "{inside}{behind}"
+            );
+        }
+    }
+
+    #[test]
+    fn signs_on_their_own_are_said_and_shown() {
+        let p = planned(vec![text("Fox & Cub pay 5 % more. What is 2 + 2 = 4?")]);
+        assert_eq!(
+            p.words,
+            [
+                "Fox &", "Cub", "pay", "5 %", "more.", "What", "is", "2 +", "2 =", "4?"
+            ]
+        );
+        assert_eq!(
+            show(&p),
+            [
+                "0:Fox 0:and 1:Cub 2:pay 3:five 3:percent 4:more.",
+                "5:What 6:is 7:two 7:plus 8:two 8:equals 9:four?"
+            ]
+        );
+    }
+
+    #[test]
+    fn words_in_another_script_are_of_its_language() {
+        let p = planned(vec![text("He wrote \u{5e9}\u{5dc}\u{5d5}\u{5dd} on it.")]);
+        let languages: Vec<&str> = p
+            .sentences
+            .iter()
+            .map(|s| s.sentence.language.as_str())
+            .collect();
+        assert_eq!(languages, ["en-US", "he", "en-US"]);
     }
 
     #[test]

@@ -35,6 +35,9 @@ pub enum Item {
         /// says what stands for all of them (pronunciation, engine) or what kind of text
         /// they are together.
         together: Option<usize>,
+        /// How many bytes at its end, signs all, stand behind the markup that says what kind of
+        /// text it is.
+        behind: usize,
     },
     /// A token without a letter or digit, such as a dash, that is no emoticon.
     Punctuation(String),
@@ -128,6 +131,8 @@ struct Token {
     word: Option<(usize, Option<usize>)>,
     /// What was marked after its last letter or digit.
     marks: Vec<String>,
+    /// The markup that says what kind of text its word is, and how far that reaches, in bytes.
+    said_as: Option<(usize, usize)>,
 }
 
 struct Resolver<'a> {
@@ -223,6 +228,13 @@ impl Resolver<'_> {
     /// Adds characters to the token.
     fn more(&mut self, piece: &str) {
         self.token.text.push_str(piece);
+        let kind = self.levels.last().and_then(|level| level.said_as);
+        let length = self.token.text.len();
+        match (&mut self.token.said_as, kind) {
+            (Some((of, end)), Some(kind)) if *of == kind => *end = length,
+            (none @ None, Some(kind)) => *none = Some((kind, length)),
+            _ => {}
+        }
         if !piece.contains(char::is_alphanumeric) {
             return;
         }
@@ -257,12 +269,22 @@ impl Resolver<'_> {
     }
 
     fn end_token(&mut self) {
-        let Token { text, word, marks } = core::mem::take(&mut self.token);
-        self.token_read(text, word);
+        let Token {
+            text,
+            word,
+            marks,
+            said_as,
+        } = core::mem::take(&mut self.token);
+        let behind = said_as.map_or("", |(_, end)| &text[end..]);
+        let behind = match behind.contains(char::is_alphanumeric) {
+            true => 0,
+            false => behind.len(),
+        };
+        self.token_read(text, word, behind);
         self.out.items.extend(marks.into_iter().map(Item::Mark));
     }
 
-    fn token_read(&mut self, text: String, word: Option<(usize, Option<usize>)>) {
+    fn token_read(&mut self, text: String, word: Option<(usize, Option<usize>)>, behind: usize) {
         if text.is_empty() {
             return;
         }
@@ -281,7 +303,10 @@ impl Resolver<'_> {
             return;
         }
         let [before, after] = emoticon::of_emoji(&text);
-        let bare = emoticon::without_emoji(&text).unwrap_or(text);
+        let shown = emoticon::without_emoji(&text);
+        // Where emoji were taken out it is not known how much of the end is left.
+        let behind = if shown.is_some() { 0 } else { behind };
+        let bare = shown.unwrap_or(text);
         self.out
             .items
             .extend(before.into_iter().map(Item::Emoticon));
@@ -290,6 +315,7 @@ impl Resolver<'_> {
                 text: bare,
                 style,
                 together,
+                behind,
             });
         } else if !bare.is_empty() {
             self.out.items.push(Item::Punctuation(bare));

@@ -76,6 +76,7 @@ fn item_text(item: &Item, resolved: &Resolved) -> String {
             text,
             style,
             together,
+            ..
         } => {
             let one = if together.is_some() { " together" } else { "" };
             format!("{text}{}{one}", style_text(&resolved.styles[*style]))
@@ -203,4 +204,17 @@ fn sizes_are_bounded() {
     assert_eq!((content.words(), problems.len()), (vec!["a".to_owned()], 2));
     let (_, problems) = sable::read(&"<x/>".repeat(1000)).unwrap();
     assert_eq!(problems.len(), 100);
+}
+
+#[test]
+fn what_stands_for_a_recording_is_said_where_there_is_none() {
+    let text =
+        "<speak>Listen. <audio src='bell.mp3'>A bell rang.</audio> <audio src='a.wav'/></speak>";
+    let (content, problems) = ssml::read_beside(text, &|_| false).unwrap();
+    assert_eq!(content.words().join(" "), "Listen. A bell rang.");
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    assert!(problems[0].to_string().contains("bell.mp3"));
+    let (content, problems) = ssml::read_beside(text, &|_| true).unwrap();
+    assert_eq!(content.words(), ["Listen."]);
+    assert!(problems.is_empty());
 }

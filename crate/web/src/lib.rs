@@ -52,6 +52,8 @@ mod palm;
 #[cfg(target_arch = "wasm32")]
 mod player;
 #[cfg(target_arch = "wasm32")]
+mod telling;
+#[cfg(target_arch = "wasm32")]
 pub use activity::doing;
 #[cfg(target_arch = "wasm32")]
 pub use cast::performer;
@@ -61,3 +63,5 @@ pub use decode::decode_script;
 pub use palm::{hand_directions, palm_of};
 #[cfg(target_arch = "wasm32")]
 pub use player::{Player, pose_digests};
+#[cfg(target_arch = "wasm32")]
+pub use telling::{cut_text, told, told_on};

@@ -34,6 +34,8 @@ pub struct Cast {
     pub instead_of: Option<Missing>,
     /// The story's own language, a tag of BCP 47; none: that of the voice.
     pub language: Option<String>,
+    /// There is one engine, as in a page.
+    is_alone: bool,
 }
 
 struct Known {
@@ -120,6 +122,7 @@ impl Cast {
             }),
             instead_of,
             language: None,
+            is_alone: false,
         };
         // An engine that lacks an option is an error, one that is not installed is not.
         engine::by_name(&name, &cast.options)?;
@@ -155,6 +158,7 @@ impl Cast {
             chosen: None,
             instead_of: None,
             language: None,
+            is_alone: true,
         };
         let known = Known {
             version: engine.version()?,
@@ -326,6 +330,21 @@ impl Cast {
                 })?;
         }
         Ok(role)
+    }
+
+    /// Whether a voice that is here speaks a language, a tag of BCP 47: that of `usual`, or one of
+    /// those that [`Cast::role`] looks for.
+    pub fn speaks(&self, usual: &Role, tag: &str) -> bool {
+        let primary = language::primary(tag);
+        let speaks = |voice: &VoiceInfo| language::primary(&voice.language) == primary;
+        let others = engine::local()
+            .iter()
+            .filter(|(name, _)| *name == "espeak-ng");
+        speaks(&usual.voice)
+            || !self.is_alone
+                && others
+                    .flat_map(|(_, voices)| voices.iter().flatten())
+                    .any(speaks)
     }
 
     /// All voices of an engine.

@@ -83,9 +83,12 @@ impl Saying {
                 return Ok(false);
             }
             match say_one(request, content, self.next, options) {
-                Ok((new, file, wave)) => {
-                    self.sounds.push((file, wave));
-                    join(&mut self.bundle, new);
+                Ok(one) => {
+                    let text = short(&content.plain_text());
+                    let told = one.warnings.iter().map(|w| format!("{text:?}: {w}"));
+                    self.problems.extend(told);
+                    self.sounds.push((one.file, one.wave));
+                    join(&mut self.bundle, one.bundle);
                 }
                 Err(error) if error.is::<Pending>() => return Ok(true),
                 Err(error) => {
@@ -117,13 +120,22 @@ impl Saying {
     }
 }
 
-/// One utterance, planned and spoken: its bundle, and the name and the bytes of its WAV.
+/// One utterance, planned and spoken.
+struct One {
+    bundle: Bundle,
+    /// The name and the bytes of its WAV.
+    file: String,
+    wave: Vec<u8>,
+    /// What was said otherwise than the author wants.
+    warnings: Vec<String>,
+}
+
 fn say_one(
     request: &SpeechRequest,
     content: &Content,
     place: usize,
     options: &BakeOptions,
-) -> Result<(Bundle, String, Vec<u8>)> {
+) -> Result<One> {
     let wanted = want::want(request, content.clone(), place, Path::new(""), options)?;
     let work = speak::Work {
         content: &wanted.content,
@@ -144,7 +156,12 @@ fn say_one(
     }];
     let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
     let bundle = bundled(std::iter::once(Ok((&wanted, utterance))), &options.cast)?;
-    Ok((bundle, file, wave))
+    Ok(One {
+        bundle,
+        file,
+        wave,
+        warnings: wanted.casting.warnings,
+    })
 }
 
 /// Puts the utterances of another bundle behind a bundle's own. A voice is listed once.
@@ -264,9 +281,24 @@ mod tests {
         let (_, sounds, problems) = say(&two, None);
         assert!(problems.is_empty(), "{problems:?}");
         assert_eq!(sounds.len(), 2);
-        // One that is not there is told.
+        // One that is not there is told, and another speaks.
         let (_, sounds, problems) = say(&two.replace("'rms'", "'nobody'"), None);
-        assert_eq!((sounds.len(), problems.len()), (1, 1));
+        assert_eq!((sounds.len(), problems.len()), (2, 1));
+        assert!(problems[0].contains("speaks instead"), "{problems:?}");
+    }
+
+    #[test]
+    fn a_script_that_no_voice_reads_is_told_and_shown() {
+        let two = TWO.replace("One two.", "One \u{5e9}\u{5dc}\u{5d5}\u{5dd} two.");
+        let (bundle, sounds, problems) = say(&two, None);
+        assert_eq!((sounds.len(), problems.len()), (2, 1), "{problems:?}");
+        assert!(problems[0].contains("Hebrew letters"), "{problems:?}");
+        let words: Vec<&str> = bundle.utterances[0]
+            .words
+            .iter()
+            .map(|w| w.text.as_str())
+            .collect();
+        assert_eq!(words, ["One", "\u{5e9}\u{5dc}\u{5d5}\u{5dd}", "two."]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! One utterance from its content to its sound.
 
 use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
-use crate::content::{Age, Content, Gender, Setting};
+use crate::content::{Age, Content, Gender, Setting, Speaker};
 use crate::feel::{felt, moved_pauses, place_of, word_phrases};
 use crate::plan::{Plan, Planned, plan};
 use crate::prosody::Prosody;
@@ -12,6 +12,7 @@ use crate::spoken::{Sentence, Spoken, SpokenSyllable};
 use crate::style::{NO_EMPHASIS, Style};
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result};
+use raconteur_base::text::script::Script;
 use raconteur_speech::bundle::FRAME_SECS;
 use raconteur_speech::emotion::EmotionPoint;
 use raconteur_speech::phones::{find, translate};
@@ -51,6 +52,8 @@ pub(super) struct Work<'a> {
 pub(super) struct Casting {
     pub plan: Plan,
     pub roles: Vec<Role>,
+    /// What is said otherwise than the author wants, or not at all, and what to do.
+    pub warnings: Vec<String>,
 }
 
 /// Plans an utterance.
@@ -61,13 +64,54 @@ pub(super) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Ca
     // A voice that a clause names speaks its own language.
     let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
     let language = own.unwrap_or(&work.role.voice.language);
-    let plan = plan(work.content, language, &work.role.engine, lexicon)?;
-    let roles = plan
-        .sentences
-        .iter()
-        .map(|s| cast.role(work.role, &s.speaker, &s.sentence.language))
-        .collect::<Result<_>>()?;
-    Ok(Casting { plan, roles })
+    let mut plan = plan(work.content, language, &work.role.engine, lexicon)?;
+    let mut warnings = Vec::new();
+    let mut roles = Vec::with_capacity(plan.sentences.len());
+    let mut unread = Vec::new();
+    for (at, planned) in plan.sentences.iter().enumerate() {
+        let tag = planned.sentence.language.as_str();
+        if let Some(script) = foreign_script(&planned.sentence, language)
+            && !cast.speaks(work.role, tag)
+        {
+            let words = planned.sentence.tokens.iter().map(|t| t.text.as_str());
+            warnings.push(format!(
+                "{:?} is in {} and not said, only shown: no voice that is here speaks {tag:?}; \
+                 espeak-ng speaks most languages",
+                words.collect::<Vec<_>>().join(" "),
+                script.name()
+            ));
+            unread.push(at);
+            continue;
+        }
+        let role = match cast.role(work.role, &planned.speaker, tag) {
+            Err(error) if planned.speaker.name.is_some() => {
+                let nameless = Speaker {
+                    name: None,
+                    ..planned.speaker.clone()
+                };
+                let role = cast.role(work.role, &nameless, tag)?;
+                warnings.push(format!("{error:#}; {} speaks instead", role.voice.name));
+                role
+            }
+            role => role?,
+        };
+        roles.push(role);
+    }
+    for at in unread.into_iter().rev() {
+        plan.sentences.remove(at);
+    }
+    warnings.dedup();
+    Ok(Casting {
+        plan,
+        roles,
+        warnings,
+    })
+}
+
+/// The script of a sentence that is in another than its voice's `language` is written in.
+fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
+    let token = sentence.tokens.first()?;
+    Script::of(&token.text).filter(|script| !script.is_read_in(language))
 }
 
 /// Speaks a planned utterance. `recordings` gives those of the plan at a rate.
@@ -80,7 +124,7 @@ pub(super) fn speak(
     cast: &Cast,
     recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
 ) -> Result<Speech> {
-    let Casting { plan, roles } = casting;
+    let Casting { plan, roles, .. } = casting;
     let mut spoken = by_role(&plan.sentences, roles, cast)?;
     let rate_hz = rate_of(spoken.iter().map(|s| s.rate_hz));
     for (one, role) in spoken.iter_mut().zip(roles) {

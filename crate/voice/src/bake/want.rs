@@ -50,7 +50,14 @@ pub(super) fn all<'a>(
         // Two clauses that say the same share an utterance; the first keeps its place.
         if seen.insert(said.key) {
             match content(said, folder, library)? {
-                Ok(content) => wanted.push(want(said, content, place, folder, options)?),
+                Ok(content) => {
+                    let one = want(said, content, place, folder, options)?;
+                    for warning in &one.casting.warnings {
+                        let told = format!("{:?}: {warning}", short(&one.content.plain_text()));
+                        eprintln!("{}", printable(&told));
+                    }
+                    wanted.push(one);
+                }
                 Err(file) => absent.push(file),
             }
         }
@@ -86,7 +93,8 @@ fn content(
             if *sable {
                 sable_document(path, &text)?
             } else if path.ends_with(".ssml") {
-                document(path, ssml::read(&text))?
+                let is_there = |src: &str| sounds::find(folder, src).is_ok();
+                document(path, ssml::read_beside(&text, &is_there))?
             } else {
                 plain::read(&text)
             }

@@ -197,6 +197,7 @@ fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
                     text,
                     style,
                     together,
+                    behind,
                 },
                 _,
             ) => {
@@ -211,6 +212,7 @@ fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
                     text,
                     style: 0,
                     together: None,
+                    behind,
                 };
                 heard.push((word, resolved.styles.get(style).cloned(), group));
             }

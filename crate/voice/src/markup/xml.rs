@@ -39,6 +39,8 @@ pub(crate) struct Tag {
     pub(crate) attributes: Vec<Attribute>,
     /// Byte where it begins.
     pub(crate) at: usize,
+    /// It has no content, and is written so.
+    pub(crate) is_empty: bool,
 }
 
 /// An attribute of a tag.
@@ -259,6 +261,7 @@ impl<'a> Pieces<'a> {
             space,
             attributes,
             at,
+            is_empty: self.source[..self.position()].ends_with("/>"),
         })
     }
 

@@ -2,6 +2,7 @@
 //! and plain numbers, the clearest kind first.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::number::{self, Number};
 use super::read::{Reader, Reading};
@@ -24,6 +25,8 @@ impl Reader<'_> {
             .or_else(|| self.ordinal(at, word))
             .or_else(|| self.measure(at, word))
             .or_else(|| self.range(word))
+            .or_else(|| self.even(word))
+            .or_else(|| self.prefixed(at, word))
             .or_else(|| self.number(at, word))
     }
 
@@ -324,6 +327,39 @@ impl Reader<'_> {
             Reading::several([sign + &count, unit.name(one, language).to_owned()])
                 .owning_stop(!own),
         )
+    }
+
+    /// Two numbers of which the first is no part of the second: "50/50", "24/7".
+    fn even(&self, word: &Word<'_>) -> Option<Reading> {
+        let (first, second) = word.core.split_once('/')?;
+        let is_short = |text: &str| all_digits(text) && text.len() <= 3;
+        if !is_short(first) || !is_short(second) {
+            return None;
+        }
+        let said = [first, second].map(|part| {
+            Number::parse(part, self.language)
+                .map_or_else(String::new, |n| n.spoken(self.language, Form::Alone))
+        });
+        Some(Reading::one(said.join(" ")))
+    }
+
+    /// A number behind a prefix: "pre-1990s", "post-2008", "mid-19th".
+    fn prefixed(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
+        let (prefix, number) = word.core.split_once('-')?;
+        if prefix.is_empty() || !prefix.chars().all(char::is_lowercase) || number.contains('-') {
+            return None;
+        }
+        let number = Word::parse(number);
+        if !number.core.starts_with(|c: char| c.is_ascii_digit()) {
+            return None;
+        }
+        let reading = self
+            .ordinal(at, &number)
+            .or_else(|| self.number(at, &number))?;
+        let [said] = reading.spoken.as_slice() else {
+            return None;
+        };
+        Some(Reading::one(format!("{prefix} {said}")))
     }
 
     fn range(&self, word: &Word<'_>) -> Option<Reading> {

@@ -3,21 +3,7 @@
 use super::Order;
 use super::language::Language;
 
-/// Month names [English, German, Portuguese].
-pub(super) const MONTHS: [[&str; 3]; 12] = [
-    ["January", "Januar", "janeiro"],
-    ["February", "Februar", "fevereiro"],
-    ["March", "März", "março"],
-    ["April", "April", "abril"],
-    ["May", "Mai", "maio"],
-    ["June", "Juni", "junho"],
-    ["July", "Juli", "julho"],
-    ["August", "August", "agosto"],
-    ["September", "September", "setembro"],
-    ["October", "Oktober", "outubro"],
-    ["November", "November", "novembro"],
-    ["December", "Dezember", "dezembro"],
-];
+pub(super) use raconteur_base::text::months::{MONTHS, is_month};
 
 /// A date, of which parts may be unknown.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,15 +16,6 @@ pub(super) struct Date {
     pub(super) year: Option<u64>,
     /// The day was written before the month; English says so.
     pub(super) day_first: bool,
-}
-
-/// Whether `word` names a month; only with its capital in English and German, where "may"
-/// and "März" differ from other words by it.
-pub(super) fn is_month(word: &str, language: Language) -> bool {
-    MONTHS.iter().any(|row| match language {
-        Language::Portuguese => row[language as usize] == word.to_lowercase(),
-        _ => row[language as usize] == word,
-    })
 }
 
 /// The order in which a language writes three numbers when nothing else tells.

@@ -6,9 +6,14 @@ use super::grammar::Grammar;
 use super::language::Language;
 use super::portuguese::Portuguese;
 
-impl Language {
+/// What has a grammar.
+pub(super) trait Grammars {
     /// The grammar of the language.
-    pub(super) fn grammar(self) -> &'static dyn Grammar {
+    fn grammar(self) -> &'static dyn Grammar;
+}
+
+impl Grammars for Language {
+    fn grammar(self) -> &'static dyn Grammar {
         match self {
             Self::English => &English,
             Self::German => &German,

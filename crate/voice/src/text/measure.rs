@@ -136,6 +136,32 @@ const UNITS: &[Unit] = &[
         [true, true],
         [["ounce", "ounces"], ["Unze", "Unzen"], ["onça", "onças"]],
     ),
+    gendered(
+        "tsp",
+        [false, true],
+        [
+            ["teaspoon", "teaspoons"],
+            ["Teelöffel"; 2],
+            ["colher de chá", "colheres de chá"],
+        ],
+    ),
+    gendered(
+        "tbsp",
+        [false, true],
+        [
+            ["tablespoon", "tablespoons"],
+            ["Esslöffel"; 2],
+            ["colher de sopa", "colheres de sopa"],
+        ],
+    ),
+    unit(
+        "TL",
+        [["teaspoon", "teaspoons"], ["Teelöffel"; 2], ["TL"; 2]],
+    ),
+    unit(
+        "EL",
+        [["tablespoon", "tablespoons"], ["Esslöffel"; 2], ["EL"; 2]],
+    ),
     unit(
         "l",
         [["litre", "litres"], ["Liter"; 2], ["litro", "litros"]],

@@ -6,14 +6,12 @@
 //! its.
 //! Does not: read other languages (their words pass as they are) or make sounds.
 
-mod abbreviation;
 mod amount;
 mod date;
 mod english;
 mod german;
 mod grammar;
 mod grammars;
-mod language;
 mod lexicon;
 mod measure;
 mod money;
@@ -27,9 +25,10 @@ mod say_as;
 mod spelling;
 mod time;
 mod token;
-mod word;
 
 pub use lexicon::{Lexicon, LexiconError, LexiconProblem};
+
+use raconteur_base::text::{abbreviation, language, word};
 
 use language::Language;
 use lexicon::Entry;

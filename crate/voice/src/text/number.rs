@@ -1,6 +1,7 @@
 //! Numbers as they are written with digits, and their reading.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 
 /// A number written with digits.

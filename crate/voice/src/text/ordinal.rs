@@ -2,6 +2,7 @@
 
 use super::date::{self, Date};
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::number::Number;
 use super::read::{Reader, Reading};

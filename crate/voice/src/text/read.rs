@@ -1,9 +1,11 @@
 //! Which kind of text a word is, and who reads it.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};
+use raconteur_base::text::capitals::{self, Around};
 
 /// What words are read as: one phrase for each word that is taken, which may be empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -34,6 +36,32 @@ impl Reading {
     }
 }
 
+/// What something is counted by [English, German, Portuguese].
+const EACH: [&str; 3] = [
+    "second minute hour day night week month year person head child kilometre kilo litre",
+    "sekunde minute stunde tag nacht woche monat jahr person kopf kind kilometer kilo liter",
+    "segundo minuto hora dia noite semana mês ano pessoa cabeça criança quilómetro quilo litro",
+];
+
+/// Whether a Roman numeral before a word is an ordinal, in English.
+fn is_counted(next: &str) -> bool {
+    [
+        "century",
+        "centuries",
+        "millennium",
+        "dynasty",
+        "Century",
+        "Dynasty",
+        "Legion",
+        "legion",
+        "Corps",
+        "Olympiad",
+        "edition",
+        "Congress",
+    ]
+    .contains(&next)
+}
+
 /// Reads the words of a text in one language.
 pub(super) struct Reader<'a> {
     pub(super) words: &'a [Word<'a>],
@@ -41,8 +69,6 @@ pub(super) struct Reader<'a> {
     /// Dates like 12/25/1998.
     pub(super) month_first: bool,
     pub(super) say_as: Option<&'a SayAs>,
-    /// Most words are all in capitals, which then mean nothing.
-    shouted: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -56,20 +82,11 @@ impl<'a> Reader<'a> {
     ) -> Self {
         let tag = tag.to_ascii_lowercase();
         let region = tag.split(['-', '_']).skip(1).find(|part| part.len() == 2);
-        let plain = words
-            .iter()
-            .filter(|word| !word.core.is_empty() && word.is_plain());
-        let capitals = |word: &&Word<'_>| {
-            word.core.chars().count() > 1 && !word.core.contains(char::is_lowercase)
-        };
-        let (all, shouted) = (plain.clone().count(), plain.filter(capitals).count());
         Self {
             words,
             language,
             month_first: language == Language::English && matches!(region, None | Some("us")),
             say_as,
-            // A list of acronyms has an article or an "and" among them.
-            shouted: shouted > 2 && shouted * 4 > all * 3,
         }
     }
 
@@ -125,8 +142,12 @@ impl<'a> Reader<'a> {
             return reading;
         }
         if let Some(found) = abbreviation::expand(self.words, at, self.language) {
+            let spoken = found.spoken.into_iter().map(|said| match found.is_spelled {
+                true => spelling::literal(&said, self.language),
+                false => said,
+            });
             return Reading {
-                spoken: found.spoken,
+                spoken: spoken.collect(),
                 ends: found.ends,
             };
         }
@@ -139,7 +160,24 @@ impl<'a> Reader<'a> {
         if let Some(reading) = self.lone_sign(at, core) {
             return reading;
         }
+        if let Some(rate) = self.rate(at, core) {
+            return rate;
+        }
         Reading::one(self.runs(core, false))
+    }
+
+    /// How many of something in a time or for each of some: "litres/day" after a number.
+    fn rate(&self, at: usize, core: &str) -> Option<Reading> {
+        let (counted, each) = core.split_once('/')?;
+        let is_rate = self.previous(at).starts_with(|c: char| c.is_ascii_digit())
+            && counted.chars().all(char::is_alphabetic)
+            && self
+                .language
+                .pick(EACH)
+                .split(' ')
+                .any(|own| own == each.to_lowercase());
+        let per = self.language.pick(["per", "pro", "por"]);
+        is_rate.then(|| Reading::one(format!("{counted} {per} {each}")))
     }
 
     /// A word of letters: mostly itself.
@@ -147,7 +185,7 @@ impl<'a> Reader<'a> {
         let core = word.core.as_str();
         let numeral = core.strip_suffix("'s").unwrap_or(core);
         if !word.is_capital() || numeral.chars().skip(1).any(char::is_lowercase) {
-            return Reading::one(self.letters(core));
+            return Reading::one(self.letters(core, Around::Nothing));
         }
         if core.len() == 3
             && money::currency(core).is_some()
@@ -158,7 +196,8 @@ impl<'a> Reader<'a> {
         if let Some(numeral) = self.numeral(at, word) {
             return numeral;
         }
-        Reading::one(self.letters(core))
+        let around = capitals::around(self.words, at, self.language);
+        Reading::one(self.letters(core, around))
     }
 
     /// A Roman numeral, where that is clear.
@@ -170,6 +209,10 @@ impl<'a> Reader<'a> {
         };
         let n = roman::value(core)?;
         let (previous, next) = (self.previous(at), self.next_after_stop(at));
+        // What drips is no four, and nothing is an four.
+        if language == Language::English && core == "IV" && previous == "an" {
+            return None;
+        }
         // "I" is a word of English.
         if language == Language::English && core == "I" && !self.next(at).is_empty() {
             return None;
@@ -188,6 +231,10 @@ impl<'a> Reader<'a> {
             return (core.len() > 1 || article)
                 .then(|| Reading::one(grammar.ordinal(n, ending)).owning_stop(false));
         }
+        // "The XIX century", "no século XIX"; the latter is read above.
+        if language == Language::English && core.len() > 1 && is_counted(next) {
+            return Some(Reading::one(grammar.ordinal(n, "")));
+        }
         // Of two letters and more, those without C, D, L and M are nothing else.
         if core.len() < 2 || !core.chars().all(|c| matches!(c, 'I' | 'V' | 'X')) {
             return None;
@@ -200,25 +247,59 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    /// Letters as a word, or by their names where they are an acronym.
-    pub(super) fn letters(&self, word: &str) -> String {
+    /// Letters as a word, or by their names where they are an acronym; `around` tells of the
+    /// words beside it. Capitals that are a word are handed on in small letters: some engines
+    /// spell the others by rules of their own.
+    pub(super) fn letters(&self, word: &str, around: Around) -> String {
+        const HYPHENS: [char; 3] = ['-', '\u{2010}', '\u{2011}'];
+        let parts: Vec<&str> = word.split(HYPHENS).collect();
+        if parts.len() > 1 {
+            // "US-Präsident": what is joined to something in small letters is a name.
+            let around = match word.contains(char::is_lowercase) {
+                true => Around::Name,
+                false => around,
+            };
+            let spelled = |part: &&str| capitals::is_acronym(part, around, self.language);
+            if parts.iter().any(spelled) {
+                let said = parts.iter().map(|part| match part.chars().count() {
+                    1 => spelling::literal(part, self.language),
+                    _ => self.part(part, around),
+                });
+                return said.collect::<Vec<_>>().join(" ");
+            }
+        }
+        self.part(word, around)
+    }
+
+    /// The same of a word without hyphens.
+    fn part(&self, word: &str, around: Around) -> String {
         let named = matches!(self.say_as, Some(SayAs::Name));
-        if !named && spelling::is_acronym(word, self.shouted, self.language) {
+        let acronym = |word: &str| !named && capitals::is_acronym(word, around, self.language);
+        if acronym(word) {
             return spelling::literal(word, self.language);
         }
         // "CDs": the plural of an acronym.
-        if let Some(stem) = word.strip_suffix("'s").or_else(|| word.strip_suffix('s'))
-            && !named
-            && stem.len() > 1
-            && spelling::is_acronym(stem, self.shouted, self.language)
+        if let Some(stem) = word
+            .strip_suffix("'s")
+            .or_else(|| word.strip_suffix("\u{2019}s"))
+            .or_else(|| word.strip_suffix('s'))
+            && acronym(stem)
         {
             let s = if self.language == Language::German {
                 "s"
             } else {
                 "'s"
             };
-            let plural = if word.contains('\'') { s } else { "s" };
+            let plural = if word.contains(['\'', '\u{2019}']) {
+                s
+            } else {
+                "s"
+            };
             return spelling::literal(stem, self.language) + plural;
+        }
+        let letters = word.chars().filter(|c| c.is_alphabetic()).count();
+        if letters > 1 && !named && !word.contains(char::is_lowercase) {
+            return word.to_lowercase();
         }
         word.to_owned()
     }

@@ -1,11 +1,13 @@
 //! Words of mixed letters, digits and signs, read run by run; and formulas.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::number::{self, Number};
 use super::read::Reader;
 use super::spelling;
 use super::word::{is_joiner, is_letter};
+use raconteur_base::text::capitals::{Around, is_capitals};
 
 /// Halves, thirds and so on that have a character of their own.
 const VULGAR: &[(char, u64, u64)] = &[
@@ -68,7 +70,9 @@ impl Reader<'_> {
                 let named = math || !is_break(before) || !is_break(after);
                 spoken.push(match word.chars().count() {
                     1 if named => spelling::literal(word, language),
-                    _ => self.letters(word),
+                    // "AT&T": so are capitals.
+                    2 | 3 if named && is_capitals(word) => spelling::literal(word, language),
+                    _ => self.letters(word, Around::Nothing),
                 });
                 word.len().max(c.len_utf8())
             } else {

@@ -2,6 +2,7 @@
 //! "due on" in a marked date stays what it is.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::number::Number;
 use super::read::{Reader, Reading};

@@ -5,8 +5,10 @@
 //! espeak-ng); single letters they take for articles or prepositions.
 
 use super::grammar::Form;
+use super::grammars::Grammars as _;
 use super::language::Language;
 use super::number;
+use raconteur_base::text::capitals::is_pronounceable;
 
 /// Names of a to z [English, German, Portuguese].
 const LETTERS: [[&str; 3]; 26] = [
@@ -161,34 +163,11 @@ const MARKS: &[(char, [&str; 3])] = &[
     ('\u{30c}', ["caron", "Hatschek", "caron"]),
     ('\u{327}', ["cedilla", "Cedille", "cedilha"]),
 ];
-/// Capitals of up to three letters that are words: shouted ones and names said as words.
-const SAID_AS_WORDS: [&[&str]; 3] = [
-    &[
-        "NO", "YES", "THE", "AND", "NOT", "YOU", "ALL", "OUT", "NOW", "GO", "BUT", "FOR", "ONE",
-        "TWO", "NEW", "OLD", "MY", "ME", "HE", "SHE", "WE", "IN", "ON", "OF", "TO", "AM", "BE",
-        "DO", "SO", "UP", "OH", "AH", "WHO", "WHY", "HOW", "PIN", "SIM", "ZIP", "RAM", "GIF", "IS",
-        "ARE", "WAS", "HIM", "HER", "BIG", "BAD", "RUN", "SEE", "END", "OR",
-    ],
-    &[
-        "JA", "DER", "DIE", "DAS", "UND", "ICH", "DU", "WIR", "SIE", "ER", "ES", "MIR", "WER",
-        "WAS", "WO", "NIE", "NUR", "DEN", "DEM", "IN", "AN", "AUF", "ZU", "SO", "ACH", "OH", "NUN",
-        "NEU", "GUT", "PIN", "TÜV", "DIN", "IST", "WIE", "EIN",
-    ],
-    &[
-        "SIM", "NÃO", "EU", "TU", "ELE", "ELA", "UM", "UMA", "OS", "AS", "DE", "DA", "DO", "QUE",
-        "SEM", "COM", "IVA", "MAS", "JÁ", "LÁ", "PIN", "VAI", "MEU", "TEU", "SEU", "POR", "EM",
-        "NO", "NA", "ATÉ", "DIA", "LUZ", "MAR", "PAZ",
-    ],
-];
 /// Top-level domains by which a name with dots is taken for an address.
 const DOMAINS: &[&str] = &[
     "com", "org", "net", "edu", "gov", "info", "io", "de", "pt", "uk", "eu", "at", "ch", "br",
     "fr", "es", "us",
 ];
-
-fn vowel(c: char) -> bool {
-    "aeiouyäöüáàâãéêíóôõúAEIOUYÄÖÜÁÀÂÃÉÊÍÓÔÕÚ".contains(c)
-}
 
 /// The name of a sign.
 pub(super) fn sign(c: char, language: Language) -> Option<&'static str> {
@@ -307,7 +286,7 @@ pub(super) fn net(text: &str, language: Language) -> String {
         }
         if !run.is_empty() {
             let word = std::mem::take(&mut run);
-            let said = word == "com" || word == "org" || pronounceable(&word);
+            let said = word == "com" || word == "org" || is_pronounceable(&word);
             spoken.push(if said { word } else { literal(&word, language) });
         }
         if c != ' ' {
@@ -315,38 +294,4 @@ pub(super) fn net(text: &str, language: Language) -> String {
         }
     }
     spoken.join(" ")
-}
-
-/// Whether a word of letters can be said as one: some vowels, no long run without any.
-fn pronounceable(word: &str) -> bool {
-    let runs = |keep: bool, most: usize| {
-        let mut length = 0;
-        word.chars().all(|c| {
-            length = if vowel(c) == keep { length + 1 } else { 0 };
-            length <= most
-        })
-    };
-    let last = word.chars().rev().take_while(|c| !vowel(*c)).count();
-    // Of three letters few are words that end in two consonants: "ibm" is none.
-    let (least, most) = if word.chars().count() < 4 {
-        (3, 1)
-    } else {
-        (4, 2)
-    };
-    let long = word.chars().count() >= least;
-    long && word.chars().any(vowel) && runs(false, 3) && runs(true, 3) && last <= most
-}
-
-/// Whether capitals are spelled rather than said. `shouted` tells that the words around are
-/// all in capitals too, which then say nothing.
-pub(super) fn is_acronym(word: &str, shouted: bool, language: Language) -> bool {
-    let letters = word.chars().count();
-    if letters < 2 || !word.chars().all(char::is_uppercase) {
-        return false;
-    }
-    match letters {
-        2 | 3 if shouted => !pronounceable(word),
-        2 | 3 => !language.pick(SAID_AS_WORDS).contains(&word),
-        _ => !pronounceable(word),
-    }
 }

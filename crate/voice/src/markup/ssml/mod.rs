@@ -5,7 +5,7 @@ mod read;
 mod sampa;
 mod write;
 
-pub use read::read;
+pub use read::{read, read_beside};
 pub use write::write;
 
 use crate::content::{Age, Gender};

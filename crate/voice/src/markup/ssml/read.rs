@@ -26,14 +26,29 @@ const EMPHASES: [&str; 4] = ["strong", "moderate", "none", "reduced"];
 
 /// Reads a document of SSML 1.1, or a part of one without its root. A document type may be
 /// named. What is not known, and what cannot be said by a [`Content`], is told and otherwise
-/// ignored; its text is kept. A recording's alternative text is left out.
+/// ignored; its text is kept. Recordings are believed to be there: their alternative text is left
+/// out.
 ///
 /// # Errors
 ///
 /// Text that is no well-formed XML, that declares entities, or that is longer, deeper or more
 /// marked up than the limits of [`crate::markup`].
 pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
+    read_beside(text, &|_| true)
+}
+
+/// The same, where `is_there` tells whether there is a recording of an address or path: where
+/// there is none its alternative text is spoken (SSML 1.1, section 3.3.1), which is told.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_beside(
+    text: &str,
+    is_there: &dyn Fn(&str) -> bool,
+) -> Result<(Content, Vec<Problem>), Problem> {
     build::read(text, false, |tag, pieces| match tag.space {
+        Space::Own if tag.name == "audio" => audio(tag, pieces, is_there),
         Space::Own => element(tag, pieces),
         Space::Ours => ours(tag, pieces),
         Space::Other => unknown(tag, pieces),
@@ -106,7 +121,6 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
             Some(name) => Segment::Mark(name).into(),
             None => needs(tag, pieces, "a name"),
         },
-        "audio" => return audio(tag, pieces),
         "desc" => {
             return Meaning {
                 silent: true,
@@ -298,11 +312,17 @@ fn phoneme(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     .into()
 }
 
-fn audio(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+fn audio(tag: &Tag, pieces: &mut Pieces<'_>, is_there: &dyn Fn(&str) -> bool) -> Meaning {
     // Without an address its content is spoken.
     let Some(src) = filled(tag.get("src")) else {
         return Meaning::default();
     };
+    if !tag.is_empty && !is_there(&src) {
+        let message =
+            format!("there is no recording {src:?} beside the story; its text is said instead");
+        pieces.tell(tag.at, message);
+        return Meaning::default();
+    }
     for name in [
         "clipBegin",
         "clipEnd",

@@ -1,6 +1,7 @@
 //! Abbreviations and where they stand for what.
 
 use super::language::Language;
+use super::sentence::is_starter;
 use super::word::Word;
 
 /// Where an abbreviation is one, and whether its full stop may end a sentence too.
@@ -36,6 +37,14 @@ const ENGLISH: &[Row] = &[
     ("Lt", "Lieutenant", Title, false),
     ("Sgt", "Sergeant", Title, false),
     ("Gov", "Governor", Title, false),
+    ("Rep", "Representative", Title, false),
+    ("Pres", "President", Title, false),
+    ("Hon", "Honourable", Title, false),
+    ("Maj", "Major", Title, false),
+    ("Cmdr", "Commander", Title, false),
+    ("Adm", "Admiral", Title, false),
+    ("Messrs", "Messieurs", Title, false),
+    ("Mme", "Madame", Title, false),
     ("Sen", "Senator", Title, false),
     ("Mt", "Mount", Title, false),
     ("Ft", "Fort", Title, false),
@@ -46,6 +55,14 @@ const ENGLISH: &[Row] = &[
     ("Inc", "Incorporated", Any, false),
     ("Ltd", "Limited", Any, true),
     ("Corp", "Corporation", Any, false),
+    ("Bros", "Brothers", Any, false),
+    ("Dept", "Department", Inner, false),
+    ("Univ", "University", Inner, false),
+    ("Hwy", "Highway", Any, false),
+    ("a.k.a", "also known as", Inner, false),
+    ("w/o", "without", Inner, true),
+    ("w/", "with", Inner, true),
+    ("c/o", "care of", Inner, true),
     ("Ave", "Avenue", Any, false),
     ("Blvd", "Boulevard", Any, true),
     ("Rd", "Road", Any, false),
@@ -54,6 +71,7 @@ const ENGLISH: &[Row] = &[
     ("e.g", "for example", Inner, false),
     ("i.e", "that is", Inner, false),
     ("cf", "compare", Inner, false),
+    ("viz", "namely", Inner, false),
     ("approx", "approximately", Inner, false),
     ("no", "number", BeforeNumber, false),
     ("nos", "numbers", BeforeNumber, false),
@@ -63,6 +81,10 @@ const ENGLISH: &[Row] = &[
     ("vol", "volume", BeforeNumber, false),
     ("fig", "figure", BeforeNumber, false),
     ("sec", "section", BeforeNumber, false),
+    ("c", "circa", BeforeNumber, false),
+    ("ca", "circa", BeforeNumber, false),
+    ("apt", "apartment", BeforeNumber, false),
+    ("ext", "extension", BeforeNumber, false),
     ("Jan", "January", BeforeNumber, true),
     ("Feb", "February", BeforeNumber, true),
     ("Mar", "March", BeforeNumber, false),
@@ -101,6 +123,19 @@ const GERMAN: &[Row] = &[
     ("vgl", "vergleiche", Inner, false),
     ("inkl", "inklusive", Inner, false),
     ("evtl", "eventuell", Inner, false),
+    ("exkl", "exklusive", Inner, false),
+    ("einschl", "einschließlich", Inner, false),
+    ("zzgl", "zuzüglich", Inner, false),
+    ("mind", "mindestens", Inner, false),
+    ("max", "maximal", Inner, false),
+    ("bspw", "beispielsweise", Inner, false),
+    ("o.ä", "oder ähnlich", Any, false),
+    ("u.ä", "und ähnlich", Any, false),
+    ("s.o", "siehe oben", Any, false),
+    ("s.u", "siehe unten", Any, false),
+    ("m.E", "meines Erachtens", Inner, false),
+    ("u.U", "unter Umständen", Inner, false),
+    ("e.V", "eh fau", Any, false),
     ("ggf", "gegebenenfalls", Inner, false),
     ("sog", "sogenannte", Inner, false),
     ("geb", "geboren", Inner, false),
@@ -156,6 +191,10 @@ const PORTUGUESE: &[Row] = &[
     ("i.e", "isto é", Inner, false),
     ("cf", "confira", Inner, false),
     ("aprox", "aproximadamente", Inner, false),
+    ("ex", "exemplo", Inner, false),
+    ("máx", "máximo", Inner, false),
+    ("mín", "mínimo", Inner, false),
+    ("Ltd", "limitada", Any, false),
     ("a.C", "antes de Cristo", Any, false),
     ("d.C", "depois de Cristo", Any, false),
     ("etc", "et cétera", Any, true),
@@ -176,17 +215,14 @@ const PORTUGUESE: &[Row] = &[
     ("séc", "século", Inner, false),
 ];
 
-/// Words that, with a capital, rather begin a sentence than follow a name.
-const STARTERS: &[&str] = &[
-    "The", "He", "She", "It", "They", "We", "In", "A", "I", "Then", "And", "But",
-];
-
 /// What an abbreviation is read as.
-pub(super) struct Expansion {
+pub struct Expansion {
     /// Of each written word that it takes.
-    pub(super) spoken: Vec<String>,
+    pub spoken: Vec<String>,
+    /// What is spoken are letters, to be called by their names.
+    pub is_spelled: bool,
     /// Its last full stop ends a sentence as well.
-    pub(super) ends: bool,
+    pub ends: bool,
 }
 
 fn rows(language: Language) -> &'static [Row] {
@@ -208,12 +244,18 @@ fn row(text: &str, language: Language) -> Option<&'static Row> {
     })
 }
 
+/// Whether a word is a day of the week in English.
+fn is_day(word: &str) -> bool {
+    word.len() > 5 && word.ends_with("day")
+}
+
 fn numeric(word: Option<&Word<'_>>) -> bool {
     word.is_some_and(|word| word.core.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// The abbreviation at `at`, if one stands there.
-pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
+#[must_use]
+pub fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
     let word = words.get(at)?;
     // The longest is five letters and a few stops; most words end the search here.
     if word.core.len() > 10 || !word.dotted() && word.core.len() > 5 {
@@ -248,7 +290,7 @@ pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Optio
     let end_of_text = next.is_none();
     let Some(&(name, spoken, place, _)) = found else {
         return street(word, previous, next, language)
-            .or_else(|| initials(word, single, name_next, end_of_text, language));
+            .or_else(|| initials(word, single, name_next, next, language));
     };
     if let Some(street) = street(word, previous, next, language) {
         return Some(street);
@@ -270,17 +312,20 @@ pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Optio
         Language::German => {
             next.is_none_or(Word::is_capital) && matches!(name, "usw" | "etc" | "u.s.w")
         }
-        _ => next.is_none_or(Word::is_capital),
+        // "5 p.m. Monday" goes on.
+        _ => next.is_none_or(|next| next.is_capital() && !is_day(&next.core)),
     };
     let ends = end_of_text || place == Any && capital;
     Some(Expansion {
         spoken: vec![spoken.to_owned()],
+        is_spelled: false,
         ends: ends && place != Title,
     })
 }
 
-/// An abbreviation in two words: "z. B.", "p. ex.".
-fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
+/// An abbreviation in two words at `at`: "z. B.", "p. ex.".
+#[must_use]
+pub fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
     let (first, second) = (words.get(at)?, words.get(at + 1)?);
     if first.end != "." || !second.dotted() || first.core.len() > 2 {
         return None;
@@ -291,6 +336,7 @@ fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> 
     let ends = next.is_none() || *place == Any && next.is_some_and(Word::is_capital);
     Some(Expansion {
         spoken: vec![head.to_owned(), tail.to_owned()],
+        is_spelled: false,
         ends,
     })
 }
@@ -311,11 +357,12 @@ fn street(
         (w.is_capital() || w.core.ends_with("th")) && w.end.is_empty() && w.core.chars().count() > 2
     });
     // A word that begins a sentence after it has its capital too: a common one tells that.
-    let starts = next.is_some_and(|w| STARTERS.contains(&w.core.as_str()));
+    let starts = next.is_some_and(|w| is_starter(&w.core, language));
     let quarter = next.is_some_and(|w| matches!(w.core.as_str(), "NW" | "NE" | "SW" | "SE"));
     let last = next.is_none_or(|w| !w.is_capital()) || starts || quarter;
     (language == Language::English && named && last).then(|| Expansion {
         spoken: vec![spoken.to_owned()],
+        is_spelled: false,
         ends: next.is_none_or(Word::is_capital) && !quarter,
     })
 }
@@ -325,7 +372,7 @@ fn initials(
     word: &Word<'_>,
     single: bool,
     name_next: bool,
-    end_of_text: bool,
+    next: Option<&Word<'_>>,
     language: Language,
 ) -> Option<Expansion> {
     let letters: Vec<&str> = word.core.split('.').collect();
@@ -337,9 +384,9 @@ fn initials(
     if !all || letters.len() < 2 && !first {
         return None;
     }
-    let spoken = super::spelling::literal(&letters.concat(), language);
     Some(Expansion {
-        spoken: vec![spoken],
-        ends: end_of_text && !single,
+        spoken: vec![letters.concat()],
+        is_spelled: true,
+        ends: !single && next.is_none_or(|next| is_starter(&next.core, language)),
     })
 }

@@ -3,15 +3,19 @@
 /// A language whose numbers, dates and signs are read here. The order is that of the
 /// columns in every table of words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Language {
+pub enum Language {
+    /// English.
     English,
+    /// German.
     German,
+    /// Portuguese of Portugal.
     Portuguese,
 }
 
 impl Language {
     /// Decided by the primary subtag of a BCP 47 tag (RFC 5646).
-    pub(super) fn of(tag: &str) -> Option<Self> {
+    #[must_use]
+    pub fn of(tag: &str) -> Option<Self> {
         let primary = tag.split(['-', '_']).next().unwrap_or_default();
         match primary.to_ascii_lowercase().as_str() {
             "en" => Some(Self::English),
@@ -22,12 +26,14 @@ impl Language {
     }
 
     /// This language's column of a table row `[English, German, Portuguese]`.
-    pub(super) fn pick<T: Copy>(self, row: [T; 3]) -> T {
+    #[must_use]
+    pub fn pick<T: Copy>(self, row: [T; 3]) -> T {
         row[self as usize]
     }
 
     /// The word for a decimal sign.
-    pub(super) fn decimal_word(self, sign: char) -> &'static str {
+    #[must_use]
+    pub fn decimal_word(self, sign: char) -> &'static str {
         match sign {
             ',' => self.pick(["comma", "Komma", "vírgula"]),
             _ => self.pick(["point", "Punkt", "ponto"]),
@@ -35,7 +41,8 @@ impl Language {
     }
 
     /// The decimal sign of the language; the other one of `,` and `.` groups thousands.
-    pub(super) fn decimal_sign(self) -> char {
+    #[must_use]
+    pub fn decimal_sign(self) -> char {
         self.pick(['.', ',', ','])
     }
 }

@@ -4,17 +4,17 @@ use std::borrow::Cow;
 
 /// A written word, split into its readable part and what surrounds it.
 #[derive(Debug, Clone)]
-pub(super) struct Word<'a> {
+pub struct Word<'a> {
     /// Everything, with letters and their marks composed.
-    pub(super) raw: Cow<'a, str>,
+    pub raw: Cow<'a, str>,
     /// Without quotes, brackets, dashes and punctuation around; may be empty.
-    pub(super) core: String,
+    pub core: String,
     /// The punctuation of `,.;:!?` after it, an ellipsis being a full stop.
-    pub(super) end: String,
+    pub end: String,
     /// A bracket or dash before it parts it from the word before.
-    pub(super) opens: bool,
+    pub opens: bool,
     /// A bracket or dash after it parts it from the word after.
-    pub(super) closes: bool,
+    pub closes: bool,
 }
 
 /// Combining marks with the letters they join, and the composed letters in the same order
@@ -31,7 +31,8 @@ const COMPOSED: &[(char, &str, &str)] = &[
 ];
 
 /// `text` with letters and combining marks composed where Latin has a letter for it.
-pub(super) fn composed(text: &str) -> Cow<'_, str> {
+#[must_use]
+pub fn composed(text: &str) -> Cow<'_, str> {
     if !text.chars().any(|c| ('\u{300}'..='\u{327}').contains(&c)) {
         return Cow::Borrowed(text);
     }
@@ -53,7 +54,8 @@ pub(super) fn composed(text: &str) -> Cow<'_, str> {
 }
 
 /// A composed letter's base and mark.
-pub(super) fn decomposed(letter: char) -> Option<(char, char)> {
+#[must_use]
+pub fn decomposed(letter: char) -> Option<(char, char)> {
     COMPOSED.iter().find_map(|(mark, bases, letters)| {
         let at = letters.chars().position(|c| c == letter)?;
         Some((bases.chars().nth(at)?, *mark))
@@ -61,19 +63,21 @@ pub(super) fn decomposed(letter: char) -> Option<(char, char)> {
 }
 
 /// Whether `c` belongs to a word: a letter of any script, or a mark that letters carry.
-pub(super) fn is_letter(c: char) -> bool {
+#[must_use]
+pub fn is_letter(c: char) -> bool {
     // Ordinal signs are letters to Unicode; they are read as numbers' endings here.
     c.is_alphabetic() && !matches!(c, 'ª' | 'º')
         || matches!(c, '\u{300}'..='\u{36f}' | '\u{94d}' | '\u{9cd}' | '\u{e47}'..='\u{e4e}')
 }
 
 /// Whether `c` joins letters to one word.
-pub(super) fn is_joiner(c: char) -> bool {
+#[must_use]
+pub fn is_joiner(c: char) -> bool {
     matches!(c, '\'' | '\u{2019}' | '-' | '\u{2010}' | '\u{2011}')
 }
 
 /// Makes an ellipsis before a small letter a comma: it ends no sentence.
-pub(super) fn soften_ellipses(words: &mut [Word<'_>]) {
+pub fn soften_ellipses(words: &mut [Word<'_>]) {
     for at in 1..words.len() {
         let goes_on = words[at].core.starts_with(char::is_lowercase);
         let word = &mut words[at - 1];
@@ -86,7 +90,7 @@ pub(super) fn soften_ellipses(words: &mut [Word<'_>]) {
 
 /// Makes lone hyphens, colons and slashes between numbers minuses and divisions, where an
 /// equals sign shows that this is a sum.
-pub(super) fn mark_sums(words: &mut [Word<'_>]) {
+pub fn mark_sums(words: &mut [Word<'_>]) {
     if !words.iter().any(|word| word.core == "=") {
         return;
     }
@@ -118,7 +122,8 @@ fn is_dash(c: char) -> bool {
 
 impl<'a> Word<'a> {
     /// Parts a written word.
-    pub(super) fn parse(written: &'a str) -> Self {
+    #[must_use]
+    pub fn parse(written: &'a str) -> Self {
         let raw = composed(written.trim());
         let mut opens = false;
         let mut start = raw.len();
@@ -175,24 +180,27 @@ impl<'a> Word<'a> {
     }
 
     /// Forgets that brackets, dashes and signs around it part or end anything.
-    pub(super) fn forget_signs(&mut self) {
+    pub fn forget_signs(&mut self) {
         self.opens = false;
         self.closes = false;
         self.end.clear();
     }
 
     /// Whether a full stop follows at once, which may belong to an abbreviation.
-    pub(super) fn dotted(&self) -> bool {
+    #[must_use]
+    pub fn dotted(&self) -> bool {
         self.end.starts_with('.')
     }
 
     /// Whether it is letters alone, which pass as they are.
-    pub(super) fn is_plain(&self) -> bool {
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
         self.core.chars().all(|c| is_letter(c) || is_joiner(c))
     }
 
     /// Whether it begins with a capital.
-    pub(super) fn is_capital(&self) -> bool {
+    #[must_use]
+    pub fn is_capital(&self) -> bool {
         self.core.chars().next().is_some_and(char::is_uppercase)
     }
 }

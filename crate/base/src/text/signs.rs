@@ -1,0 +1,162 @@
+//! Signs that stand between words on their own: shown with one of them, since a caption is made of
+//! words.
+
+/// Signs that belong to what they open.
+const OPENING: &str = "([{«“„‚‹¿¡‘";
+/// Signs that close something, or go on with what closes it.
+const CLOSING: &str = ")]}»”’›'\".,;:!?…";
+/// Signs that belong to the number after them, where none is before them.
+const BEFORE_NUMBERS: &str = "$€£¥₹¢#§~±√<>≤≥≈+−-";
+
+/// How many of the `signs` between two words belong to the word before; the others to the word
+/// after. Without a word before, or after, all belong to the other.
+#[must_use]
+pub fn belonging_to_previous(signs: &[&str], previous: Option<&str>, next: Option<&str>) -> usize {
+    let (Some(previous), Some(next)) = (previous, next) else {
+        return if previous.is_some() { signs.len() } else { 0 };
+    };
+    let is_number = |c: char| c.is_numeric();
+    let after_number = previous.ends_with(is_number);
+    let before_number = next.trim_start_matches(['.', '-']).starts_with(is_number);
+    let mut before = previous;
+    signs
+        .iter()
+        .position(|sign| {
+            let is_next =
+                // Behind a mark they begin something, but for what closes.
+                is_marked(before) && !sign.chars().all(|c| CLOSING.contains(c))
+                || sign.ends_with(|c| OPENING.contains(c))
+                || before_number
+                    && !after_number
+                    && sign.chars().all(|c| BEFORE_NUMBERS.contains(c))
+                    && *sign != "-";
+            before = sign;
+            is_next
+        })
+        .unwrap_or(signs.len())
+}
+
+/// Whether a word or sign ends with a mark of punctuation, quotes and brackets aside.
+fn is_marked(text: &str) -> bool {
+    text.trim_end_matches([')', ']', '}', '»', '”', '’', '›', '\'', '"'])
+        .ends_with(['.', ',', ';', ':', '!', '?', '\u{2026}'])
+}
+
+/// Puts a sign on its own behind the word that it belongs to. Full stops and commas stand apart in
+/// no language: what was between them and the word is not shown.
+pub fn attach(word: &mut String, sign: &str) {
+    if !sign.starts_with(['.', ',', '\u{2026}']) {
+        word.push(' ');
+    }
+    word.push_str(sign);
+}
+
+/// Words as they are shown, each with the signs that belong to it.
+#[derive(Debug, Default)]
+pub struct Shown {
+    words: Vec<String>,
+    /// Since the last word.
+    signs: Vec<String>,
+    /// The last word takes no more signs.
+    is_parted: bool,
+}
+
+impl Shown {
+    /// A word follows.
+    pub fn word(&mut self, text: &str) {
+        let kept = self.settle(Some(text));
+        let mut shown = kept.join(" ");
+        if !shown.is_empty() {
+            shown.push(' ');
+        }
+        shown.push_str(text);
+        self.words.push(shown);
+        self.is_parted = false;
+    }
+
+    /// Signs on their own follow.
+    pub fn sign(&mut self, text: &str) {
+        self.signs.push(text.to_owned());
+    }
+
+    /// So many of the last signs were an emoticon, which is not shown.
+    pub fn take_back(&mut self, signs: usize) {
+        self.signs.truncate(self.signs.len().saturating_sub(signs));
+    }
+
+    /// A pause, a recording or the end of a division follows.
+    pub fn part(&mut self) {
+        if !self.words.is_empty() && !self.is_parted {
+            self.settle(None);
+            self.is_parted = true;
+        }
+    }
+
+    /// All words.
+    #[must_use]
+    pub fn finish(mut self) -> Vec<String> {
+        self.is_parted = false;
+        self.settle(None);
+        self.words
+    }
+
+    /// Gives the waiting signs to the word before; those that belong to the next are returned.
+    fn settle(&mut self, next: Option<&str>) -> Vec<String> {
+        let mut signs = core::mem::take(&mut self.signs);
+        let previous = self.words.last_mut().filter(|_| !self.is_parted);
+        let count = belonging_to_previous(
+            &signs.iter().map(String::as_str).collect::<Vec<_>>(),
+            previous.as_deref().map(String::as_str),
+            next,
+        );
+        let after = signs.split_off(count);
+        if let Some(previous) = previous {
+            for sign in signs {
+                attach(previous, &sign);
+            }
+        }
+        after
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> Vec<String> {
+        let mut shown = Shown::default();
+        for token in text.split(' ') {
+            match token {
+                "|" => shown.part(),
+                _ if token.contains(char::is_alphanumeric) => shown.word(token),
+                _ => shown.sign(token),
+            }
+        }
+        shown.finish()
+    }
+
+    #[test]
+    fn every_sign_is_shown_with_a_word() {
+        for (text, words) in [
+            (
+                "Mr Fox & Co. pay 5 % more.",
+                &["Mr", "Fox &", "Co.", "pay", "5 %", "more."][..],
+            ),
+            ("What is 2 + 2 = 4?", &["What", "is", "2 +", "2 =", "4?"]),
+            (
+                "for € 5 or 5 € or $ 7",
+                &["for", "€ 5", "or", "5 €", "or", "$ 7"],
+            ),
+            ("— so – it is —", &["— so –", "it", "is —"]),
+            ("he said « yes »", &["he", "said", "« yes »"]),
+            ("one — | & two", &["one —", "& two"]),
+            (
+                "It ended. — Then “ it” & so.",
+                &["It", "ended.", "— Then", "“ it” &", "so."],
+            ),
+            ("% |", &[]),
+        ] {
+            assert_eq!(shown(text), words, "{text}");
+        }
+    }
+}
