@@ -5,6 +5,7 @@ import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/course.js';
 import { dominance, liveliest } from '../pages/face/course.js';
 import { ALL, MUSCLE_ORDER, MUSCLES, musclesOf, namesOf } from '../pages/face/dials.js';
 import { at, inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS } from '../pages/face/disc.js';
+import { ALL_AMOUNTS } from '../pages/face/manner.js';
 import { lines, read } from '../pages/face/read.js';
 import { beginning, type State } from '../pages/face/state.js';
 import { write } from '../pages/face/write.js';
@@ -29,6 +30,31 @@ describe('the way of expressions', () => {
     expect(text).toMatch(/<head>[\s\S]*<r:performer [^>]*expressions="text"[\s\S]*<\/head>/);
     expect(text).toContain('xmlns:r=');
     expect(written((s) => Object.assign(s, { speech: line(head) }))).not.toContain('expressions');
+  });
+});
+
+describe('the manner of speech', () => {
+  it('has the ranges and usual amounts that the player has', () => {
+    const rust = source('crate/actor/src/nonverbal/manner.rs');
+    const usual = Object.fromEntries([...rust.matchAll(/^ {12}(\w+): ([\d.]+),$/gm)].map(([, name = '', value]) => [name, Number(value)]));
+    const schema = source('crate/eml/src/schema/performer.rs').replace(/\s+/g, ' ');
+    const fields = source('crate/eml/src/clauses/environment.rs');
+    for (const { name, least, most, usual: own } of ALL_AMOUNTS) {
+      const [, field = ''] = new RegExp(`(\\w+): Option<f64> = "${name}"`).exec(fields) ?? [];
+      expect(own, name).toBe(usual[field]);
+      const [, from, to] = new RegExp(`between\\( ?"${name}", ([\\d.]+), ([\\d.]+),`).exec(schema) ?? [];
+      expect(least, name).toBe(Number(from));
+      expect(most, name).toBeLessThanOrEqual(Number(to));
+    }
+    expect(ALL_AMOUNTS).toHaveLength(Object.keys(usual).length);
+  });
+
+  it('is written where it is not usual, and read again', () => {
+    const manner = { frowns: 0.8, thinkingPause: 1.2 };
+    const text = written((s) => Object.assign(s, { manner }));
+    expect(text).toMatch(/<r:performer frowns="0.8" thinkingPause="1.2"\/>/);
+    expect(read(text).manner).toEqual(manner);
+    expect(read(written(() => undefined)).manner).toEqual({});
   });
 });
 
@@ -126,7 +152,7 @@ describe('the text of the face', () => {
     expect(read(written((s) => (s.values = { ...values }))).values).toEqual(values);
     for (const { activation, evaluation, power, word, also } of WORDS) {
       const back = read(written((s) => (s.emotion = { activation, evaluation, power })));
-      expect(back).toEqual({ emotion: { activation, evaluation, power }, word, values: {} });
+      expect(back).toMatchObject({ emotion: { activation, evaluation, power }, word, values: {} });
       // Words at one place stay apart: they may look different.
       for (const own of also) expect(read(written((s) => Object.assign(s, { emotion: { activation, evaluation, power }, word: own }))).word).toBe(own);
     }

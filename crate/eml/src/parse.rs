@@ -85,6 +85,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             source_bytes: source.len(),
             told_clauses: taken.told_clauses,
             is_fragment: fragment,
+            placed: None,
         };
         cx.take(node, &mut taken);
         taken.told_clauses = cx.told_clauses;
@@ -99,6 +100,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         namespaces: &namespaces,
         told_clauses: taken.told_clauses,
         is_fragment: fragment,
+        placed: None,
     };
     cx.root(fragment, taken);
     crate::words::hold(&mut document, limits, &mut sink);

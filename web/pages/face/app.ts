@@ -6,7 +6,7 @@ import { PageState } from '../page-state.js';
 import { beginning, type State } from './state.js';
 import { write } from './write.js';
 
-export type Tab = 'emotion' | 'muscles' | 'direct' | 'visemes';
+export type Tab = 'emotion' | 'muscles' | 'direct' | 'visemes' | 'manner';
 
 /** So near that the head fills the picture. */
 const NEAR = 7;

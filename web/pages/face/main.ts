@@ -6,7 +6,7 @@ import { findPlayer, byId } from '../workbench.js';
 import { App, type Tab } from './app.js';
 import { DIRECT, MUSCLES, namesOf, VISEMES } from './dials.js';
 import { disc } from './disc-view.js';
-import { regions } from './panels.js';
+import { manner, regions } from './panels.js';
 import { speaking } from './speak.js';
 import { lookAround } from '../head-view.js';
 import { views } from './stage.js';
@@ -31,6 +31,7 @@ const shell = new Shell<State, Tab>(app, {
     muscles: () => regions(app, MUSCLES, `Contraction of each of the ${muscles} mimic muscles, from relaxed to full.`),
     direct: () => regions(app, DIRECT, 'What no muscle moves here: jaw, lips as a ring, lids and eyes, tongue and the blood in the skin.'),
     visemes: () => regions(app, VISEMES, 'Mouths of the sounds of speech; the player blends them by dominance when it speaks.'),
+    manner: () => manner(app),
   },
   views: () => views(app),
   typed: ['number', 'text'],

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { check, numberField } from '../fields.js';
 import type { App } from './app.js';
 import { namesOf, type Dial, type Region } from './dials.js';
+import { AMOUNTS, type Amount } from './manner.js';
 
 function slider(app: App, dial: Dial, names: readonly string[], label: string): TemplateResult {
   const value = app.state.values[names[0] ?? ''] ?? 0;
@@ -52,4 +53,33 @@ function link(app: App, on: boolean): void {
     for (const name of Object.keys(s.values).filter((n) => n.endsWith('Right') && s.values[n.replace(/Right$/, 'Left')] === undefined)) delete s.values[name];
     for (const [name, value] of Object.entries(s.values)) if (name.endsWith('Left')) s.values[name.replace(/Left$/, 'Right')] = value;
   });
+}
+
+/** A slider of what accompanies speech. */
+function amount(app: App, own: Amount): TemplateResult {
+  const { name, label, note, least, most, step, usual } = own;
+  const value = app.state.manner[name] ?? usual;
+  const set = (to: number): void =>
+    app.change((s) => {
+      if (to === usual) delete s.manner[name];
+      else s.manner[name] = to;
+    });
+  return html`<div class=${value === usual ? 'dial' : 'dial used'} title=${note}>
+    ${numberField({ label, value, min: least, max: most, step, text: `${value}, ${note}; usually ${usual}`, set, done: () => app.done() })}
+  </div>`;
+}
+
+/** How one accompanies speech: by what, how much and how often. */
+export function manner(app: App): TemplateResult {
+  const isUsual = Object.keys(app.state.manner).length === 0;
+  return html`<div class="row bar">
+      <button type="button" class="plain" ?disabled=${isUsual} @click=${() => app.set((s) => (s.manner = {}))}>All as usual</button>
+    </div>
+    <p class="about">What head, brows and eyes do beside speech: the published amounts where nothing is changed. Let it speak to see them.</p>
+    ${AMOUNTS.map(
+      (group) => html`<section class="region" aria-label=${group.title}>
+        <h3>${group.title}</h3>
+        <div class="numbers">${group.amounts.map((own) => amount(app, own))}</div>
+      </section>`,
+    )}`;
 }

@@ -3,14 +3,25 @@
 import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../gestures/source.js';
 import { ALL, namesOf } from './dials.js';
 import { at, WORDS, type Share } from './disc.js';
+import { ALL_AMOUNTS } from './manner.js';
 import type { Line, State } from './state.js';
 
-/** Emotion and control parameters that a script sets at its beginning; what the page has no control for is left out. */
-export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values'> {
+/** Emotion, control parameters and manner that a script sets at its beginning; what the page has no control for is left out. */
+export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values' | 'way' | 'manner'> {
   const shares: Share[] = [];
   let named = '';
   const values: Record<string, number> = {};
+  let way: State['way'] = 'sound';
+  const manner: Record<string, number> = {};
   for (const element of within(parse(eml))) {
+    if (element.name === 'r:performer') {
+      way = attribute(element, 'expressions') === 'text' ? 'text' : 'sound';
+      for (const { name, least, most, usual } of ALL_AMOUNTS) {
+        const written = attribute(element, name);
+        const value = written === undefined ? usual : Math.min(most, Math.max(least, Number(written)));
+        if (Number.isFinite(value) && value !== usual) manner[name] = value;
+      }
+    }
     if (element.name !== 'body-set-control-parameter') continue;
     const name = attribute(element, 'parameterId')?.toLowerCase() ?? '';
     const value = Number(attribute(element, 'value'));
@@ -26,7 +37,7 @@ export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values'> {
       for (const own of meant) values[own] = Math.min(1, Math.max(dial.signed ? -1 : 0, value));
     }
   }
-  return { emotion: at(shares), word: named, values };
+  return { emotion: at(shares), word: named, values, way, manner };
 }
 
 /** How much of a sentence is shown in a menu. */

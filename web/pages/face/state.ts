@@ -40,6 +40,8 @@ export interface State {
   /** Address of the story whose voice is at hand; empty for none. */
   story: string;
   way: Way;
+  /** Amounts of what accompanies speech that are not the usual ones, by their names in EML. */
+  manner: Record<string, number>;
   layers: Layers;
 }
 
@@ -52,5 +54,6 @@ export const beginning = (): State => ({
   speech: { kind: 'none' },
   story: '',
   way: 'sound',
+  manner: {},
   layers: { skin: true, springs: false, muscles: false, skull: false },
 });

@@ -51,19 +51,25 @@ function speech({ speech: said }: State): { head: string; clauses: string[] } {
 
 const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
-/** A head in which speech is accompanied by its text. */
-function byText(head: string): string {
-  const performer = tag('r:performer', { expressions: 'text' });
+/** A head in which speech is accompanied as the state says. */
+function accompanied(head: string, { way, manner }: State): string {
+  const own = { ...(way === 'text' ? { expressions: 'text' } : {}), ...manner };
+  if (Object.keys(own).length === 0) return head;
+  const performer = tag('r:performer', own);
   const [top] = parse(head);
   if (top === undefined) return tag('head', {}, [performer]);
-  const own = top.children.find((e) => e.name === 'r:performer');
-  return apply(head, own === undefined ? [insertInto(head, top, performer)] : setAttribute(own, 'expressions', 'text'));
+  const known = top.children.find((e) => e.name === 'r:performer');
+  if (known === undefined) return apply(head, [insertInto(head, top, performer)]);
+  return apply(
+    head,
+    Object.entries(own).flatMap(([name, value]) => setAttribute(known, name, String(value))),
+  );
 }
 
 /** A whole script that sets everything at its beginning. */
 export function write(state: State): string {
   const { head: needed, clauses: said } = speech(state);
-  const head = state.way === 'text' ? byText(needed) : needed;
+  const head = accompanied(needed, state);
   const blended = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
   const felt = state.word === '' ? blended : [set(state.word, 1)];
   const clauses = [...layers(state.layers), ...felt, ...ALL.flatMap((own) => dial(own, state.values)), ...said];

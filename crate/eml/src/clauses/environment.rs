@@ -56,6 +56,28 @@ record! {
         blinks: Option<f64> = "blinks",
         /// How far the gaze goes aside.
         gaze: Option<f64> = "gaze",
+        /// In which share of the raises the head tilts.
+        tilt_share: Option<f64> = "tilts",
+        /// At which share of the highest pitches the brows are raised.
+        brow_share: Option<f64> = "browShare",
+        /// How far a pitch stands out to be shown, semitones.
+        pitch_threshold: Option<f64> = "pitchThreshold",
+        /// On which share of accents the speaker looks at the listener.
+        accent_glances: Option<f64> = "accentGlances",
+        /// The same of pauses between phrases.
+        pause_glances: Option<f64> = "pauseGlances",
+        /// From which length on a pause is one for thinking, seconds.
+        thinking_secs: Option<f64> = "thinkingPause",
+        /// Which share of such pauses shows it.
+        thinking_share: Option<f64> = "thinking",
+        /// Which share of these is a look down with a frown.
+        frown_share: Option<f64> = "frowns",
+        /// Mean time between two moistenings of the lips, seconds.
+        lick_secs: Option<f64> = "lickInterval",
+        /// How far the loudness rules the head's raises.
+        head_by_loudness: Option<f64> = "headByLoudness",
+        /// The same for the brows.
+        brows_by_loudness: Option<f64> = "browsByLoudness",
     }
 }
 

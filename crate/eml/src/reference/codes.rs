@@ -87,6 +87,10 @@ pub const CODES: &[(&str, &str)] = &[
         "eml::duplicate-track",
         "A gesture has two tracks of one feature for one hand; the first one counts.",
     ),
+    (
+        "eml::emotion-word",
+        "A word of emotion beyond the table's; it is felt at its place on the disc.",
+    ),
     ("eml::empty-body", "The body is empty."),
     ("eml::empty-voice", "There is nothing to speak."),
     (

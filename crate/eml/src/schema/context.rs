@@ -33,6 +33,9 @@ pub(crate) struct Context<'t> {
     pub(crate) told_clauses: bool,
     /// Whether it is read for a performance that goes on.
     pub(crate) is_fragment: bool,
+    /// Activation and evaluation of an emotion whose word has a place alone, while its element is
+    /// read.
+    pub(crate) placed: Option<[f64; 2]>,
 }
 
 /// The attributes of one element, found in the table. Values are read on demand

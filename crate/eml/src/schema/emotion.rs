@@ -10,7 +10,7 @@ pub(super) static ELEMENT: Element = Element {
     example: super::shown("<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' type='joy' potential='3'/></body></eml>"),
     extension: true,
     one_of: &["type", "activation", "evaluation", "power"],
-    attributes: &[Attribute::choice("type", EmotionKind::WORDS, "Which one: of the emotions of Ortony, Clore and Collins, of those that F&H name besides, or neutral."),
+    attributes: &[Attribute::choice("type", EmotionKind::WORDS, "Which one: of the emotions of Ortony, Clore and Collins, of those that F&H name besides, or neutral. Another word of emotion (`jealousy`, `bored`, `curiosity` …) is felt at its place on the disc, which is told."),
 Attribute::between("activation", -100.0, 100.0, "How active (100) or passive (-100) it is."),
 Attribute::between("evaluation", -100.0, 100.0, "How positive (100) or negative (-100) it is."),
 Attribute::between("power", -100.0, 100.0, "How dominant (100) or submissive (-100) one is in it."),

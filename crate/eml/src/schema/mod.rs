@@ -11,6 +11,7 @@ pub(super) const fn shown(text: &'static str) -> &'static str {
     }
 }
 
+mod affect;
 mod animation_style;
 mod arg;
 mod ask;

@@ -25,6 +25,17 @@ pub(super) static ELEMENT: Element = Element {
         "brows",
         "blinks",
         "gaze",
+        "tilts",
+        "browShare",
+        "pitchThreshold",
+        "accentGlances",
+        "pauseGlances",
+        "thinkingPause",
+        "thinking",
+        "frowns",
+        "lickInterval",
+        "headByLoudness",
+        "browsByLoudness",
     ],
     most_per_parent: Some(1),
     attributes: &[
@@ -70,6 +81,72 @@ pub(super) static ELEMENT: Element = Element {
             "How often the eyes blink, against 22 times a minute in speech and 17 in silence.",
         ),
         Attribute::between("gaze", 0.0, 2.0, "How far the gaze goes aside."),
+        Attribute::between(
+            "tilts",
+            0.0,
+            1.0,
+            "In which share of the raises the head tilts to a side (F&H 4.3.5: 0.75).",
+        ),
+        Attribute::between(
+            "browShare",
+            0.0,
+            1.0,
+            "At which share of the highest pitches the brows are raised (F&H 4.3.5: 0.71).",
+        ),
+        Attribute::between(
+            "pitchThreshold",
+            0.1,
+            24.0,
+            "How far a highest pitch stands out from the lowest ones beside it to be shown, in semitones (F&H 4.2.1, of the speaker; here 2.5).",
+        ),
+        Attribute::between(
+            "accentGlances",
+            0.0,
+            1.0,
+            "On which share of accented syllables the speaker looks at the listener (F&H 4.3.5: 0.7).",
+        ),
+        Attribute::between(
+            "pauseGlances",
+            0.0,
+            1.0,
+            "The same of pauses between phrases (F&H 4.3.5: 0.7).",
+        ),
+        Attribute::between(
+            "thinkingPause",
+            0.15,
+            60.0,
+            "From which length on, in seconds, a pause inside a sentence is one for thinking (F&H 4.2.1, of the speaker; here 0.7).",
+        ),
+        Attribute::between(
+            "thinking",
+            0.0,
+            1.0,
+            "Which share of such pauses shows it; all when left out.",
+        ),
+        Attribute::between(
+            "frowns",
+            0.0,
+            1.0,
+            "Which share of these is a look at the floor with a frown instead of one up with raised brows (F&H 4.2.1: 0.25).",
+        ),
+        Attribute::between(
+            "lickInterval",
+            1.0,
+            3600.0,
+            "Mean time in seconds between two moistenings of the lips in speech (F&H 4.2.1; here 25).",
+        ),
+        Attribute::between(
+            "headByLoudness",
+            0.0,
+            1.0,
+            "How far the loudness rules the head's raises (F&H 4.2.1; here 0.4).",
+        ),
+        Attribute::between(
+            "browsByLoudness",
+            0.0,
+            1.0,
+            "The same for the brows (F&H 4.2.1; here 0.25).",
+        ),
     ],
     ..Element::part("performer", &["head"])
 };
@@ -88,5 +165,38 @@ mod tests {
         assert_eq!(performer.figure.as_deref(), Some("papous"));
         assert_eq!(performer.expressions, Some(Expressions::Text));
         assert_eq!((performer.brows, performer.gaze), (Some(2.0), None));
+    }
+
+    #[test]
+    fn every_amount_of_the_manner_is_read_and_kept_in_its_range() {
+        use crate::schema::testing::codes;
+        let of = |attributes: &str| {
+            format!(
+                "<eml xmlns:x='urn:raconteur:eml:1'><head><x:performer {attributes}/></head>\
+                 <body><null time='1'/></body></eml>"
+            )
+        };
+        let parsed = crate::parse(&of("tilts='0.1' browShare='0.2' pitchThreshold='3' \
+            accentGlances='0.4' pauseGlances='0.5' thinkingPause='1.5' thinking='0.6' frowns='0.7' \
+            lickInterval='9' headByLoudness='0.8' browsByLoudness='0.9'"));
+        assert_eq!(parsed.diagnostics, []);
+        let p = parsed.document.performer.unwrap();
+        assert_eq!(
+            [
+                p.tilt_share,
+                p.brow_share,
+                p.pitch_threshold,
+                p.accent_glances,
+                p.pause_glances,
+                p.thinking_secs,
+                p.thinking_share,
+                p.frown_share,
+                p.lick_secs,
+                p.head_by_loudness,
+                p.brows_by_loudness,
+            ],
+            [0.1, 0.2, 3.0, 0.4, 0.5, 1.5, 0.6, 0.7, 9.0, 0.8, 0.9].map(Some)
+        );
+        assert_eq!(codes(&of("frowns='1.5'"))[0], "eml::out-of-range");
     }
 }

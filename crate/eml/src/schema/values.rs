@@ -1,13 +1,14 @@
 //! Reads the values of attributes by the table. A value that does not fit is
 //! reported and counts as left out.
 
+use super::affect::{self, Meant};
 use super::attribute::MAX_NUMBER;
 use super::context::list;
 use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
-use crate::{Diagnostic, Name, Span, TimeExpr, syntax};
+use crate::{Diagnostic, EmotionSpace, Name, Span, TimeExpr, syntax};
 use std::borrow::Cow;
 
 /// The most numbers in one list.
@@ -34,7 +35,7 @@ impl Context<'_> {
             Presence::Required | Presence::Optional => Value::None,
         };
         let Some(written) = written else {
-            return default();
+            return self.placed(fields, name).unwrap_or_else(default);
         };
         if written.is_plain
             && let Some(number) = usual_number(kind, written.value)
@@ -48,6 +49,9 @@ impl Context<'_> {
             resolved = syntax::resolve(written, self.sink);
             &*resolved
         };
+        if is_emotion(fields, name) {
+            return self.emotion_word(attribute, trimmed(text), written.value_span());
+        }
         let text = match kind {
             Kind::Text => text,
             _ => self.unaliased(attribute, trimmed(text), written.value_span()),
@@ -62,6 +66,38 @@ impl Context<'_> {
                 self.report(problem, written.value_span());
                 default()
             }
+        }
+    }
+
+    /// A word of emotion; one beyond the table's leaves its place for the attributes that follow.
+    fn emotion_word(&mut self, attribute: &Attribute, text: &str, span: Span) -> Value {
+        self.placed = None;
+        match (parse(attribute.kind, text), affect::meant(text)) {
+            (Ok(value), _) => value,
+            (Err(_), Some(Meant::Word(word))) => {
+                self.report_spelling(text, word, span);
+                Value::Word(word)
+            }
+            (Err(_), Some(Meant::Place(place))) => {
+                self.sink.push(affect::told(text, place, span));
+                self.placed = Some(place);
+                Value::None
+            }
+            (Err(problem), None) => {
+                self.report(problem, span);
+                Value::None
+            }
+        }
+    }
+
+    /// What the place of an emotion's word gives an attribute that is not written.
+    fn placed(&self, fields: &Fields<'_>, name: &str) -> Option<Value> {
+        let [activation, evaluation] = self.placed.filter(|_| fields.element.name == "emotion")?;
+        match name {
+            "activation" => Some(Value::Number(activation)),
+            "evaluation" => Some(Value::Number(evaluation)),
+            "space" => Some(Value::Word(EmotionSpace::Disc.word())),
+            _ => None,
         }
     }
 
@@ -166,6 +202,11 @@ impl Context<'_> {
         let hint = (!problem.hint.is_empty()).then(|| problem.hint.into_owned());
         self.push_with_hint(Diagnostic::error(problem.code, span, problem.message), hint);
     }
+}
+
+/// Whether an attribute holds a word of emotion.
+fn is_emotion(fields: &Fields<'_>, name: &str) -> bool {
+    name == "type" && fields.element.extension && fields.element.name == "emotion"
 }
 
 /// What an attribute may hold beside what else is written.

@@ -47,7 +47,23 @@ pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
         brows: character.brows.unwrap_or(otherwise.brows),
         blinks: character.blinks.unwrap_or(otherwise.blinks),
         gaze: character.gaze.unwrap_or(otherwise.gaze),
-        ..otherwise
+        tilt_share: character.tilt_share.unwrap_or(otherwise.tilt_share),
+        brow_share: character.brow_share.unwrap_or(otherwise.brow_share),
+        pitch_threshold: character
+            .pitch_threshold
+            .unwrap_or(otherwise.pitch_threshold),
+        accent_glances: character.accent_glances.unwrap_or(otherwise.accent_glances),
+        pause_glances: character.pause_glances.unwrap_or(otherwise.pause_glances),
+        thinking_secs: character.thinking_secs.unwrap_or(otherwise.thinking_secs),
+        thinking_share: character.thinking_share.unwrap_or(otherwise.thinking_share),
+        frown_share: character.frown_share.unwrap_or(otherwise.frown_share),
+        lick_secs: character.lick_secs.unwrap_or(otherwise.lick_secs),
+        head_by_loudness: character
+            .head_by_loudness
+            .unwrap_or(otherwise.head_by_loudness),
+        brows_by_loudness: character
+            .brows_by_loudness
+            .unwrap_or(otherwise.brows_by_loudness),
     }
 }
 
