@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::error::{ImportError, Notes};
 use super::names::{Slot, slot_of};
+use super::twins;
 use raconteur_body::read::document::Document;
 use raconteur_body::skeleton::Bone;
 
@@ -67,6 +68,8 @@ pub(super) struct Humanoid {
     pub(super) tips: Vec<(Bone, usize)>,
     /// Further nodes that move with a bone.
     pub(super) further: Vec<(usize, Bone)>,
+    /// Joints of other skeletons, each with the node that it moves with.
+    pub(super) twins: Vec<(usize, usize)>,
 }
 
 /// Bones that a performer needs.
@@ -113,6 +116,7 @@ impl Humanoid {
         }
         found.trunk(&named, tree);
         found.palms(tree);
+        found.twins = twins::find(&found, tree, notes);
         found.report(notes);
         Ok(found)
     }
@@ -173,6 +177,7 @@ impl Humanoid {
             eyes,
             tips,
             further: Vec::new(),
+            twins: Vec::new(),
         }
     }
 
@@ -383,24 +388,28 @@ fn vrm_bones(json: &Value, node_count: usize) -> Option<Vec<(usize, String)>> {
 }
 
 /// Nodes that may be bones: the joints of skins where there are any, since rigs like to
-/// name a mesh after the part it covers.
+/// name a mesh after the part it covers. Those of the skeleton with the most parts come first,
+/// so that clothes with a skeleton of their own do not lead the body.
 fn candidates(tree: &Tree<'_>) -> Vec<(usize, String)> {
     let root = tree.root;
-    let mut is_joint = vec![root.skins.is_empty(); root.nodes.len()];
-    for &joint in root.skins.iter().flat_map(|s| &s.joints) {
-        if let Some(slot) = is_joint.get_mut(joint) {
-            *slot = true;
-        }
-    }
+    let mut is_joint = twins::joints(tree);
     // Parents of joints too: some exporters skin nothing to the hips.
     for &node in tree.order.iter().rev() {
         if let (true, Some(p)) = (is_joint[node], tree.parents[node]) {
             is_joint[p] = true;
         }
     }
-    tree.order
+    let mut list: Vec<(usize, String)> = tree
+        .order
         .iter()
         .filter(|&&n| is_joint[n])
         .map(|&n| (n, root.nodes[n].name.clone()))
-        .collect()
+        .collect();
+    let tops = twins::tops(tree);
+    let mut parts = vec![0u32; tops.len()];
+    for (node, name) in &list {
+        parts[tops[*node]] += u32::from(slot_of(name).is_some());
+    }
+    list.sort_by_key(|(node, _)| core::cmp::Reverse(parts[tops[*node]]));
+    list
 }

@@ -24,6 +24,7 @@ mod humanoid;
 mod material;
 mod names;
 mod packed;
+mod twins;
 mod unposed;
 
 use raconteur_base::{DVec3, Side};
@@ -98,7 +99,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     let has_jaw = humanoid.get(Bone::Chin).is_some();
     let has_eyes = humanoid.eyes.iter().all(Option::is_some);
     let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
-    let pictures = material::Pictures::read(json, &mut source, &mut notes)?;
+    let pictures = material::Pictures::read(json, &mut source)?;
     let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
     let geometries = reader.read()?;
 
