@@ -111,6 +111,17 @@ impl Bake {
                     file.display()
                 )?;
             }
+            for (text, remark) in &baked.remarks {
+                let hint = match remark.hint {
+                    "" => String::new(),
+                    hint => format!("; {hint}"),
+                };
+                let told = format!(
+                    "{name}: {text:?}: {}{hint} [{}]",
+                    remark.message, remark.code
+                );
+                writeln!(terminal::err(), "{}", printable(&told))?;
+            }
             self.tell_of_engines(&name, &baked, &bake_options.cast)?;
             if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
                 worst = Outcome::Errors;
@@ -307,6 +318,9 @@ fn in_json(name: &str, baked: &BakeReport) -> Value {
         "utterances": baked.utterances,
         "stale": baked.synthesised,
         "removed": baked.removed,
+        "remarks": baked.remarks.iter().map(|(text, r)| json!({
+            "text": text, "code": r.code, "message": r.message, "hint": r.hint,
+        })).collect::<Vec<_>>(),
         "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
             "bursts": baked.sound.heard.bursts.percent(),
             "vowels": baked.sound.heard.vowels.percent(),

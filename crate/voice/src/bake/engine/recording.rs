@@ -3,16 +3,21 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::align::{MOST_BYTES, detect, read};
+use crate::align::{Alignment, FORMS, MOST_BYTES, detect, read};
 use crate::plan::Plan;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail};
 
-use super::{Engine, VoiceInfo, aligned, wave};
+use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
 use crate::files::{input, inside};
 
 /// What an alignment's name ends in, the most telling first.
-const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
+const ENDINGS: [&str; 10] = [
+    "TextGrid", "utt", "xml", "lab", "pho", "eaf", "json", "tsv", "vtt", "srt",
+];
+
+/// The phone set of recordings whose alignment does not tell.
+const PHONE_SET: &str = "radio";
 
 /// A folder of recordings.
 pub(super) struct Recordings {
@@ -45,7 +50,7 @@ impl Recordings {
 
 impl Engine for Recordings {
     fn version(&self) -> Result<String> {
-        Ok("recordings 1".to_owned())
+        Ok("recordings 2".to_owned())
     }
 
     fn voices(&self) -> Result<Vec<VoiceInfo>> {
@@ -67,7 +72,7 @@ impl Engine for Recordings {
         Ok(Some(VoiceInfo {
             name: name.to_owned(),
             language: "und".to_owned(),
-            phone_set: "radio".to_owned(),
+            phone_set: PHONE_SET.to_owned(),
             what: "recordings".to_owned(),
             ..VoiceInfo::default()
         }))
@@ -77,7 +82,8 @@ impl Engine for Recordings {
         let Some(sound) = self.sound(key, place)? else {
             return Ok(String::new());
         };
-        let (name, times) = beside(&sound)?;
+        let (name, times) =
+            beside(&sound).with_context(|| format!("the recording {}", sound.display()))?;
         let bytes = wave::bytes(&sound)?;
         Ok(format!(
             "{:016x} {name} {:016x}",
@@ -86,14 +92,14 @@ impl Engine for Recordings {
         ))
     }
 
-    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Recorded>> {
         let Some(sound) = self.sound(key, place)? else {
             return Ok(None);
         };
         let told = || format!("the recording {}", sound.display());
         let (name, bytes) = beside(&sound).with_context(told)?;
         let format = detect(&name, &bytes)
-            .with_context(|| format!("{name} is of no known format"))
+            .with_context(|| format!("{name} is of no form that is read, which are {FORMS}"))
             .with_context(told)?;
         let alignment = read(format, &bytes)
             .with_context(|| name.clone())
@@ -101,10 +107,38 @@ impl Engine for Recordings {
         let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
         let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
         let wave = wave::read(&sound)?;
-        aligned::spoken(&alignment, wave, &texts, "radio")
-            .with_context(told)
-            .map(Some)
+        let spoken = aligned::spoken(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
+        let remarks = remarks(&name, &alignment);
+        Ok(Some(Recorded { spoken, remarks }))
     }
+}
+
+/// What of an alignment, a file of this name, is to be told.
+fn remarks(name: &str, alignment: &Alignment) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let unknown = aligned::unknown_phones(alignment, PHONE_SET);
+    if !unknown.is_empty() {
+        remarks.push(Remark {
+            code: "phones-unknown",
+            message: format!(
+                "{name} has phones that are not known, for which the mouth is hardly open: {}",
+                unknown.join(" ")
+            ),
+            hint: "name them in ARPABET, SAMPA or IPA",
+        });
+    }
+    if let [first, others @ ..] = alignment.warnings.as_slice() {
+        let more = match others.len() {
+            0 => String::new(),
+            n => format!(", and {n} more like it"),
+        };
+        remarks.push(Remark {
+            code: "alignment-repaired",
+            message: format!("{name}, {first}{more}"),
+            hint: "",
+        });
+    }
+    remarks
 }
 
 /// FNV-1a of 64 bits (draft-eastlake-fnv): tells whether a file has changed.
@@ -126,7 +160,7 @@ fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
         }
     }
     bail!(
-        "it has no alignment beside it; its name may end in .{}",
+        "it has no alignment beside it; its name may end in .{}; {FORMS} are read",
         ENDINGS.join(", .")
     )
 }
@@ -186,7 +220,9 @@ mod tests {
         let recordings = Recordings::new(folder.path().to_owned());
         let me_too = plan(&["Me", "too"]);
         for (key, place) in [(0x0123_abcd, 9), (0, 2)] {
-            let spoken = recordings.recorded(key, place, &me_too).unwrap().unwrap();
+            let recorded = recordings.recorded(key, place, &me_too).unwrap().unwrap();
+            assert!(recorded.remarks.is_empty());
+            let spoken = recorded.spoken;
             let tokens: Vec<_> = spoken.segments.iter().map(|s| s.token).collect();
             assert_eq!(tokens[..5], [None, Some(0), Some(0), Some(1), Some(1)]);
             assert_eq!((spoken.rate_hz, spoken.samples.len()), (8_000.0, 4_000));
@@ -196,6 +232,34 @@ mod tests {
         let others = plan(&["quite another text", "than this"]);
         assert!(recordings.recorded(0, 2, &others).is_err());
         assert!(recordings.speak("", &[Sentence::default()]).is_err());
+    }
+
+    #[test]
+    fn what_is_odd_or_of_another_form_is_named() {
+        let folder = folder();
+        let recordings = Recordings::new(folder.path().to_owned());
+        let grid = folder.path().join("03.TextGrid");
+        fs::write(
+            &grid,
+            GRID.replace("\"T\"", "\"qqq\"")
+                .replace("0\n0.1\n\"sil\"\n", "0\n0.11\n\"sil\"\n"),
+        )
+        .unwrap();
+        let recorded = recordings.recorded(0, 2, &plan(&["Me", "too"])).unwrap();
+        let remarks = recorded.unwrap().remarks;
+        let codes: Vec<&str> = remarks.iter().map(|r| r.code).collect();
+        assert_eq!(codes, ["phones-unknown", "alignment-repaired"]);
+        assert!(remarks.iter().all(|r| r.message.contains("03.TextGrid")));
+        assert!(remarks[0].message.contains("qqq"), "{remarks:?}");
+        fs::remove_file(grid).unwrap();
+        fs::write(folder.path().join("03.json"), "[1, 2]").unwrap();
+        let error = recordings
+            .recorded(0, 2, &plan(&["Me", "too"]))
+            .unwrap_err();
+        let error = format!("{error:#}");
+        for part in ["03.wav", "03.json", "TextGrid", "Whisper"] {
+            assert!(error.contains(part), "{error}");
+        }
     }
 
     #[test]
