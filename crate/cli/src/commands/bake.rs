@@ -32,7 +32,8 @@ pub(crate) struct Bake {
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
     /// The voice of what names no other, as its engine calls it; without it, the one that the
-    /// story chooses (`r:performer`), else the engine's first.
+    /// story chooses (`r:performer`), else one of the engine in the story's language, or where that
+    /// tells none its first in English.
     #[arg(long)]
     voice: Option<String>,
     /// List the voices of the engine, or of all that are installed.
