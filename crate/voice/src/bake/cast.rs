@@ -217,11 +217,7 @@ impl Cast {
         }
         self.lead = self
             .role(&self.lead, &Speaker::default(), &tag)
-            .with_context(|| {
-                format!(
-                    "no voice here speaks the language {tag}; name one that is listed, or a voice"
-                )
-            })?;
+            .with_context(|| format!("no voice here speaks the story's language, {tag}"))?;
         self.language = Some(tag);
         Ok(())
     }

@@ -21,6 +21,7 @@ pub mod flite;
 mod http;
 pub mod kokoro;
 mod labels;
+mod loudness;
 mod mary;
 mod matching;
 mod recording;

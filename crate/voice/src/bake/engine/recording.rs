@@ -1,5 +1,5 @@
 //! Recordings of people: a folder with a sound for each utterance and, beside it, what
-//! another program says of its times.
+//! another program says of its times; without that, its loudness tells what it can.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use crate::plan::Plan;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail};
 
-use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
+use super::{Engine, Recorded, Remark, VoiceInfo, aligned, loudness, wave};
 use crate::files::{input, inside};
 
 /// What an alignment's name ends in, the most telling first.
@@ -82,8 +82,9 @@ impl Engine for Recordings {
         let Some(sound) = self.sound(key, place)? else {
             return Ok(String::new());
         };
-        let (name, times) =
+        let alignment =
             beside(&sound).with_context(|| format!("the recording {}", sound.display()))?;
+        let (name, times) = alignment.unwrap_or_default();
         let bytes = wave::bytes(&sound)?;
         Ok(format!(
             "{:016x} {name} {:016x}",
@@ -97,19 +98,35 @@ impl Engine for Recordings {
             return Ok(None);
         };
         let told = || format!("the recording {}", sound.display());
-        let (name, bytes) = beside(&sound).with_context(told)?;
+        let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
+        let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
+        let Some((name, bytes)) = beside(&sound).with_context(told)? else {
+            let spoken = loudness::spoken(wave::read(&sound)?, &texts).with_context(told)?;
+            let remarks = vec![by_loudness(&sound)];
+            return Ok(Some(Recorded { spoken, remarks }));
+        };
         let format = detect(&name, &bytes)
             .with_context(|| format!("{name} is of no form that is read, which are {FORMS}"))
             .with_context(told)?;
         let alignment = read(format, &bytes)
             .with_context(|| name.clone())
             .with_context(told)?;
-        let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
-        let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
         let wave = wave::read(&sound)?;
         let spoken = aligned::spoken(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
         let remarks = remarks(&name, &alignment);
         Ok(Some(Recorded { spoken, remarks }))
+    }
+}
+
+/// What is to be told of a sound alone.
+fn by_loudness(sound: &Path) -> Remark {
+    let name = sound.file_name().unwrap_or_default().to_string_lossy();
+    Remark {
+        code: "lips-by-loudness",
+        message: format!(
+            "{name} has no alignment beside it: its words are spread by their letters, and the lips follow the loudness only"
+        ),
+        hint: "put one of the same name beside it, say a TextGrid of the Montreal Forced Aligner",
     }
 }
 
@@ -148,21 +165,18 @@ fn digest(bytes: &[u8]) -> u64 {
     })
 }
 
-/// The alignment beside a sound: its name and content.
-fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
+/// The alignment beside a sound, if there is one: its name and content.
+fn beside(sound: &Path) -> Result<Option<(String, Vec<u8>)>> {
     for ending in ENDINGS {
         let name = sound.with_extension(ending);
         let name = name.file_name().unwrap_or_default().to_string_lossy();
         let folder = sound.parent().unwrap_or(Path::new("."));
         if let Some(path) = inside::find(folder, &name)? {
             let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
-            return Ok((name.into_owned(), bytes));
+            return Ok(Some((name.into_owned(), bytes)));
         }
     }
-    bail!(
-        "it has no alignment beside it; its name may end in .{}; {FORMS} are read",
-        ENDINGS.join(", .")
-    )
+    Ok(None)
 }
 
 #[cfg(test)]
@@ -228,7 +242,10 @@ mod tests {
             assert_eq!((spoken.rate_hz, spoken.samples.len()), (8_000.0, 4_000));
         }
         assert!(recordings.recorded(0xffff, 0, &me_too).unwrap().is_none());
-        assert!(recordings.recorded(0, 3, &me_too).is_err(), "no alignment");
+        let alone = recordings.recorded(0, 3, &me_too).unwrap().unwrap();
+        let codes: Vec<&str> = alone.remarks.iter().map(|r| r.code).collect();
+        assert_eq!(codes, ["lips-by-loudness"]);
+        assert_ne!(recordings.state(0, 3).unwrap(), "");
         let others = plan(&["quite another text", "than this"]);
         assert!(recordings.recorded(0, 2, &others).is_err());
         assert!(recordings.speak("", &[Sentence::default()]).is_err());
