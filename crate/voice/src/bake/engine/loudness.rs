@@ -1,9 +1,11 @@
 //! Times for a recording that nobody aligned, from its loudness alone.
 //!
 //! Where it is quiet there is silence. Each rise and fall between is a syllable, whose vowel is the
-//! more open the louder it is; words share what is heard by their letters. So jaw, head and brows
+//! more open the louder it is; words share what is heard by their letters and punctuation. So jaw, head and brows
 //! move with the voice, and the lips make no shapes of sounds, which loudness does not tell.
 //! All numbers are *designed*.
+
+mod spread;
 
 use crate::signal::intensity::{Intensity, intensity};
 use crate::spoken::Spoken;
@@ -12,6 +14,8 @@ use raconteur_speech::bundle::SILENCE;
 
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
+pub(super) use spread::Said;
+use spread::{Pause, Words};
 
 /// Time between levels, and the window of each, seconds.
 const STEP_SECS: f64 = 0.01;
@@ -31,7 +35,7 @@ const DIP_DB: f64 = 3.0;
 /// How far under a syllable's peak its vowel reaches, decibels.
 const VOWEL_DB: f64 = 4.0;
 /// Quiet that ends a phrase, seconds.
-const PHRASE_SECS: f64 = 0.25;
+const PHRASE_SECS: f64 = 0.15;
 /// An accent is at most so far under the loudest, decibels.
 const ACCENT_DB: f64 = 6.0;
 /// A word begins where a phone does, if that is as near, seconds.
@@ -53,7 +57,7 @@ struct Peak {
 ///
 /// # Errors
 /// When nothing is heard.
-pub(super) fn spoken(wave: Wave, tokens: &[&str]) -> Result<Spoken> {
+pub(super) fn spoken(wave: Wave, tokens: &[Said<'_>]) -> Result<Spoken> {
     let level = intensity(&wave.samples, wave.rate_hz, STEP_SECS, WINDOW_SECS);
     let mut sorted = level.db.clone();
     sorted.sort_by(f64::total_cmp);
@@ -179,7 +183,7 @@ fn syllable(level: &Intensity, peak: Peak, loud: f64, labels: &mut Labels) {
 
 /// Gives the tokens their shares of what is heard, by their letters, and ends phrases where it is
 /// quiet for long.
-fn share(labels: &mut Labels, tokens: &[&str]) {
+fn share(labels: &mut Labels, tokens: &[Said<'_>]) {
     let phones = core::mem::take(&mut labels.phones);
     // Where phones end if all quiet is left out.
     let (mut begin_secs, mut heard_secs) = (0.0, 0.0);
@@ -188,7 +192,10 @@ fn share(labels: &mut Labels, tokens: &[&str]) {
         if phone.syllable.is_some() {
             heard_secs += phone.end_secs - begin_secs;
         } else {
-            pauses.push(heard_secs);
+            pauses.push(Pause {
+                at_secs: heard_secs,
+                length_secs: phone.end_secs - begin_secs,
+            });
         }
         begin_secs = phone.end_secs;
         heard.push(heard_secs);
@@ -224,28 +231,34 @@ fn share(labels: &mut Labels, tokens: &[&str]) {
     labels.breaks.dedup_by_key(|b| b.0);
 }
 
-/// Where all tokens but the last end in what is heard: by their letters, but at a pause rather
-/// than to be torn by it, and with a phone where one ends near.
-fn token_ends(tokens: &[&str], heard: &[f64], pauses: &[f64]) -> Vec<f64> {
-    let letters = |token: &&str| {
-        let count = token.chars().filter(|c| c.is_alphanumeric()).count();
-        count.max(1) as f64
-    };
-    let all: f64 = tokens.iter().map(letters).sum();
+/// Where all tokens but the last end in what is heard: at the pause that is theirs; else by their
+/// letters, but at a pause rather than to be torn by it, and with a phone where one ends near.
+fn token_ends(tokens: &[Said<'_>], heard: &[f64], pauses: &[Pause]) -> Vec<f64> {
+    let words = Words::of(tokens);
     let total = heard.last().copied().unwrap_or(0.0);
-    let mut sum = 0.0;
-    let ends = tokens.windows(2).map(|pair| {
-        let [own, next] = [&pair[0], &pair[1]].map(|token| total * letters(token) / all);
-        sum += own;
-        let end = sum;
-        // No two ends meet: each moves by less than half of the word that it moves into.
-        let at_pause = nearest(pauses, end, 0.49 * own, 0.49 * next);
-        let near = NEAR_SECS.min(0.3 * own.min(next));
-        at_pause
-            .or_else(|| nearest(heard, end, near, near))
-            .unwrap_or(end)
-    });
-    ends.collect()
+    let quiet: Vec<f64> = pauses.iter().map(|p| p.at_secs).collect();
+    let anchors = words.anchors(pauses, total);
+    let mut ends = Vec::with_capacity(tokens.len());
+    for pair in anchors.windows(2) {
+        let [(first, from), (last, to)] = [pair[0], pair[1]];
+        let letter = (to - from) / words.between(first, last).max(1.0);
+        for token in first + 1..last {
+            let own = letter * words.between(token - 1, token);
+            let next = letter * words.between(token, token + 1);
+            let end = from + letter * words.between(first, token);
+            // No two ends meet: each moves by less than half of the word that it moves into.
+            let at_pause = nearest(&quiet, end, 0.49 * own, 0.49 * next);
+            let near = NEAR_SECS.min(0.3 * own.min(next));
+            let end = at_pause
+                .or_else(|| nearest(heard, end, near, near))
+                .unwrap_or(end);
+            ends.push(end.clamp(from, to));
+        }
+        if last < words.count() {
+            ends.push(to);
+        }
+    }
+    ends
 }
 
 /// The nearest of `times`, which are in order, that is at most so far before or after.
@@ -281,6 +294,11 @@ mod tests {
         }
     }
 
+    fn said<'a>(words: &[&'a str]) -> Vec<Said<'a>> {
+        let of = |text: &&'a str| Said { text, ends: false };
+        words.iter().map(of).collect()
+    }
+
     fn jaw(symbol: &str) -> f64 {
         use raconteur_speech::phones::{Channel, find};
         find("radio", symbol).unwrap().channel(Channel::Jaw)
@@ -290,7 +308,7 @@ mod tests {
     fn the_jaw_follows_the_loudness_and_quiet_is_silence() {
         let spoken = spoken(
             hummed(&[0.0, 0.5, 0.2, 0.5, 0.0, 0.0, 0.4, 0.1]),
-            &["a", "b"],
+            &said(&["a", "b"]),
         )
         .unwrap();
         let level = |secs: f64| {
@@ -308,7 +326,7 @@ mod tests {
     #[test]
     fn every_word_has_its_share_by_its_letters_and_phrases_end_at_pauses() {
         let tokens = ["one", "two", "sixes", "I", "am"];
-        let spoken = spoken(hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]), &tokens).unwrap();
+        let spoken = spoken(hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]), &said(&tokens)).unwrap();
         let length = |token: usize| {
             let mut begin_secs = 0.0;
             let mut sum = 0.0;
@@ -333,7 +351,7 @@ mod tests {
     #[test]
     fn many_words_of_a_short_sound_each_have_a_place() {
         let tokens = vec!["word"; 40];
-        let spoken = spoken(hummed(&[0.5, 0.5]), &tokens).unwrap();
+        let spoken = spoken(hummed(&[0.5, 0.5]), &said(&tokens)).unwrap();
         for token in 0..40 {
             assert!(
                 spoken.segments.iter().any(|s| s.token == Some(token)),
@@ -344,8 +362,8 @@ mod tests {
 
     #[test]
     fn nothing_heard_is_an_error_and_no_words_are_none() {
-        assert!(spoken(hummed(&[0.0, 0.0]), &["a"]).is_err());
-        assert!(spoken(Wave::default(), &["a"]).is_err());
+        assert!(spoken(hummed(&[0.0, 0.0]), &said(&["a"])).is_err());
+        assert!(spoken(Wave::default(), &said(&["a"])).is_err());
         assert!(spoken(hummed(&[0.5]), &[]).is_ok());
     }
 }

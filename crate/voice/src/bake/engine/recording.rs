@@ -8,7 +8,8 @@ use crate::plan::Plan;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail};
 
-use super::{Engine, Recorded, Remark, VoiceInfo, aligned, loudness, wave};
+use super::loudness::{self, Said};
+use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
 use crate::files::{input, inside};
 
 /// What an alignment's name ends in, the most telling first.
@@ -98,10 +99,14 @@ impl Engine for Recordings {
             return Ok(None);
         };
         let told = || format!("the recording {}", sound.display());
-        let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
-        let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
+        let tokens = || plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
         let Some((name, bytes)) = beside(&sound).with_context(told)? else {
-            let spoken = loudness::spoken(wave::read(&sound)?, &texts).with_context(told)?;
+            let said = tokens().map(|t| Said {
+                text: &t.text,
+                ends: !t.punctuation.is_empty(),
+            });
+            let said: Vec<Said<'_>> = said.collect();
+            let spoken = loudness::spoken(wave::read(&sound)?, &said).with_context(told)?;
             let remarks = vec![by_loudness(&sound)];
             return Ok(Some(Recorded { spoken, remarks }));
         };
@@ -112,6 +117,7 @@ impl Engine for Recordings {
             .with_context(|| name.clone())
             .with_context(told)?;
         let wave = wave::read(&sound)?;
+        let texts: Vec<&str> = tokens().map(|t| t.text.as_str()).collect();
         let spoken = aligned::spoken(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
         let remarks = remarks(&name, &alignment);
         Ok(Some(Recorded { spoken, remarks }))
