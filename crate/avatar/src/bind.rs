@@ -5,7 +5,8 @@ use raconteur_base::{DVec3, Side};
 use super::align::Alignment;
 use super::frames::Rest;
 use super::geometry::{Geometry, INFLUENCES};
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::figure::{Mesh, Morph};
 use raconteur_body::skeleton::Bone;
 

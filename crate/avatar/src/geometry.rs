@@ -9,8 +9,8 @@ use serde_json::Value;
 
 use super::error::{ImportError, Notes};
 use super::face::{Face, Region, WeightedTarget};
-use super::humanoid::Tree;
 use super::material::{Pictures, Surface, surface};
+use super::tree::Tree;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::read::document;

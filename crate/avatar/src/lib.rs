@@ -24,6 +24,7 @@ mod humanoid;
 mod material;
 mod names;
 mod packed;
+mod tree;
 mod twins;
 mod unposed;
 
@@ -85,8 +86,9 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
         }
         .into());
     }
-    let mut tree = humanoid::Tree::new(&root, world);
+    let mut tree = tree::Tree::new(&root, world);
     let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
+    humanoid.twins = twins::find(&humanoid, &tree, &mut notes);
     let mut source = Source::with_budget(&root, MOST_NUMBERS);
     // VRM promises that its nodes stand in a T.
     if !humanoid::has_vrm_table(json)

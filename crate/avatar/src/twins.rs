@@ -5,9 +5,9 @@
 use std::collections::HashMap;
 
 use super::error::Notes;
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
 use super::names::{Slot, slot_of};
-use raconteur_body::read::document::Document;
+use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
 /// How far the first joint of another skeleton may stand from its double, as a share of the
@@ -19,35 +19,10 @@ const SAME_JOINT: f64 = 0.02;
 /// Parts that are compared; a body has some 70, a trunk of ever so many joints is no body's.
 const MOST_PARTS: usize = 256;
 
-/// Which nodes are joints of a skin; all where the file has no skin.
-pub(super) fn joints(tree: &Tree<'_>) -> Vec<bool> {
-    let root = tree.root;
-    let mut is_joint = vec![root.skins.is_empty(); root.nodes.len()];
-    for &joint in root.skins.iter().flat_map(|s| &s.joints) {
-        if let Some(slot) = is_joint.get_mut(joint) {
-            *slot = true;
-        }
-    }
-    is_joint
-}
-
-/// For each node the highest joint that only joints lie between: its skeleton's first. A node
-/// that is no joint stands for itself.
-pub(super) fn tops(tree: &Tree<'_>) -> Vec<usize> {
-    let is_joint = joints(tree);
-    let mut tops: Vec<usize> = (0..is_joint.len()).collect();
-    for &node in &tree.order {
-        if let Some(parent) = tree.parents[node].filter(|&p| is_joint[node] && is_joint[p]) {
-            tops[node] = tops[parent];
-        }
-    }
-    tops
-}
-
 /// Joints that have no part, each with the node of the body that it doubles, by node.
 pub(super) fn find(humanoid: &Humanoid, tree: &Tree<'_>, notes: &mut Notes) -> Vec<(usize, usize)> {
     let body = Body::of(humanoid, tree);
-    let (is_joint, tops) = (joints(tree), tops(tree));
+    let (is_joint, tops) = (tree.joints(), tree.tops());
     let trunk = body.trunk_length(humanoid);
     // Whether a skeleton stands where the body does, by its first joint that has a double.
     let mut stands: Vec<Option<bool>> = vec![None; tops.len()];
@@ -167,15 +142,6 @@ impl<'a> Body<'a> {
             Slot::Arm(_) | Slot::Leg(_) => None,
             Slot::Bone(_) | Slot::Finger(..) | Slot::Eye(_) => parts.next(),
         }
-    }
-}
-
-impl<'a> Tree<'a> {
-    /// A node's name without what stands before it for the whole rig.
-    fn own_name(&self, node: usize) -> &'a str {
-        let root: &'a Document<'a> = self.root;
-        let name = root.nodes[node].name.as_str();
-        name.rsplit([':', '|']).next().unwrap_or(name)
     }
 }
 

@@ -6,7 +6,8 @@
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::skeleton::Bone;
