@@ -3,7 +3,7 @@
 
 use raconteur_voice::align::{Format, detect, read};
 
-const FORMATS: [Format; 12] = [
+const FORMATS: [Format; 15] = [
     Format::TextGrid,
     Format::RhubarbTsv,
     Format::RhubarbJson,
@@ -16,6 +16,9 @@ const FORMATS: [Format; 12] = [
     Format::Mbrola,
     Format::WebVtt,
     Format::TalkingHead,
+    Format::SubRip,
+    Format::Eaf,
+    Format::WordTimes,
 ];
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

@@ -4,7 +4,8 @@
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
 use super::error::{ImportError, Notes};
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
 /// Statures that are believed when a file's unit gives them, metres: from a small doll's to

@@ -10,7 +10,8 @@ use serde_json::{Map, Value, json};
 
 use super::container::Container;
 use super::error::{ImportError, Notes};
-use super::humanoid::{Humanoid, Tree, has_vrm_table};
+use super::humanoid::{Humanoid, has_vrm_table};
+use super::tree::Tree;
 use super::{MOST_NUMBERS, align, frames, unposed};
 use raconteur_body::pose::Pose;
 use raconteur_body::read::accessor::Source;

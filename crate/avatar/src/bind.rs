@@ -5,7 +5,8 @@ use raconteur_base::{DVec3, Side};
 use super::align::Alignment;
 use super::frames::Rest;
 use super::geometry::{Geometry, INFLUENCES};
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::figure::{Mesh, Morph};
 use raconteur_body::skeleton::Bone;
 
@@ -39,8 +40,21 @@ impl Limb {
     }
 }
 
+/// The joint that carries each node, from those of nodes that have a part: what has none
+/// above it either goes with the hips.
+fn carried(tree: &Tree<'_>, own: &[Option<u16>]) -> Vec<u16> {
+    let mut joint_of_node = vec![Bone::Sacroiliac.index() as u16; own.len()];
+    for &node in &tree.order {
+        if let Some(joint) = own[node].or(tree.parents[node].map(|p| joint_of_node[p])) {
+            joint_of_node[node] = joint;
+        }
+    }
+    joint_of_node
+}
+
 impl Binding {
-    /// Every node goes with the nearest of its ancestors that has a part.
+    /// Every node goes with the nearest of its ancestors that has a part, every joint of another
+    /// skeleton with the joint that it doubles.
     pub(super) fn new(tree: &Tree<'_>, humanoid: &Humanoid, rest: &Rest, jaw_moves: bool) -> Self {
         let joints = rest.skeleton.joints();
         let index = |name: String| joints.iter().position(|j| j.name == name);
@@ -64,11 +78,12 @@ impl Binding {
                 own[node] = index(format!("helper_{letter}_eye")).map(|i| i as u16);
             }
         }
-        let mut joint_of_node = vec![Bone::Sacroiliac.index() as u16; own.len()];
-        for &node in &tree.order {
-            if let Some(joint) = own[node].or(tree.parents[node].map(|p| joint_of_node[p])) {
-                joint_of_node[node] = joint;
-            }
+        let mut joint_of_node = carried(tree, &own);
+        for &(node, like) in &humanoid.twins {
+            own[node] = Some(joint_of_node[like]);
+        }
+        if !humanoid.twins.is_empty() {
+            joint_of_node = carried(tree, &own);
         }
         let limb = |side: Side, from: &str, to: &str, joints: [String; 3], steps: f64| {
             let [from, to] = [from, to].map(|p| Bone::on(side, p).index());

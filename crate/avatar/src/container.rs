@@ -36,6 +36,7 @@ fn is_understood(extension: &str) -> bool {
         "KHR_mesh_quantization"
             | "KHR_texture_transform"
             | "KHR_lights_punctual"
+            | "KHR_node_visibility"
             | "KHR_xmp_json_ld"
             | "EXT_meshopt_compression"
             | "EXT_texture_webp"

@@ -8,7 +8,8 @@
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, ops};
 
 use super::align::Alignment;
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton, zero_frames};
 

@@ -9,8 +9,8 @@ use serde_json::Value;
 
 use super::error::{ImportError, Notes};
 use super::face::{Face, Region, WeightedTarget};
-use super::humanoid::Tree;
 use super::material::{Pictures, Surface, surface};
+use super::tree::Tree;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::read::document;
@@ -117,26 +117,33 @@ impl<'a, 's> Reader<'a, 's> {
         Ok(out)
     }
 
-    /// Nodes of the scene, parents first; of all nodes where the file has no scene.
+    /// Nodes of the scene, parents first, less those that `KHR_node_visibility` hides with all
+    /// below them; of all nodes where the file has no scene.
     fn shown_nodes(&self) -> Result<Vec<usize>, ReadError> {
+        let (parents, order) = (&self.tree.parents, &self.tree.order);
         let scene = self.json["scene"].as_u64().unwrap_or(0);
         let scene = usize::try_from(scene).ok().map(|i| &self.json["scenes"][i]);
-        let Some(roots) = scene.and_then(|s| s["nodes"].as_array()) else {
-            return Ok(self.tree.order.clone());
-        };
-        let mut shown = vec![false; self.tree.parents.len()];
-        for root in roots {
+        let roots = scene.and_then(|s| s["nodes"].as_array());
+        let mut in_scene = vec![roots.is_none(); parents.len()];
+        for root in roots.into_iter().flatten() {
             let index = root.as_u64().and_then(|n| usize::try_from(n).ok());
-            let slot = index.and_then(|i| shown.get_mut(i));
+            let slot = index.and_then(|i| in_scene.get_mut(i));
             *slot.ok_or(ReadError::OutOfRange { what: "a scene" })? = true;
         }
-        for &node in &self.tree.order {
-            if self.tree.parents[node].is_some_and(|p| shown[p]) {
-                shown[node] = true;
+        let mut hidden: Vec<bool> = (0..parents.len())
+            .map(|n| {
+                let visibility = &self.json["nodes"][n]["extensions"]["KHR_node_visibility"];
+                visibility["visible"].as_bool() == Some(false)
+            })
+            .collect();
+        for &node in order {
+            if let Some(parent) = parents[node] {
+                in_scene[node] |= in_scene[parent];
+                hidden[node] |= hidden[parent];
             }
         }
-        let order = self.tree.order.iter();
-        Ok(order.copied().filter(|&n| shown[n]).collect())
+        let shown = order.iter().filter(|&&n| in_scene[n] && !hidden[n]);
+        Ok(shown.copied().collect())
     }
 
     fn skin(&mut self, index: usize) -> Result<Skin, ReadError> {

@@ -1,61 +1,12 @@
 //! Which node is which bone.
 
-use raconteur_base::{DAffine3, DVec3, Side};
+use raconteur_base::Side;
 use serde_json::Value;
 
 use super::error::{ImportError, Notes};
 use super::names::{Slot, slot_of};
-use raconteur_body::read::document::Document;
+use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
-
-/// The nodes of a file as the importer sees them.
-pub(super) struct Tree<'a> {
-    pub(super) root: &'a Document<'a>,
-    /// World from node, in the file's own unit and facing.
-    pub(super) world: Vec<DAffine3>,
-    pub(super) parents: Vec<Option<usize>>,
-    /// Nodes, parents before children.
-    pub(super) order: Vec<usize>,
-}
-
-impl<'a> Tree<'a> {
-    /// `world` comes from the reader, which has refused cycles and shared children.
-    pub(super) fn new(root: &'a Document<'a>, world: Vec<DAffine3>) -> Self {
-        let mut parents = vec![None; root.nodes.len()];
-        for (i, node) in root.nodes.iter().enumerate() {
-            for &child in &node.children {
-                parents[child] = Some(i);
-            }
-        }
-        let mut order: Vec<usize> = (0..parents.len())
-            .filter(|&i| parents[i].is_none())
-            .collect();
-        let mut done = 0;
-        while let Some(&i) = order.get(done) {
-            done += 1;
-            order.extend(&root.nodes[i].children);
-        }
-        Self {
-            root,
-            world,
-            parents,
-            order,
-        }
-    }
-
-    pub(super) fn place(&self, node: usize) -> DVec3 {
-        self.world[node].translation
-    }
-
-    /// A node and its ancestors, upwards.
-    pub(super) fn upwards(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
-        core::iter::successors(Some(node), |&n| self.parents[n])
-    }
-
-    fn is_above(&self, ancestor: usize, node: usize) -> bool {
-        self.upwards(node).any(|n| n == ancestor)
-    }
-}
 
 /// The part that each node plays.
 pub(super) struct Humanoid {
@@ -67,6 +18,8 @@ pub(super) struct Humanoid {
     pub(super) tips: Vec<(Bone, usize)>,
     /// Further nodes that move with a bone.
     pub(super) further: Vec<(usize, Bone)>,
+    /// Joints of other skeletons, each with the node that it moves with.
+    pub(super) twins: Vec<(usize, usize)>,
 }
 
 /// Bones that a performer needs.
@@ -173,6 +126,7 @@ impl Humanoid {
             eyes,
             tips,
             further: Vec::new(),
+            twins: Vec::new(),
         }
     }
 
@@ -383,24 +337,28 @@ fn vrm_bones(json: &Value, node_count: usize) -> Option<Vec<(usize, String)>> {
 }
 
 /// Nodes that may be bones: the joints of skins where there are any, since rigs like to
-/// name a mesh after the part it covers.
+/// name a mesh after the part it covers. Those of the skeleton with the most parts come first,
+/// so that clothes with a skeleton of their own do not lead the body.
 fn candidates(tree: &Tree<'_>) -> Vec<(usize, String)> {
     let root = tree.root;
-    let mut is_joint = vec![root.skins.is_empty(); root.nodes.len()];
-    for &joint in root.skins.iter().flat_map(|s| &s.joints) {
-        if let Some(slot) = is_joint.get_mut(joint) {
-            *slot = true;
-        }
-    }
+    let mut is_joint = tree.joints();
     // Parents of joints too: some exporters skin nothing to the hips.
     for &node in tree.order.iter().rev() {
         if let (true, Some(p)) = (is_joint[node], tree.parents[node]) {
             is_joint[p] = true;
         }
     }
-    tree.order
+    let mut list: Vec<(usize, String)> = tree
+        .order
         .iter()
         .filter(|&&n| is_joint[n])
         .map(|&n| (n, root.nodes[n].name.clone()))
-        .collect()
+        .collect();
+    let tops = tree.tops();
+    let mut parts = vec![0u32; tops.len()];
+    for (node, name) in &list {
+        parts[tops[*node]] += u32::from(slot_of(name).is_some());
+    }
+    list.sort_by_key(|(node, _)| core::cmp::Reverse(parts[tops[*node]]));
+    list
 }

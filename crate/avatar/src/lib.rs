@@ -24,6 +24,8 @@ mod humanoid;
 mod material;
 mod names;
 mod packed;
+mod tree;
+mod twins;
 mod unposed;
 
 use raconteur_base::{DVec3, Side};
@@ -84,8 +86,9 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
         }
         .into());
     }
-    let mut tree = humanoid::Tree::new(&root, world);
+    let mut tree = tree::Tree::new(&root, world);
     let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
+    humanoid.twins = twins::find(&humanoid, &tree, &mut notes);
     let mut source = Source::with_budget(&root, MOST_NUMBERS);
     // VRM promises that its nodes stand in a T.
     if !humanoid::has_vrm_table(json)
@@ -98,7 +101,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     let has_jaw = humanoid.get(Bone::Chin).is_some();
     let has_eyes = humanoid.eyes.iter().all(Option::is_some);
     let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
-    let pictures = material::Pictures::read(json, &mut source, &mut notes)?;
+    let pictures = material::Pictures::read(json, &mut source)?;
     let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
     let geometries = reader.read()?;
 

@@ -41,18 +41,14 @@ fn number(v: &Value, default: f64, what: &'static str) -> Result<f64, ReadError>
 }
 
 /// The pictures of the file, and the place of each in the figure's list; those that are not
-/// PNG or JPEG are left out.
+/// PNG or JPEG are left out, which is told where a surface would have shown one.
 pub(super) struct Pictures {
     pub(super) images: Vec<Image>,
     places: Vec<Option<usize>>,
 }
 
 impl Pictures {
-    pub(super) fn read(
-        json: &Value,
-        source: &mut Source<'_>,
-        notes: &mut Notes,
-    ) -> Result<Self, ImportError> {
+    pub(super) fn read(json: &Value, source: &mut Source<'_>) -> Result<Self, ImportError> {
         let (mut images, mut places) = (Vec::new(), Vec::new());
         for image in items(json, "images") {
             let view =
@@ -63,7 +59,6 @@ impl Pictures {
             } else if bytes.starts_with(b"\xFF\xD8\xFF") {
                 "image/jpeg"
             } else {
-                notes.add("picture-left-out", LEFT_OUT, USUAL);
                 places.push(None);
                 continue;
             };
@@ -90,16 +85,19 @@ impl Pictures {
         let texture = items(json, "textures")
             .get(texture)
             .ok_or(ReadError::OutOfRange { what })?;
-        // A texture whose picture comes by an extension alone shows nothing.
-        let Some(image) = index(&texture["source"]) else {
-            notes.add("picture-left-out", LEFT_OUT, USUAL);
-            return Ok(None);
+        // What an extension offers beside this picture is a choice for those who read it; a
+        // texture whose picture comes by an extension alone shows nothing.
+        let place = match index(&texture["source"]) {
+            Some(image) => *self
+                .places
+                .get(image)
+                .ok_or(ReadError::OutOfRange { what })?,
+            None => None,
         };
-        let place = self
-            .places
-            .get(image)
-            .ok_or(ReadError::OutOfRange { what })?;
-        Ok(*place)
+        if place.is_none() {
+            notes.add("picture-left-out", LEFT_OUT, USUAL);
+        }
+        Ok(place)
     }
 
     /// Leaves out pictures that no mesh shows, and renumbers the others.

@@ -160,12 +160,11 @@ fn is_number(word: &str) -> bool {
 
 /// Takes side and noise out of a name's words.
 fn bare(mut words: Vec<String>) -> (Option<Side>, Vec<String>) {
-    // A biped's number belongs to its name: "Bip001".
-    if let Some(i) = words
-        .windows(2)
-        .position(|w| matches!(w[0].as_str(), "bip" | "biped") && is_number(&w[1]))
-    {
-        words.remove(i + 1);
+    // A rig's number belongs to its own name: "Bip001 Head", "mixamorig9_Hips".
+    let rig = words.iter().take_while(|w| NOISE.contains(&w.as_str()));
+    let number_at = rig.count();
+    if number_at > 0 && words.len() > number_at + 1 && is_number(&words[number_at]) {
+        words.remove(number_at);
     }
     // "Leftarm" in one word.
     for (prefix, letter) in [("left", "l"), ("right", "r")] {
@@ -197,6 +196,12 @@ fn parsed(side: Option<Side>, words: &[String]) -> Parsed {
 
 fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
     let number = digits.and_then(|d| d.parse::<u32>().ok());
+    // MakeHuman counts both from one, the thumb first: finger1-1 to finger5-3.
+    if let Some([which @ b'1'..=b'5']) = stem.strip_prefix("finger").map(str::as_bytes) {
+        let (_, first) = FINGERS.get(usize::from(which - b'1'))?;
+        let joint = number.filter(|n| (1..=4).contains(n))?;
+        return Some(Slot::Finger(on(side, *first), joint));
+    }
     // Biped counts fingers from the thumb and joints after it: Finger0, Finger01, Finger02.
     if stem == "finger" {
         let d = digits?.as_bytes();
@@ -333,6 +338,11 @@ mod tests {
             ("thumb_01_l", Bone::LThumb0, 1),
             ("lMid2", Bone::LMiddle0, 2),
             ("Index.L", Bone::LIndex0, 0),
+            ("finger1-1.L", Bone::LThumb0, 1),
+            ("finger3-2.R", Bone::RMiddle0, 2),
+            ("finger5-3.L", Bone::LPinky0, 3),
+            ("mixamorig1LeftHandIndex1", Bone::LIndex0, 1),
+            ("mixamorig9_RightHandThumb3", Bone::RThumb0, 3),
         ] {
             let slot = slot_of(name).map(|s| s.0);
             assert_eq!(slot, Some(Slot::Finger(bone, order)), "{name}");
@@ -363,6 +373,8 @@ mod tests {
             "L",
             "tail3",
             "thigh_twist_01_l",
+            "finger6-1.L",
+            "mixamorig1",
         ] {
             assert_eq!(slot_of(name), None, "{name}");
         }

@@ -6,7 +6,8 @@
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 
-use super::humanoid::{Humanoid, Tree};
+use super::humanoid::Humanoid;
+use super::tree::Tree;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::skeleton::Bone;
@@ -48,10 +49,16 @@ pub(super) fn world(
             .map(|m| DAffine3::from_mat4(DMat4::from_cols_array(&m.map(f64::from))));
         skins.push(skin.joints.iter().copied().zip(binds).collect());
     }
-    Ok(joined(tree, &skins, hips, head).filter(|world| is_a_pose(tree, humanoid, world)))
+    Ok(joined(tree, humanoid, &skins, hips, head).filter(|world| is_a_pose(tree, humanoid, world)))
 }
 
-fn joined(tree: &Tree<'_>, skins: &[Binds], hips: usize, head: usize) -> Option<Vec<DAffine3>> {
+fn joined(
+    tree: &Tree<'_>,
+    humanoid: &Humanoid,
+    skins: &[Binds],
+    hips: usize,
+    head: usize,
+) -> Option<Vec<DAffine3>> {
     let has = |skin: &Binds, node: usize| skin.iter().any(|b| b.0 == node);
     let main = skins.iter().find(|s| has(s, hips) && has(s, head))?;
     let bind_of = |skin: &Binds, node: usize| skin.iter().find(|b| b.0 == node).map(|b| b.1);
@@ -77,10 +84,13 @@ fn joined(tree: &Tree<'_>, skins: &[Binds], hips: usize, head: usize) -> Option<
         *placed.get_mut(*node)? = Some(place(space, *bind));
     }
     for skin in skins {
-        // A skin of its own space hangs on a joint that both know.
-        let shared = skin
-            .iter()
-            .find_map(|(n, bind)| Some(placed.get(*n).copied()?? * *bind));
+        // A skin of its own space hangs on a joint that both know, or on one that stands in
+        // another skeleton's as its double.
+        let known = |n: usize| placed.get(n).copied().flatten();
+        let shared = skin.iter().find_map(|(n, bind)| {
+            let at = known(*n).or_else(|| known(humanoid.double_of(tree, *n)?));
+            Some(at? * *bind)
+        });
         let Some(space) = shared else {
             continue;
         };

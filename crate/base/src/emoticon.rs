@@ -81,8 +81,11 @@ const JOINER: char = '\u{200d}';
 #[must_use]
 pub fn is_emoji(c: char) -> bool {
     matches!(c,
-        '\u{1f1e6}'..='\u{1f1ff}' | '\u{1f300}'..='\u{1faff}' | '\u{2600}'..='\u{27bf}'
-        | '\u{fe0f}' | '\u{20e3}' | JOINER)
+        '\u{1f000}'..='\u{1f2ff}' | '\u{1f300}'..='\u{1faff}' | '\u{2600}'..='\u{27bf}'
+        | '\u{231a}' | '\u{231b}' | '\u{23e9}'..='\u{23ff}' | '\u{25fb}'..='\u{25fe}'
+        | '\u{2b05}'..='\u{2b07}' | '\u{2b1b}' | '\u{2b1c}' | '\u{2b50}' | '\u{2b55}'
+        | '\u{3030}' | '\u{303d}' | '\u{fe0e}' | '\u{fe0f}' | '\u{20e3}'
+        | '\u{e0020}'..='\u{e007f}' | JOINER)
         && !c.is_alphanumeric()
 }
 
@@ -272,6 +275,16 @@ mod tests {
         // Joined to something else it is something else.
         assert_eq!(of("❤\u{fe0f}\u{200d}🔥"), [Vec::<&str>::new(), vec![]]);
         assert_eq!(without_emoji("Hi🐇!").as_deref(), Some("Hi!"));
+        for sign in [
+            "🐈\u{200d}⬛",
+            "⚠\u{fe0e}",
+            "⭐",
+            "⏰",
+            "🏴\u{e0067}\u{e007f}",
+            "🀄",
+        ] {
+            assert_eq!(without_emoji(sign).as_deref(), Some(""), "{sign}");
+        }
         assert_eq!(without_emoji("wörld"), None);
         assert_eq!(without_emoji("plain"), None);
     }

@@ -13,6 +13,7 @@ pub mod content;
 pub mod feel;
 pub mod files;
 pub mod hear;
+mod ipa;
 pub mod language;
 pub mod manner;
 pub mod markup;

@@ -15,12 +15,12 @@ const DIALECTS: [Dialect; 5] = [
     Dialect::Blender,
 ];
 
-fn import(file: &File) -> Imported {
+pub(crate) fn import(file: &File) -> Imported {
     import_figure("x", &file.glb()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Vertices of a mesh in a pose, as the renderer skins them.
-fn posed(figure: &Figure, mesh: usize, pose: &Pose) -> Vec<DVec3> {
+pub(crate) fn posed(figure: &Figure, mesh: usize, pose: &Pose) -> Vec<DVec3> {
     let mut world = Vec::new();
     figure.skeleton.solve(pose, &mut world);
     let moved: Vec<DAffine3> = world
@@ -47,7 +47,7 @@ fn seen(file: &File, points: &[DVec3], part: &str) -> DVec3 {
 }
 
 /// Arm raised, elbow bent, wrist turned, on both sides.
-fn pose() -> Pose {
+pub(crate) fn pose() -> Pose {
     let mut pose = Pose::zero();
     for (part, q) in [
         (

@@ -32,7 +32,8 @@ pub(crate) struct Bake {
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
     /// The voice of what names no other, as its engine calls it; without it, the one that the
-    /// story chooses (`r:performer`), else the engine's first.
+    /// story chooses (`r:performer`), else one of the engine in the story's language, or where that
+    /// tells none its first in English.
     #[arg(long)]
     voice: Option<String>,
     /// List the voices of the engine, or of all that are installed.
@@ -110,6 +111,17 @@ impl Bake {
                      the story is baked again",
                     file.display()
                 )?;
+            }
+            for (text, remark) in &baked.remarks {
+                let hint = match remark.hint {
+                    "" => String::new(),
+                    hint => format!("; {hint}"),
+                };
+                let told = format!(
+                    "{name}: {text:?}: {}{hint} [{}]",
+                    remark.message, remark.code
+                );
+                writeln!(terminal::err(), "{}", printable(&told))?;
             }
             self.tell_of_engines(&name, &baked, &bake_options.cast)?;
             if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
@@ -307,6 +319,9 @@ fn in_json(name: &str, baked: &BakeReport) -> Value {
         "utterances": baked.utterances,
         "stale": baked.synthesised,
         "removed": baked.removed,
+        "remarks": baked.remarks.iter().map(|(text, r)| json!({
+            "text": text, "code": r.code, "message": r.message, "hint": r.hint,
+        })).collect::<Vec<_>>(),
         "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
             "bursts": baked.sound.heard.bursts.percent(),
             "vowels": baked.sound.heard.vowels.percent(),

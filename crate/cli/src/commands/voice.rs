@@ -64,7 +64,8 @@ struct Who {
     /// The speech engine; without it, festival or the first that is installed.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
-    /// The voice, as its engine calls it; without it, the engine's first.
+    /// The voice, as its engine calls it; without it, the engine's first in
+    /// English.
     #[arg(long)]
     voice: Option<String>,
     /// Address of a MaryTTS server.

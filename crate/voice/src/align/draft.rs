@@ -2,7 +2,8 @@
 
 use super::text::{Bad, LineCounter, clip};
 use super::{Accent, Alignment, Fault, Interval, MOST_INTERVALS, MOST_SECS};
-use super::{Syllable, Tone, Units};
+use super::{IPA, Syllable, Tone, Units};
+use crate::ipa;
 use raconteur_speech::phones::{self, PHONE_SETS};
 
 /// Gaps and overlaps up to here come from rounding to whole milliseconds.
@@ -100,6 +101,26 @@ impl Draft {
         Ok(())
     }
 
+    /// Words that have one stretch of time for all of them share it by their letters; how many
+    /// they are.
+    pub(super) fn phrase(
+        &mut self,
+        start: f64,
+        end: f64,
+        text: &str,
+        at: usize,
+    ) -> Result<usize, Bad> {
+        let letters = |word: &str| word.chars().count() as f64;
+        let all: f64 = text.split_whitespace().map(letters).sum();
+        let (mut now, mut count) = (start, 0);
+        for word in text.split_whitespace() {
+            let next = now + (end - start) * letters(word) / all;
+            self.word(now, next, word, at)?;
+            (now, count) = (next, count + 1);
+        }
+        Ok(count)
+    }
+
     /// Segments that each begin where the one before ends, from their ends.
     pub(super) fn segments_by_end(&mut self, mut ends: Vec<Point>) -> Result<(), Bad> {
         self.sort(&mut ends);
@@ -143,6 +164,9 @@ impl Draft {
         let units = self.units();
         if units == Units::None && self.words.is_empty() {
             self.words = std::mem::take(&mut self.segments);
+        }
+        if units == Units::None {
+            self.part_phrases()?;
         }
         let shapes = matches!(units, Units::Visemes { .. });
         let mut segments = std::mem::take(&mut self.segments);
@@ -202,6 +226,30 @@ impl Draft {
         })
     }
 
+    /// Labels of several words, as people write them into tiers, become those words.
+    fn part_phrases(&mut self) -> Result<(), Bad> {
+        if !self
+            .words
+            .iter()
+            .any(|w| w.label.contains(char::is_whitespace))
+        {
+            return Ok(());
+        }
+        for raw in std::mem::take(&mut self.words) {
+            if !raw.label.contains(char::is_whitespace) {
+                self.words.push(raw);
+                continue;
+            }
+            let count = self.phrase(raw.start, raw.end, &raw.label, raw.at)?;
+            let label = clip(&raw.label);
+            self.warn(
+                raw.at,
+                format!("{label:?} has one time for {count} words; shared out by letters"),
+            );
+        }
+        Ok(())
+    }
+
     fn units(&self) -> Units {
         if let Kind::Units(units) = self.kind {
             return units;
@@ -217,6 +265,10 @@ impl Draft {
             if known > most {
                 (most, best) = (known, Some(set));
             }
+        }
+        let in_ipa = labels().filter(|l| ipa::is_phone(l)).count();
+        if in_ipa > most {
+            (most, best) = (in_ipa, Some(IPA));
         }
         let few = most * 5 < all * 4;
         if self.segments.is_empty() || self.kind == Kind::Unsure && few && all > 0 {

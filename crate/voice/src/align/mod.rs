@@ -12,6 +12,7 @@
 //! intervals, and whatever a format does not allow.
 
 mod draft;
+mod eaf;
 mod labels;
 mod mary;
 mod mbrola;
@@ -21,6 +22,8 @@ mod sniff;
 mod talking_head;
 mod text;
 mod textgrid;
+mod tiers;
+mod timings;
 mod utterance;
 mod viseme;
 mod webvtt;
@@ -42,6 +45,13 @@ pub const MOST_INTERVALS: usize = 1_000_000;
 
 /// Latest time that is believed, in seconds.
 pub const MOST_SECS: f64 = 86_400.0;
+
+/// The set of phones that are named in the International Phonetic Alphabet.
+pub const IPA: &str = "ipa";
+
+/// What is read, for messages.
+pub const FORMS: &str = "Praat's TextGrid, ELAN's EAF, WebVTT, SubRip, JSON of words with times (Whisper, Google), \
+    Rhubarb's TSV, JSON and XML, arrays of talking heads, MaryXML, Festival's utterances, xlabel, HTK's labels and MBROLA's .pho";
 
 /// What wrote a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +79,13 @@ pub enum Format {
     Mbrola,
     /// WebVTT whose cues are words or have times within.
     WebVtt,
+    /// SubRip, the captions of files `.srt`.
+    SubRip,
+    /// ELAN's annotations.
+    Eaf,
+    /// JSON of words and their times, as recognisers of speech write it: Whisper, Google and
+    /// their like.
+    WordTimes,
     /// JSON of arrays for talking heads in browsers: `words`, `wtimes`, `wdurations`,
     /// `visemes`, `vtimes`, `vdurations`, times in milliseconds.
     TalkingHead,
@@ -88,8 +105,8 @@ pub struct Interval {
 /// What labels of segments are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
-    /// Sounds. The set is one of [`raconteur_speech::phones::PHONE_SETS`]: the first that knows the most
-    /// labels, if it knows four of five. Who knows the language does better: `espeak` may
+    /// Sounds. The set is one of [`raconteur_speech::phones::PHONE_SETS`], or [`IPA`]: the first that
+    /// knows the most labels, if it knows four of five. Who knows the language does better: `espeak` may
     /// mean `espeak-de`.
     Phones {
         /// The set's name.
@@ -194,7 +211,7 @@ pub struct Fault {
 /// times that cannot be.
 pub fn read(format: Format, bytes: &[u8]) -> Result<Alignment, Fault> {
     let most = match format {
-        Format::RhubarbJson | Format::TalkingHead => MOST_JSON_BYTES,
+        Format::RhubarbJson | Format::TalkingHead | Format::WordTimes => MOST_JSON_BYTES,
         _ => MOST_BYTES,
     };
     if bytes.len() > most {
@@ -218,6 +235,9 @@ pub fn read(format: Format, bytes: &[u8]) -> Result<Alignment, Fault> {
         Format::MaryDurations => labels::mary(&text, &mut draft),
         Format::Mbrola => mbrola::read(&text, &mut draft),
         Format::WebVtt => webvtt::read(&text, &mut draft),
+        Format::SubRip => webvtt::subrip(&text, &mut draft),
+        Format::Eaf => eaf::read(&text, &mut draft),
+        Format::WordTimes => timings::read(&text, &mut draft),
         Format::TalkingHead => talking_head::read(&text, &mut draft),
     };
     read.and_then(|()| draft.finish(&text))

@@ -41,23 +41,42 @@ pub fn detect(name: &str, bytes: &[u8]) -> Option<Format> {
     if begin.starts_with('<') {
         let roots = [
             ("<rhubarbResult", Format::RhubarbXml),
+            ("<ANNOTATION_DOCUMENT", Format::Eaf),
             ("maryxml", Format::MaryXml),
         ];
         let found = roots.iter().find(|(root, _)| begin.contains(root));
         return found.map(|(_, format)| *format);
     }
-    if begin.starts_with('{') {
-        let has = |key: &str| begin.contains(key);
-        if has("\"mouthCues\"") {
-            return Some(Format::RhubarbJson);
-        }
-        let arrays = ["\"vtimes\"", "\"wtimes\"", "\"visemes\"", "\"words\""];
-        return arrays
-            .iter()
-            .any(|key| has(key))
-            .then_some(Format::TalkingHead);
+    if begin.starts_with(['{', '[']) {
+        return json(begin);
+    }
+    let timed = |line: &str| line.contains("-->");
+    let mut cue = lines(begin).map(|(_, line)| line.trim());
+    let number = |line: &str| !line.is_empty() && line.bytes().all(|b| b.is_ascii_digit());
+    if timed(first_line) || number(first_line.trim()) && cue.nth(1).is_some_and(timed) {
+        return Some(Format::SubRip);
     }
     table(&name, &text)
+}
+
+/// Formats of JSON.
+fn json(begin: &str) -> Option<Format> {
+    let has = |keys: &[&str]| keys.iter().any(|key| begin.contains(&format!("\"{key}\"")));
+    if has(&["mouthCues"]) {
+        return Some(Format::RhubarbJson);
+    }
+    if has(&["vtimes", "wtimes", "visemes"]) {
+        return Some(Format::TalkingHead);
+    }
+    let words = [
+        "word",
+        "words",
+        "segments",
+        "transcription",
+        "items",
+        "text",
+    ];
+    has(&words).then_some(Format::WordTimes)
 }
 
 /// Formats of lines of fields.
@@ -106,6 +125,8 @@ fn table(name: &str, text: &str) -> Option<Format> {
         (".pho", Format::Mbrola),
         (".utt", Format::FestivalUtterance),
         (".vtt", Format::WebVtt),
+        (".srt", Format::SubRip),
+        (".eaf", Format::Eaf),
         (".mlf", Format::Htk),
         (".segs", Format::XLabel),
         ("realised_durations", Format::MaryDurations),

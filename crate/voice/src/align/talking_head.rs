@@ -7,7 +7,7 @@ use serde_json::value::RawValue;
 use super::draft::{Draft, Kind};
 use super::rhubarb::{place, read as read_json};
 use super::text::{Bad, clip};
-use super::viseme::OCULUS;
+use super::viseme::{OCULUS, oculus};
 use super::{Units, VisemeSet};
 
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
@@ -31,10 +31,11 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         });
         for i in 0..visemes.labels.len() {
             let (name, start, end, at) = visemes.interval(i)?;
-            let shape = name.strip_prefix("viseme_").unwrap_or(&name);
-            if !OCULUS.contains(&shape) {
-                return Err(Bad::new(at, format!("{:?} is no viseme", clip(&name))));
-            }
+            let shape = oculus(&name).ok_or_else(|| {
+                let known = OCULUS.join(", ");
+                let message = format!("{:?} is no viseme; there are {known}", clip(&name));
+                Bad::new(at, message)
+            })?;
             draft.segment(start, end, shape, at)?;
         }
     }

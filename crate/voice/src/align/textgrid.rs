@@ -4,35 +4,9 @@
 //! and flags in angle brackets that stand free between white space count, and `!` begins a
 //! comment. What the long form adds (`xmin =`, `intervals [1]:`) is not free-standing.
 
-use super::draft::{Draft, Kind, Point, Raw, is_silence};
+use super::draft::{Draft, Point, Raw};
 use super::text::{Bad, clip};
-
-const PHONES: [&str; 11] = [
-    "phones",
-    "phone",
-    "phonemes",
-    "phoneme",
-    "phonetic",
-    "phn",
-    "mau",
-    "segments",
-    "segment",
-    "allophones",
-    "sounds",
-];
-const WORDS: [&str; 8] = [
-    "words",
-    "word",
-    "ort",
-    "ort-mau",
-    "orthography",
-    "tokens",
-    "token",
-    "wrd",
-];
-const SYLLABLES: [&str; 4] = ["syllables", "syllable", "syl", "mas"];
-const TONES: [&str; 5] = ["tones", "tone", "tobi", "accents", "intonation"];
-const BREAKS: [&str; 3] = ["breaks", "break", "break indices"];
+use super::tiers::{Tier, choose};
 
 enum Token<'a> {
     Number(f64),
@@ -120,14 +94,6 @@ fn quoted(rest: &str) -> Option<usize> {
     }
 }
 
-struct Tier {
-    name: String,
-    at: usize,
-    intervals: Vec<Raw>,
-    points: Vec<Point>,
-    is_points: bool,
-}
-
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     let mut tokens = Tokens { text, at: 0 };
     let (at, kind) = tokens.text("the file type")?;
@@ -200,81 +166,4 @@ fn tier(tokens: &mut Tokens<'_>, draft: &mut Draft) -> Result<Tier, Bad> {
         }
     }
     Ok(tier)
-}
-
-/// Whether a tier goes by one of the names; aligners put the speaker before it (`anna - words`).
-fn named(tier: &Tier, names: &[&str]) -> bool {
-    let last = tier.name.rsplit(" - ").next().unwrap_or_default().trim();
-    names.contains(&last)
-}
-
-/// Takes of each kind the first tier of its name.
-fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Result<(), Bad> {
-    let mut found = [false; 5];
-    for tier in &mut tiers {
-        let kinds: [&[&str]; 5] = [&PHONES, &WORDS, &SYLLABLES, &TONES, &BREAKS];
-        let Some(kind) = kinds.iter().position(|names| named(tier, names)) else {
-            continue;
-        };
-        if found[kind] || tier.is_points != (kind > 2) {
-            continue;
-        }
-        found[kind] = true;
-        let intervals = std::mem::take(&mut tier.intervals);
-        let points = std::mem::take(&mut tier.points);
-        match kind {
-            0 => draft.segments = intervals,
-            1 => draft.words = intervals,
-            2 => {
-                let spoken = intervals.iter().filter(|i| !is_silence(&i.label));
-                draft.syllables = spoken.map(|i| (i.start, i.end, stress(&i.label))).collect();
-            }
-            3 => {
-                for point in points {
-                    if point.label.contains('*') {
-                        draft.accents.push(point);
-                    } else {
-                        draft.tones.push((point, None));
-                    }
-                }
-            }
-            _ => {
-                for mut point in points {
-                    let index = point.label.trim().chars().next();
-                    let index = index.and_then(|c| c.to_digit(7));
-                    if let Some(index) = index.and_then(|i| u8::try_from(i).ok()) {
-                        point.label.clear();
-                        draft.tones.push((point, Some(index)));
-                    }
-                }
-            }
-        }
-    }
-    if found[0] || found[1] {
-        return Ok(());
-    }
-    // A grid of a single tier needs no name: its labels tell.
-    let mut whole = tiers.iter_mut().filter(|t| !t.is_points);
-    match (whole.next(), whole.next()) {
-        (Some(only), None) => {
-            draft.segments = std::mem::take(&mut only.intervals);
-            draft.kind = Kind::Unsure;
-            Ok(())
-        }
-        (first, _) => {
-            let at = first.map_or(at, |t| t.at);
-            let names: Vec<String> = tiers.iter().take(10).map(|t| clip(&t.name)).collect();
-            let message = format!("no tier of phones or words among {names:?}");
-            Err(Bad::new(at, message))
-        }
-    }
-}
-
-/// Stress as syllable tiers mark it.
-fn stress(label: &str) -> u8 {
-    match label.trim().chars().next() {
-        Some('\'' | 'ˈ' | '"' | '1') => 1,
-        Some(',' | 'ˌ' | '%' | '2') => 2,
-        _ => 0,
-    }
 }

@@ -14,6 +14,23 @@ pub(super) const OCULUS: [&str; 15] = [
     "sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou",
 ];
 
+/// The shape of OpenXR's fifteen that a name means: with or without `viseme_`, in any case, and by
+/// the letters that Oculus' own documents and avatars of Ready Player Me have for three of them.
+pub(super) fn oculus(name: &str) -> Option<&'static str> {
+    let bare = name.trim();
+    let bare = match bare.get(..7) {
+        Some(prefix) if prefix.eq_ignore_ascii_case("viseme_") => &bare[7..],
+        _ => bare,
+    };
+    let meant = match bare {
+        "I" | "i" => "ih",
+        "O" | "o" => "oh",
+        "U" | "u" => "ou",
+        other => other,
+    };
+    OCULUS.into_iter().find(|s| s.eq_ignore_ascii_case(meant))
+}
+
 /// The shape among OpenXR's fifteen that is nearest to one of Rhubarb Lip Sync (A to H, X).
 ///
 /// By the descriptions in Rhubarb's README, "Mouth shapes": A closed lips (P, B, M), B teeth
@@ -87,5 +104,23 @@ mod tests {
         }
         assert_eq!(phone_of_viseme(VisemeSet::Oculus, "A"), None);
         assert_eq!(rhubarb_viseme("I"), None);
+    }
+
+    #[test]
+    fn shapes_are_known_by_the_names_of_avatars() {
+        for (name, shape) in [
+            ("I", Some("ih")),
+            ("viseme_O", Some("oh")),
+            ("Viseme_U", Some("ou")),
+            ("viseme_PP", Some("PP")),
+            ("pp", Some("PP")),
+            ("viseme_sil", Some("sil")),
+            ("e", Some("E")),
+            ("viseme_", None),
+            ("mouthOpen", None),
+            ("vis\u{e9}me_U", None),
+        ] {
+            assert_eq!(oculus(name), shape, "{name}");
+        }
     }
 }

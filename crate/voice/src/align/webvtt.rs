@@ -1,5 +1,6 @@
 //! WebVTT (W3C, "WebVTT: The Web Video Text Tracks Format") whose cues are single words, or
-//! have times within, as karaoke and automatic captions do.
+//! have times within, as karaoke and automatic captions do; and SubRip (SRT), which is the same
+//! without a signature and with a comma before the milliseconds.
 //!
 //! Words between two times share the span by their number of letters; so do words of a cue
 //! without times, with a warning. Automatic captions that roll repeat the line before: in a
@@ -19,6 +20,27 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     if !signed {
         return Err(Bad::new(0, "no \"WEBVTT\" at the begin"));
     }
+    cues(text, lines, '.', draft)
+}
+
+/// Reads SubRip.
+pub(super) fn subrip(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+    draft.kind = Kind::Units(Units::None);
+    cues(text, lines(text), ',', draft)?;
+    if draft.words.is_empty() {
+        return Err(Bad::new(0, "no cue with words"));
+    }
+    Ok(())
+}
+
+/// Reads the cues among the lines of a text; `mark` may stand before their milliseconds, as a
+/// point may.
+fn cues<'a>(
+    text: &str,
+    lines: impl Iterator<Item = (usize, &'a str)>,
+    mark: char,
+    draft: &mut Draft,
+) -> Result<(), Bad> {
     let rolls = text
         .match_indices('<')
         .any(|(i, _)| inner_time(&text[i..]).is_some());
@@ -31,7 +53,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         }
         if let Some(arrow) = line.find("-->") {
             finish(cue.take(), draft)?;
-            cue = Some(Cue::begin(at, line, arrow)?);
+            cue = Some(Cue::begin(at, line, arrow, mark)?);
             continue;
         }
         let Some(cue) = &mut cue else {
@@ -67,10 +89,10 @@ struct Cue {
 }
 
 impl Cue {
-    fn begin(at: usize, line: &str, arrow: usize) -> Result<Self, Bad> {
+    fn begin(at: usize, line: &str, arrow: usize, mark: char) -> Result<Self, Bad> {
         let read = |offset: usize, written: &str| {
             let bad = || Bad::new(at + offset, format!("{:?} is no time", clip(written)));
-            time(written).ok_or_else(bad)
+            time(written, mark).ok_or_else(bad)
         };
         let start = read(0, line[..arrow].trim())?;
         let after = &line[arrow + 3..];
@@ -126,14 +148,7 @@ fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), Bad> {
     for (i, piece) in cue.pieces.iter().enumerate() {
         let end = cue.pieces.get(i + 1).map_or(cue.end, |next| next.start);
         let text = unescape(&piece.text);
-        let letters = |word: &str| word.chars().count() as f64;
-        let all: f64 = text.split_whitespace().map(letters).sum();
-        let (mut now, mut count) = (piece.start, 0);
-        for word in text.split_whitespace() {
-            let next = now + (end - piece.start) * letters(word) / all;
-            draft.word(now, next, word, piece.at)?;
-            (now, count) = (next, count + 1);
-        }
+        let count = draft.phrase(piece.start, end, &text, piece.at)?;
         if alone && count > 1 {
             draft.warn(
                 cue.at,
@@ -148,17 +163,17 @@ fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), Bad> {
 fn inner_time(text: &str) -> Option<f64> {
     // The longest time in sense is 99:59:59.999.
     let end = text.bytes().take(20).position(|b| b == b'>')?;
-    time(text.get(1..end)?)
+    time(text.get(1..end)?, '.')
 }
 
-/// `[hours:]minutes:seconds.milliseconds`.
-fn time(written: &str) -> Option<f64> {
+/// `[hours:]minutes:seconds.milliseconds`, with a point or `mark`.
+fn time(written: &str, mark: char) -> Option<f64> {
     let digits = |part: &str, least: usize| {
         let fine =
             part.len() >= least && part.len() <= 6 && part.bytes().all(|b| b.is_ascii_digit());
         fine.then(|| part.parse::<f64>().ok()).flatten()
     };
-    let (whole, thousandths) = written.split_once('.')?;
+    let (whole, thousandths) = written.split_once(['.', mark])?;
     let mut parts = whole.rsplit(':');
     let secs = digits(parts.next()?, 2)?;
     let minutes = digits(parts.next()?, 2)?;

@@ -82,6 +82,30 @@ fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
     }
 }
 
+/// The voice of an engine that speaks where none is chosen: a text that tells no language is taken
+/// for English, in which the first voice speaks, or else an American one.
+fn usual_of(voices: &[VoiceInfo]) -> Option<&VoiceInfo> {
+    let english = |v: &&VoiceInfo| language::primary(&v.language) == "en";
+    let american = |v: &&VoiceInfo| v.language.eq_ignore_ascii_case("en-US");
+    let first = voices.first()?;
+    if english(&first) {
+        return Some(first);
+    }
+    let of = |test: &dyn Fn(&&VoiceInfo) -> bool| voices.iter().find(test);
+    of(&american).or_else(|| of(&english)).or(Some(first))
+}
+
+/// The first voice of a language: of that very tag, else of its language.
+fn speaking<'v>(voices: &'v [VoiceInfo], tag: &str) -> Option<&'v VoiceInfo> {
+    let same = voices.iter().find(|v| v.language.eq_ignore_ascii_case(tag));
+    let primary = language::primary(tag);
+    same.or_else(|| {
+        voices
+            .iter()
+            .find(|v| language::primary(&v.language) == primary)
+    })
+}
+
 impl Known {
     fn ask(name: &str, options: &EngineOptions) -> Result<Self> {
         let engine = engine::by_name(name, options)?;
@@ -95,7 +119,7 @@ impl Known {
 
 impl Cast {
     /// A cast whose lead speaks with a voice of an engine. Without a voice, with the first that
-    /// the engine has; without an engine, with Festival or, where that is not installed,
+    /// the engine has, in English where it has that; without an engine, with Festival or, where that is not installed,
     /// the first that is.
     ///
     /// # Errors
@@ -135,7 +159,7 @@ impl Cast {
                     return Ok(cast);
                 }
                 // Recordings have no voices, and one that stands for all of them.
-                let first = known.voices.first().cloned();
+                let first = usual_of(&known.voices).cloned();
                 let any = || known.engine.voice("recorded").ok().flatten();
                 first
                     .or_else(any)
@@ -181,12 +205,23 @@ impl Cast {
     }
 
     /// What names no other language is said in this one, a tag of BCP 47; by another voice
-    /// where the lead's does not speak it.
+    /// where the lead's does not speak it: of its engine where nobody chose the voice.
     ///
     /// # Errors
     /// When no voice speaks it.
     pub fn speak_in(&mut self, tag: String) -> Result<()> {
-        self.lead = self.role(&self.lead, &Speaker::default(), &tag)?;
+        let chosen = self.chosen.as_ref();
+        let is_free = chosen.is_none_or(|role| role.voice.name.is_empty());
+        let other = language::primary(&self.lead.voice.language) != language::primary(&tag);
+        if is_free
+            && other
+            && let Some(own) = speaking(&self.known(&self.lead.engine)?.voices, &tag)
+        {
+            self.lead.voice = own.clone();
+        }
+        self.lead = self
+            .role(&self.lead, &Speaker::default(), &tag)
+            .with_context(|| format!("no voice here speaks the story's language, {tag}"))?;
         self.language = Some(tag);
         Ok(())
     }
@@ -353,5 +388,63 @@ impl Cast {
     /// When it is not installed.
     pub fn voices_of(engine: &str, options: &EngineOptions) -> Result<Vec<VoiceInfo>> {
         engine::by_name(engine, options)?.voices()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spoken::{Sentence, Spoken};
+
+    /// An engine of voices that are called by their languages.
+    struct Voices(&'static [&'static str]);
+
+    impl Engine for Voices {
+        fn version(&self) -> Result<String> {
+            Ok("voices 1".to_owned())
+        }
+
+        fn voices(&self) -> Result<Vec<VoiceInfo>> {
+            Ok(voices(self.0))
+        }
+
+        fn speak(&self, _voice: &str, _sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+            Ok(Vec::new())
+        }
+    }
+
+    fn voices(languages: &[&str]) -> Vec<VoiceInfo> {
+        let of = |language: &&str| VoiceInfo {
+            name: language.to_lowercase(),
+            language: (*language).to_owned(),
+            ..VoiceInfo::default()
+        };
+        languages.iter().map(of).collect()
+    }
+
+    #[test]
+    fn a_text_without_a_language_is_english() {
+        for (languages, expected) in [
+            (&["af", "en-GB", "en-US", "zu"][..], Some("en-US")),
+            (&["af", "en-GB"], Some("en-GB")),
+            (&["en-GB", "en-US"], Some("en-GB")),
+            (&["af", "zu"], Some("af")),
+            (&[], None),
+        ] {
+            let voices = voices(languages);
+            let usual = usual_of(&voices).map(|v| v.language.as_str());
+            assert_eq!(usual, expected, "{languages:?}");
+        }
+    }
+
+    #[test]
+    fn the_language_of_a_story_has_a_voice_of_the_engine() {
+        let own = Voices(&["en-US", "de", "pt-PT", "pt-BR"]);
+        let mut cast = Cast::of("own", Box::new(own), "en-us").unwrap();
+        for (tag, expected) in [("de-AT", "de"), ("pt-BR", "pt-br"), ("en", "en-us")] {
+            cast.lead.voice = voices(&["en-US"]).remove(0);
+            cast.speak_in(tag.to_owned()).unwrap();
+            assert_eq!(cast.lead.voice.name, expected, "{tag}");
+        }
     }
 }

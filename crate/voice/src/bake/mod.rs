@@ -38,6 +38,8 @@ use raconteur_speech::phones;
 
 pub use cast::Cast;
 use cast::Role;
+use engine::Recorded;
+pub use engine::Remark;
 use lock::Lock;
 use program::{FFMPEG, Missing, OPUSENC};
 use speak::Work;
@@ -81,6 +83,8 @@ pub struct BakeReport {
     pub absent: Vec<PathBuf>,
     /// What was heard in them.
     pub sound: Sound,
+    /// What of recordings among them is to be told, each with what was said.
+    pub remarks: Vec<(String, Remark)>,
     /// Sound files of earlier bakes that nothing uses any more and that were removed.
     pub removed: usize,
     /// All utterances together, seconds.
@@ -137,6 +141,7 @@ struct Made {
     utterance: Utterance,
     heard: Heard,
     lufs: Option<f64>,
+    remarks: Vec<Remark>,
 }
 
 /// Makes or refreshes the bundle of the story in `folder` so that it holds all that is `said`.
@@ -256,8 +261,12 @@ fn renew(
     let texts = wanted.iter().zip(&stale).filter(|(_, stale)| **stale);
     report.synthesised = texts.map(|(w, _)| w.content.plain_text()).collect();
     let made = make(wanted, &stale, options, &store, progress)?;
-    for made in made.iter().flatten() {
+    for (made, wanted) in made.iter().zip(wanted) {
+        let Some(made) = made else { continue };
         report.sound.add(&made.heard, made.lufs);
+        let text = short(&wanted.content.plain_text());
+        let told = made.remarks.iter().map(|r| (text.clone(), r.clone()));
+        report.remarks.extend(told);
     }
     let made = made.into_iter().map(|m| m.map(|m| m.utterance)).collect();
     let bundle = bundle_of(wanted, &store, made, options)?;
@@ -390,9 +399,16 @@ fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> R
         let read = wanted.sounds.iter().map(|path| sounds::read(path, rate_hz));
         read.collect::<Result<Vec<_>>>()
     };
-    let track = match engine.recorded(wanted.key, wanted.place, &wanted.casting.plan)? {
-        Some(spoken) => speak::recorded(&wanted.casting.plan, spoken, wanted.said.emotion.as_ref()),
-        None => speak::speak(&work, &wanted.casting, &options.cast, &recordings)?,
+    let plan = &wanted.casting.plan;
+    let (track, remarks) = match engine.recorded(wanted.key, wanted.place, plan)? {
+        Some(Recorded { spoken, remarks }) => {
+            let track = speak::recorded(plan, spoken, wanted.said.emotion.as_ref());
+            (track, remarks)
+        }
+        None => {
+            let track = speak::speak(&work, &wanted.casting, &options.cast, &recordings)?;
+            (track, Vec::new())
+        }
     };
     let mut utterance = track.utterance;
     utterance.key = wanted.key;
@@ -409,5 +425,6 @@ fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> R
         heard: hear(&utterance, phone_set, &track.samples, track.rate_hz),
         lufs: integrated_lufs(&[&track.samples], track.rate_hz),
         utterance,
+        remarks,
     })
 }

@@ -10,7 +10,7 @@ pub(super) use raconteur_base::text::roman::{is_ruler, value};
 const PARTS: [&[&str]; 3] = [
     &[
         "Chapter", "Part", "Book", "Act", "Scene", "Volume", "War", "Section", "Canto", "Article",
-        "Vol", "Ch", "Fig", "Sec",
+        "Bowl", "Vol", "Ch", "Fig", "Sec",
     ],
     &[
         "Kapitel", "Band", "Teil", "Akt", "Buch", "Szene", "Artikel", "Gesang", "Kap", "Bd", "Art",

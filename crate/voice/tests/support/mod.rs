@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use raconteur_voice::align::Format;
 
 /// The folders of `tests/align` and the formats of the files in them.
-pub(crate) const FORMATS: [(&str, Format); 12] = [
+pub(crate) const FORMATS: [(&str, Format); 15] = [
     ("textgrid", Format::TextGrid),
     ("rhubarb_tsv", Format::RhubarbTsv),
     ("rhubarb_json", Format::RhubarbJson),
@@ -19,6 +19,9 @@ pub(crate) const FORMATS: [(&str, Format); 12] = [
     ("mbrola", Format::Mbrola),
     ("webvtt", Format::WebVtt),
     ("talking_head", Format::TalkingHead),
+    ("subrip", Format::SubRip),
+    ("eaf", Format::Eaf),
+    ("word_times", Format::WordTimes),
 ];
 
 /// What a folder holds besides its listed content, in the order of names.

@@ -1,10 +1,12 @@
 //! Sound whose times another program wrote: its words find their tokens by their order and
 //! spelling.
 
-use crate::align::{Alignment, Units, phone_of_viseme};
+use crate::align::{Alignment, IPA, Units, phone_of_viseme};
+use crate::ipa;
 use crate::spoken::Spoken;
 use anyhow::{Result, ensure};
 use raconteur_speech::bundle::SILENCE;
+use raconteur_speech::phones;
 
 use super::labels::{self, Labels, Phone};
 use super::matching;
@@ -12,6 +14,9 @@ use super::wave::Wave;
 
 /// Share of the tokens that must be found.
 const LEAST_FOUND: f64 = 0.5;
+
+/// So many unknown phones are named.
+const MOST_UNKNOWN: usize = 12;
 
 /// Brings sound and alignment together. `tokens` are what was to be said; `phone_set` is
 /// what the phones are of where the alignment does not tell. Where there are mouth shapes
@@ -29,25 +34,52 @@ pub(super) fn spoken(
     let token_of = tokens_of(alignment, tokens)?;
     let mut labels = Labels::default();
     let set = match &alignment.units {
-        Units::Phones { set } => {
+        Units::Phones { set: Some(IPA) } => {
             times(alignment, &token_of, &mut labels, |label| {
-                Some(label.to_owned())
+                ipa::in_sampa(label).unwrap_or_else(|| vec![label])
             });
+            "sampa"
+        }
+        Units::Phones { set } => {
+            times(alignment, &token_of, &mut labels, |label| vec![label]);
             set.unwrap_or(phone_set)
         }
         Units::Visemes { set } => {
             times(alignment, &token_of, &mut labels, |label| {
-                phone_of_viseme(*set, label).map(str::to_owned)
+                vec![phone_of_viseme(*set, label).unwrap_or(SILENCE)]
             });
             "radio"
         }
         Units::None => {
-            spell(alignment, &token_of, &mut labels);
+            spell(alignment, &token_of, tokens, &mut labels);
             "radio"
         }
     };
     accents(alignment, &mut labels);
     labels::finish(&labels, wave, set, 0.0)
+}
+
+/// Phones of an alignment that the mouth does not know, each once, in order.
+pub(super) fn unknown_phones<'a>(alignment: &'a Alignment, phone_set: &str) -> Vec<&'a str> {
+    let Units::Phones { set } = alignment.units else {
+        return Vec::new();
+    };
+    let set = set.unwrap_or(phone_set);
+    let known = |label: &str| match set {
+        IPA => ipa::in_sampa(label).is_some(),
+        set => labels::is_silence(label) || phones::find(set, label).is_some(),
+    };
+    let mut unknown: Vec<&str> = Vec::new();
+    for segment in &alignment.segments {
+        let label = segment.label.as_str();
+        if !label.is_empty() && !known(label) && !unknown.contains(&label) {
+            unknown.push(label);
+        }
+        if unknown.len() == MOST_UNKNOWN {
+            break;
+        }
+    }
+    unknown
 }
 
 /// The token of each word.
@@ -91,12 +123,12 @@ fn folded(text: &str) -> String {
         .collect()
 }
 
-/// Takes the segments as they are. What the other program has no phone for is silence.
-fn times(
-    alignment: &Alignment,
+/// Takes the segments as they are; one of several phones is shared by them evenly.
+fn times<'a>(
+    alignment: &'a Alignment,
     token_of: &[Option<usize>],
     labels: &mut Labels,
-    phone: impl Fn(&str) -> Option<String>,
+    phones: impl Fn(&'a str) -> Vec<&'a str>,
 ) {
     let syllable = |i: usize| {
         let after = alignment
@@ -107,14 +139,19 @@ fn times(
         (i < s.first_segment + s.count).then_some(last)
     };
     for (i, segment) in alignment.segments.iter().enumerate() {
-        let symbol = phone(&segment.label).unwrap_or_else(|| SILENCE.to_owned());
         let word = alignment.word_of(i);
-        labels.phones.push(Phone {
-            token: word.and_then(|w| token_of.get(w).copied().flatten()),
-            symbol,
-            end_secs: segment.end_secs,
-            syllable: syllable(i),
-        });
+        let symbols = phones(&segment.label);
+        let (count, length_secs) = (symbols.len(), segment.end_secs - segment.start_secs);
+        for (k, symbol) in symbols.into_iter().enumerate() {
+            // The last ends as the segment does, to the bit.
+            let left = (count - 1 - k) as f64 / count as f64;
+            labels.phones.push(Phone {
+                token: word.and_then(|w| token_of.get(w).copied().flatten()),
+                symbol: symbol.to_owned(),
+                end_secs: segment.end_secs - length_secs * left,
+                syllable: syllable(i),
+            });
+        }
     }
     labels.syllables = alignment
         .syllables
@@ -123,13 +160,15 @@ fn times(
         .collect();
 }
 
-/// Spells words. *Designed*: which phone of the radio set a letter looks most like.
-fn spell(alignment: &Alignment, token_of: &[Option<usize>], labels: &mut Labels) {
+/// Spells words, signs as the text reads them. *Designed*: which phone of the radio set a letter
+/// looks most like.
+fn spell(alignment: &Alignment, token_of: &[Option<usize>], tokens: &[&str], labels: &mut Labels) {
     const LETTERS: [&str; 26] = [
         "ae", "b", "k", "d", "eh", "f", "g", "hh", "ih", "jh", "k", "l", "m", "n", "ao", "p", "k",
         "r", "s", "t", "uh", "v", "w", "s", "iy", "z",
     ];
     let mut end_secs = 0.0;
+    let mut before = None;
     for (word, token) in alignment.words.iter().zip(token_of) {
         if word.start_secs > end_secs {
             labels.phones.push(Phone {
@@ -138,7 +177,15 @@ fn spell(alignment: &Alignment, token_of: &[Option<usize>], labels: &mut Labels)
                 ..Phone::default()
             });
         }
-        let phones: Vec<&str> = folded(&word.label)
+        let mut letters = folded(&word.label);
+        if letters.is_empty() {
+            // A sign that the text does not read is a part of the word before it.
+            let own = token.filter(|t| before != Some(*t));
+            let read = own.and_then(|t| tokens.get(t)).map(|t| folded(t));
+            letters = read.filter(|r| !r.is_empty()).unwrap_or("e".to_owned());
+        }
+        before = *token;
+        let phones: Vec<&str> = letters
             .bytes()
             .map(|b| {
                 LETTERS
@@ -230,6 +277,46 @@ mod tests {
             )
             .is_err()
         );
+    }
+
+    #[test]
+    fn phones_in_ipa_move_the_mouth_as_those_of_arpabet_do() {
+        let grid = |phones: [&str; 6]| {
+            let mut text =
+                "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n0 0.6 <exists> 2\n\
+                \"IntervalTier\" \"words\" 0 0.6 2 0 0.3 \"you\" 0.3 0.6 \"raise\"\n\
+                \"IntervalTier\" \"phones\" 0 0.6 6\n"
+                    .to_owned();
+            for (i, phone) in phones.iter().enumerate() {
+                let (from, to) = (i as f64 / 10.0, (i + 1) as f64 / 10.0);
+                text += &format!("{from} {to} \"{phone}\"\n");
+            }
+            read(Format::TextGrid, text.as_bytes()).unwrap()
+        };
+        let rows = |alignment: &Alignment| {
+            let spoken = spoken(alignment, silence(0.6), &["you", "raise"], "radio").unwrap();
+            let rows = spoken.segments.iter().filter(|s| !s.is_silent());
+            let rows = rows.map(|s| phones::find(&spoken.phone_set, &s.symbol).unwrap().name);
+            rows.collect::<Vec<_>>()
+        };
+        let arpabet = grid(["Y", "UW1", "", "R", "EY1", "Z"]);
+        let ipa = grid(["j", "ʉː", "", "ɹ", "ej", "z"]);
+        assert_eq!(rows(&ipa), rows(&arpabet));
+        assert!(unknown_phones(&ipa, "radio").is_empty());
+        let odd = grid(["j", "ʉː", "n", "ɹ", "ej", "ʘ"]);
+        assert_eq!(unknown_phones(&odd, "radio"), ["ʘ"]);
+        let other = grid(["Y", "UW1", "spn", "R", "EY1", "spn"]);
+        assert_eq!(unknown_phones(&other, "radio"), ["spn"]);
+    }
+
+    #[test]
+    fn a_sign_is_spelled_as_it_is_read() {
+        let vtt = "WEBVTT\n\n00:00.000 --> 00:00.300\nup\n\n00:00.300 --> 00:00.600\n&\n";
+        let alignment = read(Format::WebVtt, vtt.as_bytes()).unwrap();
+        let spoken = spoken(&alignment, silence(0.6), &["Up", "and"], "radio").unwrap();
+        let own = spoken.segments.iter().filter(|s| s.token == Some(1));
+        let symbols: Vec<&str> = own.map(|s| s.symbol.as_str()).collect();
+        assert_eq!(symbols, ["ae", "n", "d"]);
     }
 
     #[test]

@@ -7,10 +7,10 @@ use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result};
 
 pub use super::espeak_events::{Event, Synthesis, What};
-use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
 use super::{Engine, VoiceInfo, matching, punctuation};
+use crate::ipa::{self, Set};
 pub use traced::{Traced, named};
 
 /// Loudest sample of a closure. *Designed*: a hundredth of the usual level.

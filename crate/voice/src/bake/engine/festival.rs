@@ -7,9 +7,9 @@ use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Error, Result, bail, ensure};
 
 use super::super::program::{Missing, Program};
-use super::ipa::Set;
 use super::labels::{self, Labels, Phone};
 use super::{Engine, VoiceInfo, scheme, wave};
+use crate::ipa::Set;
 
 const FESTIVAL: Program = Program {
     name: "festival",

@@ -11,9 +11,9 @@ use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, ensure};
 
 use super::super::program::Program;
-use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::{Engine, VoiceInfo, matching, punctuation, scheme, wave};
+use crate::ipa::{self, Set};
 
 const FLITE: Program = Program {
     name: "flite",

@@ -8,8 +8,8 @@ use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, ensure};
 use raconteur_speech::bundle::SentenceKind;
 
-use super::ipa::{self, Set};
 use super::{Engine, VoiceInfo, aligned, http, labels, punctuation, wave};
+use crate::ipa::{self, Set};
 
 /// MARY at an address.
 pub(super) struct Mary {

@@ -19,9 +19,9 @@ mod espeak_library;
 mod festival;
 pub mod flite;
 mod http;
-mod ipa;
 pub mod kokoro;
 mod labels;
+mod loudness;
 mod mary;
 mod matching;
 mod recording;
@@ -64,6 +64,26 @@ pub struct VoiceInfo {
     pub what: String,
 }
 
+/// What of a recording is not as its maker meant it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// What kind, for machines: `phones-unknown` and so on; see `docs/voices.md`.
+    pub code: &'static str,
+    /// Which recording, and what of it.
+    pub message: String,
+    /// What to do about it.
+    pub hint: &'static str,
+}
+
+/// The recording of an utterance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recorded {
+    /// Its sound and times.
+    pub spoken: Spoken,
+    /// What of it was repaired or guessed.
+    pub remarks: Vec<Remark>,
+}
+
 /// Speaks.
 pub trait Engine: Sync {
     /// Its name and version, for example `festival 2.5.0`.
@@ -99,7 +119,7 @@ pub trait Engine: Sync {
     ///
     /// # Errors
     /// When there is a recording that cannot be read, or that is of other words.
-    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Recorded>> {
         let _ = (key, place, plan);
         Ok(None)
     }

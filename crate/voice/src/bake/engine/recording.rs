@@ -1,18 +1,24 @@
 //! Recordings of people: a folder with a sound for each utterance and, beside it, what
-//! another program says of its times.
+//! another program says of its times; without that, its loudness tells what it can.
 
 use std::path::{Path, PathBuf};
 
-use crate::align::{MOST_BYTES, detect, read};
+use crate::align::{Alignment, FORMS, MOST_BYTES, detect, read};
 use crate::plan::Plan;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail};
 
-use super::{Engine, VoiceInfo, aligned, wave};
+use super::loudness::{self, Said};
+use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
 use crate::files::{input, inside};
 
 /// What an alignment's name ends in, the most telling first.
-const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
+const ENDINGS: [&str; 10] = [
+    "TextGrid", "utt", "xml", "lab", "pho", "eaf", "json", "tsv", "vtt", "srt",
+];
+
+/// The phone set of recordings whose alignment does not tell.
+const PHONE_SET: &str = "radio";
 
 /// A folder of recordings.
 pub(super) struct Recordings {
@@ -45,7 +51,7 @@ impl Recordings {
 
 impl Engine for Recordings {
     fn version(&self) -> Result<String> {
-        Ok("recordings 1".to_owned())
+        Ok("recordings 2".to_owned())
     }
 
     fn voices(&self) -> Result<Vec<VoiceInfo>> {
@@ -67,7 +73,7 @@ impl Engine for Recordings {
         Ok(Some(VoiceInfo {
             name: name.to_owned(),
             language: "und".to_owned(),
-            phone_set: "radio".to_owned(),
+            phone_set: PHONE_SET.to_owned(),
             what: "recordings".to_owned(),
             ..VoiceInfo::default()
         }))
@@ -77,7 +83,9 @@ impl Engine for Recordings {
         let Some(sound) = self.sound(key, place)? else {
             return Ok(String::new());
         };
-        let (name, times) = beside(&sound)?;
+        let alignment =
+            beside(&sound).with_context(|| format!("the recording {}", sound.display()))?;
+        let (name, times) = alignment.unwrap_or_default();
         let bytes = wave::bytes(&sound)?;
         Ok(format!(
             "{:016x} {name} {:016x}",
@@ -86,25 +94,74 @@ impl Engine for Recordings {
         ))
     }
 
-    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Recorded>> {
         let Some(sound) = self.sound(key, place)? else {
             return Ok(None);
         };
         let told = || format!("the recording {}", sound.display());
-        let (name, bytes) = beside(&sound).with_context(told)?;
+        let tokens = || plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
+        let Some((name, bytes)) = beside(&sound).with_context(told)? else {
+            let said = tokens().map(|t| Said {
+                text: &t.text,
+                ends: !t.punctuation.is_empty(),
+            });
+            let said: Vec<Said<'_>> = said.collect();
+            let spoken = loudness::spoken(wave::read(&sound)?, &said).with_context(told)?;
+            let remarks = vec![by_loudness(&sound)];
+            return Ok(Some(Recorded { spoken, remarks }));
+        };
         let format = detect(&name, &bytes)
-            .with_context(|| format!("{name} is of no known format"))
+            .with_context(|| format!("{name} is of no form that is read, which are {FORMS}"))
             .with_context(told)?;
         let alignment = read(format, &bytes)
             .with_context(|| name.clone())
             .with_context(told)?;
-        let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
-        let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
         let wave = wave::read(&sound)?;
-        aligned::spoken(&alignment, wave, &texts, "radio")
-            .with_context(told)
-            .map(Some)
+        let texts: Vec<&str> = tokens().map(|t| t.text.as_str()).collect();
+        let spoken = aligned::spoken(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
+        let remarks = remarks(&name, &alignment);
+        Ok(Some(Recorded { spoken, remarks }))
     }
+}
+
+/// What is to be told of a sound alone.
+fn by_loudness(sound: &Path) -> Remark {
+    let name = sound.file_name().unwrap_or_default().to_string_lossy();
+    Remark {
+        code: "lips-by-loudness",
+        message: format!(
+            "{name} has no alignment beside it: its words are spread by their letters, and the lips follow the loudness only"
+        ),
+        hint: "put one of the same name beside it, say a TextGrid of the Montreal Forced Aligner",
+    }
+}
+
+/// What of an alignment, a file of this name, is to be told.
+fn remarks(name: &str, alignment: &Alignment) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let unknown = aligned::unknown_phones(alignment, PHONE_SET);
+    if !unknown.is_empty() {
+        remarks.push(Remark {
+            code: "phones-unknown",
+            message: format!(
+                "{name} has phones that are not known, for which the mouth is hardly open: {}",
+                unknown.join(" ")
+            ),
+            hint: "name them in ARPABET, SAMPA or IPA",
+        });
+    }
+    if let [first, others @ ..] = alignment.warnings.as_slice() {
+        let more = match others.len() {
+            0 => String::new(),
+            n => format!(", and {n} more like it"),
+        };
+        remarks.push(Remark {
+            code: "alignment-repaired",
+            message: format!("{name}, {first}{more}"),
+            hint: "",
+        });
+    }
+    remarks
 }
 
 /// FNV-1a of 64 bits (draft-eastlake-fnv): tells whether a file has changed.
@@ -114,21 +171,18 @@ fn digest(bytes: &[u8]) -> u64 {
     })
 }
 
-/// The alignment beside a sound: its name and content.
-fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
+/// The alignment beside a sound, if there is one: its name and content.
+fn beside(sound: &Path) -> Result<Option<(String, Vec<u8>)>> {
     for ending in ENDINGS {
         let name = sound.with_extension(ending);
         let name = name.file_name().unwrap_or_default().to_string_lossy();
         let folder = sound.parent().unwrap_or(Path::new("."));
         if let Some(path) = inside::find(folder, &name)? {
             let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
-            return Ok((name.into_owned(), bytes));
+            return Ok(Some((name.into_owned(), bytes)));
         }
     }
-    bail!(
-        "it has no alignment beside it; its name may end in .{}",
-        ENDINGS.join(", .")
-    )
+    Ok(None)
 }
 
 #[cfg(test)]
@@ -186,16 +240,49 @@ mod tests {
         let recordings = Recordings::new(folder.path().to_owned());
         let me_too = plan(&["Me", "too"]);
         for (key, place) in [(0x0123_abcd, 9), (0, 2)] {
-            let spoken = recordings.recorded(key, place, &me_too).unwrap().unwrap();
+            let recorded = recordings.recorded(key, place, &me_too).unwrap().unwrap();
+            assert!(recorded.remarks.is_empty());
+            let spoken = recorded.spoken;
             let tokens: Vec<_> = spoken.segments.iter().map(|s| s.token).collect();
             assert_eq!(tokens[..5], [None, Some(0), Some(0), Some(1), Some(1)]);
             assert_eq!((spoken.rate_hz, spoken.samples.len()), (8_000.0, 4_000));
         }
         assert!(recordings.recorded(0xffff, 0, &me_too).unwrap().is_none());
-        assert!(recordings.recorded(0, 3, &me_too).is_err(), "no alignment");
+        let alone = recordings.recorded(0, 3, &me_too).unwrap().unwrap();
+        let codes: Vec<&str> = alone.remarks.iter().map(|r| r.code).collect();
+        assert_eq!(codes, ["lips-by-loudness"]);
+        assert_ne!(recordings.state(0, 3).unwrap(), "");
         let others = plan(&["quite another text", "than this"]);
         assert!(recordings.recorded(0, 2, &others).is_err());
         assert!(recordings.speak("", &[Sentence::default()]).is_err());
+    }
+
+    #[test]
+    fn what_is_odd_or_of_another_form_is_named() {
+        let folder = folder();
+        let recordings = Recordings::new(folder.path().to_owned());
+        let grid = folder.path().join("03.TextGrid");
+        fs::write(
+            &grid,
+            GRID.replace("\"T\"", "\"qqq\"")
+                .replace("0\n0.1\n\"sil\"\n", "0\n0.11\n\"sil\"\n"),
+        )
+        .unwrap();
+        let recorded = recordings.recorded(0, 2, &plan(&["Me", "too"])).unwrap();
+        let remarks = recorded.unwrap().remarks;
+        let codes: Vec<&str> = remarks.iter().map(|r| r.code).collect();
+        assert_eq!(codes, ["phones-unknown", "alignment-repaired"]);
+        assert!(remarks.iter().all(|r| r.message.contains("03.TextGrid")));
+        assert!(remarks[0].message.contains("qqq"), "{remarks:?}");
+        fs::remove_file(grid).unwrap();
+        fs::write(folder.path().join("03.json"), "[1, 2]").unwrap();
+        let error = recordings
+            .recorded(0, 2, &plan(&["Me", "too"]))
+            .unwrap_err();
+        let error = format!("{error:#}");
+        for part in ["03.wav", "03.json", "TextGrid", "Whisper"] {
+            assert!(error.contains(part), "{error}");
+        }
     }
 
     #[test]

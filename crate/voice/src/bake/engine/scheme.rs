@@ -7,8 +7,8 @@ use crate::spoken::{Sentence, Token};
 use anyhow::{Context as _, Result};
 use raconteur_speech::bundle::SentenceKind;
 
-use super::ipa::{self, Set};
 use super::punctuation;
+use crate::ipa::{self, Set};
 
 /// Is this safe as a bare name in a script?
 pub(super) fn is_symbol(name: &str) -> bool {

@@ -1,5 +1,7 @@
 //! Reads the sounds that engines and people make.
 
+mod plain;
+
 use std::io::Cursor;
 use std::path::Path;
 
@@ -38,13 +40,15 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     input::bytes(path, MOST_BYTES).context("the sound")
 }
 
-/// Reads a WAV of 8 to 32 bits or float, of any rate; channels become their mean. NaN
+/// Reads a WAV of 8 to 32 bits, or of floating-point numbers of 32 or 64, of any rate, in whatever
+/// order its parts stand and whether or not it tells its length; channels become their mean. NaN
 /// is silence, and samples are clamped to 1.
 ///
 /// # Errors
-/// When it is no WAV, is cut off, or has no channels or an impossible rate.
+/// When it is no WAV, is compressed, is cut off, or has no channels or an impossible rate.
 pub(super) fn decode(bytes: &[u8]) -> Result<Wave> {
-    let mut reader = hound::WavReader::new(Cursor::new(bytes)).context("no WAV")?;
+    let plain = plain::plain(bytes)?;
+    let mut reader = hound::WavReader::new(Cursor::new(plain)).context("no WAV")?;
     let spec = reader.spec();
     ensure!(
         spec.channels > 0 && RATES_HZ.contains(&spec.sample_rate),
@@ -125,6 +129,118 @@ mod tests {
             let wave = decode(&bytes).unwrap();
             assert_eq!(wave.rate_hz, 22_050.0, "{what}");
             assert_eq!(wave.samples, [0.25; 4], "{what}");
+        }
+    }
+
+    /// A WAV of these chunks, each with the length that it tells and what it holds.
+    fn chunks(of: &[(&[u8; 4], u32, &[u8])]) -> Vec<u8> {
+        let mut out = b"RIFF\xff\xff\xff\xffWAVE".to_vec();
+        for (name, length, bytes) in of {
+            out.extend(*name);
+            out.extend(length.to_le_bytes());
+            out.extend(*bytes);
+        }
+        out
+    }
+
+    /// The description of one channel at 22,050 Hz.
+    fn form(tag: u16, bits: u16) -> Vec<u8> {
+        let frame = bits / 8;
+        let mut out = [tag.to_le_bytes(), 1_u16.to_le_bytes()].concat();
+        out.extend(22_050_u32.to_le_bytes());
+        out.extend((22_050 * u32::from(frame)).to_le_bytes());
+        out.extend(frame.to_le_bytes());
+        out.extend(bits.to_le_bytes());
+        out
+    }
+
+    #[test]
+    fn wavs_are_read_as_programs_write_them() {
+        let (pcm, data) = (&form(1, 16)[..], &[0, 0x20].repeat(4)[..]);
+        let fmt = (b"fmt ", 16, pcm);
+        let doubles = 0.25_f64.to_le_bytes().repeat(4);
+        let told = doubles.len() as u32;
+        // The form of MPEG's WAVs has a description of 18 bytes for plain samples, too.
+        let longer = [pcm, &[0, 0]].concat();
+        for (what, bytes) in [
+            ("a pipe", chunks(&[fmt, (b"data", u32::MAX, data)])),
+            (
+                "a pipe, signed",
+                chunks(&[fmt, (b"data", 0x7fff_ffff, data)]),
+            ),
+            (
+                "a pipe, less its header",
+                chunks(&[fmt, (b"data", u32::MAX - 36, data)]),
+            ),
+            ("no length", chunks(&[fmt, (b"data", 0, data)])),
+            (
+                "a stopped stream",
+                chunks(&[fmt, (b"data", u32::MAX, &[data, &[1]].concat())]),
+            ),
+            (
+                "a list of odd length",
+                chunks(&[fmt, (b"LIST", 3, b"abc\0"), (b"data", 8, data)]),
+            ),
+            (
+                "one that is not filled",
+                chunks(&[fmt, (b"LIST", 3, b"abc"), (b"data", 8, data)]),
+            ),
+            ("data first", chunks(&[(b"data", 8, data), fmt])),
+            (
+                "something behind",
+                chunks(&[fmt, (b"data", 8, data), (b"junk", 3, b"abc")]),
+            ),
+            (
+                "a longer form",
+                chunks(&[(b"fmt ", 18, &longer), (b"data", 8, data)]),
+            ),
+            (
+                "doubles",
+                chunks(&[(b"fmt ", 16, &form(3, 64)), (b"data", told, &doubles)]),
+            ),
+            (
+                "24 bits",
+                chunks(&[
+                    (b"fmt ", 16, &form(1, 24)),
+                    (b"data", 12, &[0, 0, 0x20].repeat(4)),
+                ]),
+            ),
+        ] {
+            let wave = decode(&bytes).unwrap_or_else(|e| panic!("{what}: {e:#}"));
+            assert_eq!(wave.rate_hz, 22_050.0, "{what}");
+            assert_eq!(wave.samples, [0.25; 4], "{what}");
+        }
+        let empty = chunks(&[fmt, (b"data", 0, b""), (b"junk", 4, b"abcd")]);
+        assert!(decode(&empty).unwrap().samples.is_empty());
+        let mut long = chunks(&[
+            (
+                b"ds64",
+                28,
+                &[&[0; 8][..], &8_u64.to_le_bytes(), &[0; 12]].concat(),
+            ),
+            fmt,
+            (b"data", u32::MAX, data),
+            (b"junk", 4, b"abcd"),
+        ]);
+        long[..4].copy_from_slice(b"RF64");
+        assert_eq!(decode(&long).unwrap().samples, [0.25; 4], "RF64");
+    }
+
+    #[test]
+    fn what_of_a_wav_is_not_read_is_named() {
+        let data = (b"data", 8, &[0_u8; 8][..]);
+        for (bytes, told) in [
+            (chunks(&[(b"fmt ", 16, &form(6, 8)), data]), "0x0006"),
+            (chunks(&[data]), "fmt"),
+            (chunks(&[(b"fmt ", 16, &form(1, 16))]), "data"),
+            (chunks(&[(b"fmt ", 2, &[1, 0]), data]), "too short"),
+            (
+                chunks(&[(b"fmt ", 16, &form(1, 16)), (b"data", 9, &[0; 8])]),
+                "cut off",
+            ),
+        ] {
+            let error = format!("{:#}", decode(&bytes).unwrap_err());
+            assert!(error.contains(told), "{error}");
         }
     }
 

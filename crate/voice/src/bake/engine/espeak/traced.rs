@@ -3,9 +3,9 @@
 
 use anyhow::Result;
 
-use super::super::ipa::{self, Set};
 use super::super::matching;
 use super::{Event, Synthesis, What, set};
+use crate::ipa::{self, Set};
 
 /// A text as such a build says it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! The network's letters and the phones of the set `radio`.
 
-use super::super::ipa::{self, Set};
 use super::super::labels::{Labels, Phone};
 use super::Mark;
+use crate::ipa::{self, Set};
 
 /// Letters and their phones. Of those with one phone the first is written for it.
 #[rustfmt::skip]

@@ -3,9 +3,9 @@
 
 use anyhow::{Context as _, Result};
 
-use super::super::ipa::{self, Set};
 use super::super::scheme;
 use super::{Host, letters};
+use crate::ipa::{self, Set};
 use crate::spoken::{Sentence, Token};
 
 /// Small words as they are said when nothing stresses them, where the dictionaries have them as

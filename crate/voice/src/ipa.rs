@@ -1,5 +1,5 @@
 //! Pronunciations that authors give in the International Phonetic Alphabet, in each engine's
-//! own phones.
+//! own phones, and phones that aligners name in it.
 //!
 //! The names are facts of Festival's `radio_phones.scm` and `mrpa_phones.scm`, of SAMPA and
 //! of espeak-ng's mnemonics (its `docs/phonemes.md`). A phone that a set does not have
@@ -67,7 +67,7 @@ const fn row(ipa: &'static str, sonority: Sonority, names: [&'static str; 6]) ->
 
 /// Radio, MRPA, SAMPA, espeak-ng's English, German and Portuguese.
 #[rustfmt::skip]
-static TABLE: [Row; 107] = [
+static TABLE: [Row; 110] = [
     row("ɑː", Vowel, ["aa", "aa", "A:", "A:", "A:", "a"]),
     row("ɑ", Vowel, ["aa", "aa", "A", "A:", "A:", "a"]),
     row("ɑ̃", Vowel, ["aa n", "aa n", "A~", "A~", "A~", "&~"]),
@@ -121,6 +121,9 @@ static TABLE: [Row; 107] = [
     row("aw", Vowel, ["aw", "au", "aU", "aU", "aU", "aU"]),
     row("oʊ", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
     row("əʊ", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
+    row("ow", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
+    row("əw", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
+    row("ɔj", Vowel, ["oy", "oi", "OI", "OI", "OY", "OI"]),
     row("ɔɪ", Vowel, ["oy", "oi", "OI", "OI", "OY", "OI"]),
     row("ɔʏ", Vowel, ["oy", "oi", "OY", "OI", "OY", "OI"]),
     row("oj", Vowel, ["oy", "oi", "OI", "OI", "OY", "oI"]),
@@ -180,13 +183,45 @@ static TABLE: [Row; 107] = [
 /// Syllabic consonants: a short vowel and the consonant.
 const SYLLABIC: char = '\u{329}';
 
-/// Marks that say more than any engine can use: ties, breath, release, length of half, and
-/// that a vowel is not a syllable.
-const IGNORED: &str = "\u{361}\u{35c}ʰʲˠˤʷˑ\u{31a}\u{325}\u{32a}\u{32f}˞";
+/// Marks that say more than any engine can use: ties, breath, release, length of half, tones,
+/// where exactly the tongue is, and that a vowel is not a syllable.
+const IGNORED: &str = "\u{361}\u{35c}ʰʱʲˠˤʷˑˀⁿˡ˥˦˧˨˩˞\u{306}\u{308}\u{30a}\u{318}\u{319}\u{31a}\u{31c}\u{31d}\
+    \u{31e}\u{31f}\u{320}\u{324}\u{325}\u{32a}\u{32c}\u{32f}\u{330}\u{339}\u{33a}\u{33b}\u{33c}";
 
-/// Letters that are written for others, composed ones among them.
+/// What makes a vowel nasal; the table has those that engines have.
+const NASAL: char = '\u{303}';
+
+/// Letters that are written for others, composed ones among them, and the nearest of those that
+/// the table does not have. Which is nearest, by how lips and jaw stand, is *designed*.
 fn replaced(c: char) -> &'static [char] {
     match c {
+        '\u{30d}' => &[SYLLABIC],
+        'ʉ' | 'ᵿ' => &['u'],
+        'ɯ' => &['ɨ'],
+        'ɤ' => &['ʌ'],
+        'ɵ' => &['ø'],
+        'ɞ' | 'ɶ' => &['œ'],
+        'ɓ' | 'ʙ' => &['b'],
+        'ɗ' | 'ɖ' => &['d'],
+        'ʈ' => &['t'],
+        'ɟ' | 'ɠ' | 'ɢ' => &['ɡ'],
+        'q' => &['k'],
+        'ʕ' => &['ʔ'],
+        'ɸ' => &['f'],
+        'ʋ' | 'ⱱ' => &['v'],
+        'ɕ' | 'ʂ' | 'ɧ' => &['ʃ'],
+        'ʑ' | 'ʐ' => &['ʒ'],
+        'ʝ' => &['j'],
+        'ħ' => &['h'],
+        'ɰ' => &['ɣ'],
+        'ɱ' => &['m'],
+        'ɳ' => &['n'],
+        'ɴ' => &['ŋ'],
+        'ɬ' | 'ɮ' | 'ɭ' | 'ɺ' | 'ʟ' => &['l'],
+        'ɽ' => &['ɾ'],
+        'ʍ' => &['w'],
+        'ʨ' => &['t', 'ʃ'],
+        'ʥ' => &['d', 'ʒ'],
         'g' => &['ɡ'],
         ':' => &['ː'],
         'r' | 'ɻ' => &['ɹ'],
@@ -256,6 +291,41 @@ pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
         }
     }
     Ok(out)
+}
+
+/// A phone that an aligner names in the alphabet, with whatever marks, as phones of SAMPA, which
+/// has those of all languages here; where the mouth does not know SAMPA's, as English has it.
+/// `None` where it is none of the table.
+pub(super) fn in_sampa(label: &str) -> Option<Vec<&'static str>> {
+    let of = |row: &'static Row, set: Set| row.names[set as usize].split_ascii_whitespace();
+    let mut names = Vec::new();
+    for row in rows(label)? {
+        if of(row, Set::Sampa).all(|name| phones::find("sampa", name).is_some()) {
+            names.extend(of(row, Set::Sampa));
+        } else {
+            let english = of(row, Set::Radio);
+            names.extend(english.filter_map(|name| phones::translate("radio", name, "sampa")));
+        }
+    }
+    (!names.is_empty()).then_some(names)
+}
+
+/// Whether a label is one phone of the alphabet. Several letters that are phones each may be a
+/// name of another set.
+pub(super) fn is_phone(label: &str) -> bool {
+    rows(label).is_some_and(|rows| rows.count() == 1)
+}
+
+/// The rows of a label that has nothing but phones and stress.
+fn rows(label: &str) -> Option<impl Iterator<Item = &'static Row>> {
+    let pieces = pieces(label).ok()?;
+    let fine = !pieces.iter().any(|p| matches!(p, IpaSymbol::Dot));
+    fine.then(|| {
+        pieces.into_iter().filter_map(|piece| match piece {
+            IpaSymbol::Phone(row) => Some(row),
+            IpaSymbol::Stress(_) | IpaSymbol::Dot => None,
+        })
+    })
 }
 
 /// Where syllables of a word begin, for the phones of an engine that does not tell. A phone
@@ -336,8 +406,8 @@ fn pieces(ipa: &str) -> Result<Vec<IpaSymbol>> {
             'ˌ' | ',' => out.push(IpaSymbol::Stress(2)),
             '.' | '-' | '/' | '[' | ']' | '‿' | '|' => out.push(IpaSymbol::Dot),
             c if c.is_whitespace() => out.push(IpaSymbol::Dot),
-            // Long phones in a language without them, and consonants.
-            'ː' => {}
+            // Long and nasal phones in a language without them, and consonants.
+            'ː' | &NASAL => {}
             &SYLLABIC => {
                 let consonant = out.pop();
                 out.extend(find(&['ə']).map(|(row, _)| IpaSymbol::Phone(row)));
@@ -425,6 +495,45 @@ mod tests {
             let phones = word.split_ascii_whitespace();
             assert_eq!(starts(phones, set), expected, "{word}");
         }
+    }
+
+    #[test]
+    fn phones_of_aligners_become_those_of_sampa() {
+        for (label, expected) in [
+            ("ɑ", "A:"),
+            ("ɑː", "A:"),
+            ("ej", "eI"),
+            ("ow", "@U"),
+            ("ʉː", "u:"),
+            ("tʃ", "tS"),
+            ("tʰ", "t"),
+            ("t̪", "t"),
+            ("ɾ̃", "4"),
+            ("ɝ", "3:"),
+            ("c", "k"),
+            ("n̩", "@ n"),
+            ("ŋ̍", "@ N"),
+            ("ɐ̃", "6~"),
+            ("j̃", "j"),
+            ("a˥˩", "a"),
+            ("ˈiː", "i:"),
+            ("ɕ", "S"),
+        ] {
+            let told = in_sampa(label).map(|names| names.join(" "));
+            assert_eq!(told.as_deref(), Some(expected), "{label}");
+        }
+        for none in ["", "AA1", "sil", "spn!", "ʘ", "a.b", "tS"] {
+            assert!(!is_phone(none), "{none}");
+        }
+        assert!(is_phone("ɔj") && !is_phone("aa") && !is_phone("spn"));
+        let all = TABLE
+            .iter()
+            .filter_map(|row| Some((row.ipa, in_sampa(row.ipa)?)));
+        let names = all.flat_map(|(ipa, names)| names.into_iter().map(move |n| (ipa, n)));
+        let unknown: Vec<_> = names
+            .filter(|(_, n)| phones::find("sampa", n).is_none())
+            .collect();
+        assert_eq!(unknown, []);
     }
 
     #[test]

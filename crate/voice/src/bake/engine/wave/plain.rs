@@ -1,0 +1,185 @@
+//! WAV as programs write it, brought into the one form that the decoder reads.
+//!
+//! Programs that write into a pipe do not know the length beforehand and leave 0 or the largest
+//! number; chunks of odd length come with the byte that fills them; the form may stand behind the
+//! data; samples of 64 bits are beyond the decoder. Only the header is written anew, so that the
+//! decoder stays the only one that makes numbers of samples; those of 64 bits become 32.
+
+use anyhow::{Context as _, Result, ensure};
+
+/// Lengths from here on say that the length was not known: no sound that is read is so long.
+/// Programs leave 0xFFFFFFFF, 0x7FFFFFFF and numbers a header's length below.
+const UNKNOWN: u64 = super::MOST_BYTES;
+/// Format tags: samples as integers, as floating-point numbers, and told further on.
+const PCM: u16 = 1;
+const FLOAT: u16 = 3;
+const EXTENSIBLE: u16 = 0xfffe;
+/// What follows the tag in the identifier of a format (KSDATAFORMAT_SUBTYPE).
+const GUID: [u8; 14] = [0, 0, 0, 0, 0x10, 0, 0x80, 0, 0, 0xaa, 0, 0x38, 0x9b, 0x71];
+
+/// The description of samples (`fmt `).
+struct Form {
+    tag: u16,
+    channels: u16,
+    rate_hz: u32,
+    /// Bytes of a sample of every channel.
+    frame_bytes: u16,
+    bits: u16,
+}
+
+fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
+    Some(u16::from_le_bytes(*bytes.get(at..)?.first_chunk()?))
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
+    Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?))
+}
+
+impl Form {
+    fn of(chunk: &[u8]) -> Result<Self> {
+        let read = || {
+            let tag = match u16_at(chunk, 0)? {
+                EXTENSIBLE => u16_at(chunk, 24)?,
+                tag => tag,
+            };
+            Some(Self {
+                tag,
+                channels: u16_at(chunk, 2)?,
+                rate_hz: u32_at(chunk, 4)?,
+                frame_bytes: u16_at(chunk, 12)?,
+                bits: u16_at(chunk, 14)?,
+            })
+        };
+        let form = read().context("the chunk \"fmt \" is too short")?;
+        ensure!(
+            matches!(form.tag, PCM | FLOAT),
+            "its samples are of the format {:#06x}; integers and floating-point numbers are read (write it anew: ffmpeg -i IN.wav -c:a pcm_s16le OUT.wav)",
+            form.tag
+        );
+        ensure!(
+            form.channels > 0 && form.frame_bytes > 0,
+            "it has no channels"
+        );
+        Ok(form)
+    }
+
+    /// Whether samples are floating-point numbers of 64 bits.
+    fn is_double(&self) -> bool {
+        self.tag == FLOAT && self.frame_bytes / self.channels == 8
+    }
+}
+
+/// The same sound with a header as the decoder wants it.
+///
+/// # Errors
+/// When it is no WAV, has no form or no data, is shorter than it says, or is compressed.
+pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
+    let riff = bytes.starts_with(b"RIFF") || bytes.starts_with(b"RF64");
+    ensure!(
+        riff && bytes.get(8..12) == Some(b"WAVE"),
+        "no WAV: it does not begin as one"
+    );
+    let (form, data) = chunks(bytes)?;
+    let mut form = Form::of(form.context("no WAV: there is no chunk \"fmt \"")?)?;
+    let data = data.context("no WAV: there is no chunk \"data\"")?;
+    let mut samples = match data {
+        Data::Told(samples) => samples,
+        // The last frame of a stream that was stopped may be a part.
+        Data::ToTheEnd(rest) => &rest[..rest.len() - rest.len() % usize::from(form.frame_bytes)],
+    };
+    let narrowed: Vec<u8>;
+    if form.is_double() {
+        let doubles = samples.as_chunks::<8>().0.iter();
+        let singles = doubles.flat_map(|b| (f64::from_le_bytes(*b) as f32).to_le_bytes());
+        narrowed = singles.collect();
+        samples = &narrowed;
+        form.frame_bytes /= 2;
+        form.bits = 32;
+    }
+    let (form, length) = (header(&form), u32::try_from(samples.len())?);
+    let mut out = Vec::with_capacity(samples.len() + 68);
+    out.extend(b"RIFF");
+    out.extend((length + 60).to_le_bytes());
+    out.extend(b"WAVEfmt ");
+    out.extend((form.len() as u32).to_le_bytes());
+    out.extend(form);
+    out.extend(b"data");
+    out.extend(length.to_le_bytes());
+    out.extend(samples);
+    Ok(out)
+}
+
+/// The samples and whether their end was told.
+enum Data<'a> {
+    Told(&'a [u8]),
+    ToTheEnd(&'a [u8]),
+}
+
+/// The description and the samples, wherever they stand; the first of each counts.
+fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
+    let (mut form, mut data) = (None, None);
+    // RF64 tells the length in a chunk of its own.
+    let mut long = None;
+    let mut at = 12;
+    while let Some(length) = u32_at(bytes, at + 4) {
+        let (name, begin) = (&bytes[at..at + 4], at + 8);
+        let rest = &bytes[begin..];
+        let mut length = u64::from(length);
+        if name == b"data" {
+            length = long
+                .filter(|_| length == u64::from(u32::MAX))
+                .unwrap_or(length);
+            let unknown = length >= UNKNOWN || length == 0 && !is_chunk(rest);
+            if unknown {
+                data.get_or_insert(Data::ToTheEnd(rest));
+                break;
+            }
+        }
+        let own = usize::try_from(length).ok().and_then(|n| rest.get(..n));
+        match name {
+            b"data" if data.is_none() => data = Some(Data::Told(own.context("it is cut off")?)),
+            b"fmt " if form.is_none() => form = Some(own.context("it is cut off")?),
+            b"ds64" => {
+                let halves = u32_at(rest, 8).zip(u32_at(rest, 12));
+                long = halves.map(|(low, high)| u64::from(high) << 32 | u64::from(low));
+            }
+            _ => {}
+        }
+        let Some(own) = own else { break };
+        at = begin + own.len();
+        // A byte fills chunks of odd length; some programs forget it.
+        let filled = at + own.len() % 2;
+        if is_chunk(&bytes[filled.min(bytes.len())..]) || !is_chunk(&bytes[at..]) {
+            at = filled;
+        }
+    }
+    Ok((form, data))
+}
+
+/// Whether a chunk may begin here: a name of letters and a length that the file has, or nothing.
+fn is_chunk(rest: &[u8]) -> bool {
+    let named = |name: &[u8]| name.iter().all(|c| matches!(c, b' '..=b'~'));
+    rest.is_empty()
+        || rest.get(..4).is_some_and(named)
+            && u32_at(rest, 4)
+                .is_some_and(|n| n as usize <= rest.len() - 8 || u64::from(n) >= UNKNOWN)
+}
+
+/// The extensible form, which alone the decoder reads with every width.
+fn header(form: &Form) -> Vec<u8> {
+    let second = form.rate_hz.wrapping_mul(u32::from(form.frame_bytes));
+    let mut out = Vec::with_capacity(40);
+    out.extend(EXTENSIBLE.to_le_bytes());
+    out.extend(form.channels.to_le_bytes());
+    out.extend(form.rate_hz.to_le_bytes());
+    out.extend(second.to_le_bytes());
+    out.extend(form.frame_bytes.to_le_bytes());
+    out.extend(form.bits.to_le_bytes());
+    out.extend(22_u16.to_le_bytes());
+    out.extend(form.bits.to_le_bytes());
+    // No places of speakers: channels become their mean.
+    out.extend([0; 4]);
+    out.extend(form.tag.to_le_bytes());
+    out.extend(GUID);
+    out
+}
