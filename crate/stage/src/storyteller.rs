@@ -23,6 +23,13 @@ const ABOVE: f64 = 1.0 / 3.0;
 const LOWEST: f64 = 0.36;
 const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
+/// A picture this narrow (width over height) and one that is not held to anything any more: on a phone
+/// held upright a face matters more than hands. Designed.
+const NARROW: f64 = 0.75;
+const BROAD: f64 = 1.0;
+/// What a narrow picture shows for hands at most, share of stature: from the hips up. Hands that go
+/// further leave it for a moment. Designed.
+const NARROW_MOST: f64 = 0.74;
 /// What pictures that emotions ask for show, shares of stature: from the waist up, head and shoulders, and
 /// the face with room for nods. Designed.
 pub(crate) const BUST: Span = Span {
@@ -189,6 +196,20 @@ impl Span {
         }
     }
 
+    /// What is shown for a gesture: all of it, but in a narrow picture no more than from the hips up for
+    /// hands. A whole body is shown whole.
+    fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
+        let needed = self.with(space, stature_m, aspect);
+        let is_body = space.bottom_m < LOWEST * stature_m - 1e-6;
+        let narrow = ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0);
+        let more = needed.height() - self.height();
+        if is_body || more <= 0.0 {
+            return needed;
+        }
+        let allowed = (NARROW_MOST.max(self.height()) - self.height()).min(more);
+        self.towards(needed, lerp(1.0, allowed / more, narrow))
+    }
+
     /// What is shown at a time: all that the gestures then need, and of those before and after it
     /// as much as lets no zoom be faster than `zoom`, share of the picture's height a second for each
     /// gesture: [`SLOW_ZOOM`] or [`QUICK_ZOOM`].
@@ -205,7 +226,7 @@ impl Span {
             let off = (g.from_secs - time_secs)
                 .max(time_secs - g.to_secs)
                 .max(0.0);
-            let needed = self.with(&g.space, stature_m, aspect);
+            let needed = self.for_gesture(&g.space, stature_m, aspect);
             let way_secs = PEAK * ops::ln(needed.height() / self.height()) / zoom;
             if off >= way_secs {
                 return shown;
@@ -289,7 +310,7 @@ mod tests {
                 to_secs,
                 space,
             });
-        for aspect in [0.46, 1.0, 1.78] {
+        for aspect in [1.0, 1.33, 1.78] {
             let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
             for t in [120.0, 121.0, 126.0, 160.2] {
@@ -310,6 +331,36 @@ mod tests {
             }
             assert!(most < 0.1 && most > 0.01, "{aspect}: {most}");
         }
+    }
+
+    #[test]
+    fn a_narrow_picture_stays_at_the_hips_for_hands_and_shows_a_whole_body() {
+        let of = |space: TakenSpace, aspect: f64| {
+            let gestures = [Gesture {
+                from_secs: 1.0,
+                to_secs: 2.0,
+                space,
+            }];
+            let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
+            (at(1.5).height(), at(1.5))
+        };
+        let hands = TakenSpace {
+            top_m: 1.5,
+            bottom_m: 0.9,
+            half_width_m: 0.5,
+        };
+        for aspect in [0.46, 0.6, 0.75] {
+            let (height, span) = of(hands, aspect);
+            assert!((height - NARROW_MOST).abs() < 1e-9, "{aspect}: {height}");
+            // From menton to vertex, in pixels of a phone 390 wide.
+            let face = (1.0 - 0.868) / height * 390.0 / aspect;
+            assert!(face > 90.0, "{aspect}: {face}");
+            assert!(span.bottom < 0.5 && span.top > 1.04, "{span:?}");
+        }
+        let (between, all) = (of(hands, 0.9).0, of(hands, 1.0).0);
+        assert!(between > NARROW_MOST - 1e-9 && all >= Span::default().height());
+        let (body, _) = of(TakenSpace::of_body(STATURE_M), 0.46);
+        assert!(body > 1.1, "{body}");
     }
 
     #[test]
