@@ -28,6 +28,9 @@ const HIGHEST_RAD: f64 = 1.15;
 /// Nor from further round.
 const FARTHEST_RAD: f64 = 1.25;
 
+/// Towards a lamp between figure and camera, a little over the lens so that it is not in the picture.
+const FRONTAL: DVec3 = DVec3::new(0.0, 0.242_535_625, 0.970_142_5);
+
 /// What is done to the light of a stage: everything against its own light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Illumination {
@@ -43,6 +46,9 @@ pub struct Illumination {
     pub softness: f64,
     /// How misty the stage is, 0 to 1.
     pub mist: f64,
+    /// How far the light is that of the thesis, 0 to 1: the key takes colour and brightness as they
+    /// are and comes from between figure and camera, and the rest keeps its own light (GEVH 3.5.4.2).
+    pub strict: f64,
 }
 
 impl Default for Illumination {
@@ -54,6 +60,7 @@ impl Default for Illumination {
             lift_rad: 0.0,
             softness: 1.0,
             mist: 0.0,
+            strict: 0.0,
         }
     }
 }
@@ -73,6 +80,27 @@ impl Illumination {
             lift_rad: share * lamp.lift_rad,
             softness: lerp(1.0, lamp.softness, share),
             mist: share * lamp.mist,
+            strict: 0.0,
+        }
+    }
+
+    /// The same to the letter of the thesis: table 3.2 in full colour, and equations 3.1 and 3.2
+    /// unscaled.
+    #[must_use]
+    pub fn strictly(emotion: &EmotionType, intensity: f64) -> Self {
+        Self {
+            color: linear(emotion.key_color),
+            brightness: 1.0 - emotion.attenuation(intensity),
+            ..Self::strict_default()
+        }
+    }
+
+    /// The light of the thesis where nothing is felt: white, from the front.
+    #[must_use]
+    pub fn strict_default() -> Self {
+        Self {
+            strict: 1.0,
+            ..Self::default()
         }
     }
 
@@ -87,6 +115,7 @@ impl Illumination {
             lift_rad: lerp(self.lift_rad, to.lift_rad, s),
             softness: lerp(self.softness, to.softness, s),
             mist: lerp(self.mist, to.mist, s),
+            strict: lerp(self.strict, to.strict, s),
         }
     }
 
@@ -98,10 +127,17 @@ impl Illumination {
         let power = ops::pow(self.brightness.max(0.0), KEY_FOLLOWS) / made_up;
         let key = self.color.map(|c| (c + (most - c) * WHITE) * power as f32);
         let (tint, gain) = self.shared();
-        let rest = tint.map(|c| c * gain);
+        // The thesis's secondary and back lights are no part of the expression.
+        let strict = self.strict as f32;
+        let mixed = |designed: [f32; 3], plain: [f32; 3]| -> [f32; 3] {
+            std::array::from_fn(|c| designed[c] + (plain[c] - designed[c]) * strict)
+        };
+        let rest = mixed(tint.map(|c| c * gain), [1.0; 3]);
+        let key = mixed(key, self.color.map(|c| c * self.brightness.max(0.0) as f32));
+        let towards = self.moved(lighting.key.towards_light_in_world);
         Lighting {
             key: DirectedLight {
-                towards_light_in_world: self.moved(lighting.key.towards_light_in_world),
+                towards_light_in_world: towards.lerp(FRONTAL, self.strict).normalize(),
                 irradiance: times(lighting.key.irradiance, key),
             },
             fill: DirectedLight {
@@ -126,7 +162,9 @@ impl Illumination {
             return set;
         }
         let (tint, gain) = self.shared();
-        set.lit(tint, gain, self.mist as f32)
+        let share = self.strict as f32;
+        let tint = tint.map(|c| c + (1.0 - c) * share);
+        set.lit(tint, gain + (1.0 - gain) * share, self.mist as f32)
     }
 
     /// Colour and brightness of everything but the key.
@@ -219,6 +257,36 @@ mod tests {
                 last = now;
             }
         }
+    }
+
+    #[test]
+    fn the_light_of_the_thesis_is_that_of_its_table_and_equations() {
+        let own = Lighting::default();
+        for emotion in &EMOTIONS {
+            for intensity in [0.0, 2.0, 5.0, 10.0] {
+                let lit = Illumination::strictly(emotion, intensity).lamps(&own);
+                let color = linear(emotion.key_color);
+                let left = (1.0 - emotion.attenuation(intensity)) as f32;
+                for c in 0..3 {
+                    let expected = own.key.irradiance[c] * color[c] * left;
+                    assert!(
+                        (lit.key.irradiance[c] - expected).abs() < 1e-6,
+                        "{}",
+                        emotion.name
+                    );
+                }
+                let towards = lit.key.towards_light_in_world;
+                assert!(towards.x.abs() < 1e-9 && towards.z > 0.95, "{towards}");
+                assert_eq!((lit.fill, lit.rim, lit.sky), (own.fill, own.rim, own.sky));
+            }
+        }
+        let joy = EmotionType::named("joy").unwrap();
+        assert_eq!(Illumination::strictly(joy, 10.0).color, [1.0, 1.0, 0.0]);
+        assert_eq!(Illumination::strictly(joy, 10.0).brightness, 1.0);
+        assert_eq!(Illumination::strictly(joy, 2.0).brightness, 0.5);
+        let distress = EmotionType::named("distress").unwrap();
+        assert_eq!(Illumination::strictly(distress, 2.0).brightness, 0.75);
+        assert_eq!(Illumination::strictly(distress, 8.0).brightness, 1.0 - 0.8);
     }
 
     #[test]

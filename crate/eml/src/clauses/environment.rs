@@ -98,6 +98,16 @@ words! {
 }
 
 words! {
+    /// How closely the light keeps to the thesis.
+    Fidelity {
+        /// Scaled so that a face is read and nothing jumps.
+        Stage = "stage",
+        /// As GEVH 3.5.4.2 has it.
+        Thesis = "thesis",
+    }
+}
+
+words! {
     /// How active a mood is.
     Arousal {
         /// Calm.
@@ -132,6 +142,8 @@ record! {
         music: bool = "music",
         /// Where the story is told.
         set: Scenery = "set",
+        /// How closely the light keeps to the thesis.
+        fidelity: Fidelity = "fidelity",
     }
     children {
         /// The author's own music.

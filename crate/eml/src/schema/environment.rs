@@ -1,7 +1,7 @@
 //! `environment`, `piece`: how camera, light and music express emotions, and where the story is told.
 
 use super::{Attribute, Content, Element, Kind};
-use crate::{Arousal, Scenery, Valence};
+use crate::{Arousal, Fidelity, Scenery, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown(
@@ -30,6 +30,12 @@ pub(super) static ELEMENT: Element = Element {
         .default("true"),
         Attribute::flag("music", "Whether the mood chooses the music.").default("true"),
         Attribute::choice("set", Scenery::WORDS, "Where the story is told.").default("curtain"),
+        Attribute::choice(
+            "fidelity",
+            Fidelity::WORDS,
+            "How closely the light keeps to the thesis: `stage`, scaled so that a face is read and no emotion jumps when it begins; `thesis`, the full colours of table 3.2, the attenuations of equations 3.1 and 3.2 as they are (a strong negative emotion is dark), and a key lamp between figure and camera.",
+        )
+        .default("stage"),
     ],
     ..Element::part("environment", &["head"])
 };

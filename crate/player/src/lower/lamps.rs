@@ -58,18 +58,49 @@ struct Lit {
     light: Illumination,
 }
 
+/// How the channel of light expresses emotions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightChannel {
+    /// Emotions lead where no script does.
+    pub(crate) follows: bool,
+    /// The light is that of the thesis, to the letter.
+    pub(crate) is_strict: bool,
+}
+
+impl LightChannel {
+    /// The light where nothing is felt.
+    fn own(self) -> Illumination {
+        match self.is_strict {
+            true => Illumination::strict_default(),
+            false => Illumination::default(),
+        }
+    }
+
+    /// The light of an emotion.
+    fn asked(self, felt: Option<&Felt>) -> Illumination {
+        match felt {
+            None => self.own(),
+            Some(f) if self.is_strict => Illumination::strictly(f.kind, f.intensity),
+            Some(f) => Illumination::of(f.kind, f.intensity),
+        }
+    }
+}
+
 /// The lights of a performance by time; before the first, the stage's own.
 #[derive(Default)]
-pub(crate) struct LampSequence(Vec<Lit>);
+pub(crate) struct LampSequence {
+    own: Illumination,
+    lit: Vec<Lit>,
+}
 
 impl LampSequence {
-    /// The lights of a performance. `follows`: whether emotions lead where no script does.
-    pub(crate) fn new(mut cues: Vec<LampCue>, feelings: &Feelings, follows: bool) -> Self {
+    /// The lights of a performance.
+    pub(crate) fn new(mut cues: Vec<LampCue>, feelings: &Feelings, channel: LightChannel) -> Self {
         sort_by_number(&mut cues, |c| c.start_secs);
         let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
-        let same = |a: Option<&Felt>, b: Option<&Felt>| asked(a) == asked(b);
-        let mut now = Illumination::default();
-        let lit = leaders(&leads, feelings, follows, SHORTEST_SECS, same)
+        let same = |a: Option<&Felt>, b: Option<&Felt>| channel.asked(a) == channel.asked(b);
+        let mut now = channel.own();
+        let lit = leaders(&leads, feelings, channel.follows, SHORTEST_SECS, same)
             .into_iter()
             .map(|(start_secs, leader)| {
                 let transition_secs = match leader {
@@ -78,12 +109,12 @@ impl LampSequence {
                         now = Illumination {
                             color: cue.color.unwrap_or(now.color),
                             brightness: cue.brightness.unwrap_or(now.brightness),
-                            ..Illumination::default()
+                            ..channel.own()
                         };
                         cue.transition_secs
                     }
                     Leader::Emotion(felt) => {
-                        now = asked(felt.as_ref());
+                        now = channel.asked(felt.as_ref());
                         MOVE_SECS
                     }
                 };
@@ -93,17 +124,20 @@ impl LampSequence {
                     light: now,
                 }
             });
-        Self(lit.collect())
+        Self {
+            own: channel.own(),
+            lit: lit.collect(),
+        }
     }
 
     /// The light at a time.
     pub(crate) fn at(&self, time_secs: f64) -> Illumination {
-        let begun = self.0.partition_point(|l| l.start_secs <= time_secs);
-        let begun = &self.0[..begun];
+        let begun = self.lit.partition_point(|l| l.start_secs <= time_secs);
+        let begun = &self.lit[..begun];
         let settled = begun.iter().rposition(|l| l.settled_secs <= time_secs);
         let (base, moving) = match settled {
             Some(i) => (begun[i].light, &begun[i + 1..]),
-            None => (Illumination::default(), begun),
+            None => (self.own, begun),
         };
         moving.iter().fold(base, |light, lit| {
             let way_secs = lit.settled_secs - lit.start_secs;
@@ -113,22 +147,20 @@ impl LampSequence {
     }
 }
 
-/// The light of an emotion; the stage's own where nothing is felt.
-fn asked(felt: Option<&Felt>) -> Illumination {
-    felt.map_or_else(Illumination::default, |f| {
-        Illumination::of(f.kind, f.intensity)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const FREE: LightChannel = LightChannel {
+        follows: true,
+        is_strict: false,
+    };
 
     fn sequence(body: &str) -> LampSequence {
         let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&text, None);
         assert_eq!(script.diagnostics, []);
-        LampSequence::new(lamps(&script), &Feelings::default(), true)
+        LampSequence::new(lamps(&script), &Feelings::default(), FREE)
     }
 
     #[test]

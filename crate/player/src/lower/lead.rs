@@ -2,7 +2,7 @@
 //! strongest emotion (GEVH 3.5.4).
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Document, Lead};
+use raconteur_eml::{Document, Fidelity, Lead};
 use raconteur_stage::{Feelings, Felt};
 
 /// Which channels express emotions.
@@ -10,6 +10,8 @@ use raconteur_stage::{Feelings, Felt};
 pub(crate) struct Channels {
     pub(crate) camera: bool,
     pub(crate) light: bool,
+    /// The light is that of the thesis, to the letter.
+    pub(crate) strict_light: bool,
     pub(crate) music: bool,
 }
 
@@ -22,6 +24,10 @@ impl Channels {
         Self {
             camera: on(|e| e.camera),
             light: on(|e| e.light),
+            strict_light: document
+                .environment
+                .as_ref()
+                .is_some_and(|e| e.fidelity == Fidelity::Thesis),
             music: on(|e| e.music),
         }
     }

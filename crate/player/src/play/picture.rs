@@ -77,7 +77,11 @@ impl Picture {
             moves: self.moves,
         });
         let lamps = plans.flat_map(|p| &p.lamps).copied().collect();
-        self.lamps = LampSequence::new(lamps, feelings, self.channels.light);
+        let light = LightChannel {
+            follows: self.channels.light,
+            is_strict: self.channels.strict_light,
+        };
+        self.lamps = LampSequence::new(lamps, feelings, light);
     }
 
     /// Takes what the story says of channels and switches, in place of what it said before.
