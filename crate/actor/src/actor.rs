@@ -8,7 +8,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Animated, Players};
-use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
+use crate::arm_ik::{ARM_BONES, ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{articulate, hold_closures};
 use crate::face::FaceRig;
 use crate::feeling::Feeling;
@@ -39,7 +39,7 @@ pub struct Report {
     pub arms: [ArmSolution; 2],
     /// Targets of the left and right wrist, world, metres.
     pub wrist_goals_in_world: [DVec3; 2],
-    /// How far each wrist is from there, metres.
+    /// How far each wrist of the pose is from there, metres.
     pub wrist_errors_m: [f64; 2],
     /// World from the target of each limb that a manipulator or, without a turn, a gesture
     /// leads, in the order of [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
@@ -237,18 +237,25 @@ impl Actor {
             motion.manipulators.lean(skeleton, t, pose);
         }
         let (arms, mut wrist_goals_in_world, rest_shares) = self.arms(skeleton, t, animated, pose);
-        let mut wrist_errors_m = arms.map(|a| a.error_m);
         let led = motion.map_or([None; 4], |motion| {
             motion.manipulators.limbs(skeleton, t, pose)
         });
         for (i, led) in led.iter().take(2).enumerate() {
             if let Some(led) = led {
-                wrist_goals_in_world[i] = led.target.position;
-                wrist_errors_m[i] = led.error_m;
+                wrist_goals_in_world[i] = led.position;
             }
         }
+        let wrist_errors_m = Side::BOTH.map(|side| {
+            let i = side.index();
+            let wrist = world_from_bone(skeleton, pose, ARM_BONES[i][3]).translation;
+            if led[i].is_none() && animated.is_some() {
+                // An arm at rest is where its animations have it.
+                wrist_goals_in_world[i] = wrist_goals_in_world[i].lerp(wrist, rest_shares[i]);
+            }
+            wrist.distance_to(wrist_goals_in_world[i])
+        });
         let mut led = led.map(|led| {
-            let target = led?.target;
+            let target = led?;
             Some(DAffine3::from_rotation_translation(
                 target.rotation,
                 target.position,
