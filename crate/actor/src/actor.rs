@@ -12,6 +12,7 @@ use crate::arm_ik::{ARM_BONES, ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{articulate, hold_closures};
 use crate::face::FaceRig;
 use crate::feeling::Feeling;
+use crate::gesture::calm::Calming;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, Life};
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
@@ -55,6 +56,8 @@ pub struct Report {
 #[derive(Clone, Debug)]
 pub struct Actor {
     plans: [ArmPlan; 2],
+    /// Where arms would snap.
+    calming: [Calming; 2],
     rigs: [Arc<ArmRig>; 2],
     /// Only where the performance has players or manipulators.
     motion: Option<Motion>,
@@ -140,6 +143,7 @@ impl Actor {
                 let script = &arms[rig.side().index()];
                 ArmPlan::new(script, skeleton, Arc::clone(rig), &space, &life)
             }),
+            calming: Default::default(),
             // Manipulators start from the figure as it is without them, so they come last.
             motion: is_moved.then(|| Motion {
                 players: Players::new(
@@ -184,7 +188,27 @@ impl Actor {
         if let (Some(motion), Some(manipulators)) = (&mut actor.motion, manipulators) {
             motion.manipulators = manipulators;
         }
+        actor.calming = actor.calming(skeleton);
         actor
+    }
+
+    /// Finds where the gestures of the arms would make them snap.
+    fn calming(&self, skeleton: &Skeleton) -> [Calming; 2] {
+        Side::BOTH.map(|side| {
+            let arm_at = |t: f64| {
+                let mut pose = Pose::zero();
+                self.trunk(skeleton, t, &mut pose);
+                let motion = self.motion.as_ref();
+                let animated = motion.and_then(|m| m.players.apply(skeleton, t, &mut pose));
+                if let Some(motion) = motion {
+                    motion.manipulators.lean(skeleton, t, &mut pose);
+                }
+                let (arms, ..) = self.arms(skeleton, t, animated.as_ref(), &mut pose);
+                arms[side.index()]
+            };
+            let moving = self.plans[side.index()].moving();
+            Calming::find(moving.into_iter(), &arm_at)
+        })
     }
 
     /// Moves the listener, for example with the camera; holds for evaluations to come.
@@ -379,6 +403,7 @@ impl Actor {
         }
         for side in Side::BOTH {
             let i = side.index();
+            self.calming[i].lead(side, t, &mut arms[i]);
             arms[i].apply(side, pose);
             for (bone, rotation) in hands[i].fingers {
                 pose.set(bone, rotation);
