@@ -58,7 +58,7 @@ impl Hands {
 
 /// The track that moves this hand: its own, else the common one. True when the common
 /// one's values are meant for the other hand and must be mirrored.
-fn track_for<K>(
+pub(super) fn track_for<K>(
     tracks: &[Track<K>],
     side: Side,
     handedness: Handedness,
@@ -79,7 +79,11 @@ fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
     if mirrored { mirror_vector(p) } else { p }
 }
 
-fn hand_rotation(key: &PalmKey, side: Side, mirrored: bool) -> Option<raconteur_base::DQuat> {
+pub(super) fn hand_rotation(
+    key: &PalmKey,
+    side: Side,
+    mirrored: bool,
+) -> Option<raconteur_base::DQuat> {
     let mut normal = Units::axis(key.axis);
     let mut angle_rad = key.angle_deg.to_radians();
     if mirrored {
@@ -132,7 +136,7 @@ fn leads(gesture: &GestureKey) -> bool {
 }
 
 /// When a key of a gesture is reached, seconds after its beginning.
-fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
+pub(super) fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
     if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads(gesture) {
         gesture.duration_secs
     } else {
