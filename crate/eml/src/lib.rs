@@ -42,7 +42,7 @@ pub use clauses::asking::{
 };
 pub use clauses::environment::{
     Arousal, Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Environment, Expressions,
-    Lead, Light, Music, Performer, Piece, PreferredHand, Scenery, ShotKind, Valence,
+    Lead, Light, Music, Performer, Piece, PreferredHand, RunUp, Scenery, ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};

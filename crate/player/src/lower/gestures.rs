@@ -271,6 +271,23 @@ pub(crate) fn strokes(
         .collect()
 }
 
+/// Strokes that begin no sooner than a time, seconds: what would is as much later, with its keys.
+#[must_use]
+pub(crate) fn no_sooner(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec<GestureStroke> {
+    for stroke in &mut strokes {
+        let late_secs = (from_secs - stroke.start_secs).max(0.0);
+        if late_secs > 0.0 {
+            stroke.start_secs += late_secs;
+            stroke.end_secs += late_secs;
+            stroke
+                .keys
+                .iter_mut()
+                .for_each(|key| key.time_secs += late_secs);
+        }
+    }
+    strokes
+}
+
 /// How much of a hand hangs below its wrist in a gesture whose palm is led, fingers forward or up, and
 /// in one whose hand is left alone.
 const HANGING: [f64; 2] = [0.4, 0.6];
