@@ -8,10 +8,11 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Animated, Players};
-use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
+use crate::arm_ik::{ARM_BONES, ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{articulate, hold_closures};
 use crate::face::FaceRig;
 use crate::feeling::Feeling;
+use crate::gesture::calm::Calming;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, Life};
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
@@ -39,7 +40,7 @@ pub struct Report {
     pub arms: [ArmSolution; 2],
     /// Targets of the left and right wrist, world, metres.
     pub wrist_goals_in_world: [DVec3; 2],
-    /// How far each wrist is from there, metres.
+    /// How far each wrist of the pose is from there, metres.
     pub wrist_errors_m: [f64; 2],
     /// World from the target of each limb that a manipulator or, without a turn, a gesture
     /// leads, in the order of [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
@@ -55,6 +56,8 @@ pub struct Report {
 #[derive(Clone, Debug)]
 pub struct Actor {
     plans: [ArmPlan; 2],
+    /// Where arms would snap.
+    calming: [Calming; 2],
     rigs: [Arc<ArmRig>; 2],
     /// Only where the performance has players or manipulators.
     motion: Option<Motion>,
@@ -140,6 +143,7 @@ impl Actor {
                 let script = &arms[rig.side().index()];
                 ArmPlan::new(script, skeleton, Arc::clone(rig), &space, &life)
             }),
+            calming: Default::default(),
             // Manipulators start from the figure as it is without them, so they come last.
             motion: is_moved.then(|| Motion {
                 players: Players::new(
@@ -184,7 +188,27 @@ impl Actor {
         if let (Some(motion), Some(manipulators)) = (&mut actor.motion, manipulators) {
             motion.manipulators = manipulators;
         }
+        actor.calming = actor.calming(skeleton);
         actor
+    }
+
+    /// Finds where the gestures of the arms would make them snap.
+    fn calming(&self, skeleton: &Skeleton) -> [Calming; 2] {
+        Side::BOTH.map(|side| {
+            let arm_at = |t: f64| {
+                let mut pose = Pose::zero();
+                self.trunk(skeleton, t, &mut pose);
+                let motion = self.motion.as_ref();
+                let animated = motion.and_then(|m| m.players.apply(skeleton, t, &mut pose));
+                if let Some(motion) = motion {
+                    motion.manipulators.lean(skeleton, t, &mut pose);
+                }
+                let (arms, ..) = self.arms(skeleton, t, animated.as_ref(), &mut pose);
+                arms[side.index()]
+            };
+            let moving = self.plans[side.index()].moving();
+            Calming::find(moving.into_iter(), &arm_at)
+        })
     }
 
     /// Moves the listener, for example with the camera; holds for evaluations to come.
@@ -237,18 +261,25 @@ impl Actor {
             motion.manipulators.lean(skeleton, t, pose);
         }
         let (arms, mut wrist_goals_in_world, rest_shares) = self.arms(skeleton, t, animated, pose);
-        let mut wrist_errors_m = arms.map(|a| a.error_m);
         let led = motion.map_or([None; 4], |motion| {
             motion.manipulators.limbs(skeleton, t, pose)
         });
         for (i, led) in led.iter().take(2).enumerate() {
             if let Some(led) = led {
-                wrist_goals_in_world[i] = led.target.position;
-                wrist_errors_m[i] = led.error_m;
+                wrist_goals_in_world[i] = led.position;
             }
         }
+        let wrist_errors_m = Side::BOTH.map(|side| {
+            let i = side.index();
+            let wrist = world_from_bone(skeleton, pose, ARM_BONES[i][3]).translation;
+            if led[i].is_none() && animated.is_some() {
+                // An arm at rest is where its animations have it.
+                wrist_goals_in_world[i] = wrist_goals_in_world[i].lerp(wrist, rest_shares[i]);
+            }
+            wrist.distance_to(wrist_goals_in_world[i])
+        });
         let mut led = led.map(|led| {
-            let target = led?.target;
+            let target = led?;
             Some(DAffine3::from_rotation_translation(
                 target.rotation,
                 target.position,
@@ -372,6 +403,7 @@ impl Actor {
         }
         for side in Side::BOTH {
             let i = side.index();
+            self.calming[i].lead(side, t, &mut arms[i]);
             arms[i].apply(side, pose);
             for (bone, rotation) in hands[i].fingers {
                 pose.set(bone, rotation);

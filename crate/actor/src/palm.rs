@@ -12,7 +12,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_base::{DMat3, DQuat, DVec3, Length, Side};
+use raconteur_base::{DMat3, DQuat, DVec3, Length, Side, ops};
 
 /// Fingers of the zero pose, world, unit.
 #[must_use]
@@ -31,6 +31,12 @@ pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Opti
     if !angle_rad.is_finite() {
         return None;
     }
+    let turn = DQuat::from_axis_angle(normal, -angle_rad);
+    Some((turn * unturned(side, normal)).normalized())
+}
+
+/// The hand rotation with a palm's normal (unit) and an angle of 0.
+fn unturned(side: Side, normal: DVec3) -> DQuat {
     let hanging = DQuat::from_rotation_z(-side.sign() * FRAC_PI_2);
     let hanging_normal = hanging * ZERO_NORMAL;
     let carry = if hanging_normal.dot(normal) < -1.0 + 1e-12 {
@@ -38,7 +44,17 @@ pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Opti
     } else {
         DQuat::from_rotation_arc(hanging_normal, normal)
     };
-    Some((DQuat::from_axis_angle(normal, -angle_rad) * carry * hanging).normalized())
+    carry * hanging
+}
+
+/// The palm's normal (world, unit) and the angle about it (radians, −π..π) of a hand rotation: the
+/// inverse of [`hand_rotation`].
+#[must_use]
+pub fn normal_and_angle(side: Side, hand_in_world: DQuat) -> (DVec3, f64) {
+    let normal = hand_in_world * ZERO_NORMAL;
+    let turn = hand_in_world * unturned(side, normal).inverse();
+    let sine = DVec3::new(turn.x, turn.y, turn.z).dot(normal);
+    (normal, ops::wrap_angle(-2.0 * ops::atan2(sine, turn.w)))
 }
 
 /// Hand rotation with these directions of the fingers and of the palm's normal; the
@@ -101,6 +117,22 @@ mod tests {
             let left = hand_rotation(Side::Left, mirror_vector(normal), -angle);
             let left = left.unwrap_or(DQuat::IDENTITY);
             assert!(mirror_rotation(right).angle_between(left) < 1e-7);
+        }
+    }
+
+    #[test]
+    fn normals_and_angles_are_read_back() {
+        for i in 0..200 {
+            let r = |k| raconteur_base::noise::signed(6, k, i);
+            let (normal, angle) = (DVec3::new(r(0), r(1), r(2)), r(3) * PI);
+            let side = Side::BOTH[(i % 2) as usize];
+            let hand = hand_rotation(side, normal, angle).unwrap_or(DQuat::IDENTITY);
+            let (found, turned) = normal_and_angle(side, hand);
+            assert!(found.distance(normal.normalize()) < 1e-9);
+            assert!(
+                ops::wrap_angle(turned - angle).abs() < 1e-9,
+                "{turned} {angle}"
+            );
         }
     }
 

@@ -26,7 +26,7 @@ pub struct WristAngles {
     /// Pronation from the thumb-up middle, radians, −π..π.
     pub pronation_rad: f64,
     /// Rest of the rotation: axis times angle about y and z of the turned forearm, radians.
-    swing: DVec3,
+    pub(crate) swing: DVec3,
 }
 
 impl WristAngles {

@@ -1,5 +1,6 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
+use crate::RunUp;
 use crate::clauses::asking::{Assignment, Condition, Goto, Heading, Question, Reaction};
 use crate::clauses::environment::{Camera, Emotion, Environment, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
@@ -40,6 +41,8 @@ impl ClauseId {
 pub struct Document {
     /// The `name` of the `eml` element.
     pub name: Option<String>,
+    /// What gives way to the preparation of its first gesture (extension); none where it does not say.
+    pub run_up: Option<RunUp>,
     /// Who performs it (extension).
     pub performer: Option<Performer>,
     /// The start tag that says so; empty where none does.

@@ -43,7 +43,8 @@ pub use clauses::asking::{
 };
 pub use clauses::environment::{
     Arousal, Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Environment, Expressions,
-    Fidelity, Lead, Light, Music, Performer, Piece, PreferredHand, Scenery, ShotKind, Valence,
+    Fidelity, Lead, Light, Music, Performer, Piece, PreferredHand, RunUp, Scenery, ShotKind,
+    Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};

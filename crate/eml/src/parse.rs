@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Sink;
 use crate::namespaces::{Namespaces, Owner};
+use crate::record::Field as _;
 use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
@@ -256,6 +257,8 @@ impl Context<'_> {
         );
         let fields = self.fields(node, element);
         self.document.name = self.text(&fields, "name").map(Into::into);
+        let lead = self.value(&fields, "lead");
+        self.document.run_up.set(lead);
         self.children(node, element, |cx, child, entry| match entry.name {
             "body" => cx.body(child, entry, tally.take()),
             _ => schema::read_head(cx, child, entry),

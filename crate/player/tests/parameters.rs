@@ -39,6 +39,7 @@ fn missing_and_broken_ones_are_told() {
     let (mut player, _) = player(BODY);
     let told = player.provide_animations(&[("faces/blink.json", None)]);
     assert_eq!(told[0].code, "player::no-animation");
+    assert!(told[0].message.contains(".json`"), "{}", told[0].message);
     assert_eq!(player.needed_animations(), [""; 0]);
     let broken = BLINK.replace("UpperLid", "Eyelash");
     let told = player.provide_animations(&[("faces/blink.json", Some(&broken))]);

@@ -50,6 +50,59 @@ fn a_stretch_shows_what_the_whole_shows_there() {
     assert!(before < 1e-6, "{before}");
 }
 
+fn measured(eml: &str, name: &str) -> Check {
+    let mut player = perform(eml, None, figure(), Options::default()).player;
+    let checks = sweep(&mut player);
+    let found = checks.into_iter().find(|c| c.name == name);
+    found.expect("the check")
+}
+
+#[test]
+fn a_stroke_of_a_figure_that_has_moved_is_looked_for_where_it_is() {
+    let eml = "<eml><body>
+        <vh-move time='0' functionName='segment'><function-args>
+            <arg name='timePeriod' value='1'/><arg name='startX' value='0'/><arg name='endX' value='30'/>
+            <arg name='endYaw' value='40'/></function-args></vh-move>
+        <gesture-key time='2.5' duration='0.4' handedness='right'><motion>
+            <key time='0' x='-8' y='14' z='-10'/><key time='0.4' x='-12' y='14' z='-10'/></motion></gesture-key>
+        <null time='4'/></body></eml>";
+    let late = measured(eml, "late-stroke");
+    assert!(late.is_ok(), "{late:?}");
+}
+
+#[test]
+fn quick_keys_that_cannot_be_met_snap_no_joint() {
+    // Places that are far beyond reach, palms that no forearm can turn so, from key to key.
+    let keys = [
+        [
+            "<palms><key time='0' a='126' x='0.3' y='0.2' z='-0.9'/></palms>",
+            "<motion><key time='0' x='-18' y='20' z='-7'/></motion>",
+        ],
+        [
+            "<palms><key time='0' a='-60' x='-0.7' y='0.6' z='0.8'/></palms>",
+            "<motion><key time='0' x='5' y='60' z='-50'/></motion>",
+        ],
+        [
+            "<palms><key time='0' a='170' x='0.2' y='-0.9' z='0.1'/></palms>",
+            "<motion><key time='0' x='-15' y='5' z='-16'/></motion>",
+        ],
+    ];
+    for pattern in 0..6 {
+        let mut body = String::new();
+        for i in 0..3 {
+            let [palm, _] = keys[(i + pattern) % 3];
+            let [_, place] = keys[(i * (1 + pattern / 3) + pattern) % 3];
+            let time = 1.3 + 0.2 * i as f64;
+            body += &format!(
+                "<gesture-key time='{time}' duration='0.2' handedness='right'>{palm}{place}</gesture-key>"
+            );
+        }
+        let eml = format!("<eml><body>{body}<null time='4'/></body></eml>");
+        let speed = measured(&eml, "joint-speed");
+        assert!(speed.is_ok(), "{pattern}: {speed:?}");
+    }
+}
+
 /// Sweeps stories with one figure: its share of them, so that each story has one figure and each
 /// figure at least one, or all of them in the long tier.
 fn nothing_would_make_a_viewer_wince(figure: &str) {

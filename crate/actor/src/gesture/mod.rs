@@ -9,6 +9,7 @@
 //! Wrist, hand rotation and fingers keep clocks of their own: a palm that turns does not stop
 //! the arm that carries it.
 
+pub(crate) mod calm;
 pub mod contact;
 mod fingers;
 mod pace;

@@ -142,6 +142,25 @@ impl ArmPlan {
         &self.keys
     }
 
+    /// Stretches of time in which wrist or hand are not at rest, story time, seconds.
+    pub(crate) fn moving(&self) -> Vec<(f64, f64)> {
+        let wrist = self.wrist.nodes.iter().map(|node| node.place.is_some());
+        let moved = [
+            busy(&self.wrist.times, wrist),
+            busy(&self.hand.times, self.hand.turned()),
+        ];
+        let mut order = moved.concat();
+        raconteur_base::order::sort_by_number(&mut order, |(from, _)| *from);
+        let mut spans: Vec<(f64, f64)> = Vec::new();
+        for (from, to) in order {
+            match spans.last_mut() {
+                Some(last) if from <= last.1 => last.1 = last.1.max(to),
+                _ => spans.push((from, to)),
+            }
+        }
+        spans
+    }
+
     /// As [`Rest::welcome`].
     pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
         self.rest.welcome(skeleton);
@@ -171,4 +190,13 @@ impl ArmPlan {
             Some(_) => HandState::Busy,
         }
     }
+}
+
+/// The pieces of a track of which one end is no rest.
+fn busy(times: &[f64], is_led: impl Iterator<Item = bool>) -> Vec<(f64, f64)> {
+    let led: Vec<bool> = is_led.collect();
+    let ends = times.windows(2).zip(led.windows(2));
+    ends.filter(|(_, led)| led[0] || led[1])
+        .map(|(times, _)| (times[0], times[1]))
+        .collect()
 }

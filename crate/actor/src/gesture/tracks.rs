@@ -150,11 +150,16 @@ struct HandNode {
 /// The rotations of one hand.
 #[derive(Clone, Debug, Default)]
 pub(super) struct HandTrack {
-    times: Vec<f64>,
+    pub(super) times: Vec<f64>,
     nodes: Vec<HandNode>,
 }
 
 impl HandTrack {
+    /// Of each node whether it is no rest.
+    pub(super) fn turned(&self) -> impl Iterator<Item = bool> {
+        self.nodes.iter().map(|node| node.hand.is_some())
+    }
+
     /// The hand rotation at a time, with the wrist where it is, and the share of rest in it.
     pub(super) fn at(
         &self,

@@ -1,12 +1,12 @@
 //! From commands to motions: each command is resolved where the limb is when it comes.
 
-use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::order::sort_by_number;
-use raconteur_base::{DAffine3, DVec3, Length, ops};
+use raconteur_base::{DAffine3, DVec3, ops};
 use raconteur_body::{Pose, Skeleton};
 
+use super::aim::Aim;
 use super::head::HEAD_BONES;
-use super::jacobian::{Twist, joint_speeds};
+use super::jacobian::Twist;
 use super::limits;
 use super::meet::Terms;
 use super::path::Curve;
@@ -15,9 +15,7 @@ use super::rig::{Base, ROLL};
 use super::scan::Scan;
 use super::scene::Scene;
 use super::solve::{AT_EASE, Choice, Solutions, choose};
-use super::track::{
-    BRAKE_SECS, Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_SECS, even_secs,
-};
+use super::track::{Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_SECS, even_secs};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
@@ -25,9 +23,6 @@ use crate::arm_ik::ARM_BONES;
 /// Designed: a movement as quick as it looks unhurried.
 const QUICK_SECS: f64 = 0.25;
 const QUICK_RAD_PER_S: f64 = 3.0;
-/// Steps of inverse velocity a second, and how many make a sample.
-const STEPS_HZ: f64 = 120.0;
-const STEPS_A_SAMPLE: usize = 2;
 /// Longest time that inverse velocity is followed, seconds: at targets, and at velocities.
 const TARGET_SECS: f64 = 8.0;
 const VELOCITY_SECS: f64 = 20.0;
@@ -35,32 +30,32 @@ const VELOCITY_SECS: f64 = 20.0;
 const GAIN_HZ: f64 = 3.0;
 const FASTEST_M_PER_S: f64 = 0.7;
 const FASTEST_RAD_PER_S: f64 = 2.5;
-/// Time in which it comes to its speed, seconds.
-const START_SECS: f64 = 0.25;
 
 /// Where a limb is at a moment.
-struct Now {
+pub(super) struct Now {
     /// The figure just before the limb is moved.
-    pose: Pose,
-    trunk: DAffine3,
-    base: Base,
-    joints: Joints,
-    frame: Frame,
-    cue: DVec3,
-    lean: DVec3,
+    pub(super) pose: Pose,
+    pub(super) trunk: DAffine3,
+    pub(super) base: Base,
+    pub(super) joints: Joints,
+    pub(super) frame: Frame,
+    pub(super) cue: DVec3,
+    pub(super) lean: DVec3,
+    pub(super) help: DVec3,
     /// Elbow or knee from the base, metres.
-    hinge: DVec3,
+    pub(super) hinge: DVec3,
     /// What the cue and the lean are off those for the place.
-    cue_lag: DVec3,
-    lean_lag: DVec3,
+    pub(super) cue_lag: DVec3,
+    pub(super) lean_lag: [DVec3; 2],
 }
 
 impl Now {
-    fn held(&self) -> Held {
+    pub(super) fn held(&self) -> Held {
         Held {
             joints: self.joints,
             cue: self.cue,
             lean: self.lean,
+            help: self.help,
         }
     }
 }
@@ -162,7 +157,7 @@ impl Manipulators {
             Motion::Function(path) => MotionKind::Curve(Curve::new(path, &now.frame, false)),
             Motion::JacobianTarget(to) => {
                 let secs = most_secs.min(TARGET_SECS);
-                self.follow(limb, &now, secs, &|frame| {
+                self.follow(limb, &now, secs, Some(to), &|frame| {
                     let left = Twist::between(frame, to);
                     Twist {
                         linear: (left.linear * GAIN_HZ).clamp_length_max(FASTEST_M_PER_S),
@@ -176,7 +171,7 @@ impl Manipulators {
                     linear: *linear,
                     angular: *angular,
                 };
-                self.follow(limb, &now, secs, &|_| twist)
+                self.follow(limb, &now, secs, None, &|_| twist)
             }
             Motion::Lock(true) => {
                 let moved = self.root.at(at).unwrap_or(DAffine3::IDENTITY);
@@ -185,6 +180,7 @@ impl Manipulators {
             Motion::Lock(false) => MotionKind::Joints {
                 from: now.held(),
                 to: now.held(),
+                aim: None,
                 secs: 0.0,
                 even: false,
             },
@@ -239,9 +235,8 @@ impl Manipulators {
         let upright = scene.idle(time_secs);
         let mut pose = upright.clone();
         let goal = self.goal(limb, time_secs);
-        let lean = goal.map_or(DVec3::ZERO, |(goal, weight)| {
-            self.lean_for(limb, &goal, skeleton, &upright) * weight
-        });
+        let leans = self.leans(skeleton, time_secs, &upright);
+        let [lean, help] = leans.get(limb.index()).copied().unwrap_or_default();
         self.lean(skeleton, time_secs, &mut pose);
         self.first_limbs(limb.index(), skeleton, time_secs, &mut pose);
         let before = pose.clone();
@@ -255,7 +250,7 @@ impl Manipulators {
         let frame = self.posed(limb, &joints, &base).frame;
         let place = trunk.inverse().transform_point3(frame.position);
         let cue = match goal {
-            Some((Goal::Joints(held), _)) => held.cue,
+            Some((Goal::Joints(held, aim), _)) => held.cued(aim.as_ref(), &trunk),
             Some((Goal::Frame { frame, cue_lag, .. }, _)) => {
                 trunk.inverse().transform_point3(frame.position) + cue_lag
             }
@@ -265,9 +260,14 @@ impl Manipulators {
             frame,
             swivel_rad: 0.0,
             cue_lag: DVec3::ZERO,
-            lean_lag: DVec3::ZERO,
+            lean_lag: [DVec3::ZERO; 2],
         };
-        let lean_lag = lean - self.lean_for(limb, &plain, skeleton, &upright);
+        let own = self.lean_for(limb, &plain, skeleton, &upright);
+        let other = leans
+            .get(1 - limb.index().min(1))
+            .map_or(DVec3::ZERO, |l| l[0]);
+        let more = self.help_for(limb, &plain, [lean, other], skeleton, &upright);
+        let lean_lag = [lean - own, help - more];
         // Where elbow or knee are.
         let hinge = self.limbs.get(limb.index()).map_or(DVec3::ZERO, |rig| {
             rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin
@@ -280,6 +280,7 @@ impl Manipulators {
             frame,
             cue,
             lean,
+            help,
             hinge,
             cue_lag: cue - place,
             lean_lag,
@@ -327,10 +328,11 @@ impl Manipulators {
         let rest = self.base(limb, &now.trunk, None);
         let end = self.posed(limb, &to.joints, &rest).frame.position;
         to.cue = now.trunk.inverse().transform_point3(end);
-        to.lean = DVec3::ZERO;
+        (to.lean, to.help) = (DVec3::ZERO, DVec3::ZERO);
         MotionKind::Joints {
             from: now.held(),
             to,
+            aim: None,
             secs: QUICK_SECS.max(longest(&now.joints, &to.joints) / QUICK_RAD_PER_S),
             even: false,
         }
@@ -350,23 +352,25 @@ impl Manipulators {
             Pace::Secs(secs) => (false, secs.max(0.0)),
             Pace::RadPerSec(_) => (true, 0.0),
         };
-        let mut end = self.held_at(limb, to, at + secs, now, scene);
+        let (mut end, mut aim) = self.held_at(limb, to, at + secs, now, scene);
         if let Pace::RadPerSec(speed) = pace {
             // Slower motion is not visible.
             let speed = speed.max(1e-3);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
-            end = self.held_at(limb, to, at + secs, now, scene);
+            (end, aim) = self.held_at(limb, to, at + secs, now, scene);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
         }
         MotionKind::Joints {
             from: now.held(),
             to: end,
+            aim: Some(Box::new(aim)),
             secs,
             even,
         }
     }
 
-    /// The joints that bring a limb to a target at a time, as near to those of now as can be.
+    /// The joints that bring a limb to a target at a time, as near to those of now as can be, with
+    /// no other limb moving the body.
     fn held_at(
         &self,
         limb: Limb,
@@ -374,13 +378,13 @@ impl Manipulators {
         time_secs: f64,
         now: &Now,
         scene: &Scene<'_>,
-    ) -> Held {
+    ) -> (Held, Aim) {
         let mut pose = scene.idle(time_secs);
         let goal = Goal::Frame {
             frame: *to,
             swivel_rad: 0.0,
             cue_lag: DVec3::ZERO,
-            lean_lag: DVec3::ZERO,
+            lean_lag: [DVec3::ZERO; 2],
         };
         let lean = self.lean_for(limb, &goal, scene.skeleton, &pose);
         super::lean::apply(scene.skeleton, lean, &mut pose);
@@ -405,70 +409,15 @@ impl Manipulators {
                 *joint = from + ops::wrap_angle(*joint - from);
             }
         }
-        Held {
+        let trunk = self.trunk(limb, scene.skeleton, &pose);
+        let aim = self.aim(limb, to, &joints, &met.base, &trunk);
+        let held = Held {
             joints,
             cue: met.cue,
             lean,
-        }
-    }
-
-    /// Follows velocities by inverse velocity, in fixed steps.
-    fn follow(
-        &self,
-        limb: Limb,
-        now: &Now,
-        most_secs: f64,
-        wanted: &dyn Fn(&Frame) -> Twist,
-    ) -> MotionKind {
-        let limited = self.tracks[limb.index()].has_limits();
-        let mut state = now.held();
-        let mut held = vec![state];
-        let mut base = now.base;
-        let mut frame = now.frame;
-        let mut carried = DVec3::ZERO;
-        // On after what ends it: a stop brakes.
-        let steps = ((most_secs + BRAKE_SECS) * STEPS_HZ).ceil() as usize;
-        for step in 1..=steps {
-            let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
-            let twist = wanted(&frame);
-            if twist.linear.magnitude() < 3e-5 && twist.angular.magnitude() < 3e-4 {
-                break;
-            }
-            let axes = match self.limbs.get(limb.index()) {
-                Some(rig) => rig.axes(&state.joints, &base),
-                None => self.head.axes(&state.joints, &base),
-            };
-            // What the girdle does by itself the joints need not do.
-            let twist = Twist {
-                linear: twist.linear * gathered - carried,
-                angular: twist.angular * gathered,
-            };
-            let speeds = joint_speeds(&axes, frame.position, &twist);
-            for (joint, speed) in state.joints.iter_mut().zip(speeds) {
-                *joint += speed / STEPS_HZ;
-            }
-            if limited {
-                state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
-            }
-            // The girdle follows, and moves the base under the arm.
-            let left = 1.0 - minimum_jerk(step as f64 / (SETTLE_SECS * STEPS_HZ));
-            let place = now.trunk.inverse().transform_point3(frame.position);
-            state.cue = place + now.cue_lag * left;
-            let cue = now.trunk.transform_point3(state.cue);
-            let arm = self.arms.get(limb.index());
-            let scapula = arm.map(|arm| arm.scapula_for(&now.trunk, cue, 0.0));
-            let before = base.origin;
-            base = self.base(limb, &now.trunk, scapula);
-            carried = (base.origin - before) * STEPS_HZ;
-            frame = self.posed(limb, &state.joints, &base).frame;
-            if step % STEPS_A_SAMPLE == 0 {
-                held.push(state);
-            }
-        }
-        MotionKind::Samples {
-            held,
-            step_secs: STEPS_A_SAMPLE as f64 / STEPS_HZ,
-        }
+            help: DVec3::ZERO,
+        };
+        (held, aim)
     }
 }
 

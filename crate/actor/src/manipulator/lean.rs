@@ -3,6 +3,9 @@
 use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
+use super::Limb;
+use super::perform::Manipulators;
+use super::track::Goal;
 use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Share of the arm's length from which the spine helps, and the width of its setting in.
@@ -14,6 +17,8 @@ const SOFT: f64 = 0.02;
 const GAIN: f64 = 1.3;
 /// Lean that is approached by the farthest targets, radians.
 const MOST_RAD: f64 = 0.8;
+/// How often the lean that one arm needs more because of the other one is found again.
+const ROUNDS: usize = 3;
 
 /// The lean that an arm asks for: a rotation vector in figure axes. `shoulder` is where the
 /// joint is without it, `lumbar` the foot of the spine.
@@ -39,6 +44,103 @@ pub(super) fn apply(skeleton: &Skeleton, lean: DVec3, pose: &mut Pose) {
         let own = rotation_of(&world_from_bone(skeleton, pose, bone));
         let local = own.inverse() * half * own;
         pose.set(bone, (pose.rotation(bone) * local).normalized());
+    }
+}
+
+impl Manipulators {
+    /// Leans the spine for arms that reach far; before gestures and [`Manipulators::limbs`].
+    pub fn lean(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) {
+        let leans = self.leans(skeleton, time_secs, pose);
+        apply(skeleton, leans.into_iter().flatten().sum(), pose);
+    }
+
+    /// The lean that each arm asks for in a pose without any, rotation vectors: for itself, and
+    /// more because of the other arm.
+    pub(super) fn leans(
+        &self,
+        skeleton: &Skeleton,
+        time_secs: f64,
+        upright: &Pose,
+    ) -> [[DVec3; 2]; 2] {
+        let arms = [Limb::LeftArm, Limb::RightArm];
+        let goals = arms.map(|limb| self.goal(limb, time_secs));
+        let own = [0, 1].map(|i| {
+            goals[i].map_or(DVec3::ZERO, |(goal, weight)| {
+                self.lean_for(arms[i], &goal, skeleton, upright) * weight
+            })
+        });
+        [0, 1].map(|i| {
+            let more = goals[i].map_or(DVec3::ZERO, |(goal, weight)| {
+                let both = [own[i], own[1 - i]];
+                self.help_for(arms[i], &goal, both, skeleton, upright) * weight
+            });
+            [own[i], more]
+        })
+    }
+
+    /// The lean that a goal of an arm asks for in a pose without it.
+    pub(super) fn lean_for(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> DVec3 {
+        match goal {
+            Goal::Joints(held, _) => held.lean,
+            Goal::Frame {
+                frame, lean_lag, ..
+            } => self.lean_to(limb, frame.position, skeleton, pose) + lean_lag[0],
+        }
+    }
+
+    /// The lean that a goal of an arm asks for more in a pose without any, where arms lean it by
+    /// `own` and `other`.
+    pub(super) fn help_for(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        [own, other]: [DVec3; 2],
+        skeleton: &Skeleton,
+        upright: &Pose,
+    ) -> DVec3 {
+        let help = |to: DVec3| {
+            let mut sum = DVec3::ZERO;
+            if other == DVec3::ZERO {
+                return sum;
+            }
+            let missing = |lean: DVec3| {
+                let mut pose = upright.clone();
+                apply(skeleton, lean, &mut pose);
+                self.lean_to(limb, to, skeleton, &pose)
+            };
+            // What it lacks even alone the other one is not to blame for.
+            let alone = missing(own).magnitude();
+            for _ in 0..ROUNDS {
+                let lacks = missing(own + other + sum);
+                let share = 1.0 - alone / lacks.magnitude().max(1e-12);
+                sum += lacks * share.max(0.0);
+            }
+            sum
+        };
+        match goal {
+            Goal::Joints(held, None) => held.help,
+            Goal::Joints(held, Some(aim)) => held.help + aim.share() * help(aim.frame().position),
+            Goal::Frame {
+                frame, lean_lag, ..
+            } => help(frame.position) + lean_lag[1],
+        }
+    }
+
+    /// The lean that brings an arm to a place from a pose; none for other limbs.
+    fn lean_to(&self, limb: Limb, to: DVec3, skeleton: &Skeleton, pose: &Pose) -> DVec3 {
+        let Some(arm) = self.arms.get(limb.index()) else {
+            return DVec3::ZERO;
+        };
+        let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
+        let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
+        let scapula = arm.scapula_for(&thorax, to, 0.0);
+        wanted(arm.shoulder_at(&thorax, scapula), lumbar, to, arm.reach_m())
     }
 }
 

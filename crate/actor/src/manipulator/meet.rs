@@ -5,6 +5,7 @@ use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
+use super::aim::Aim;
 use super::head::HEAD_BONES;
 use super::limits;
 use super::perform::Manipulators;
@@ -246,7 +247,7 @@ impl Manipulators {
         let mut mean = 0.0;
         for (at, weight) in recent {
             let frame = match at.as_ref().unwrap_or(goal) {
-                Goal::Joints(held) => rig.posed(&held.joints, &base).frame,
+                Goal::Joints(held, _) => rig.posed(&held.joints, &base).frame,
                 Goal::Frame { frame, .. } => *frame,
             };
             let near = self.projected(limb, &frame, &base, terms.limited);
@@ -266,7 +267,7 @@ impl Manipulators {
         pose: &Pose,
     ) -> (DVec3, Option<DQuat>, Base) {
         let cue = match goal {
-            Goal::Joints(held) => held.cue,
+            Goal::Joints(held, aim) => held.cued(aim.as_ref(), trunk),
             Goal::Frame { frame, cue_lag, .. } => {
                 trunk.inverse().transform_point3(frame.position) + *cue_lag
             }
@@ -294,43 +295,30 @@ impl Manipulators {
         let (cue, scapula, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
         let mut forced = [0.0; 2];
         let (joints, target) = match goal {
-            Goal::Joints(held) => {
-                let joints = limits::keep(self.limits(limb), terms.limited, &held.joints);
-                (joints, None)
+            Goal::Joints(held, aim) => {
+                let joints = match aim {
+                    Some(aim) => {
+                        let aimed = self.aimed(limb, aim, &held.joints, terms.limited, &base);
+                        self.keep(limb, terms.limited, &aimed)
+                    }
+                    None => limits::keep(self.limits(limb), terms.limited, &held.joints),
+                };
+                (joints, aim.as_ref().and_then(Aim::target))
             }
             Goal::Frame {
                 frame, swivel_rad, ..
             } => {
-                let choice = Choice {
-                    limited: terms.limited,
-                    current,
-                    preferred: &AT_EASE,
-                };
-                let near = self.projected(limb, frame, &base, terms.limited);
                 let swivel = terms.swivel_rad.unwrap_or_else(|| {
                     let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
+                    let near = self.projected(limb, frame, &base, terms.limited);
                     let rig = self.limbs.get(limb.index());
                     rig.map_or(0.0, |rig| {
                         rig.swivel_by(&near, &base, obstacles.as_ref(), &terms.preference)
                     })
                 });
-                let found = self.solutions(limb, &near, &base, swivel + swivel_rad);
-                let error = |raw: &Joints, kept: &Joints| match self.limbs.get(limb.index()) {
-                    Some(rig) => rig.error(raw, kept, &near, &base),
-                    None => matrix_error(&self.head.posed(kept, &base).frame, &near),
-                };
-                let keep = |raw: &Joints| self.keep(limb, terms.limited, raw);
-                let chosen = choose(&found, &choice, &keep, &error);
-                let (index, joints) = chosen.unwrap_or((0, AT_EASE));
-                if let Some(raw) = found.as_slice().get(index) {
-                    let off_m = |frame: &Frame| frame.position.distance_to(base.origin);
-                    let inside = (off_m(&near) - off_m(frame)).max(0.0) / FORCED_M;
-                    forced = match self.limbs.get(limb.index()) {
-                        Some(rig) => rig.bent(raw, &joints),
-                        None => [self.head.turned(raw, &joints); 2],
-                    };
-                    forced[0] += if limb == Limb::Head { 0.0 } else { inside };
-                }
+                let swivel = swivel + swivel_rad;
+                let joints;
+                (joints, forced) = self.solved(limb, frame, swivel, terms.limited, current, &base);
                 (joints, Some(*frame))
             }
         };
@@ -345,6 +333,46 @@ impl Manipulators {
             target: target.unwrap_or(posed.frame),
             posed,
         }
+    }
+}
+
+impl Manipulators {
+    /// The joints that bring a limb to a frame, or as near as reach and limits let it, and how much
+    /// those forced its upper bone and its end, radians.
+    pub(super) fn solved(
+        &self,
+        limb: Limb,
+        frame: &Frame,
+        swivel_rad: f64,
+        limited: f64,
+        current: Option<&Joints>,
+        base: &Base,
+    ) -> (Joints, [f64; 2]) {
+        let rig = self.limbs.get(limb.index());
+        let choice = Choice {
+            limited,
+            current,
+            preferred: &AT_EASE,
+        };
+        let near = self.projected(limb, frame, base, limited);
+        let found = self.solutions(limb, &near, base, swivel_rad);
+        let error = |raw: &Joints, kept: &Joints| match rig {
+            Some(rig) => rig.error(raw, kept, &near, base),
+            None => matrix_error(&self.head.posed(kept, base).frame, &near),
+        };
+        let keep = |raw: &Joints| self.keep(limb, limited, raw);
+        let (index, joints) = choose(&found, &choice, &keep, &error).unwrap_or((0, AT_EASE));
+        let mut forced = [0.0; 2];
+        if let Some(raw) = found.as_slice().get(index) {
+            let off_m = |frame: &Frame| frame.position.distance_to(base.origin);
+            let inside = (off_m(&near) - off_m(frame)).max(0.0) / FORCED_M;
+            forced = match rig {
+                Some(rig) => rig.bent(raw, &joints),
+                None => [self.head.turned(raw, &joints); 2],
+            };
+            forced[0] += if limb == Limb::Head { 0.0 } else { inside };
+        }
+        (joints, forced)
     }
 }
 

@@ -13,7 +13,9 @@
 //! standing leg it is x down, y left, z front, on both sides of the body. The head's is
 //! x left, y up, z front when it is upright.
 
+mod aim;
 mod compile;
+mod follow;
 pub mod head;
 pub mod jacobian;
 mod lean;
@@ -34,7 +36,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 
 pub use limits::{Limit, Sex};
 pub use path::{Path, Placement, Shape};
-pub use perform::{Manipulators, Reached};
+pub use perform::Manipulators;
 pub use rig::LimbRig;
 pub use solve::Solutions;
 pub use steady::MOST_RAD_PER_S;

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::head::HeadRig;
@@ -14,18 +14,9 @@ use super::solve::Solutions;
 use super::steady::Steady;
 use super::swivel::Obstacles;
 use super::track::{Goal, LimbTrack};
-use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
+use super::{Frame, Joints, Limb, ManipulatorScript, Sex};
 use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::kinematics::{rotation_of, world_from_bone};
-
-/// Where a limb was sent and how near it came.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached {
-    /// Target, figure axes.
-    pub target: Frame,
-    /// Distance of the end from it, metres.
-    pub error_m: f64,
-}
 
 /// The rigs of a figure, and what each of its limbs does when.
 #[derive(Clone, Debug)]
@@ -115,51 +106,14 @@ impl Manipulators {
         Some((track.goal(time_secs, &figure_from_world)?, weight))
     }
 
-    /// Leans the spine for arms that reach far; before gestures and [`Manipulators::limbs`].
-    pub fn lean(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) {
-        let mut sum = DVec3::ZERO;
-        for limb in [Limb::LeftArm, Limb::RightArm] {
-            if let Some((goal, weight)) = self.goal(limb, time_secs) {
-                sum += self.lean_for(limb, &goal, skeleton, pose) * weight;
-            }
-        }
-        lean::apply(skeleton, sum, pose);
-    }
-
-    /// The lean that a goal of an arm asks for in a pose without it.
-    pub(super) fn lean_for(
-        &self,
-        limb: Limb,
-        goal: &Goal,
-        skeleton: &Skeleton,
-        pose: &Pose,
-    ) -> DVec3 {
-        match (goal, self.arms.get(limb.index())) {
-            (Goal::Joints(held), _) => held.lean,
-            (
-                Goal::Frame {
-                    frame, lean_lag, ..
-                },
-                Some(arm),
-            ) => {
-                let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
-                let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
-                let scapula = arm.scapula_for(&thorax, frame.position, 0.0);
-                let shoulder = arm.shoulder_at(&thorax, scapula);
-                lean::wanted(shoulder, lumbar, frame.position, arm.reach_m()) + *lean_lag
-            }
-            _ => DVec3::ZERO,
-        }
-    }
-
-    /// Moves arms and legs; after everything else that moves them. Where each was sent, in
-    /// the order of [`Limb::ALL`], as far as manipulators lead them.
+    /// Moves arms and legs; after everything else that moves them. Where each was sent, figure
+    /// axes, in the order of [`Limb::ALL`], as far as manipulators lead them.
     pub fn limbs(
         &self,
         skeleton: &Skeleton,
         time_secs: f64,
         pose: &mut Pose,
-    ) -> [Option<Reached>; 4] {
+    ) -> [Option<Frame>; 4] {
         self.first_limbs(self.limbs.len(), skeleton, time_secs, pose)
     }
 
@@ -170,23 +124,20 @@ impl Manipulators {
         skeleton: &Skeleton,
         time_secs: f64,
         pose: &mut Pose,
-    ) -> [Option<Reached>; 4] {
-        let mut reached = [None; 4];
+    ) -> [Option<Frame>; 4] {
+        let mut targets = [None; 4];
         let limbs = Limb::ALL.into_iter().take(count.min(self.limbs.len()));
         for (index, limb) in limbs.enumerate() {
             let Some((goal, weight)) = self.goal(limb, time_secs) else {
                 continue;
             };
             let met = self.meet_at(limb, &goal, time_secs, skeleton, pose);
-            if let Some(place) = reached.get_mut(index) {
-                *place = Some(Reached {
-                    target: met.target,
-                    error_m: met.posed.frame.position.distance_to(met.target.position),
-                });
+            if let Some(target) = targets.get_mut(index) {
+                *target = Some(met.target);
             }
             self.place(limb, &met, weight, pose);
         }
-        reached
+        targets
     }
 
     /// Turns the head; after gaze has turned it.

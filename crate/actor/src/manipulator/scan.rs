@@ -27,7 +27,7 @@ const UNSEEN_RAD: f64 = 0.02;
 /// even step.
 const LEAST_SECS: f64 = 1.0 / 480.0;
 const HALVINGS: u32 = 4;
-/// Turn that hides no snap, whatever part of it is at once, radians.
+/// Turn of both halves of a time that hide no snap, whatever part of them is at once, radians.
 const HARMLESS_RAD: f64 = SNAP_RAD_PER_S * LEAST_SECS;
 /// Times that a step by the joints is shortened to its bones' speed.
 const SHORTENINGS: usize = 4;
@@ -368,15 +368,14 @@ impl Manipulators {
             return false;
         }
         let middle = self.alone_at(limb, middle_secs, scene);
+        // What turns little in one half may have turned back there, if it turns in the other.
         let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
-        let parts = [(a, &middle, from_secs), (&middle, b, middle_secs)];
-        parts
-            .into_iter()
-            .zip(halves)
-            .any(|((a, b, from_secs), turned)| {
-                turned > HARMLESS_RAD
-                    && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
-            })
+        halves.into_iter().any(|turned| turned > HARMLESS_RAD)
+            && [(a, &middle, from_secs), (&middle, b, middle_secs)]
+                .into_iter()
+                .any(|(a, b, from_secs)| {
+                    self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
+                })
     }
 
     /// The joints of a limb's target alone at a time, or those that it has without one.

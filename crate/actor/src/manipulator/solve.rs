@@ -226,18 +226,21 @@ impl LimbRig {
         }
     }
 
-    /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which is
-    /// within limits, or less beyond them.
+    /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which limits
+    /// leave alone, or turn less.
     pub(super) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
         let sets = self.shoulder_angles((turn * self.link(joints)).normalized());
-        let beyond = |set: &[f64; 3]| {
-            let off =
-                |i: usize| (self.limits[i].kept(set[i]) - self.limits[i].wrapped(set[i])).abs();
-            off(0) + off(1)
+        let [first, second] = sets.map(|[a, b, roll]| {
+            let mut turned = *joints;
+            (turned[0], turned[1], turned[ROLL]) = (a, b, roll);
+            turned
+        });
+        let beyond = |set: &Joints| self.bent(set, &self.keep(1.0, set))[0];
+        *joints = if beyond(&second) < beyond(&first) {
+            second
+        } else {
+            first
         };
-        let [first, second] = sets.each_ref().map(beyond);
-        let [a, b, roll] = sets[usize::from(second < first)];
-        (joints[0], joints[1], joints[ROLL]) = (a, b, roll);
     }
 
     /// The matrix error of joints that were brought within their limits from joints that meet

@@ -4,6 +4,7 @@
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
+use super::aim::Aim;
 use super::path::Curve;
 use super::solve::AT_EASE;
 use super::swivel::Preference;
@@ -29,27 +30,44 @@ pub(super) struct Held {
     pub(super) cue: DVec3,
     /// Lean of the spine that the limb asks for, rotation vector.
     pub(super) lean: DVec3,
+    /// What it asks for more because the other arm leans the spine away from it.
+    pub(super) help: DVec3,
 }
 
 impl Held {
+    /// The wrist as the girdle is to take it on a trunk for what is aimed at, trunk axes, metres.
+    pub(super) fn cued(&self, aim: Option<&Aim>, trunk: &DAffine3) -> DVec3 {
+        self.cue + aim.map_or(DVec3::ZERO, |aim| aim.moved_on(trunk))
+    }
+
     fn toward(&self, to: &Self, share: f64) -> Self {
-        let mut joints = self.joints;
-        for (a, b) in joints.iter_mut().zip(to.joints) {
-            *a = lerp(*a, b, share);
-        }
         Self {
-            joints,
+            joints: between(&self.joints, &to.joints, share),
             cue: self.cue.lerp(to.cue, share),
             lean: self.lean.lerp(to.lean, share),
+            help: self.help.lerp(to.help, share),
         }
     }
 }
 
+/// Joints a share of the way to others, angle by angle.
+pub(super) fn between(from: &Joints, to: &Joints, share: f64) -> Joints {
+    let mut joints = *from;
+    for (a, b) in joints.iter_mut().zip(to) {
+        *a = lerp(*a, *b, share);
+    }
+    joints
+}
+
 /// What a limb is to do at one moment.
 #[derive(Clone, Copy, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "goals are made at every evaluation, which allocates nothing"
+)]
 pub(super) enum Goal {
-    /// Joints as they are given.
-    Joints(Held),
+    /// Joints as they are given, and where they are to bring the end, if that is said.
+    Joints(Held, Option<Aim>),
     /// The end in a place.
     Frame {
         frame: Frame,
@@ -57,8 +75,9 @@ pub(super) enum Goal {
         swivel_rad: f64,
         /// What the girdle's cue is off the target, trunk axes, metres.
         cue_lag: DVec3,
-        /// What the spine's lean is off what the target asks for, rotation vector.
-        lean_lag: DVec3,
+        /// What the spine's lean is off what the target asks for, rotation vector: its own, and
+        /// what it asks for more because of the other arm.
+        lean_lag: [DVec3; 2],
     },
 }
 
@@ -69,6 +88,8 @@ pub(super) enum MotionKind {
     Joints {
         from: Held,
         to: Held,
+        /// Where `to` is to bring the end; none where the angles themselves are asked for.
+        aim: Option<Box<Aim>>,
         secs: f64,
         even: bool,
     },
@@ -76,8 +97,13 @@ pub(super) enum MotionKind {
     Line { from: Frame, to: Frame, secs: f64 },
     /// A function of time.
     Curve(Curve),
-    /// Joint angles at even steps.
-    Samples { held: Vec<Held>, step_secs: f64 },
+    /// Joint angles at even steps, and where they bring the end.
+    Samples {
+        steps: Vec<(Held, Aim)>,
+        step_secs: f64,
+        /// The target that they are on the way to, if there is one.
+        to: Option<Box<Frame>>,
+    },
     /// A place in the world.
     Lock(Frame),
 }
@@ -88,7 +114,9 @@ impl MotionKind {
         match self {
             Self::Joints { secs, .. } | Self::Line { secs, .. } => *secs,
             Self::Curve(curve) => curve.secs(),
-            Self::Samples { held, step_secs } => held.len() as f64 * step_secs,
+            Self::Samples {
+                steps, step_secs, ..
+            } => steps.len() as f64 * step_secs,
             Self::Lock(_) => 0.0,
         }
     }
@@ -102,8 +130,9 @@ pub(super) struct LimbMotion {
     pub(super) swivel_rad: f64,
     /// What the girdle's cue was off the place, trunk axes, metres.
     pub(super) cue_lag: DVec3,
-    /// The spine's lean minus the target's, rotation vector.
-    pub(super) lean_lag: DVec3,
+    /// The spine's lean minus the target's, rotation vector: its own, and what it asked for more
+    /// because of the other arm.
+    pub(super) lean_lag: [DVec3; 2],
     /// What its joints were off, radians, and its upper bone, base axes.
     pub(super) mend: Mend,
 }
@@ -379,6 +408,7 @@ impl LimbMotion {
             MotionKind::Joints {
                 from,
                 to,
+                aim,
                 secs: whole,
                 even,
             } => {
@@ -387,14 +417,29 @@ impl LimbMotion {
                 } else {
                     minimum_jerk(secs / whole.max(1e-9))
                 };
-                return Goal::Joints(from.toward(to, share));
+                let aim = aim.as_ref().map(|aim| aim.counting(share, *aim.frame()));
+                return Goal::Joints(from.toward(to, share), aim);
             }
-            MotionKind::Samples { held, step_secs } => {
-                let last = held.len().saturating_sub(1);
+            MotionKind::Samples {
+                steps,
+                step_secs,
+                to,
+            } => {
+                let last = steps.len().saturating_sub(1);
                 let at = (secs / step_secs).clamp(0.0, last as f64);
                 let index = at.floor() as usize;
-                let next = (index + 1).min(last);
-                return Goal::Joints(held[index].toward(&held[next], at - index as f64));
+                let ((a, aim), (b, next)) = (&steps[index], &steps[(index + 1).min(last)]);
+                let share = at - index as f64;
+                // Velocities lead the joints, and to no place.
+                let aim = to.as_ref().map(|to| {
+                    let aim = aim.toward(next, share);
+                    // It begins where the limb is, whatever led it there.
+                    let counts = minimum_jerk(secs / SETTLE_SECS);
+                    let is_over = at >= last as f64;
+                    let target = if is_over { **to } else { *aim.frame() };
+                    aim.counting(counts, target)
+                });
+                return Goal::Joints(a.toward(b, share), aim);
             }
             MotionKind::Line {
                 from,
@@ -409,7 +454,7 @@ impl LimbMotion {
             frame,
             swivel_rad: self.swivel_rad * left,
             cue_lag: self.cue_lag * left,
-            lean_lag: self.lean_lag * left,
+            lean_lag: self.lean_lag.map(|lag| lag * left),
         }
     }
 }

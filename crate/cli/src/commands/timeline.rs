@@ -39,6 +39,9 @@ struct Entry<'a> {
     /// Which repetition of its container, from 0.
     #[serde(skip_serializing_if = "is_first")]
     iteration: u32,
+    /// How much later its stroke comes, seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    late: Option<f64>,
 }
 
 #[allow(
@@ -53,6 +56,8 @@ fn is_first(iteration: &u32) -> bool {
 struct Whole<'a> {
     duration: f64,
     lead_in: f64,
+    /// How much of the lead-in the hands need, seconds.
+    waits: f64,
     clauses: Vec<Entry<'a>>,
     marks: BTreeMap<&'a str, f64>,
 }
@@ -69,9 +74,11 @@ impl Timeline {
         )?;
         let index = LineIndex::new(&files.text);
         let timeline = &script.timeline;
+        let late = script.late_strokes();
         let whole = Whole {
             duration: timeline.duration_secs,
             lead_in: timeline.lead_in_secs,
+            waits: script.waits_secs,
             clauses: timeline
                 .clauses
                 .iter()
@@ -84,6 +91,10 @@ impl Timeline {
                     id: clause.time_id.as_deref(),
                     container: c.container,
                     iteration: c.iteration,
+                    late: late
+                        .iter()
+                        .find(|(id, _)| *id == c.clause)
+                        .map(|(_, secs)| *secs),
                 })
                 .collect(),
             marks: timeline
@@ -102,14 +113,19 @@ impl Timeline {
                 )?;
                 for c in &whole.clauses {
                     let id = c.id.unwrap_or("");
+                    let late = c.late.map(|secs| format!("  {secs:.3} s late"));
+                    let late = late.unwrap_or_default();
                     writeln!(
                         out,
-                        "{:9.3} {:9.3}  {:<16} {:>5}  {id}",
+                        "{:9.3} {:9.3}  {:<16} {:>5}  {id}{late}",
                         c.start, c.end, c.element, c.line
                     )?;
                 }
                 for (name, at) in &whole.marks {
                     writeln!(out, "{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "")?;
+                }
+                if whole.waits > 0.0 {
+                    writeln!(out, "delayed by {:.3} s for the hands", whole.waits)?;
                 }
                 writeln!(out, "duration {:.3} s", whole.duration)?;
             }

@@ -5,6 +5,18 @@ use crate::record::{record, words};
 use raconteur_base::Side;
 
 words! {
+    /// What gives way where a gesture begins sooner than the hand can be there.
+    RunUp {
+        /// The whole script waits.
+        Delay = "delay",
+        /// The stroke comes late.
+        Late = "late",
+        /// The hand is there all the same.
+        Snap = "snap",
+    }
+}
+
+words! {
     /// What expressions beside speech are made from.
     Expressions {
         /// The sound: its pitch and pauses (F&H section 4.2).

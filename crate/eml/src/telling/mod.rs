@@ -73,7 +73,9 @@ pub fn told_on(text: &str, language: &str, felt: &str) -> Option<ToldOn> {
 }
 
 fn script(head: &str, clauses: &str) -> String {
-    format!("<eml xmlns:r='urn:raconteur:eml:1' name='said'>{head}<body>{clauses}</body></eml>\n")
+    format!(
+        "<eml xmlns:r='urn:raconteur:eml:1' name='said' r:lead='delay'>{head}<body>{clauses}</body></eml>\n"
+    )
 }
 
 /// A text that markup cannot be in. What XML has no place for is a space.

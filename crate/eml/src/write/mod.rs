@@ -11,6 +11,7 @@ mod normal;
 mod tag;
 mod voice;
 
+use crate::RunUp;
 use crate::namespaces::{EXTENSIONS, EXTENSIONS_PREFIX};
 use crate::time_expr::MAX_SECS;
 use crate::{Clause, ClauseId, ClauseKind, Document, TimeExpr};
@@ -85,6 +86,9 @@ impl<'d> Writer<'d> {
         self.line("</body>");
         let mut root = Tag::new("eml");
         root.text("name", self.document.name.as_deref());
+        let run_up = self.document.run_up;
+        root.word("lead", run_up.map(RunUp::word));
+        self.extended |= root.is_extended();
         let mut whole = String::new();
         for comment in before {
             whole.push_str(comment.text);

@@ -11,7 +11,7 @@ pub(crate) mod wait;
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
+use raconteur_eml::{Diagnostic, Name, Parsed, RunUp, Severity, SortedMap, Span, parse_fragment};
 
 use crate::lower::animations;
 use crate::lower::cast::Cast;
@@ -323,7 +323,21 @@ impl Live {
         let said = self.fragments.iter().flat_map(|f| &f.plan.utterances);
         let said = scene.story.utterances.iter().chain(said);
         let run_up_secs = wait::run_up(&at_once, scene.actor, base_secs);
-        script.delay(wait::turn(&at_once.utterances, said, run_up_secs));
+        let run_up = script.document.run_up.unwrap_or_default();
+        let waits_secs = if run_up == RunUp::Delay {
+            run_up_secs
+        } else {
+            0.0
+        };
+        script.delay(wait::turn(&at_once.utterances, said, waits_secs));
+        match run_up {
+            RunUp::Delay => script.waits_secs = run_up_secs,
+            RunUp::Late => script.hands_from_secs = wait::hands_from(&at_once, run_up_secs),
+            RunUp::Snap => {}
+        }
+        if run_up != RunUp::Delay {
+            diagnostics.extend(script.lead_told());
+        }
         diagnostics.extend(animations::problems(
             &script.document,
             &script.timeline,

@@ -28,6 +28,14 @@ pub(super) fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
     delay
 }
 
+/// From when on the hands of a fragment can be at the place of a stroke, seconds: its first stroke
+/// comes as much later as its hands are delayed.
+pub(super) fn hands_from(plan: &ScriptPlan, run_up_secs: f64) -> f64 {
+    let strokes = plan.strokes.iter().flatten();
+    let first = strokes.map(|stroke| stroke.start_secs).reduce(f64::min);
+    first.map_or(f64::NEG_INFINITY, |first| first + run_up_secs)
+}
+
 /// The shortest delay, and no less than `least_secs`, with which `own` speech falls together with
 /// none of the others. What one fragment says at once by itself stays so.
 pub(super) fn turn<'a>(

@@ -58,7 +58,7 @@ impl Hands {
 
 /// The track that moves this hand: its own, else the common one. True when the common
 /// one's values are meant for the other hand and must be mirrored.
-fn track_for<K>(
+pub(super) fn track_for<K>(
     tracks: &[Track<K>],
     side: Side,
     handedness: Handedness,
@@ -79,7 +79,11 @@ fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
     if mirrored { mirror_vector(p) } else { p }
 }
 
-fn hand_rotation(key: &PalmKey, side: Side, mirrored: bool) -> Option<raconteur_base::DQuat> {
+pub(super) fn hand_rotation(
+    key: &PalmKey,
+    side: Side,
+    mirrored: bool,
+) -> Option<raconteur_base::DQuat> {
     let mut normal = Units::axis(key.axis);
     let mut angle_rad = key.angle_deg.to_radians();
     if mirrored {
@@ -132,7 +136,7 @@ fn leads(gesture: &GestureKey) -> bool {
 }
 
 /// When a key of a gesture is reached, seconds after its beginning.
-fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
+pub(super) fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
     if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads(gesture) {
         gesture.duration_secs
     } else {
@@ -265,6 +269,23 @@ pub(crate) fn strokes(
             })
         })
         .collect()
+}
+
+/// Strokes that begin no sooner than a time, seconds: what would is as much later, with its keys.
+#[must_use]
+pub(crate) fn no_sooner(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec<GestureStroke> {
+    for stroke in &mut strokes {
+        let late_secs = (from_secs - stroke.start_secs).max(0.0);
+        if late_secs > 0.0 {
+            stroke.start_secs += late_secs;
+            stroke.end_secs += late_secs;
+            stroke
+                .keys
+                .iter_mut()
+                .for_each(|key| key.time_secs += late_secs);
+        }
+    }
+    strokes
 }
 
 /// How much of a hand hangs below its wrist in a gesture whose palm is led, fingers forward or up, and

@@ -16,6 +16,7 @@ pub(crate) mod manipulators;
 pub(crate) mod moods;
 pub(crate) mod music;
 pub(crate) mod needs;
+pub(crate) mod palms;
 pub(crate) mod parameters;
 pub(crate) mod piece;
 pub(crate) mod plan;

@@ -64,7 +64,8 @@ impl ScriptPlan {
         let utterances = cues::utterances(script);
         Self {
             strokes: Side::BOTH
-                .map(|side| gestures::strokes(document, timeline, side, units, hands)),
+                .map(|side| gestures::strokes(document, timeline, side, units, hands))
+                .map(|strokes| gestures::no_sooner(strokes, script.hands_from_secs)),
             manipulators: manipulators::script(document, timeline, units),
             switches: gestures::switches(document, timeline),
             players: animations::commands(document, timeline).0,

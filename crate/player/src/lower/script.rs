@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use raconteur_actor::Library;
 use raconteur_eml::{
-    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, Span, Timeline, parse, thinned,
+    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, RunUp, Span, Timeline, parse,
+    thinned,
 };
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Utterance};
@@ -24,6 +25,10 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
+    /// Hands are at the first place of a stroke no sooner than this, story time, seconds.
+    pub(crate) hands_from_secs: f64,
+    /// How much later than it is written all of it begins, because hands have to get there, seconds.
+    pub waits_secs: f64,
     /// Which utterance belongs to which clause.
     voices: Voices,
     /// The language of what nothing else tells of.
@@ -86,7 +91,9 @@ impl Script {
             library: &Library::default(),
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
-        script.delay(script.run_up_secs());
+        script.give_way();
+        let told = script.lead_told();
+        script.diagnostics.extend(told);
         script
     }
 
@@ -121,6 +128,8 @@ impl Script {
             timeline: resolved.timeline,
             diagnostics,
             bundle,
+            hands_from_secs: f64::NEG_INFINITY,
+            waits_secs: 0.0,
             voices,
             page_language: None,
         }
@@ -134,15 +143,71 @@ impl Script {
             library,
         };
         self.timeline = Timeline::resolve(&self.document, &durations).timeline;
-        self.delay(self.run_up_secs());
+        self.give_way();
+    }
+
+    /// Lets the script wait for the preparation of its first gesture, or the gesture come late, or
+    /// neither, as it says itself.
+    fn give_way(&mut self) {
+        match self.document.run_up.unwrap_or_default() {
+            RunUp::Delay => {
+                self.waits_secs = self.run_up_secs();
+                self.delay(self.waits_secs);
+            }
+            RunUp::Late => self.hands_from_secs = RUN_UP_SECS,
+            RunUp::Snap => {}
+        }
+    }
+
+    /// The gestures whose strokes come late because hands have to get there first: their clauses, and
+    /// by how much, seconds.
+    #[must_use]
+    pub fn late_strokes(&self) -> Vec<(ClauseId, f64)> {
+        let clauses = self.timeline.clauses.iter();
+        clauses
+            .filter(|c| is_gesture(&self.document, c.clause))
+            .map(|c| (c.clause, self.hands_from_secs - c.start_secs))
+            .filter(|(_, late_secs)| *late_secs > UNSEEN_SECS)
+            .collect()
+    }
+
+    /// What is told where hands come otherwise than it is written.
+    pub(crate) fn lead_told(&self) -> Vec<Diagnostic> {
+        let tag = |id: ClauseId| self.document.clause(id).tag_span;
+        let mut told: Vec<_> = self
+            .late_strokes()
+            .into_iter()
+            .map(|(id, late_secs)| {
+                let message = format!(
+                    "this stroke comes {late_secs:.2} s late, because the hand has to get there first"
+                );
+                Diagnostic::warning("player::late", tag(id), message)
+                    .hint("give it more time before, or r:lead='snap' of eml, or 'delay'")
+            })
+            .collect();
+        let mut clauses = self.timeline.clauses.iter();
+        let first = clauses.find(|c| is_gesture(&self.document, c.clause));
+        // Who asks for it knows.
+        let is_asked = self.document.run_up.is_some();
+        if let Some(first) = first.filter(|_| self.waits_secs > UNSEEN_SECS && !is_asked) {
+            let message = format!(
+                "the whole script begins {:.2} s later than it is written, for the hand to get here first",
+                self.waits_secs
+            );
+            told.push(
+                Diagnostic::warning("player::delayed", tag(first.clause), message).hint(
+                    "write r:lead='late' or 'snap' in eml for times as they are written, 'delay' if it is to be so, or begin with the gesture later",
+                ),
+            );
+        }
+        told
     }
 
     /// How much later a script begins whose first gesture would come before the arm can be
     /// there, seconds, so that the storyteller raises a hand instead of starting with it raised.
     fn run_up_secs(&self) -> f64 {
-        let is_gesture = |id| matches!(self.document.clause(id).kind, ClauseKind::GestureKey(_));
         let mut clauses = self.timeline.clauses.iter();
-        let first = clauses.find(|c| is_gesture(c.clause));
+        let first = clauses.find(|c| is_gesture(&self.document, c.clause));
         first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0))
     }
 
@@ -214,6 +279,13 @@ pub fn performer_of(eml: &str) -> Performer {
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest
 /// preparation of the gesture planner, rounded up.
 const RUN_UP_SECS: f64 = 0.9;
+
+/// Waiting and lateness that cannot be seen, seconds.
+const UNSEEN_SECS: f64 = 0.01;
+
+fn is_gesture(document: &Document, id: ClauseId) -> bool {
+    matches!(document.clause(id).kind, ClauseKind::GestureKey(_))
+}
 
 /// Every clause that speaks, with its tag.
 fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {

@@ -7,7 +7,7 @@ use raconteur_stage::{
 };
 
 use crate::lower::geometry::{Geometry, Switch};
-use crate::lower::lamps::LampSequence;
+use crate::lower::lamps::{LampSequence, LightChannel};
 use crate::lower::lead::Channels;
 use crate::lower::plan::ScriptPlan;
 use crate::lower::shots::{Shooting, ShotSequence, Take};

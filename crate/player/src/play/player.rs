@@ -18,7 +18,7 @@ use crate::lower::questions::QuestionCue;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
 use crate::lower::ways::WayCue;
-use crate::lower::{animations, gestures};
+use crate::lower::{animations, gestures, palms};
 use crate::options::Options;
 use crate::play::clock::Clock;
 use crate::play::event::Event;
@@ -534,5 +534,8 @@ fn diagnostics(script: &Script, cast: &Cast, actor: &Actor) -> Vec<Diagnostic> {
     diagnostics.extend(animations::problems(document, timeline, skeleton, None));
     let plans = Side::BOTH.map(|side| actor.plan(side));
     diagnostics.extend(gestures::late(document, timeline, plans));
+    diagnostics.extend(palms::missed(
+        document, timeline, skeleton, plans, cast.hands,
+    ));
     thinned(diagnostics)
 }

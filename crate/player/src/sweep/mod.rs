@@ -33,6 +33,9 @@ pub const RATE_HZ: f64 = 120.0;
 /// How near to its place a hand counts as there, metres. Designed: the trunk below it
 /// breathes, and a centimetre and a half is no other place.
 const THERE_M: f64 = 0.015;
+/// How far the planner lets a place be beyond the reach, and what nobody sees, metres.
+const STRETCHED_M: f64 = 0.05;
+const UNSEEN_M: f64 = 0.003;
 /// A stroke is looked for this long, seconds.
 const LOOKED_FOR_SECS: f64 = 0.4;
 
@@ -336,11 +339,23 @@ fn late_strokes(player: &mut Player, secs: &RangeInclusive<f64>) -> Check {
                 continue;
             }
             let steps = (LOOKED_FOR_SECS * 1e3) as u32;
-            let late = (0..steps).find(|ms| {
-                let t = begins + f64::from(*ms) * 1e-3;
+            let mut off_m = |ms: u32| {
+                let t = begins + f64::from(ms) * 1e-3;
                 let wrist = player.frame(t, 1.6).world_from_joint[bone.index()];
-                wrist.translation.distance(place) < THERE_M
-            });
+                // The place goes with the figure.
+                let place = player.world_from_figure(t).transform_point3(place);
+                wrist.translation.distance(place)
+            };
+            let ways_m: Vec<f64> = (0..steps).map(&mut off_m).collect();
+            let nearest_m = ways_m.iter().copied().fold(f64::INFINITY, f64::min);
+            // Who cannot reach farther is there.
+            let there_m = if nearest_m < STRETCHED_M {
+                THERE_M.max(nearest_m + UNSEEN_M)
+            } else {
+                THERE_M
+            };
+            let first = ways_m.iter().position(|way_m| *way_m < there_m);
+            let late = first.and_then(|ms| u32::try_from(ms).ok());
             check.measure_bone(f64::from(late.unwrap_or(steps)), bone, begins);
         }
     }

@@ -28,7 +28,9 @@ impl Animations {
         is_of_parameters: bool,
     ) -> Result<(), (&'static str, String)> {
         let Some(text) = text else {
-            let message = format!("the animation `{name}` was not found; it is left out");
+            let message = format!(
+                "the animation `{name}` was not found as `{name}.json`, the one format that is read; it is left out"
+            );
             return Err(("player::no-animation", message));
         };
         let taken = if is_of_parameters {

@@ -1,7 +1,7 @@
 //! Queries of a moment beside its frame: the spoken word, targets of the hands, a digest of the
 //! pose.
 
-use raconteur_base::{DVec3, Side};
+use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_stage::{Angle, EmotionType, Illumination, Mood, Shot, SpeechNow};
 
 use super::{Manipulator, Player};
@@ -102,8 +102,15 @@ impl Player {
         })
     }
 
+    /// Where the script has moved the figure at a time: world from figure axes.
+    #[must_use]
+    pub fn world_from_figure(&self, time_secs: f64) -> DAffine3 {
+        let moved = self.layers.actor().world_from_figure(time_secs);
+        moved.unwrap_or(DAffine3::IDENTITY)
+    }
+
     /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
-    /// far as it can be reached, world, metres.
+    /// far as it can be reached, in the axes of the figure ([`Player::world_from_figure`]), metres.
     pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
         let keys = self.layers.actor().plan(side).keys().iter();
         keys.filter(|k| k.begins_stroke)

@@ -1,0 +1,84 @@
+//! Inverse velocity: joints that follow a velocity of the end, in fixed steps (GEVH D.3.24).
+
+use raconteur_base::curve::{minimum_jerk, smooth};
+use raconteur_base::{DVec3, Length};
+
+use super::compile::Now;
+use super::jacobian::{Twist, joint_speeds};
+use super::limits;
+use super::perform::Manipulators;
+use super::rig::Base;
+use super::track::{BRAKE_SECS, Held, MotionKind, SETTLE_SECS};
+use super::{Frame, Limb};
+
+/// Steps of inverse velocity a second, and how many make a sample.
+const STEPS_HZ: f64 = 120.0;
+const STEPS_A_SAMPLE: usize = 2;
+/// Time in which it comes to its speed, seconds.
+const START_SECS: f64 = 0.25;
+
+impl Manipulators {
+    /// Follows velocities by inverse velocity, in fixed steps.
+    pub(super) fn follow(
+        &self,
+        limb: Limb,
+        now: &Now,
+        most_secs: f64,
+        to: Option<&Frame>,
+        wanted: &dyn Fn(&Frame) -> Twist,
+    ) -> MotionKind {
+        let limited = self.tracks[limb.index()].has_limits();
+        let mut state = now.held();
+        let aim = |frame: &Frame, state: &Held, base: &Base| {
+            self.aim(limb, frame, &state.joints, base, &now.trunk)
+        };
+        let mut steps = vec![(state, aim(&now.frame, &state, &now.base))];
+        let mut base = now.base;
+        let mut frame = now.frame;
+        let mut carried = DVec3::ZERO;
+        // On after what ends it: a stop brakes.
+        let most = ((most_secs + BRAKE_SECS) * STEPS_HZ).ceil() as usize;
+        for step in 1..=most {
+            let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
+            let twist = wanted(&frame);
+            if twist.linear.magnitude() < 3e-5 && twist.angular.magnitude() < 3e-4 {
+                break;
+            }
+            let axes = match self.limbs.get(limb.index()) {
+                Some(rig) => rig.axes(&state.joints, &base),
+                None => self.head.axes(&state.joints, &base),
+            };
+            // What the girdle does by itself the joints need not do.
+            let twist = Twist {
+                linear: twist.linear * gathered - carried,
+                angular: twist.angular * gathered,
+            };
+            let speeds = joint_speeds(&axes, frame.position, &twist);
+            for (joint, speed) in state.joints.iter_mut().zip(speeds) {
+                *joint += speed / STEPS_HZ;
+            }
+            if limited {
+                state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
+            }
+            // The girdle follows, and moves the base under the arm.
+            let left = 1.0 - minimum_jerk(step as f64 / (SETTLE_SECS * STEPS_HZ));
+            let place = now.trunk.inverse().transform_point3(frame.position);
+            state.cue = place + now.cue_lag * left;
+            let cue = now.trunk.transform_point3(state.cue);
+            let arm = self.arms.get(limb.index());
+            let scapula = arm.map(|arm| arm.scapula_for(&now.trunk, cue, 0.0));
+            let before = base.origin;
+            base = self.base(limb, &now.trunk, scapula);
+            carried = (base.origin - before) * STEPS_HZ;
+            frame = self.posed(limb, &state.joints, &base).frame;
+            if step % STEPS_A_SAMPLE == 0 {
+                steps.push((state, aim(&frame, &state, &base)));
+            }
+        }
+        MotionKind::Samples {
+            steps,
+            step_secs: STEPS_A_SAMPLE as f64 / STEPS_HZ,
+            to: to.map(|to| Box::new(*to)),
+        }
+    }
+}
