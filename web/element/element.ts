@@ -52,6 +52,8 @@ import {
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
+/** So long a player that is taken out of the page keeps its story. */
+const AWAY_MS = 6000;
 
 /**
  * The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties.
@@ -171,6 +173,8 @@ export class RaconteurPlayer extends MediaElement {
   readonly #frames = new FrameLoop(this.#context, this.#mind);
   readonly #figures = new FigureLoader(this.#context);
   readonly #standIn = new StandIn(this.#context);
+  /** Gives the story back of a player that stays out of the page. */
+  #leaving: ReturnType<typeof setTimeout> | undefined;
   readonly #own = new OwnText(this, () => this.#ownChanged());
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
@@ -450,13 +454,11 @@ export class RaconteurPlayer extends MediaElement {
     this.#resized.disconnect();
     this.#seen.disconnect();
     this.#own.rest();
-    // Moving an element disconnects it for a moment.
-    setTimeout(() => {
-      if (this.isConnected) return;
-      if (!this.paused) this.pause();
-      // That is told before the story goes.
-      queueMicrotask(() => !this.isConnected && this.#stories.release());
-    });
+    // Moving an element disconnects it for a moment; one that stays away rests, as a video does, and for a while keeps its story:
+    // place, answers and sound are there when it is put back.
+    setTimeout(() => !this.isConnected && !this.paused && this.pause());
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => !this.isConnected && this.#stories.release(), AWAY_MS);
   }
 
   protected override updated(): void {
