@@ -1,7 +1,7 @@
 //! Abbreviations and where they stand for what.
 
 use super::language::Language;
-use super::sentence::is_starter;
+use super::starters::is_starter;
 use super::word::Word;
 
 /// Where an abbreviation is one, and whether its full stop may end a sentence too.

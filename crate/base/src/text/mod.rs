@@ -13,4 +13,5 @@ pub mod roman;
 pub mod script;
 pub mod sentence;
 pub mod signs;
+pub mod starters;
 pub mod word;

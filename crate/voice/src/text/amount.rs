@@ -1,8 +1,7 @@
 //! Words with digits: money, times, dates, telephone numbers, fractions, measures, ranges
 //! and plain numbers, the clearest kind first.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::number::{self, Number};
 use super::read::{Reader, Reading};

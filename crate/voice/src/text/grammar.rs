@@ -40,3 +40,9 @@ pub(super) trait Grammar: Sync {
     /// The gender of a noun, guessed from its ending.
     fn form_before(&self, noun: &str) -> Form;
 }
+
+/// What has a grammar.
+pub(super) trait Grammars {
+    /// The grammar of the language.
+    fn grammar(self) -> &'static dyn Grammar;
+}

@@ -2,15 +2,9 @@
 
 use super::english::English;
 use super::german::German;
-use super::grammar::Grammar;
+use super::grammar::{Grammar, Grammars};
 use super::language::Language;
 use super::portuguese::Portuguese;
-
-/// What has a grammar.
-pub(super) trait Grammars {
-    /// The grammar of the language.
-    fn grammar(self) -> &'static dyn Grammar;
-}
 
 impl Grammars for Language {
     fn grammar(self) -> &'static dyn Grammar {

@@ -1,7 +1,6 @@
 //! Numbers as they are written with digits, and their reading.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 
 /// A number written with digits.

@@ -1,8 +1,7 @@
 //! Ordinals with digits (1st, 3.º, 3.), days before and after months, decades.
 
 use super::date::{self, Date};
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::number::Number;
 use super::read::{Reader, Reading};

@@ -1,7 +1,6 @@
 //! Which kind of text a word is, and who reads it.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};

@@ -1,7 +1,6 @@
 //! Roman numerals, read only where the word before them makes them clear.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use raconteur_base::text::roman::RULERS;
 pub(super) use raconteur_base::text::roman::{is_ruler, value};

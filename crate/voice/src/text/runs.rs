@@ -1,7 +1,6 @@
 //! Words of mixed letters, digits and signs, read run by run; and formulas.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::number::{self, Number};
 use super::read::Reader;

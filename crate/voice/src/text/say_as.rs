@@ -1,8 +1,7 @@
 //! The modes of SABLE's SAYAS. A word that does not fit its mode is read unmarked, so that
 //! "due on" in a marked date stays what it is.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::number::Number;
 use super::read::{Reader, Reading};

@@ -4,8 +4,7 @@
 //! A letter's name is a respelling that engines read right as a word of its own (heard with
 //! espeak-ng); single letters they take for articles or prepositions.
 
-use super::grammar::Form;
-use super::grammars::Grammars as _;
+use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::number;
 use raconteur_base::text::capitals::is_pronounceable;
