@@ -195,7 +195,7 @@ impl Shot {
         let captions = room.captions.clamp(0.0, MOST_CAPTIONS);
         if self == Self::Storyteller {
             let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
-            let span = room.span.above_captions(captions);
+            let span = room.span.above_captions_in(captions, aspect);
             return from.narrowed_to(span, feet_in_world, stature_m, aspect);
         }
         let mut extent = self.extent();

@@ -25,11 +25,13 @@ const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
 /// A picture this narrow (width over height) and one that is not held to anything any more: on a phone
 /// held upright a face matters more than hands. Designed.
-const NARROW: f64 = 0.75;
-const BROAD: f64 = 1.0;
-/// What a narrow picture shows for hands at most, share of stature: from the hips up. Hands that go
-/// further leave it for a moment. Designed.
-const NARROW_MOST: f64 = 0.74;
+const NARROW: f64 = 0.85;
+const BROAD: f64 = 1.05;
+/// What a narrow picture shows for hands at most, share of stature: from below the waist up. Hands
+/// that go further leave it for a moment. Designed.
+const NARROW_MOST: f64 = 0.64;
+/// How much of the room for captions a narrow picture makes: hands may rest behind them. Designed.
+const NARROW_CAPTIONS: f64 = 0.4;
 /// What pictures that emotions ask for show, shares of stature: from the waist up, head and shoulders, and
 /// the face with room for nods. Designed.
 pub(crate) const BUST: Span = Span {
@@ -56,6 +58,11 @@ pub const SLOW_ZOOM: f64 = 0.05;
 pub const QUICK_ZOOM: f64 = 0.25;
 /// Peak speed of a minimum-jerk motion over its mean.
 const PEAK: f64 = 1.875;
+
+/// How narrow a picture of `aspect` is, 0 to 1.
+fn narrow(aspect: f64) -> f64 {
+    ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0)
+}
 
 /// The space that hands or the whole body take, metres from the floor and from the middle of the
 /// figure.
@@ -196,18 +203,24 @@ impl Span {
         }
     }
 
-    /// What is shown for a gesture: all of it, but in a narrow picture no more than from the hips up for
-    /// hands. A whole body is shown whole.
+    /// What keeps hands above captions in a picture of `aspect`; in a narrow one that is not worth all
+    /// that it costs the face.
+    #[must_use]
+    pub(crate) fn above_captions_in(self, share: f64, aspect: f64) -> Self {
+        self.above_captions(share * lerp(1.0, NARROW_CAPTIONS, narrow(aspect)))
+    }
+
+    /// What is shown for a gesture: all of it, but in a narrow picture no more than from below the waist
+    /// up for hands. A whole body is shown whole.
     fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let needed = self.with(space, stature_m, aspect);
         let is_body = space.bottom_m < LOWEST * stature_m - 1e-6;
-        let narrow = ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0);
         let more = needed.height() - self.height();
         if is_body || more <= 0.0 {
             return needed;
         }
         let allowed = (NARROW_MOST.max(self.height()) - self.height()).min(more);
-        self.towards(needed, lerp(1.0, allowed / more, narrow))
+        self.towards(needed, lerp(1.0, allowed / more, narrow(aspect)))
     }
 
     /// What is shown at a time: all that the gestures then need, and of those before and after it
@@ -310,7 +323,7 @@ mod tests {
                 to_secs,
                 space,
             });
-        for aspect in [1.0, 1.33, 1.78] {
+        for aspect in [1.05, 1.33, 1.78] {
             let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
             for t in [120.0, 121.0, 126.0, 160.2] {
@@ -349,16 +362,20 @@ mod tests {
             bottom_m: 0.9,
             half_width_m: 0.5,
         };
-        for aspect in [0.46, 0.6, 0.75] {
+        for aspect in [0.46, 0.6, 0.8] {
             let (height, span) = of(hands, aspect);
             assert!((height - NARROW_MOST).abs() < 1e-9, "{aspect}: {height}");
-            // From menton to vertex, in pixels of a phone 390 wide.
-            let face = (1.0 - 0.868) / height * 390.0 / aspect;
-            assert!(face > 90.0, "{aspect}: {face}");
-            assert!(span.bottom < 0.5 && span.top > 1.04, "{span:?}");
+            // From menton to vertex, above captions of two lines, in pixels of a phone 390 wide.
+            let shown = span.above_captions_in(0.15, aspect).height();
+            let face = (1.0 - 0.868) / shown * 390.0 / aspect;
+            assert!(face > 85.0, "{aspect}: {face}");
+            assert!(span.bottom < 0.53 && span.top > 1.04, "{span:?}");
         }
-        let (between, all) = (of(hands, 0.9).0, of(hands, 1.0).0);
-        assert!(between > NARROW_MOST - 1e-9 && all >= Span::default().height());
+        let (between, all) = (of(hands, 0.95).0, of(hands, 1.05).0);
+        assert!(
+            between.min(all) >= Span::default().height(),
+            "{between} {all}"
+        );
         let (body, _) = of(TakenSpace::of_body(STATURE_M), 0.46);
         assert!(body > 1.1, "{body}");
     }
