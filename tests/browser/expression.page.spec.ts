@@ -50,7 +50,7 @@ test('anger comes near from below in red, and each channel can be turned off', a
   await expect(rules).toContainText('Potential 3.5 in [2.5; 4.5) → close-up 3.5.4.1, rule 5');
   await expect(rules).toContainText('Anger → red key light table 3.2');
   await expect(rules).toContainText('= 0.35');
-  await expect(rules).toContainText('→ negative-tense');
+  await expect(rules).toContainText('→ negative-calm');
   expect(await eml(page)).toContain(ANGER);
   expect(await height()).toBeLessThan(-0.2);
   await expect(page.locator('#problems')).toBeEmpty();

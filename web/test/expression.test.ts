@@ -20,7 +20,7 @@ const ANGER: Expressed = {
   brightness: 0.65 / 0.75,
   valence: -2.1,
   arousal: 1.2,
-  music: ['negative-tense.opus', 'negative-tense-rise.opus'],
+  music: ['negative-heavy.opus', 'negative-heavy-rise.opus'],
 };
 const ALL = { camera: true, light: true, music: true };
 const texts = (expressed: Expressed, channels = ALL): readonly string[] => rulesOf(expressed, channels).map(({ text, source }) => (source === '' ? text : `${text} (${source})`));
@@ -33,7 +33,7 @@ describe('the rules that fire', () => {
       'Potential 3.5 in [2.5; 4.5) → close-up (3.5.4.1, rule 5)',
       'Anger → red key light (table 3.2)',
       'Bad: attenuation max(0.25, 3.5/10) = 0.35 → 87 % as bright (equation 3.2)',
-      'Mood −2.1 (below −1, bad), arousal 1.2 (above 0.6, active) → negative-tense, with its livelier voices (3.5.4.3)',
+      'Mood −2.1 (below −1, bad), arousal 1.2 (above 0.6, active) → negative-heavy, with its livelier voices (3.5.4.3)',
     ]);
     expect(rulesOf(ANGER, ALL).find((rule) => rule.color !== undefined)?.color).toBe('rgb(255 0 0)');
   });

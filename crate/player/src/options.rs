@@ -7,7 +7,7 @@ use raconteur_stage::{Room, Shot};
 /// How a story is performed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Seed of blinks, glances and idle motion.
+    /// Seed of blinks, glances and idle motion, and of which pieces of the library are heard.
     pub seed: u64,
     /// Idle life, from 0 (still) to 1.
     pub motion_amount: f64,

@@ -220,6 +220,35 @@ fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
 }
 
 #[test]
+fn the_seed_draws_the_music_of_moods_scripts_and_live_fragments_alike() {
+    let files = |seed: u64| {
+        let eml = "<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='2' type='joy' potential='9' \
+                   duration='20'/><r:music time='40' valence='positive'/><null time='50'/></body></eml>";
+        let options = Options {
+            seed,
+            ..Options::default()
+        };
+        let mut player = perform(eml, None, figure(), options).player;
+        let live = "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='1' valence='positive'/></body></eml>";
+        player.perform(0, live, 44.0);
+        let good: Vec<_> = player
+            .music()
+            .into_iter()
+            .filter(|cue| cue.file.starts_with("positive") && !cue.file.contains("rise"))
+            .collect();
+        assert!(good.iter().all(|cue| cue.file == good[0].file), "{good:?}");
+        // That of the mood, of the script and of the fragment.
+        assert_eq!(good.len(), 3, "{good:?}");
+        good[0].file.clone()
+    };
+    let mut drawn: Vec<String> = (0..8).map(files).collect();
+    assert_eq!(drawn[5], files(5));
+    drawn.sort();
+    drawn.dedup();
+    assert_eq!(drawn.len(), 3, "{drawn:?}");
+}
+
+#[test]
 fn a_flood_of_feelings_is_filmed_like_any_other() {
     let pieces = "<r:piece valence='positive' file='music/a.opus' bar='0'/>".repeat(2000);
     let felt: String = (0..20_000)

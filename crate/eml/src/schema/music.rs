@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     source: super::shown("Extension; GEVH 3.5.4.3"),
     decision: super::shown(
-        "Without one, and after by='emotion', the mood chooses the music of a story in which something is felt, unless r:environment says otherwise. A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
+        "Without one, and after by='emotion', the mood chooses the music of a story in which something is felt, unless r:environment says otherwise. The library has three pieces of each mood: fast where it is good, of medium tempo where neutral, slow where bad. The seed of the performance draws one of each, which stays throughout; arousal adds voices to it. A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
     ),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>",

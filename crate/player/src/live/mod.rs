@@ -315,6 +315,7 @@ impl Live {
         };
         let mut script = Script::resolve(parsed, sources, bundle.is_some());
         script.page_language = scene.script.page_language;
+        script.repertoire = scene.script.repertoire;
         let diagnostics = &mut performed.diagnostics;
         diagnostics.append(&mut script.diagnostics);
         diagnostics.extend(scene.cast.problems(&script.document));

@@ -1,11 +1,12 @@
-//! Which music a mood asks for (GEVH 3.5.4.3): pieces by valence and arousal, the voices that arousal
-//! adds to them, and when one takes over from another.
+//! Which music a mood asks for (GEVH 3.5.4.3): a piece by valence, the voices that arousal adds to it,
+//! and when one takes over from another. Pieces of an author's may be by arousal, too.
 
 use raconteur_eml::{Arousal, Document, Lead};
 use raconteur_stage::emotion::Valence;
 use raconteur_stage::{Feelings, Mood};
 
 use crate::lower::piece::{MusicClause, Voice};
+use crate::lower::repertoire::Repertoire;
 
 /// No piece that a mood asks for is heard shorter, seconds. Designed.
 const SHORTEST_SECS: f64 = 8.0;
@@ -23,65 +24,8 @@ const MOST_OWN: usize = 12;
 /// A smaller change of a voice's level is not written.
 const LEAST_CHANGE: f64 = 0.03;
 
-/// A piece of the library: a loop, and beside it the voices that arousal adds.
-struct LibraryPiece {
-    name: &'static str,
-    valence: Valence,
-    is_aroused: bool,
-    /// A bar, seconds.
-    bar_secs: f64,
-}
-
-const fn piece(
-    name: &'static str,
-    valence: Valence,
-    is_aroused: bool,
-    [beats, beats_a_minute]: [f64; 2],
-) -> LibraryPiece {
-    LibraryPiece {
-        name,
-        valence,
-        is_aroused,
-        bar_secs: 60.0 * beats / beats_a_minute,
-    }
-}
-
-/// The pieces of `assets/music`. A neutral mood has one, however active.
-const LIBRARY: [LibraryPiece; 5] = [
-    piece("positive-calm", Valence::Positive, false, [3.0, 84.0]),
-    piece("positive-lively", Valence::Positive, true, [4.0, 132.0]),
-    piece("neutral", Valence::Neutral, false, [4.0, 100.0]),
-    piece("negative-calm", Valence::Negative, false, [3.0, 54.0]),
-    piece("negative-tense", Valence::Negative, true, [4.0, 144.0]),
-];
-
-impl LibraryPiece {
-    fn of(valence: Valence, is_aroused: bool) -> &'static Self {
-        let fits = |p: &&Self| p.valence == valence && p.is_aroused == is_aroused;
-        LIBRARY.iter().find(fits).unwrap_or(&LIBRARY[2])
-    }
-
-    /// Its voices, those that arousal adds at a level over story time.
-    fn voices(&self, rise: Vec<(f64, f64)>) -> Vec<Voice> {
-        let voice = |ending: &str, share| Voice {
-            file: format!("{}{ending}.opus", self.name),
-            library: true,
-            loops: true,
-            share,
-        };
-        vec![voice("", Vec::new()), voice("-rise", rise)]
-    }
-}
-
-/// All voices of the piece of a valence that a script asks for: fast where it is positive, slow
-/// where it is negative (GEVH 3.5.4.3).
-pub(crate) fn usual(valence: raconteur_eml::Valence) -> Vec<Voice> {
-    let valence = of_script(valence);
-    let piece = LibraryPiece::of(valence, valence == Valence::Positive);
-    piece.voices(Vec::new())
-}
-
-fn of_script(valence: raconteur_eml::Valence) -> Valence {
+/// The valence of a script's word.
+pub(crate) fn of_script(valence: raconteur_eml::Valence) -> Valence {
     match valence {
         raconteur_eml::Valence::Negative => Valence::Negative,
         raconteur_eml::Valence::Neutral => Valence::Neutral,
@@ -134,9 +78,11 @@ fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
     )
 }
 
-/// What is led by moods: the feelings, the author's pieces, and until when there is anything.
+/// What is led by moods: the feelings, the library's and the author's pieces, and until when there is
+/// anything.
 pub(crate) struct Scoring<'a> {
     pub(crate) feelings: &'a Feelings,
+    pub(crate) repertoire: Repertoire,
     pub(crate) own: &'a [OwnPiece],
     /// Whether moods lead at first.
     pub(crate) follows: bool,
@@ -212,7 +158,7 @@ impl Scoring<'_> {
         match self.own_piece(tone) {
             Some(own) => (&own.file, own.bar_secs.max(0.05)),
             None => {
-                let piece = LibraryPiece::of(tone.0, tone.1);
+                let piece = self.repertoire.piece(tone.0);
                 (piece.name, piece.bar_secs)
             }
         }
@@ -229,7 +175,7 @@ impl Scoring<'_> {
             }],
             None => {
                 let rise = self.rise(from_secs, to_secs + FADE_SECS);
-                LibraryPiece::of(tone.0, tone.1).voices(rise)
+                self.repertoire.piece(tone.0).voices(rise)
             }
         };
         MusicClause {
@@ -269,6 +215,12 @@ mod tests {
     use super::*;
     use raconteur_stage::{EmotionType, Felt};
 
+    const REPERTOIRE: Repertoire = Repertoire::new(3);
+
+    fn named(valence: Valence) -> String {
+        format!("{}.opus", REPERTOIRE.piece(valence).name)
+    }
+
     fn felt(kind: &str, start_secs: f64, potential: f64, activation: f64) -> Felt {
         Felt {
             kind: EmotionType::named(kind).expect(kind),
@@ -286,6 +238,7 @@ mod tests {
         let feelings = Feelings::new(felt);
         let scoring = Scoring {
             feelings: &feelings,
+            repertoire: REPERTOIRE,
             own,
             follows: true,
             end_secs: 90.0,
@@ -302,37 +255,55 @@ mod tests {
     }
 
     #[test]
-    fn bars_are_as_long_as_the_scores_of_the_library_have_them() {
-        for piece in &LIBRARY {
-            for ending in ["", "-rise"] {
-                let path = format!("../../assets/music/{}{ending}.json", piece.name);
-                let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-                let text = std::fs::read_to_string(&path).expect(piece.name);
-                let score: serde_json::Value = serde_json::from_str(&text).expect(piece.name);
-                let number = |name: &str| score[name].as_f64().expect(name);
-                let bar_secs = 60.0 * number("beats") / number("bpm");
-                assert!((bar_secs - piece.bar_secs).abs() < 1e-9, "{}", piece.name);
-            }
-        }
-    }
-
-    #[test]
     fn moods_change_the_piece_on_bar_lines_and_not_soon() {
         let feelings = vec![felt("joy", 10.0, 6.0, 0.3), felt("anger", 30.0, 8.0, 0.6)];
         let led = scored(feelings, &[], Vec::new());
         let names: Vec<&str> = led.iter().map(|(_, file)| &**file).collect();
-        assert_eq!(names[0], "neutral.opus");
-        assert!(names.contains(&"positive-lively.opus"), "{names:?}");
-        assert!(names.contains(&"negative-tense.opus"), "{names:?}");
+        let [good, bad] = [Valence::Positive, Valence::Negative].map(named);
+        assert_eq!(names[0], named(Valence::Neutral));
+        assert!(
+            names.contains(&&*good) && names.contains(&&*bad),
+            "{names:?}"
+        );
         assert_eq!(names.last(), Some(&""), "it ends with the story");
         for pair in led.windows(2).filter(|p| !p[1].1.is_empty()) {
             let [(a, file), (b, _)] = pair else { continue };
             assert!(b - a >= SHORTEST_SECS, "{led:?}");
-            let name = file.trim_end_matches(".opus");
-            let piece = LIBRARY.iter().find(|p| p.name == name).expect(name);
+            let valences = [Valence::Negative, Valence::Neutral, Valence::Positive];
+            let of_file = valences.into_iter().find(|v| named(*v) == *file);
+            let piece = REPERTOIRE.piece(of_file.expect(file));
             let bars = (b - a) / piece.bar_secs;
             assert!((bars - bars.round()).abs() < 1e-6, "{led:?}");
         }
+    }
+
+    #[test]
+    fn arousal_changes_an_authors_piece_and_only_the_voices_of_the_librarys() {
+        // Both are bad, the second is active.
+        let feelings = || {
+            vec![
+                felt("distress", 2.0, 8.0, 0.0),
+                felt("anger", 14.0, 8.0, 1.0),
+            ]
+        };
+        let bad = named(Valence::Negative);
+        let led = scored(feelings(), &[], Vec::new());
+        assert_eq!(
+            led.iter().filter(|(_, file)| *file == bad).count(),
+            1,
+            "{led:?}"
+        );
+        let own = [(false, "calm.opus"), (true, "wild.opus")].map(|(is_aroused, file)| OwnPiece {
+            valence: Valence::Negative,
+            is_aroused: Some(is_aroused),
+            file: file.to_owned(),
+            bar_secs: 2.0,
+        });
+        let led = scored(feelings(), &own, Vec::new());
+        for file in ["calm.opus", "wild.opus"] {
+            assert!(led.iter().any(|(_, f)| f == file), "{led:?}");
+        }
+        assert!(led.iter().all(|(_, file)| *file != bad), "{led:?}");
     }
 
     #[test]

@@ -54,7 +54,10 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
                 });
                 let voices = match (own, music.valence) {
                     (Some(own), _) => vec![own],
-                    (None, Some(valence)) => moods::usual(valence),
+                    (None, Some(valence)) => {
+                        let piece = script.repertoire.piece(moods::of_script(valence));
+                        piece.voices(Vec::new())
+                    }
                     (None, None) => Vec::new(),
                 };
                 Some(MusicClause {

@@ -17,6 +17,7 @@ use crate::lower::manipulators;
 use crate::lower::moods::{self, OwnPiece};
 use crate::lower::music;
 use crate::lower::piece::MusicClause;
+use crate::lower::repertoire::Repertoire;
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
 
@@ -44,6 +45,8 @@ pub(crate) struct ScriptPlan {
     pub(crate) music: Vec<MusicClause>,
     /// The author's pieces for moods.
     pub(crate) pieces: Vec<OwnPiece>,
+    /// The library's pieces for moods.
+    pub(crate) repertoire: Repertoire,
     /// Utterances, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
     /// Cues, by time.
@@ -76,6 +79,7 @@ impl ScriptPlan {
             channels: Channels::of(document),
             music: music::clauses(script),
             pieces: moods::own_pieces(document),
+            repertoire: script.repertoire,
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,
         }

@@ -11,8 +11,9 @@ use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Utterance};
 
 use crate::lower::needs::Needs;
+use crate::lower::repertoire::Repertoire;
 use crate::lower::voice::{KnownDurations, Voices};
-use crate::options::LanguageTag;
+use crate::options::{LanguageTag, Options};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -33,6 +34,8 @@ pub struct Script {
     voices: Voices,
     /// The language of what nothing else tells of.
     pub(crate) page_language: Option<LanguageTag>,
+    /// The library's pieces of music that are played.
+    pub(crate) repertoire: Repertoire,
 }
 
 /// The stage that loading a story has come to, so that a page can report at which one it failed.
@@ -132,6 +135,7 @@ impl Script {
             waits_secs: 0.0,
             voices,
             page_language: None,
+            repertoire: Repertoire::new(Options::default().seed),
         }
     }
 

@@ -15,6 +15,7 @@ use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::music::MusicCue;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::questions::QuestionCue;
+use crate::lower::repertoire::Repertoire;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
 use crate::lower::ways::WayCue;
@@ -115,6 +116,7 @@ impl Player {
         progress(LoadStage::Performance);
         let options = input.options;
         script.page_language = options.language;
+        script.repertoire = Repertoire::new(options.seed);
         let cast = Cast::new(input.figure, &script.document, options.handedness);
         let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();

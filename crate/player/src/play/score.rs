@@ -76,6 +76,7 @@ impl Score {
         sort_by_number(&mut clauses, |c| c.start_secs);
         let scoring = Scoring {
             feelings,
+            repertoire: self.story.repertoire,
             own: &self.story.pieces,
             follows: self.story.channels.music,
             end_secs,
