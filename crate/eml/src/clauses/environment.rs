@@ -156,6 +156,8 @@ record! {
         set: Scenery = "set",
         /// How closely the light keeps to the thesis.
         fidelity: Fidelity = "fidelity",
+        /// What draws the music of a mood; none: whoever shows the story.
+        seed: Option<u32> = "seed",
     }
     children {
         /// The author's own music.

@@ -36,6 +36,12 @@ pub(super) static ELEMENT: Element = Element {
             "How closely the light keeps to the thesis: `stage`, scaled so that a face is read and no emotion jumps when it begins; `thesis`, the full colours of table 3.2, the attenuations of equations 3.1 and 3.2 as they are (a strong negative emotion is dark), and a key lamp between figure and camera.",
         )
         .default("stage"),
+        Attribute::integer(
+            "seed",
+            0,
+            1_000_000,
+            "Draws the music of each valence from the library's three pieces; other numbers draw others. As whoever shows the story has it when left out.",
+        ),
     ],
     ..Element::part("environment", &["head"])
 };

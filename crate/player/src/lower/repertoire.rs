@@ -1,6 +1,7 @@
 //! The library's music (GEVH 3.5.4.3): three pieces of each valence, of which a performance plays one.
 
 use raconteur_base::noise;
+use raconteur_eml::Document;
 use raconteur_stage::emotion::Valence;
 
 use crate::lower::piece::Voice;
@@ -75,6 +76,12 @@ impl Repertoire {
         Self { seed }
     }
 
+    /// That of a script, which may have a seed of its own; else by that of whoever shows it.
+    pub(crate) fn of(document: &Document, otherwise: u64) -> Self {
+        let own = document.environment.as_ref().and_then(|e| e.seed);
+        Self::new(own.map_or(otherwise, u64::from))
+    }
+
     /// The piece of a valence: the same throughout the performance.
     pub(crate) fn piece(self, valence: Valence) -> &'static LibraryPiece {
         let pieces = library(valence);
@@ -99,6 +106,21 @@ mod tests {
     fn score(piece: &LibraryPiece, ending: &str) -> serde_json::Value {
         let text = std::fs::read_to_string(file(piece, ending)).expect(piece.name);
         serde_json::from_str(&text).expect(piece.name)
+    }
+
+    #[test]
+    fn a_script_may_draw_for_itself() {
+        let drawn = |attributes: &str| {
+            let text = format!(
+                "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment {attributes}/></head>\
+                 <body><null time='1'/></body></eml>"
+            );
+            let parsed = raconteur_eml::parse(&text);
+            assert_eq!(parsed.diagnostics, []);
+            Repertoire::of(&parsed.document, 5)
+        };
+        assert_eq!(drawn(""), Repertoire::new(5));
+        assert_eq!(drawn("seed='12'"), Repertoire::new(12));
     }
 
     #[test]

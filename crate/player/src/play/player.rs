@@ -116,7 +116,7 @@ impl Player {
         progress(LoadStage::Performance);
         let options = input.options;
         script.page_language = options.language;
-        script.repertoire = Repertoire::new(options.seed);
+        script.repertoire = Repertoire::of(&script.document, options.seed);
         let cast = Cast::new(input.figure, &script.document, options.handedness);
         let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();
