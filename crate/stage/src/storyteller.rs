@@ -23,10 +23,11 @@ const ABOVE: f64 = 1.0 / 3.0;
 const LOWEST: f64 = 0.36;
 const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
-/// A picture this narrow (width over height) and one that is not held to anything any more: on a phone
-/// held upright a face matters more than hands. Designed.
+/// A picture (width over height) this narrow shows hands only as far as [`NARROW_MOST`] goes: on a
+/// phone held upright a face matters more. Designed.
 const NARROW: f64 = 0.85;
-const BROAD: f64 = 1.05;
+/// One this broad shows all that hands do, width over height. Designed.
+pub const BROAD: f64 = 1.0;
 /// What a narrow picture shows for hands at most, share of stature: from below the waist up. Hands
 /// that go further leave it for a moment. Designed.
 const NARROW_MOST: f64 = 0.64;
@@ -323,7 +324,7 @@ mod tests {
                 to_secs,
                 space,
             });
-        for aspect in [1.05, 1.33, 1.78] {
+        for aspect in [1.0, 1.33, 1.78] {
             let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
             for t in [120.0, 121.0, 126.0, 160.2] {
@@ -371,7 +372,7 @@ mod tests {
             assert!(face > 85.0, "{aspect}: {face}");
             assert!(span.bottom < 0.53 && span.top > 1.04, "{span:?}");
         }
-        let (between, all) = (of(hands, 0.95).0, of(hands, 1.05).0);
+        let (between, all) = (of(hands, 0.95).0, of(hands, 1.0).0);
         assert!(
             between.min(all) >= Span::default().height(),
             "{between} {all}"

@@ -2,7 +2,7 @@
 
 use raconteur_base::{DVec3, Side, ops};
 use raconteur_body::Bone;
-use raconteur_stage::{Camera, Frame};
+use raconteur_stage::{BROAD, Camera, Frame};
 
 use super::Check;
 use crate::Player;
@@ -97,7 +97,8 @@ impl Framing {
                     .measure(place[0].abs().max(place[1].abs()), "head", t);
             }
             for (side, tips) in Side::BOTH.into_iter().zip(places.tips) {
-                if player.is_in_seen_stroke(side, t) {
+                // From a narrower picture hands may go for a moment.
+                if aspect >= BROAD && player.is_in_seen_stroke(side, t) {
                     seen.strokes += 1;
                     seen.out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));
                 }
