@@ -222,6 +222,14 @@ impl Actor {
         &self.plans[side.index()]
     }
 
+    /// Whether the script cuts a limb to other joints after a story time, up to another one,
+    /// seconds.
+    #[must_use]
+    pub fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
+        let cuts = |motion: &Motion| motion.manipulators.cuts_between(after_secs, to_secs);
+        self.motion.as_ref().is_some_and(cuts)
+    }
+
     /// World from figure axes at a story time: where the script has moved the figure; none
     /// where it never does.
     #[must_use]

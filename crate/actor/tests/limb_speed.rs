@@ -201,7 +201,10 @@ fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
             to,
             pace: Pace::RadPerSec(0.5 + 2.0 * unit(2)),
         },
-        11..=12 => Motion::Joints([0, 1, 2, 3, 4, 5].map(|k| (unit(3 + k) < 0.6).then(|| r(k)))),
+        11..=12 => Motion::Joints {
+            angles: [0, 1, 2, 3, 4, 5].map(|k| (unit(3 + k) < 0.6).then(|| r(k))),
+            secs: 0.5,
+        },
         13..=15 => Motion::Function(Box::new(path(&to, seed, i))),
         16..=17 => Motion::JacobianTarget(to),
         18 => Motion::JacobianVelocity {

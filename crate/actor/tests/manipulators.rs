@@ -379,7 +379,10 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
                 is_on: Some(true),
                 limits: Some(unit(19, i) < 0.6),
             },
-            2 => Motion::Joints([0, 1, 2, 3, 4, 5].map(|k| (k % 2 == 0).then(|| r(20 + k, i)))),
+            2 => Motion::Joints {
+                angles: [0, 1, 2, 3, 4, 5].map(|k| (k % 2 == 0).then(|| r(20 + k, i))),
+                secs: 0.5,
+            },
             3 => Motion::JointInterpolation {
                 to: place,
                 pace: Pace::Secs(1.0),
@@ -490,7 +493,10 @@ fn limits_hold_throughout_while_they_are_on() {
         script.commands.push(Command {
             time_secs: -1.0,
             limb,
-            motion: Motion::Joints([Some(0.1); 6]),
+            motion: Motion::Joints {
+                angles: [Some(0.1); 6],
+                secs: 0.5,
+            },
         });
     }
     let actor = actor(script, 9);
@@ -619,5 +625,60 @@ fn an_arm_that_is_leant_away_from_asks_for_what_that_costs_it() {
     );
     for (both, alone) in both.into_iter().zip(alone) {
         assert!(both < alone + 0.02, "{both} m, alone {alone} m");
+    }
+}
+
+#[test]
+fn what_has_no_end_goes_on_until_it_is_stopped() {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    let circle = Path {
+        shape: Shape::Round {
+            centre: Placement::default(),
+            normal: DVec3::ZERO,
+            radii: [0.05; 2],
+            from_rad: 0.0,
+            turns: 1.0,
+            rise: 0.0,
+        },
+        from: Placement::default(),
+        to: Placement::default(),
+        period_secs: 2.0,
+        looping: true,
+    };
+    // So slow that it takes minutes, and a forearm that turns on and on.
+    let slow = Motion::JacobianVelocity {
+        linear: DVec3::new(0.0, 0.002, 0.0),
+        angular: DVec3::ZERO,
+    };
+    let moved = |motion: &Motion, stop_secs: f64, from_secs: f64, to_secs: f64| {
+        let command = |time_secs, motion| Command {
+            time_secs,
+            limb: Limb::LeftArm,
+            motion,
+        };
+        let script = ManipulatorScript {
+            commands: vec![
+                command(1.0, motion.clone()),
+                command(stop_secs, Motion::Stop),
+            ],
+            moves: Vec::new(),
+        };
+        let actor = actor(script, 3);
+        let [a, b] = [from_secs, to_secs].map(|t| pose_at(&actor, &skeleton, &face, t));
+        let bones = [Bone::LShoulder, Bone::LElbow];
+        let turns = bones.map(|bone| a.rotation(bone).angle_between(b.rotation(bone)));
+        turns[0].max(turns[1])
+    };
+    for (motion, from_secs, to_secs) in [
+        (Motion::Function(Box::new(circle)), 100.0, 101.0),
+        (slow, 60.0, 90.0),
+    ] {
+        let on = moved(&motion, 200.0, from_secs, to_secs);
+        let stopped = moved(&motion, 50.0, from_secs, to_secs);
+        assert!(
+            on > 0.05 && stopped < 0.5 * on,
+            "{motion:?}: {on} {stopped}"
+        );
     }
 }

@@ -331,6 +331,16 @@ fn the_highest_priority_moves_a_bone() {
     near(stage.turn(3.9), 40.0);
     near(stage.turn(4.9), -40.0);
     near(stage.turn(5.9), 0.0);
+    // The one without a name is the first, though it came later.
+    let unnamed = Stage::new(vec![
+        (0.0, add("a", ONE, BoneSet::ALL)),
+        (0.0, add("", ONE, BoneSet::ALL)),
+        (0.0, on(None, None, push("left"))),
+        (0.0, on(Some("a"), None, push("right"))),
+        (1.0, PlayerCommand::Remove { player: None }),
+    ]);
+    near(unnamed.turn(0.9), 40.0);
+    near(unnamed.turn(1.9), -40.0);
     // Where no other player moves the bone, a change of order is not seen: no dip at 1.2 s.
     let lone = Stage::new(vec![
         (0.0, add("a", ONE, BoneSet::ALL)),

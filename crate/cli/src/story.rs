@@ -172,22 +172,35 @@ fn told<T>(read: Result<T>) -> Option<T> {
 
 /// The text of an animation: of a bare name, `animations/NAME.json` of the asset library; else
 /// of a file in the story's folder, JSON or glTF (`FILE.glb#NAME` for one of several
-/// animations). None where there is no such file.
+/// animations). Where there is no such file, that of XML beside the story, or none.
 fn find_animation(name: &str, story: &Path) -> Option<String> {
     if !name.contains(['/', '.', '\\']) {
-        let bytes = assets::read(&format!("animations/{name}.json")).ok()?;
+        let Ok(bytes) = assets::read(&format!("animations/{name}.json")) else {
+            return find_xml(name, story);
+        };
         let text = encoding::utf8(&bytes).map(str::to_owned);
         return told(text.with_context(|| format!("the animation {name}")));
     }
     let (path, part) = name.split_once('#').unwrap_or((name, ""));
     // A story reaches no file outside its folder.
-    let path = inside::find(story.parent()?, path).ok()??;
-    if path.extension().is_some_and(|e| e == "json") {
+    let Some(path) = inside::find(story.parent()?, path).ok()? else {
+        return find_xml(path, story);
+    };
+    let is = |ending: &str| path.extension().is_some_and(|e| e == ending);
+    if is("json") || is("xml") {
         return told(input::text(&path, input::LONGEST_TEXT));
     }
     let bytes = told(input::bytes(&path, LARGEST_FIGURE))?;
     let text = avatar::convert_animation(part, &bytes);
     told(text.with_context(|| format!("the animation {name}")))
+}
+
+/// The text of the XML file that is beside a story instead of an animation. It is not read, but
+/// the player tells that it is there.
+fn find_xml(name: &str, story: &Path) -> Option<String> {
+    let stem = name.strip_suffix(".json").unwrap_or(name);
+    let path = inside::find(story.parent()?, &format!("{stem}.xml")).ok()??;
+    told(input::text(&path, input::LONGEST_TEXT))
 }
 
 /// Endings of files that hold a figure.

@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Where the set of each name is.
 type Index<'d> = BTreeMap<&'d str, usize>;
 
-/// Where the player of each name is added.
+/// Where the player of each name is added, and the one without a name.
 type Starts<'d> = BTreeMap<&'d str, Span>;
 
 /// Reports attributes that mean nothing beside others, clauses that lack what they need,
@@ -199,7 +199,7 @@ fn references(clause: &Clause, own: Option<&(Index<'_>, Starts<'_>)>, sink: &mut
         && !players.contains_key(name.as_str())
     {
         let message = format!("no clause adds a player {}", quoted(name));
-        let known = players.keys().copied();
+        let known = players.keys().copied().filter(|name| !name.is_empty());
         unknown("eml::unknown-player", span, message, name, known, sink);
     }
     for member in members.into_iter().flatten() {
@@ -214,9 +214,9 @@ fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
     let mut removed = false;
     for clause in playing {
         let name = match &clause.kind {
-            ClauseKind::PlayerAdd(add) => &add.name,
+            ClauseKind::PlayerAdd(add) => add.name.as_deref().unwrap_or_default(),
             ClauseKind::PlayerSetExclusive(set) => {
-                players.insert(&set.name, clause.tag_span);
+                players.insert(set.name.as_deref().unwrap_or_default(), clause.tag_span);
                 removed = true;
                 continue;
             }
@@ -226,9 +226,13 @@ fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
             }
             _ => continue,
         };
-        match players.get(name.as_str()) {
+        match players.get(name) {
             Some(first) if !removed => {
-                let message = format!("there is a player {} already", quoted(name));
+                let called = match name {
+                    "" => "without a name".to_owned(),
+                    name => quoted(name),
+                };
+                let message = format!("there is a player {called} already");
                 sink.push(
                     Diagnostic::warning("eml::duplicate-player", clause.tag_span, message)
                         .related(*first, "added here"),

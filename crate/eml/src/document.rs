@@ -302,6 +302,7 @@ impl ClauseKind {
             Self::VhMove(function) => period(&function.args),
             Self::ManipulatorFunction(function) => period(&function.args),
             Self::DeterministicTrackProperty(property) => property.duration_secs,
+            Self::ForwardKinematics(fk) => fk.length_secs(),
             Self::JointInterpolation(motion) => motion.static_time_secs.unwrap_or(0.0),
             Self::FrameInterpolation(motion) => motion.period_secs,
             Self::AdsrControlParameter(adsr) => {

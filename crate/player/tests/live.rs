@@ -312,3 +312,37 @@ fn clauses_are_bounded_and_finished_ones_are_forgotten() {
         ["live::too-large"]
     );
 }
+
+/// What gives way in a fragment whose hand cannot be there in time: when it begins, when the hand
+/// is at its place, seconds after it came, and what is told.
+fn hurried(lead: &str) -> (f64, f64, Vec<&'static str>) {
+    let mut player = player(WAITING);
+    let _ = play(&mut player, 0.0, 5.0);
+    let fragment = format!(
+        "<eml xmlns:r='urn:raconteur:eml:1'{lead}><body>{HAND}<null time='3'/></body></eml>"
+    );
+    let performed = player.perform(1, &fragment, 5.0);
+    let begins = performed.clauses[0].start_secs - 5.0;
+    let mut hand = |i: u32| right_hand(&mut player, 5.0 + f64::from(i) / 60.0);
+    let ways: Vec<_> = (0..180).map(|i| (i, hand(i))).collect();
+    let highest = ways.iter().fold(f64::MIN, |top, (_, hand)| top.max(hand.y));
+    let there = ways.iter().find(|(_, hand)| hand.y > highest - 0.02);
+    let there_secs = there.map_or(f64::NAN, |(i, _)| f64::from(*i) / 60.0);
+    (begins, there_secs, codes(&performed))
+}
+
+#[test]
+fn a_fragment_waits_or_its_stroke_comes_late_or_at_once() {
+    let (begins, waited, told) = hurried("");
+    assert!(begins > 0.5 && waited > 0.5, "{begins} {waited}");
+    assert_eq!(told, [""; 0]);
+    let (begins, late, told) = hurried(" r:lead='late'");
+    assert!(begins.abs() < 1e-9 && late > 0.5, "{begins} {late}");
+    assert_eq!(told, ["player::late"]);
+    let (begins, at_once, told) = hurried(" r:lead='snap'");
+    assert!(
+        begins.abs() < 1e-9 && at_once < late - 0.1,
+        "{begins} {at_once}"
+    );
+    assert_eq!(told, [""; 0]);
+}

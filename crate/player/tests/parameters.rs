@@ -35,11 +35,34 @@ fn animations_of_parameters_come_as_others_do() {
 }
 
 #[test]
+fn one_that_is_there_as_xml_is_told() {
+    for (name, file) in [
+        ("faces/blink.json", "`faces/blink.xml`"),
+        ("blink", "`blink.xml`"),
+        ("faces/blink.xml", "`faces/blink.xml`"),
+    ] {
+        let xml = "<?xml version='1.0'?><animation/>";
+        let (mut other, _) = player(&BODY.replace("faces/blink.json", name));
+        let told = other.provide_animations(&[(name, Some(xml))]);
+        assert_eq!(told[0].code, "player::bad-animation");
+        let message = &told[0].message;
+        assert!(
+            message.contains(file) && message.contains("JSON"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
 fn missing_and_broken_ones_are_told() {
     let (mut player, _) = player(BODY);
     let told = player.provide_animations(&[("faces/blink.json", None)]);
     assert_eq!(told[0].code, "player::no-animation");
-    assert!(told[0].message.contains(".json`"), "{}", told[0].message);
+    assert!(
+        told[0].message.contains("found as `faces/blink.json`;"),
+        "{}",
+        told[0].message
+    );
     assert_eq!(player.needed_animations(), [""; 0]);
     let broken = BLINK.replace("UpperLid", "Eyelash");
     let told = player.provide_animations(&[("faces/blink.json", Some(&broken))]);

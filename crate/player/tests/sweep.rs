@@ -5,10 +5,10 @@ mod common;
 use std::sync::Arc;
 
 use common::{figure, perform, read, stories, story, turn};
-use raconteur_base::noise;
-use raconteur_player::Options;
-use raconteur_player::body::Figure;
+use raconteur_base::{Side, noise};
+use raconteur_player::body::{Bone, Figure};
 use raconteur_player::sweep::{Check, sweep, sweep_between};
+use raconteur_player::{Options, Script};
 use raconteur_tier::{FIGURES, is_long, share};
 
 /// The gate sweeps this much of a story, seconds.
@@ -48,6 +48,51 @@ fn a_stretch_shows_what_the_whole_shows_there() {
         "{whole} {within}"
     );
     assert!(before < 1e-6, "{before}");
+}
+
+/// An arm that is set to angles at 1 s, by what is written beside them.
+fn set_joints(beside: &str) -> String {
+    format!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body>
+        <body-non-deterministic-fk time='1' manipulator='leftArm' j1='70' j2='20' j3='90'
+            j4='30' {beside}/><null time='3'/></body></eml>"
+    )
+}
+
+#[test]
+fn joints_take_the_time_that_the_timeline_tells_or_are_cut_to() {
+    for (beside, length_secs) in [("", 0.5), ("j5='0'", 0.5), ("r:smooth='false'", 0.0)] {
+        let eml = set_joints(beside);
+        let timed = Script::read(&eml, None).timeline.clauses[0];
+        let told_secs = timed.end_secs - timed.start_secs;
+        assert!((told_secs - length_secs).abs() < 1e-9, "{beside}");
+        let mut player = perform(&eml, None, figure(), Options::default()).player;
+        let mut elbow = |secs: f64| {
+            let joints = &player.frame(secs, 1.6).world_from_joint;
+            let [a, b] = ["elbow", "wrist"]
+                .map(|part| joints[Bone::on(Side::Left, part).index()].translation);
+            b - a
+        };
+        // Breath and sway go on.
+        let there = elbow(timed.end_secs + 1e-6);
+        assert!(there.angle_between(elbow(2.5)) < 0.03, "{beside}");
+        let before = elbow(timed.start_secs - 1.0 / 120.0);
+        assert!(there.angle_between(before) > 0.5, "{beside}");
+        if length_secs > 0.0 {
+            let under_way = elbow(timed.start_secs + 0.7 * length_secs);
+            assert!(there.angle_between(under_way) > 0.1, "{beside}");
+        }
+    }
+}
+
+#[test]
+fn a_cut_that_is_asked_for_is_no_jump() {
+    for beside in ["", "r:smooth='false'"] {
+        for name in ["joint-speed", "joint-jump", "wrist-speed"] {
+            let check = measured(&set_joints(beside), name);
+            assert!(check.is_ok(), "{beside} {check:?}");
+        }
+    }
 }
 
 fn measured(eml: &str, name: &str) -> Check {

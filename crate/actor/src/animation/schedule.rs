@@ -254,11 +254,15 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// A player that is there, by name; without one, the first that was added.
+    /// A player that is there, by name; without one, the one that has none, or the first that was
+    /// added.
     fn find(&self, name: &Option<String>) -> Result<usize, ProblemKind> {
         let found = match name {
             Some(name) => self.present.iter().position(|p| p.name == *name),
-            None => (!self.present.is_empty()).then_some(0),
+            None => {
+                let unnamed = self.present.iter().position(|p| p.name.is_empty());
+                unnamed.or((!self.present.is_empty()).then_some(0))
+            }
         };
         found.ok_or_else(|| ProblemKind::NoPlayer(name.clone()))
     }

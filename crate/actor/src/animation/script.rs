@@ -51,7 +51,8 @@ pub enum TrackRef {
 /// Some tracks of a player; `None` are all.
 pub type Tracks = Option<Vec<TrackRef>>;
 
-/// What a script asks. A player without a name is the first one that is there.
+/// What a script asks. Without a name the player is meant that was added without one, else the
+/// first one that is there.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlayerCommand {
     /// How animations pass into each other from now on; `None` keeps a setting.
@@ -63,7 +64,7 @@ pub enum PlayerCommand {
     },
     /// Adds a player; with `exclusive`, in the place of all others.
     Add {
-        /// Its name. A player of the same name is replaced.
+        /// Its name, empty for the one without. A player of the same name is replaced.
         name: String,
         /// What it combines.
         kind: PlayerKind,

@@ -19,13 +19,13 @@ use super::track::{Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_S
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
-/// Shortest time in which joints are set, seconds, and the mean speed of the fastest one.
-/// Designed: a movement as quick as it looks unhurried.
-const QUICK_SECS: f64 = 0.25;
-const QUICK_RAD_PER_S: f64 = 3.0;
-/// Longest time that inverse velocity is followed, seconds: at targets, and at velocities.
+/// Longest time that inverse velocity is followed to a target, seconds.
 const TARGET_SECS: f64 = 8.0;
-const VELOCITY_SECS: f64 = 20.0;
+/// Time for which all velocities of a performance that never come to rest are followed, seconds: one
+/// of them takes half of what is left, so that no script takes time and memory without bound.
+const VELOCITY_SECS: f64 = 1200.0;
+/// Time for which it is seen whether a limb at a velocity snaps, seconds.
+const SCANNED_SECS: f64 = 30.0;
 /// Share of the remaining way that is made up in a second, and the highest speed.
 const GAIN_HZ: f64 = 3.0;
 const FASTEST_M_PER_S: f64 = 0.7;
@@ -73,6 +73,7 @@ impl Manipulators {
         let mut commands: Vec<&Command> = script.commands.iter().filter(finite).collect();
         sort_by_number(&mut commands, |c| c.time_secs);
         let mut is_on = [true; 5];
+        let mut velocity_secs = VELOCITY_SECS;
         let mut scan = Scan::new();
         let mut figure = self.root.motions().into_iter().peekable();
         for (i, command) in commands.iter().enumerate() {
@@ -109,9 +110,22 @@ impl Manipulators {
                     .find(|c| c.limb == command.limb && c.motion.moves());
                 let until = next.map_or(f64::INFINITY, |c| c.time_secs);
                 self.wake(&mut scan, at, &scene);
-                self.take(&scan, command.limb, &scene);
-                self.begin(command, until - at, &scene);
-                let secs = self.tracks[command.limb.index()].rests_after_secs(at);
+                if command.motion.cuts() {
+                    scan.cut(command.limb);
+                } else {
+                    self.take(&scan, command.limb, &scene);
+                }
+                let is_velocity = matches!(command.motion, Motion::JacobianVelocity { .. });
+                let most_secs = match is_velocity {
+                    true => (until - at).min(0.5 * velocity_secs),
+                    false => until - at,
+                };
+                self.begin(command, most_secs, &scene);
+                let mut secs = self.tracks[command.limb.index()].rests_after_secs(at);
+                if is_velocity {
+                    velocity_secs -= most_secs.min(secs);
+                    secs = secs.min(SCANNED_SECS);
+                }
                 scan.limb_moves(command.limb, at, secs);
             }
         }
@@ -145,7 +159,7 @@ impl Manipulators {
         let now = self.now(limb, at, scene);
         let kind = match &command.motion {
             Motion::Configure { .. } | Motion::Stop => return,
-            Motion::Joints(angles) => self.to_joints(limb, angles, &now),
+            Motion::Joints { angles, secs } => self.to_joints(limb, angles, *secs, &now),
             Motion::JointInterpolation { to, pace } => {
                 self.interpolate_joints(limb, at, to, *pace, &now, scene)
             }
@@ -166,12 +180,11 @@ impl Manipulators {
                 })
             }
             Motion::JacobianVelocity { linear, angular } => {
-                let secs = most_secs.min(VELOCITY_SECS);
                 let twist = Twist {
                     linear: *linear,
                     angular: *angular,
                 };
-                self.follow(limb, &now, secs, None, &|_| twist)
+                self.follow(limb, &now, most_secs, None, &|_| twist)
             }
             Motion::Lock(true) => {
                 let moved = self.root.at(at).unwrap_or(DAffine3::IDENTITY);
@@ -186,7 +199,12 @@ impl Manipulators {
             },
         };
         let track = &mut self.tracks[limb.index()];
-        track.switch_control(at, true);
+        if command.motion.cuts() {
+            track.cut_control(at);
+            self.steady[limb.index()].cuts_secs.push(at);
+        } else {
+            track.switch_control(at, true);
+        }
         track.begin(
             at,
             LimbMotion {
@@ -315,8 +333,8 @@ impl Manipulators {
         limits::keep(self.limits(limb), 0.0, &raw)
     }
 
-    /// Joint angles set, those that are given.
-    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], now: &Now) -> MotionKind {
+    /// Joint angles set, those that are given, in some seconds or at once.
+    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], secs: f64, now: &Now) -> MotionKind {
         let mut to = now.held();
         for (joint, angle) in to.joints.iter_mut().zip(angles) {
             *joint = angle.unwrap_or(*joint);
@@ -329,11 +347,14 @@ impl Manipulators {
         let end = self.posed(limb, &to.joints, &rest).frame.position;
         to.cue = now.trunk.inverse().transform_point3(end);
         (to.lean, to.help) = (DVec3::ZERO, DVec3::ZERO);
+        if secs <= 0.0 {
+            return MotionKind::Cut(to);
+        }
         MotionKind::Joints {
             from: now.held(),
             to,
             aim: None,
-            secs: QUICK_SECS.max(longest(&now.joints, &to.joints) / QUICK_RAD_PER_S),
+            secs,
             even: false,
         }
     }
@@ -431,5 +452,10 @@ impl Motion {
     /// Whether it says where the limb goes.
     fn moves(&self) -> bool {
         !matches!(self, Self::Configure { .. })
+    }
+
+    /// Whether it brings the limb somewhere from one moment to the next.
+    pub(super) fn cuts(&self) -> bool {
+        matches!(self, Self::Joints { secs, .. } if *secs <= 0.0)
     }
 }

@@ -16,6 +16,9 @@ const STEPS_HZ: f64 = 120.0;
 const STEPS_A_SAMPLE: usize = 2;
 /// Time in which it comes to its speed, seconds.
 const START_SECS: f64 = 0.25;
+/// Turn of the joints in a step, radians, and way of the girdle's cue, metres, below which a limb has
+/// come to rest: at its limits, or where it can reach no farther. In ten minutes nobody sees it.
+const RESTING: f64 = 1e-9;
 
 impl Manipulators {
     /// Follows velocities by inverse velocity, in fixed steps.
@@ -54,6 +57,7 @@ impl Manipulators {
                 angular: twist.angular * gathered,
             };
             let speeds = joint_speeds(&axes, frame.position, &twist);
+            let last = state;
             for (joint, speed) in state.joints.iter_mut().zip(speeds) {
                 *joint += speed / STEPS_HZ;
             }
@@ -71,6 +75,11 @@ impl Manipulators {
             base = self.base(limb, &now.trunk, scapula);
             carried = (base.origin - before) * STEPS_HZ;
             frame = self.posed(limb, &state.joints, &base).frame;
+            let rests = left <= 0.0 && carried.magnitude() <= RESTING && rests(&last, &state);
+            if rests {
+                steps.push((state, aim(&frame, &state, &base)));
+                break;
+            }
             if step % STEPS_A_SAMPLE == 0 {
                 steps.push((state, aim(&frame, &state, &base)));
             }
@@ -81,4 +90,14 @@ impl Manipulators {
             to: to.map(|to| Box::new(*to)),
         }
     }
+}
+
+/// Whether a step changes nothing that can be seen.
+fn rests(from: &Held, to: &Held) -> bool {
+    let turns = from
+        .joints
+        .iter()
+        .zip(&to.joints)
+        .map(|(a, b)| (a - b).abs());
+    turns.fold((from.cue - to.cue).magnitude(), f64::max) <= RESTING
 }

@@ -133,9 +133,13 @@ pub enum Motion {
         /// preference of GEVH 3.3.2.1. An empty list leaves the choice to the limb again.
         preferred: Option<Vec<f64>>,
     },
-    /// Turns joints to angles at once, which takes as long as a quick movement does; joints
-    /// without an angle stay (GEVH D.3.20).
-    Joints([Option<f64>; 6]),
+    /// Turns joints to angles (GEVH D.3.20).
+    Joints {
+        /// Radians; joints without an angle stay.
+        angles: [Option<f64>; 6],
+        /// How long it takes, seconds; 0 cuts to the angles, from one moment to the next.
+        secs: f64,
+    },
     /// To a frame by the joints (GEVH D.3.21).
     JointInterpolation {
         /// Where to, figure axes.

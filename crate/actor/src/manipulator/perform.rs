@@ -92,6 +92,13 @@ impl Manipulators {
         self.root.at(time_secs)
     }
 
+    /// Whether the script cuts a limb to other joints after a time, up to another one, seconds.
+    #[must_use]
+    pub fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
+        let mut cuts = self.steady.iter().flat_map(|steady| &steady.cuts_secs);
+        cuts.any(|cut| *cut > after_secs && *cut <= to_secs)
+    }
+
     /// What a limb is to do at a time, and how far it is under control; none where it is not.
     pub(super) fn goal(&self, limb: Limb, time_secs: f64) -> Option<(Goal, f64)> {
         let track = &self.tracks[limb.index()];

@@ -91,6 +91,11 @@ impl Scan {
         self.loops[limb.index()] = secs.is_infinite();
     }
 
+    /// A limb is cut to other joints: it need not catch up with anything.
+    pub(super) fn cut(&mut self, limb: Limb) {
+        self.limbs[limb.index()] = Followed::default();
+    }
+
     /// The figure begins to move, and all limbs with it.
     pub(super) fn figure_moves(&mut self, from_secs: f64, secs: f64) {
         let until_secs = from_secs + followed_secs(secs);
@@ -246,7 +251,7 @@ impl Manipulators {
         let target = &met.joints;
         let open = self.steady[i].stretches.last();
         let last = open
-            .filter(|s| s.next() == even)
+            .filter(|s| s.next() == even && !self.steady[i].is_cut_before(even))
             .and_then(|s| s.samples.last());
         let Some(last) = last.map(|s| s.joints) else {
             // The limb comes under control where it is.

@@ -80,6 +80,8 @@ pub(super) struct Lead {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steady {
     pub(super) stretches: Vec<Stretch>,
+    /// When the limb is cut to other joints, in order, seconds: no stretch goes on beyond that.
+    pub(super) cuts_secs: Vec<f64>,
 }
 
 impl Steady {
@@ -87,9 +89,19 @@ impl Steady {
     pub(super) fn at(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<Lead> {
         let even = (time_secs * EVEN_HZ).floor();
         let begun = self.stretches.partition_point(|s| s.from as f64 <= even);
-        self.stretches
-            .get(begun.checked_sub(1)?)?
-            .at(time_secs, rig)
+        let on = self.stretches.get(begun.checked_sub(1)?)?;
+        let cut = self.cuts_secs.partition_point(|cut| *cut <= time_secs);
+        let cut = cut.checked_sub(1).and_then(|last| self.cuts_secs.get(last));
+        if cut.is_some_and(|cut| on.from as f64 / EVEN_HZ <= *cut) {
+            return None;
+        }
+        on.at(time_secs, rig)
+    }
+
+    /// Whether the limb is cut to other joints between an even time and the one before it.
+    pub(super) fn is_cut_before(&self, even: i64) -> bool {
+        let before_secs = (even - 1) as f64 / EVEN_HZ;
+        self.cuts_secs.last().is_some_and(|cut| *cut >= before_secs)
     }
 }
 

@@ -93,6 +93,8 @@ pub(super) enum MotionKind {
         secs: f64,
         even: bool,
     },
+    /// Joint angles from its beginning on.
+    Cut(Held),
     /// A straight line with the shortest turn.
     Line { from: Frame, to: Frame, secs: f64 },
     /// A function of time.
@@ -117,7 +119,7 @@ impl MotionKind {
             Self::Samples {
                 steps, step_secs, ..
             } => steps.len() as f64 * step_secs,
-            Self::Lock(_) => 0.0,
+            Self::Cut(_) | Self::Lock(_) => 0.0,
         }
     }
 }
@@ -273,6 +275,15 @@ impl LimbTrack {
         }
     }
 
+    /// Takes control all at once, whatever the limb did before.
+    pub(super) fn cut_control(&mut self, time_secs: f64) {
+        self.control.push(Switch {
+            time_secs,
+            on: true,
+            before: 1.0,
+        });
+    }
+
     /// A time, or the last one up to `now_secs` when the limb came under control, whichever is
     /// later.
     pub(super) fn begun_by(&self, now_secs: f64, time_secs: f64) -> f64 {
@@ -420,6 +431,7 @@ impl LimbMotion {
                 let aim = aim.as_ref().map(|aim| aim.counting(share, *aim.frame()));
                 return Goal::Joints(from.toward(to, share), aim);
             }
+            MotionKind::Cut(held) => return Goal::Joints(*held, None),
             MotionKind::Samples {
                 steps,
                 step_secs,

@@ -59,6 +59,40 @@ pub struct ForwardKinematics {
     pub joint_count: Option<u32>,
     /// The angle of each joint in degrees; none: unchanged.
     pub joints_deg: [Option<f64>; 6],
+    /// Whether they turn there, or are there at once (extension).
+    pub is_smooth: bool,
+}
+
+/// How long joints that are set turn at least, seconds, and the angle, degrees, beyond which they
+/// take longer. Designed: as quick as it looks unhurried.
+const QUICK_SECS: f64 = 0.5;
+const QUICK_DEG: f64 = 90.0;
+
+impl ForwardKinematics {
+    /// The angle of each joint that counts, degrees: not of those beyond what the manipulator or the
+    /// document has; none: unchanged.
+    #[must_use]
+    pub fn counted_deg(&self) -> [Option<f64>; 6] {
+        let said = self.joint_count.map_or(usize::MAX, |count| count as usize);
+        let count = said.min(self.manipulator.joints());
+        let mut joints = self.joints_deg;
+        for joint in joints.iter_mut().skip(count) {
+            *joint = None;
+        }
+        joints
+    }
+
+    /// How long it takes, seconds. What is written says so, and not where the limb is: that is not
+    /// known before the story is timed.
+    #[must_use]
+    pub fn length_secs(&self) -> f64 {
+        if !self.is_smooth {
+            return 0.0;
+        }
+        let angles = self.counted_deg().into_iter().flatten();
+        let widest = angles.fold(QUICK_DEG, |most, deg| most.max(deg.abs()));
+        QUICK_SECS * widest.min(FARTHEST) / QUICK_DEG
+    }
 }
 
 impl Record for ForwardKinematics {
@@ -72,6 +106,7 @@ impl Record for ForwardKinematics {
         for (name, joint) in JOINTS.into_iter().zip(&mut self.joints_deg) {
             visitor.field(name, joint);
         }
+        visitor.field("smooth", &mut self.is_smooth);
     }
 }
 

@@ -36,8 +36,8 @@ record! {
 record! {
     /// Adds an animation player (GEVH D.3.11).
     PlayerAdd = "body-player-add" {
-        /// Its name.
-        name: String = "name",
+        /// Its name; none: it is the first player.
+        name: Option<String> = "name",
         /// What it plays.
         kind: PlayerKind = "type",
         /// How many layers it has; only for [`PlayerKind::Multiple`].
@@ -52,8 +52,8 @@ record! {
 record! {
     /// Replaces all animation players by one (GEVH D.3.12).
     PlayerSetExclusive = "body-player-set-exclusive" {
-        /// Its name.
-        name: String = "name",
+        /// Its name; none: it is the first player.
+        name: Option<String> = "name",
         /// What it plays.
         kind: PlayerKind = "type",
         /// How many layers it has; only for [`PlayerKind::Multiple`].

@@ -7,7 +7,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Sets the joint angles of a manipulator."),
     decision: super::shown(
-        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. It takes as long as a quick movement: nothing jumps.",
+        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. GEVH gives it no time, for it sets the joints. As nothing should jump it takes half a second, and for an angle beyond 90° as much longer as that is wider, whatever the limb did before; r:smooth='false' has it as GEVH does.",
     ),
     source: super::shown("GEVH D.3.20"),
     example: super::shown(
@@ -28,6 +28,12 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::placed("j4", "The angle of joint 4; unchanged when it is left out.").unit("°"),
         Attribute::placed("j5", "The angle of joint 5; unchanged when it is left out.").unit("°"),
         Attribute::placed("j6", "The angle of joint 6; unchanged when it is left out.").unit("°"),
+        Attribute::flag(
+            "smooth",
+            "Whether the joints turn there; else they are there at once, in the same picture.",
+        )
+        .default("true")
+        .extension(),
     ],
     ..Element::record("body-non-deterministic-fk", || {
         ClauseKind::ForwardKinematics(Default::default())
@@ -37,7 +43,7 @@ pub(super) static ELEMENT: Element = Element {
 #[cfg(test)]
 mod tests {
     use crate::ClauseKind;
-    use crate::schema::testing::{clause_codes, one};
+    use crate::schema::testing::{clause_codes, extended, one};
 
     #[test]
     fn angles_that_are_left_out_stay() {
@@ -50,6 +56,16 @@ mod tests {
             fk.joints_deg,
             [Some(90.0), None, Some(-5.0), None, None, None]
         );
+    }
+    #[test]
+    fn it_takes_the_time_that_is_told() {
+        let secs = |more: &str| {
+            let fk = "<body-non-deterministic-fk time='0' manipulator='head' ";
+            extended(&format!("{fk}{more}/>")).own_length_secs()
+        };
+        assert_eq!(secs("j1='20'"), 0.5);
+        assert_eq!(secs("j1='20' j3='-135'"), 0.75);
+        assert_eq!(secs("j1='20' x:smooth='false'"), 0.0);
     }
     #[test]
     fn surplus_joints_are_reported() {

@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
         "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped.",
     ),
     decision: super::shown(
-        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target and 20 s at velocities.",
+        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target. Velocities go on until the limb has another command or comes to rest at its limits; one that never does is followed for ten minutes.",
     ),
     source: super::shown("GEVH D.3.24"),
     example: super::shown(

@@ -12,7 +12,10 @@ const PLAYER_KINDS: &[(&str, &str)] = &[
 
 /// The attributes of every element that makes a player.
 pub(super) const ATTRIBUTES: &[Attribute] = &[
-    Attribute::identifier("name", "The player's name, which no other has.").required(),
+    Attribute::identifier(
+        "name",
+        "The player's name, which no other has; left out, it is the first player, which clauses without a name mean.",
+    ),
     Attribute::choice("type", PlayerKind::WORDS, "What it plays.")
         .required()
         .word_aliases(PLAYER_KINDS),
@@ -27,7 +30,7 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Adds an animation player."),
     decision: super::shown(
-        "The name is required, though the table gives it a default that belongs to other clauses. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
+        "There is one player without a name, and it comes first though others were added before. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
     ),
     source: super::shown("GEVH D.3.11"),
     example: super::shown(
@@ -52,8 +55,8 @@ mod tests {
             panic!("{kind:?}")
         };
         assert_eq!(
-            (player.name.as_str(), player.kind),
-            ("p", PlayerKind::BodyGroup)
+            (player.name.as_deref(), player.kind),
+            (Some("p"), PlayerKind::BodyGroup)
         );
         assert_eq!((player.layers, player.bones), (None, None));
     }
@@ -65,8 +68,10 @@ mod tests {
         );
         assert_eq!(
             clause_codes("<body-player-add time='0' type='pose'/>"),
-            ["eml::missing-attribute"]
+            [""; 0]
         );
+        let two = "<body-player-add time='0' type='pose'/><body-player-add time='1' type='pose'/>";
+        assert_eq!(clause_codes(two), ["eml::duplicate-player"]);
         assert_eq!(
             clause_codes("<body-player-add time='0' name='p' type='pose' numberOfLayers='2'/>"),
             ["eml::ignored-attribute"]

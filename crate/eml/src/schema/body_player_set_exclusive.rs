@@ -6,7 +6,6 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Replaces all animation players by one."),
-    decision: super::shown("As for body-player-add, the name is required."),
     source: super::shown("GEVH D.3.12"),
     example: super::shown("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
     content: Content::Elements,

@@ -35,13 +35,13 @@ fn command(kind: &ClauseKind, sets: &[Set]) -> Option<PlayerCommand> {
             swap_secs: animation.swap_secs,
         },
         ClauseKind::PlayerAdd(add) => PlayerCommand::Add {
-            name: add.name.clone(),
+            name: add.name.clone().unwrap_or_default(),
             kind: player_kind(add.kind, add.layers),
             bones: bones(add.bones.as_ref(), sets),
             exclusive: false,
         },
         ClauseKind::PlayerSetExclusive(set) => PlayerCommand::Add {
-            name: set.name.clone(),
+            name: set.name.clone().unwrap_or_default(),
             kind: player_kind(set.kind, set.layers),
             bones: bones(set.bones.as_ref(), sets),
             exclusive: true,
@@ -246,7 +246,7 @@ pub(crate) fn problems(
         .commands
         .iter()
         .filter_map(|(_, command)| match command {
-            PlayerCommand::Add { name, .. } => Some(name.as_str()),
+            PlayerCommand::Add { name, .. } => Some(name.as_str()).filter(|name| !name.is_empty()),
             _ => None,
         })
         .collect();

@@ -214,11 +214,9 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
             },
         ),
         ClauseKind::ForwardKinematics(fk) => {
-            let most = fk.joint_count.map_or(6, |n| n as usize);
-            let counted = most.min(fk.manipulator.joints());
-            let mut joints = fk.joints_deg.map(|j| j.map(|a| bounded(a).to_radians()));
-            joints[counted.min(6)..].fill(None);
-            (fk.manipulator, Motion::Joints(joints))
+            let angles = fk.counted_deg().map(|j| j.map(|a| bounded(a).to_radians()));
+            let secs = fk.length_secs();
+            (fk.manipulator, Motion::Joints { angles, secs })
         }
         ClauseKind::JointInterpolation(j) => {
             let speed = j.static_velocity_rad_per_s.unwrap_or(0.0);
@@ -353,9 +351,13 @@ pub(crate) fn problems(document: &Document, units: &Units, reach: &Reach) -> Vec
     for (_, clause) in document.iter() {
         let span = clause.tag_span;
         match &clause.kind {
-            ClauseKind::VhMove(m) => function(&m.function, m.args.as_ref(), span, &mut found),
+            ClauseKind::VhMove(m) => {
+                function(&m.function, m.args.as_ref(), span, &mut found);
+                found.extend(loop_without_period(m.is_looping, m.args.as_ref(), span));
+            }
             ClauseKind::ManipulatorFunction(f) => {
                 function(&f.function, f.args.as_ref(), span, &mut found);
+                found.extend(loop_without_period(f.is_looping, f.args.as_ref(), span));
             }
             kind => {
                 if let Some((manipulator, motion)) = motion(kind, units) {
@@ -385,6 +387,20 @@ fn function(name: &str, args: Option<&FunctionArgs>, span: Span, into: &mut Vec<
     for arg in args.map_or(&[][..], |a| &a.args) {
         into.extend(bad_argument(name, arg, &known, span));
     }
+}
+
+/// A loop that cannot go on, as nothing says how long one period is.
+fn loop_without_period(
+    is_looping: bool,
+    args: Option<&FunctionArgs>,
+    span: Span,
+) -> Option<Diagnostic> {
+    let has_period = args.is_some_and(|args| args.period_secs() > 0.0);
+    (is_looping && !has_period).then(|| {
+        let message = "a loop needs a period; the function ends by itself";
+        Diagnostic::warning("player::no-period", span, message)
+            .hint("add the argument `timePeriod`, in seconds, above 0")
+    })
 }
 
 /// The names of all arguments of a function.

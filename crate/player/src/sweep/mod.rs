@@ -118,7 +118,11 @@ pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Chec
     let every = |rate_hz: f64, i: u64| i.is_multiple_of((RATE_HZ / rate_hz) as u64);
     for i in frames(&secs, RATE_HZ) {
         let t = i as f64 / RATE_HZ;
+        let is_cut = player.cuts_between(t - 1.0 / RATE_HZ, t);
         let frame = player.frame(t, 1.6);
+        if is_cut {
+            sweep.forget();
+        }
         sweep.look(&frame.world_from_joint, t);
         if let Some(hair) = hair.as_mut().filter(|_| every(hair::RATE_HZ, i)) {
             hair.look(&frame.world_from_joint, t);
@@ -215,6 +219,11 @@ impl Sweep {
             self.other_hand,
             self.limits,
         ]
+    }
+
+    /// Forgets the frame before: the script cuts the figure from that to the next one.
+    fn forget(&mut self) {
+        (self.before, self.wrists) = (None, None);
     }
 
     fn look(&mut self, world_from_joint: &[DAffine3], t: f64) {

@@ -28,11 +28,21 @@ impl Animations {
         is_of_parameters: bool,
     ) -> Result<(), (&'static str, String)> {
         let Some(text) = text else {
-            let message = format!(
-                "the animation `{name}` was not found as `{name}.json`, the one format that is read; it is left out"
-            );
+            let file = match name.contains('.') {
+                true => name.to_owned(),
+                false => format!("{name}.json"),
+            };
+            let message =
+                format!("the animation `{name}` was not found as `{file}`; it is left out");
             return Err(("player::no-animation", message));
         };
+        if is_xml(text) {
+            let (xml, json) = (with_ending(name, "xml"), with_ending(name, "json"));
+            let message = format!(
+                "the animation `{name}` was found as `{xml}`, which is XML; it is left out, as JSON is read, from `{json}`"
+            );
+            return Err(("player::bad-animation", message));
+        }
         let taken = if is_of_parameters {
             self.library.add_parameters(name, text)
         } else {
@@ -43,6 +53,20 @@ impl Animations {
             ("player::bad-animation", message)
         })
     }
+}
+
+/// Whether a text is XML, as the animations of GEVH are.
+fn is_xml(text: &str) -> bool {
+    let text = text.trim_start_matches('\u{feff}');
+    text.trim_start().starts_with('<')
+}
+
+/// The file of an animation, if its name ended so.
+fn with_ending(name: &str, ending: &str) -> String {
+    let stem = ["xml", "json"]
+        .iter()
+        .find_map(|known| name.strip_suffix(known)?.strip_suffix('.'));
+    format!("{}.{ending}", stem.unwrap_or(name))
 }
 
 impl Player {
@@ -78,6 +102,7 @@ impl Player {
     /// Takes animations by name with their text (JSON of `docs/animation.md`, or that of
     /// [`ParameterClip`](raconteur_actor::parameters::ParameterClip) for those of control
     /// parameters), or none where it was not found; the story's times follow their lengths.
+    /// The text of an XML file of that name, which is not read, is told as such.
     /// Returns which are missing or broken; the rest plays. What comes while the story plays
     /// eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {

@@ -109,6 +109,11 @@ impl Player {
         moved.unwrap_or(DAffine3::IDENTITY)
     }
 
+    /// Whether the script cuts a limb to other joints after a time, up to another one, story time.
+    pub(crate) fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
+        self.layers.actor().cuts_between(after_secs, to_secs)
+    }
+
     /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
     /// far as it can be reached, in the axes of the figure ([`Player::world_from_figure`]), metres.
     pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
