@@ -8,37 +8,27 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, ops};
 
-use super::meet::{END, FORCED};
-use super::perform::Manipulators;
-use super::rig::{Base, LimbRig, ROLL};
-use super::track::between;
-use super::{Frame, Joints, Limb};
+use super::limits::FORCED;
+use super::rig::{END, LimbRig, ROLL};
+use super::{Frame, Joints, between};
 
 /// A place of the end, and the joints that reach it on the body that was planned with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Aim {
     /// Figure axes.
-    frame: Frame,
+    pub(super) frame: Frame,
     /// The place in the axes of the trunk that was planned with, metres.
-    place: DVec3,
-    joints: Joints,
+    pub(super) place: DVec3,
+    pub(super) joints: Joints,
     /// Where elbow or knee were, radians from their natural way; 0 for the head.
-    swivel_rad: f64,
+    pub(super) swivel_rad: f64,
     /// How much it counts, 0 to 1.
-    share: f64,
+    pub(super) share: f64,
     /// Where the limb was sent, figure axes: what its error is told against.
-    target: Frame,
+    pub(super) target: Frame,
 }
 
 impl Aim {
-    pub(super) fn frame(&self) -> &Frame {
-        &self.frame
-    }
-
-    pub(super) fn share(&self) -> f64 {
-        self.share
-    }
-
     /// The same with another share and target.
     pub(super) fn counting(&self, share: f64, target: Frame) -> Self {
         Self {
@@ -75,7 +65,12 @@ impl Aim {
     /// is left as it was planned, for how it is not met may change with every sway of the body.
     /// `now` are the joints for the place that are nearest to those planned, and how much limits
     /// force its upper bone and its end, radians.
-    fn lead(&self, joints: &mut Joints, (now, forced): &(Joints, [f64; 2]), rig: Option<&LimbRig>) {
+    pub(super) fn lead(
+        &self,
+        joints: &mut Joints,
+        (now, forced): &(Joints, [f64; 2]),
+        rig: Option<&LimbRig>,
+    ) {
         let [limb, end] = [forced[0], forced[0].max(forced[1])]
             .map(|forced| self.share * (1.0 - smooth(forced / FORCED)));
         if let Some(rig) = rig {
@@ -89,52 +84,6 @@ impl Aim {
                 _ => end,
             };
             joints[i] += share * ops::wrap_angle(now - then);
-        }
-    }
-}
-
-impl Manipulators {
-    /// Solves joints again for what they are to reach on a base.
-    pub(super) fn aimed(
-        &self,
-        limb: Limb,
-        aim: &Aim,
-        joints: &Joints,
-        limited: f64,
-        base: &Base,
-    ) -> Joints {
-        let mut joints = *joints;
-        if aim.share > 0.0 {
-            let near = Some(&aim.joints);
-            let now = self.solved(limb, &aim.frame, aim.swivel_rad, limited, near, base);
-            aim.lead(&mut joints, &now, self.limbs.get(limb.index()));
-        }
-        joints
-    }
-
-    /// What joints are to reach on a base that stands on a trunk.
-    pub(super) fn aim(
-        &self,
-        limb: Limb,
-        frame: &Frame,
-        joints: &Joints,
-        base: &Base,
-        trunk: &DAffine3,
-    ) -> Aim {
-        let swivel_rad = self.limbs.get(limb.index()).map_or(0.0, |rig| {
-            let upper = rig.posed(joints, base).rotations[0];
-            rig.swivel_of(rig.hinge_at(upper, base) - base.origin, frame, base)
-        });
-        // Solved as it will be again: without a change of the body nothing is added.
-        let limited = f64::from(u8::from(self.tracks[limb.index()].has_limits()));
-        let (solved, _) = self.solved(limb, frame, swivel_rad, limited, Some(joints), base);
-        Aim {
-            frame: *frame,
-            place: trunk.inverse().transform_point3(frame.position),
-            joints: solved,
-            swivel_rad,
-            share: 1.0,
-            target: *frame,
         }
     }
 }

@@ -125,7 +125,7 @@ impl Manipulators {
         };
         match goal {
             Goal::Joints(held, None) => held.help,
-            Goal::Joints(held, Some(aim)) => held.help + aim.share() * help(aim.frame().position),
+            Goal::Joints(held, Some(aim)) => held.help + aim.share * help(aim.frame.position),
             Goal::Frame {
                 frame, lean_lag, ..
             } => help(frame.position) + lean_lag[1],

@@ -43,6 +43,9 @@ struct Anthropometry {
     ankle: [[f64; 2]; 3],
 }
 
+/// Joints that are bent by so much in all, radians, take the mean of the last goals.
+pub(super) const FORCED: f64 = 0.2;
+
 /// GEVH table B.1. (The right thigh's −53.0 is read as the left one's −53.5.)
 const MALE: Anthropometry = Anthropometry {
     neck: [[-63.5, 63.5], [-71.0, 70.0], [-99.1, 99.6]],

@@ -7,9 +7,9 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::aim::Aim;
 use super::head::HEAD_BONES;
-use super::limits;
+use super::limits::{self, FORCED};
 use super::perform::Manipulators;
-use super::rig::{Base, Posed, ROLL};
+use super::rig::{Base, END, Posed, ROLL};
 use super::solve::{AT_EASE, Choice, choose, matrix_error};
 use super::steady::{nearest, spline};
 use super::swivel::Preference;
@@ -17,13 +17,9 @@ use super::track::Goal;
 use super::{Frame, Joints, Limb};
 use crate::arm_ik::ARM_BONES;
 
-/// Joints that are bent by so much in all, radians, take the mean of the last goals.
-pub(super) const FORCED: f64 = 0.2;
 /// A hand or foot that is turned off its target by more, radians, says nothing any more of where
 /// elbow or knee should be: what strains it least changes with every sway of the body.
 const HOPELESS: f64 = 1.0;
-/// Joints of wrist or ankle.
-pub(super) const END: core::ops::Range<usize> = 3..ROLL;
 /// Less than this is nothing to make up for, radians.
 const MENDED: f64 = 1e-3;
 /// How many metres off its target count as a radian.

@@ -14,6 +14,7 @@
 //! x left, y up, z front when it is upright.
 
 mod aim;
+mod aimed;
 mod compile;
 mod follow;
 pub mod head;
@@ -32,6 +33,7 @@ mod steady;
 pub mod swivel;
 mod track;
 
+use raconteur_base::curve::lerp;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 
 pub use limits::{Limit, Sex};
@@ -220,4 +222,13 @@ impl ManipulatorScript {
             moved.inverse()
         })
     }
+}
+
+/// Joints a share of the way to others, angle by angle.
+fn between(from: &Joints, to: &Joints, share: f64) -> Joints {
+    let mut joints = *from;
+    for (a, b) in joints.iter_mut().zip(to) {
+        *a = lerp(*a, *b, share);
+    }
+    joints
 }

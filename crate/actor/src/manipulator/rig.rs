@@ -20,6 +20,8 @@ use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
 
 /// Index of the seventh joint.
 pub const ROLL: usize = 6;
+/// Joints of wrist or ankle.
+pub(super) const END: core::ops::Range<usize> = 3..ROLL;
 
 /// Where a manipulator stands at one moment, figure axes.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,10 @@
 //! Follows limbs over even times when a script is compiled, and writes down a way through the
 //! joints where their targets would make them snap ([`super::steady`]).
 
-use super::meet::{END, FORCED, Met};
+use super::limits::FORCED;
+use super::meet::Met;
 use super::perform::Manipulators;
+use super::rig::END;
 use super::scene::Scene;
 use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
 use super::{Joints, Limb};

@@ -8,7 +8,7 @@ use super::aim::Aim;
 use super::path::Curve;
 use super::solve::AT_EASE;
 use super::swivel::Preference;
-use super::{Frame, Joints};
+use super::{Frame, Joints, between};
 
 /// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
 /// brake.
@@ -48,15 +48,6 @@ impl Held {
             help: self.help.lerp(to.help, share),
         }
     }
-}
-
-/// Joints a share of the way to others, angle by angle.
-pub(super) fn between(from: &Joints, to: &Joints, share: f64) -> Joints {
-    let mut joints = *from;
-    for (a, b) in joints.iter_mut().zip(to) {
-        *a = lerp(*a, *b, share);
-    }
-    joints
 }
 
 /// What a limb is to do at one moment.
@@ -428,7 +419,7 @@ impl LimbMotion {
                 } else {
                     minimum_jerk(secs / whole.max(1e-9))
                 };
-                let aim = aim.as_ref().map(|aim| aim.counting(share, *aim.frame()));
+                let aim = aim.as_ref().map(|aim| aim.counting(share, *&aim.frame));
                 return Goal::Joints(from.toward(to, share), aim);
             }
             MotionKind::Cut(held) => return Goal::Joints(*held, None),
@@ -448,7 +439,7 @@ impl LimbMotion {
                     // It begins where the limb is, whatever led it there.
                     let counts = minimum_jerk(secs / SETTLE_SECS);
                     let is_over = at >= last as f64;
-                    let target = if is_over { **to } else { *aim.frame() };
+                    let target = if is_over { **to } else { *&aim.frame };
                     aim.counting(counts, target)
                 });
                 return Goal::Joints(a.toward(b, share), aim);
