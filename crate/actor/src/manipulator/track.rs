@@ -419,7 +419,7 @@ impl LimbMotion {
                 } else {
                     minimum_jerk(secs / whole.max(1e-9))
                 };
-                let aim = aim.as_ref().map(|aim| aim.counting(share, *&aim.frame));
+                let aim = aim.as_ref().map(|aim| aim.counting(share, aim.frame));
                 return Goal::Joints(from.toward(to, share), aim);
             }
             MotionKind::Cut(held) => return Goal::Joints(*held, None),
@@ -439,7 +439,7 @@ impl LimbMotion {
                     // It begins where the limb is, whatever led it there.
                     let counts = minimum_jerk(secs / SETTLE_SECS);
                     let is_over = at >= last as f64;
-                    let target = if is_over { **to } else { *&aim.frame };
+                    let target = if is_over { **to } else { aim.frame };
                     aim.counting(counts, target)
                 });
                 return Goal::Joints(a.toward(b, share), aim);
