@@ -122,8 +122,15 @@ impl Player {
                     let needs = Needs::of(&self.script.document);
                     let span = needs.span(name, is_of_parameters);
                     let mut warning = Diagnostic::warning(code, span, message);
-                    if text.is_none() {
-                        warning.hints.extend(animations::hint(name));
+                    match text {
+                        None => warning.hints.extend(animations::hint(name)),
+                        Some(text) if is_xml(text) => {
+                            let json = with_ending(name, "json");
+                            warning = warning.hint(format!(
+                                "write it anew as `{json}` beside the story, and that whole name in the clause"
+                            ));
+                        }
+                        Some(_) => {}
                     }
                     diagnostics.push(warning);
                 }
