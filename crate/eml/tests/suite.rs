@@ -193,7 +193,7 @@ const INCONSISTENCIES: [(&str, &str); 30] = [
     ("bone with bone_", "bones_members"),
     ("multipleAnimation", "player_type_multiple_animation"),
     ("pose players", "player_type_pose"),
-    ("the default name of a new player", "player_name_required"),
+    ("the default name of a new player", "player_without_a_name"),
     ("operation for primitive", "primitive_operation_is_an_alias"),
     ("iterations without a number", "animation_styles"),
     ("nJoint for nJoints", "fk"),

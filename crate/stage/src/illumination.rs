@@ -267,13 +267,9 @@ mod tests {
                 let lit = Illumination::strictly(emotion, intensity).lamps(&own);
                 let color = linear(emotion.key_color);
                 let left = (1.0 - emotion.attenuation(intensity)) as f32;
-                for c in 0..3 {
-                    let expected = own.key.irradiance[c] * color[c] * left;
-                    assert!(
-                        (lit.key.irradiance[c] - expected).abs() < 1e-6,
-                        "{}",
-                        emotion.name
-                    );
+                let expected = times(own.key.irradiance, color.map(|c| c * left));
+                for (lit, expected) in lit.key.irradiance.iter().zip(expected) {
+                    assert!((lit - expected).abs() < 1e-6, "{}", emotion.name);
                 }
                 let towards = lit.key.towards_light_in_world;
                 assert!(towards.x.abs() < 1e-9 && towards.z > 0.95, "{towards}");
