@@ -99,7 +99,7 @@ const ENGLISH: &[Row] = &[
     ("p.m", "pee em", Any, false),
     ("A.D", "eigh dee", Any, false),
     ("B.C", "bee see", Any, false),
-    ("Ph.D", "pee aitch dee", Any, false),
+    ("Ph.D", "pee eytch dee", Any, false),
 ];
 const GERMAN: &[Row] = &[
     ("Hr", "Herr", Title, false),
@@ -275,13 +275,17 @@ pub fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expan
             "and" | "und" | "e" | "&" | "med" | "phil" | "jur"
         )
     });
-    let found = row(&word.core, language).filter(|(_, _, place, bare)| {
+    let found = row(&word.core, language).filter(|(name, _, place, bare)| {
         (word.dotted() || *bare || word.core.contains('.'))
             && match place {
                 Title => name_next || joined,
                 BeforeNumber => {
                     numeric(next)
-                        || next.is_some_and(|w| super::roman::value(&w.core).is_some() && !single)
+                        || next.is_some_and(|w| {
+                            // "No. I will."
+                            let is_word = matches!(*name, "no" | "nos") && w.core.len() == 1;
+                            super::roman::value(&w.core).is_some() && !single && !is_word
+                        })
                 }
                 AfterNumber => numeric(previous),
                 Inner | Any => true,

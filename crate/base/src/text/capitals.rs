@@ -54,22 +54,13 @@ pub fn is_pronounceable(word: &str) -> bool {
     } else {
         (4, 2)
     };
-    // "rhythms", "angst", "length": what is long is no acronym.
-    let is_long = word.chars().count() > 5;
+    // What is long is no acronym: "angst", "length".
+    let is_long = word.chars().count() > 4;
+    // "arms", "asks", "tents".
+    let most = if word.ends_with('s') { most + 1 } else { most };
     word.chars().count() >= least
         && word.chars().any(is_vowel)
-        && begins
-        && (is_long || longest <= 3 && most_vowels <= 3 && run <= most || ends_as_words(&word))
-}
-
-/// Whether a word ends in more consonants than most, as some do.
-fn ends_as_words(word: &str) -> bool {
-    [
-        "ght", "rst", "cht", "ngs", "nks", "sts", "lls", "rth", "rld", "nst", "tch", "cks", "rds",
-        "nds",
-    ]
-    .iter()
-    .any(|end| word.ends_with(end))
+        && (is_long || begins && longest <= 3 && most_vowels <= 3 && run <= most)
 }
 
 /// Whether a word is more than one letter, and all in capitals.
@@ -177,22 +168,32 @@ fn is_named(word: &str, previous: &str, next: &str, language: Language) -> bool 
     let name_follows = next.starts_with(char::is_uppercase) && next.contains(char::is_lowercase);
     match (language, word) {
         (Language::English, "US") => {
-            has("the a an The A THE in In across former", previous)
+            let before = "the a an The A THE in In across former from between many most several";
+            has(before, previous)
                 || name_follows
                 || has(
-                    "dollar dollars government army president citizen citizens state states",
+                    "dollar dollars government army president citizen citizens state states officials \
+                     troops firms cities forces soldiers law economy market markets company companies \
+                     senator election military navy exports",
                     next,
                 )
         }
         (Language::English, "IT") => {
             has(
-                "the The in an our your their his her my of modern",
-                previous,
+                "the in an our your their his her my of modern",
+                &previous.to_lowercase(),
             ) || has(
                 "department support company manager staff team system systems specialist \
                      industry sector security services expert consultant",
                 next,
             )
+        }
+        (Language::English, "WHO") => {
+            has("the The", previous)
+                || has(
+                    "officials chief says said warns report director experts guidelines member",
+                    next,
+                )
         }
         _ => has("the The a der die das o a", previous),
     }

@@ -21,7 +21,7 @@ pub(super) const WORDS: [&str; 3] = [
      sat saw say sea see set sew sex she shy sin sip sir sit six ski sky sly so sob son sow soy spa \
      spy sub sue sum sun tab tag tan tap tar tax tea ten the thy tie tin tip to toe ton too top tow \
      toy try tub tug two ugh ugly up urn us use van vat vet vow wag war was wax way we web wed wee \
-     wet who why wig win wit woe wok won woo wow yak yes yet you yum zip zoo",
+     wet who why wig win wit woe wok won woo wow yak yes yet you yum zip zoo argh brr hmm hush pfft psst shh tsk ugh zzz",
     "aal ab abt ach acht adel ah aha akt alb all alm als alt am amt an ank arg arm art arzt ast auf \
      aus axt bad bar bau bei bin bis bist boa bub bug da dach damm das dem den der des dich dick \
      die dies dir doch dort du dumm dunk ehe ei ein eis elf eng er erst es euch euer fad fern fest \
@@ -31,7 +31,7 @@ pub(super) const WORDS: [&str; 3] = [
      nah nase neid nein nest neu nicht nie noch not nu nun nur nuß ob oder oh ohr oma ohne öl opa \
      ort ost paß pfui pst rat rad reh rot ruf ruh rund sag sah satz schon see sei sie sind so sog \
      soll sohn tag tat tal tee tod toll tor tot tu tun tür uhr um und uns ur us vom von vor wald \
-     wann war warm was weg weh weit wem wen wer wie will wir wo wohl wort wut zu zug zum zur zwei",
+     wann war warm was weg weh weit wem wen wer wie will wir wo wohl wort wut zu zug zum zur zwei brr hmm obst oft pst süd",
     "ah ai aí alô amo ao aos ar as às asa até avó avô aço bar bem boa bom cá cão céu cem chá com cor \
      da dá dado dar das de dei dela dele der deu dez dia dias dó do dois dom dor dos duas dê e é eh \
      ei ela ele em era és eu eva fé faz fez fim foi fui giz gás há ia ir irmã isso isto já lá lã \
@@ -39,7 +39,7 @@ pub(super) const WORDS: [&str; 3] = [
      nada não nas nem no nó nos nós nu ó oh oi ola olá on os ou ovo pá pão pai pau paz pé pela pelo \
      por pôr pó pois qual que quê quem rei ré rio rir rua sal se sé seja sei sem ser seu sim só sol \
      som sou sua sul são ta tal tão te tem têm ter teu ti tia tio tom três tu tua um uma uns vai vão \
-     vás vaz vê vela velo vem vez vi via vida vil vim vir viu voo vos vós voz",
+     vás vaz vê vela velo vem vez vi via vida vil vim vir viu voo vos vós voz ali ás boi crê lês num ri riu si ui ver",
 ];
 
 /// Spelled, though they could be words, or are by shape.

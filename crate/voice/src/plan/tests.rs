@@ -98,7 +98,7 @@ fn what_is_spelled_has_its_own_signs_and_no_others() {
             "1:double 1:you 1:three 1:see, 2:please.",
         ),
         ("a.", " b", "1:eigh 1:dot 2:b"),
-        ("hi", "!", "1:aitch 1:eye!"),
+        ("hi", "!", "1:eytch 1:eye!"),
     ] {
         let p = planned(vec![
             text("Spell "),

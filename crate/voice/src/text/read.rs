@@ -42,6 +42,14 @@ const EACH: [&str; 3] = [
     "segundo minuto hora dia noite semana mês ano pessoa cabeça criança quilómetro quilo litro",
 ];
 
+/// A Roman numeral with the ending of an ordinal: "XIXth".
+fn counted(word: &str) -> Option<u64> {
+    let stem = ["th", "st", "nd", "rd"]
+        .iter()
+        .find_map(|end| word.strip_suffix(end))?;
+    roman::value(stem).filter(|_| stem.len() > 1)
+}
+
 /// Whether a Roman numeral before a word is an ordinal, in English.
 fn is_counted(next: &str) -> bool {
     [
@@ -183,6 +191,9 @@ impl<'a> Reader<'a> {
     fn plain(&self, at: usize, word: &Word<'_>) -> Reading {
         let core = word.core.as_str();
         let numeral = core.strip_suffix("'s").unwrap_or(core);
+        if let Some(n) = counted(core).filter(|_| self.language == Language::English) {
+            return Reading::one(self.language.grammar().ordinal(n, ""));
+        }
         if !word.is_capital() || numeral.chars().skip(1).any(char::is_lowercase) {
             return Reading::one(self.letters(core, Around::Nothing));
         }
@@ -209,7 +220,19 @@ impl<'a> Reader<'a> {
         let n = roman::value(core)?;
         let (previous, next) = (self.previous(at), self.next_after_stop(at));
         // What drips is no four, and nothing is an four.
-        if language == Language::English && core == "IV" && previous == "an" {
+        let drips = previous.eq_ignore_ascii_case("an")
+            || [
+                "drip",
+                "fluid",
+                "fluids",
+                "line",
+                "lines",
+                "therapy",
+                "bag",
+                "antibiotics",
+            ]
+            .contains(&next);
+        if language == Language::English && core == "IV" && drips {
             return None;
         }
         // "I" is a word of English.

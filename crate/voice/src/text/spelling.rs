@@ -18,7 +18,7 @@ const LETTERS: [[&str; 3]; 26] = [
     ["ee", "eh", "éh"],
     ["ef", "eff", "efe"],
     ["jee", "geh", "guê"],
-    ["aitch", "hah", "agá"],
+    ["eytch", "hah", "agá"],
     ["eye", "ih", "i"],
     ["jay", "jott", "jota"],
     ["kay", "kah", "capa"],
