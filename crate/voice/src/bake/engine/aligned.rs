@@ -103,6 +103,23 @@ fn tokens_of(alignment: &Alignment, tokens: &[&str]) -> Result<Vec<Option<usize>
         heard.len(),
         tokens.len()
     );
+    // A pair may be two spellings of one word, numbers above all; where hardly any is the same the
+    // alignment is of something else.
+    let is_same = |(heard, at): (&String, &Option<usize>)| {
+        at.and_then(|at| known.get(at)).is_some_and(|known| {
+            known.starts_with(heard.as_str()) || heard.starts_with(known.as_str())
+        }) || heard.contains(|c: char| c.is_ascii_digit())
+    };
+    let same = heard
+        .iter()
+        .zip(&pairs)
+        .filter(|pair| is_same(*pair))
+        .count();
+    ensure!(
+        alignment.words.is_empty() || 4 * same >= heard.len().min(tokens.len()),
+        "of its {} words {same} are those of the text: it is of something else",
+        heard.len()
+    );
     // A word that is no token is a part of the one before it: 25 is two words.
     let mut last = pairs.iter().flatten().next().copied();
     Ok(pairs
@@ -317,6 +334,30 @@ mod tests {
         let own = spoken.segments.iter().filter(|s| s.token == Some(1));
         let symbols: Vec<&str> = own.map(|s| s.symbol.as_str()).collect();
         assert_eq!(symbols, ["ae", "n", "d"]);
+    }
+
+    #[test]
+    fn words_of_another_text_are_refused() {
+        let words = |all: &[&str]| {
+            let cues = all
+                .iter()
+                .enumerate()
+                .map(|(i, word)| format!("00:0{i}.000 --> 00:0{i}.900\n{word}\n\n"));
+            let vtt = format!("WEBVTT\n\n{}", cues.collect::<String>());
+            read(Format::WebVtt, vtt.as_bytes()).unwrap()
+        };
+        let text = ["We", "lit", "the", "lamp"];
+        for wrong in [&["big", "red", "fast", "cars"][..], &["big", "red", "fast"]] {
+            let told = tokens_of(&words(wrong), &text).unwrap_err().to_string();
+            assert!(told.contains("something else"), "{told}");
+        }
+        for right in [
+            &["We", "lit", "the", "lamp"][..],
+            &["we", "lid", "the", "lamb"],
+        ] {
+            assert!(tokens_of(&words(right), &text).is_ok(), "{right:?}");
+        }
+        assert!(tokens_of(&words(&["25"]), &["twenty", "five"]).is_ok());
     }
 
     #[test]
