@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn arousal_changes_an_authors_piece_and_only_the_voices_of_the_librarys() {
+    fn arousal_changes_an_authors_piece_and_only_the_voices_of_those_of_the_library() {
         // Both are bad, the second is active.
         let feelings = || {
             vec![
