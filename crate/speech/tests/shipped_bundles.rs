@@ -59,12 +59,19 @@ fn said(story: &Path) -> Vec<Vec<String>> {
             Event::Start(e) if e.name().as_ref() == "voice-text" => open = Some(String::new()),
             Event::End(e) if e.name().as_ref() == "voice-text" => {
                 let text = open.take().unwrap();
-                texts.push(
-                    text.split_whitespace()
-                        .filter(|w| w.chars().any(char::is_alphanumeric) && *w != ":-o")
-                        .map(str::to_owned)
-                        .collect(),
-                );
+                let mut words: Vec<String> = Vec::new();
+                let is_emoticon = |token: &&str| token.starts_with([':', ';']) && token.len() > 1;
+                for token in text.split_whitespace().filter(|t| !is_emoticon(t)) {
+                    // Signs on their own are shown with the word before.
+                    match words
+                        .last_mut()
+                        .filter(|_| !token.contains(char::is_alphanumeric))
+                    {
+                        Some(word) => *word += &format!(" {token}"),
+                        None => words.push(token.to_owned()),
+                    }
+                }
+                texts.push(words);
             }
             // Sentences and breaks part words; marks and emphasis do not.
             Event::Start(e) if e.name().as_ref() == "div" => {
