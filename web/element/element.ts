@@ -367,9 +367,10 @@ export class RaconteurPlayer extends MediaElement {
    * stay. Works without `src`, too. What is wrong with the text is in the answer and in
    * `diagnostics`, the rest plays; rejects only when there is no stage. Live fragments end.
    * `motion` is the amount of idle life, 0 to 1, of this text and those that come later; the user's wish without.
+   * The picture has room for every place that a hand may be brought to, for those who edit; `roomy: false` frames it as a story.
    */
-  rehearse(eml: string, { motion }: { readonly motion?: number } = {}): Promise<readonly Diagnostic[]> {
-    return this.#stories.rehearse(eml, motion);
+  rehearse(eml: string, { motion, roomy = true }: { readonly motion?: number; readonly roomy?: boolean } = {}): Promise<readonly Diagnostic[]> {
+    return this.#stories.rehearse(eml, motion, roomy);
   }
 
   /** The parts of the story that have titles, by time; they are chapters among its text tracks, too. */

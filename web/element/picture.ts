@@ -65,6 +65,8 @@ export class Picture {
   #quality: Quality = 'auto';
   /** The amount of idle life, where the page chooses it. */
   #motion: number | undefined;
+  /** What is rehearsed has room for every place of a hand. */
+  #roomy = true;
   #view: View | undefined;
   #openEnded = false;
   /** Share of the height that captions take. */
@@ -205,8 +207,9 @@ export class Picture {
   }
 
   /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
-  rehearse(eml: string, motion: number | undefined): Story | undefined {
+  rehearse(eml: string, motion: number | undefined, roomy: boolean): Story | undefined {
     this.#motion = motion;
+    this.#roomy = roomy;
     this.#files = { ...this.#files, eml, edited: true };
     const story = this.#guard((engine) => this.#reread(engine, this.#files));
     this.seek(this.#lastShown);
@@ -538,7 +541,7 @@ export class Picture {
   }
 
   #reread(engine: Engine, files: StoryFiles): Story {
-    const story = engine.rehearse(files.eml, files.bundle, this.#motion ?? usualMotion());
+    const story = engine.rehearse(files.eml, files.bundle, this.#motion ?? usualMotion(), this.#roomy);
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
     engine.setOpenEnded(this.#openEnded);
     return this.#animate(engine, story, files) ?? story;

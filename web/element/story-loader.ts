@@ -323,7 +323,7 @@ export class StoryLoader {
   }
 
   /** Replaces the text on stage by another; returns its problems. */
-  async rehearse(eml: string, motion: number | undefined): Promise<readonly Diagnostic[]> {
+  async rehearse(eml: string, motion: number | undefined, roomy: boolean): Promise<readonly Diagnostic[]> {
     const context = this.#context;
     await context.player.updateComplete;
     const text = (context.text = String(eml));
@@ -332,7 +332,7 @@ export class StoryLoader {
     const show = await this.require();
     // The one that came last is being read already.
     if (text !== context.text || show !== context.show) return context.diagnostics.list;
-    const story = show.picture.rehearse(text, motion);
+    const story = show.picture.rehearse(text, motion, roomy);
     if (story === undefined) return [ABSENT];
     show.files = { ...show.files, eml: text };
     this.#retell(story, true);

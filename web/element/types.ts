@@ -318,8 +318,8 @@ export interface Engine {
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
   /** Has the figure that `load` put on stage tell another story, as `load` would; undefined before a `load`. */
   tell(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
-  /** Has the figure that `load` put on stage read another text; undefined before a `load`. */
-  rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
+  /** Has the figure that `load` put on stage read another text, with room for every place of a hand or not; undefined before a `load`. */
+  rehearse(eml: string, bundle: Uint8Array | undefined, motion: number, roomy: boolean): Story | undefined;
   /** Names of animations that are played and have not been provided. */
   wantedAnimations(): string[];
   /** Takes animations by name, an empty text for what was not found; the story `eml` with its new times, and what is wrong with these animations. */

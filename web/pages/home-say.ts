@@ -52,7 +52,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     if (plays) showStage(player);
     player.label = 'Your own words';
     player.pause();
-    await player.rehearse(next);
+    await player.rehearse(next, { roomy: false });
     player.currentTime = 0;
     if (plays) await player.play().catch(() => undefined);
   };

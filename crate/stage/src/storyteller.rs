@@ -60,6 +60,9 @@ pub const QUICK_ZOOM: f64 = 0.25;
 /// Peak speed of a minimum-jerk motion over its mean.
 const PEAK: f64 = 1.875;
 
+/// How much lower a space is that is held, metres: less than is seen.
+const HELD_M: f64 = 1e-4;
+
 /// How narrow a picture of `aspect` is, 0 to 1.
 fn narrow(aspect: f64) -> f64 {
     ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0)
@@ -85,6 +88,15 @@ impl TakenSpace {
             top_m: 1.08 * stature_m,
             bottom_m: -0.03 * stature_m,
             half_width_m: 0.5 * stature_m,
+        }
+    }
+
+    /// A little more than hands take: what is shown whole in a narrow picture too.
+    #[must_use]
+    pub fn held(self) -> Self {
+        Self {
+            bottom_m: self.bottom_m - HELD_M,
+            ..self
         }
     }
 
@@ -215,7 +227,8 @@ impl Span {
     /// up for hands. A whole body is shown whole.
     fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let needed = self.with(space, stature_m, aspect);
-        let is_body = space.bottom_m < LOWEST * stature_m - 1e-6;
+        // What reaches lower than hands are followed is a body, or is held.
+        let is_body = space.bottom_m < LOWEST * stature_m - 0.5 * HELD_M;
         let more = needed.height() - self.height();
         if is_body || more <= 0.0 {
             return needed;

@@ -20,21 +20,26 @@ const REACH_OUT: f64 = 0.52;
 impl Player {
     /// Reads another text for the figure that is on stage, which keeps its pictures; the
     /// arguments and the answer are those of `load`. Nothing before a `load`. The clock is
-    /// the caller's: seek to go on from somewhere.
+    /// the caller's: seek to go on from somewhere. `roomy`: the picture has room for every place
+    /// that a hand may be brought to, and stands still while one is.
     pub fn rehearse(
         &mut self,
         eml: &str,
         bundle: Option<Vec<u8>>,
         motion: f64,
+        roomy: bool,
     ) -> Result<JsValue, JsError> {
         let Some(before) = &self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
         let stature_m = before.figure().skeleton.stature_m();
-        let room = Room {
-            top_m: REACH_UP * stature_m,
-            half_width_m: REACH_OUT * stature_m,
-            ..Room::default()
+        let room = match roomy {
+            true => Room {
+                top_m: REACH_UP * stature_m,
+                half_width_m: REACH_OUT * stature_m,
+                ..Room::default()
+            },
+            false => Room::default(),
         };
         self.read_again(eml, bundle.as_deref(), motion, room)
     }

@@ -79,12 +79,14 @@ impl Rehearsal<'_> {
             gestures.push(Gesture {
                 from_secs: f64::NEG_INFINITY,
                 to_secs: f64::INFINITY,
+                // Whoever asks for room sees all of it, in a narrow picture too.
                 space: TakenSpace {
                     top_m: least.top_m,
                     bottom_m: 0.0,
                     half_width_m: least.half_width_m,
                 }
-                .within_reach(stature_m),
+                .within_reach(stature_m)
+                .held(),
             });
         }
         let commands = self.player_commands(plans);
