@@ -109,6 +109,6 @@ test('no file outside the folder of the story is asked for', async ({ stage, pag
 test('stories without music do not fetch what plays it', async ({ stage, page }) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(request.url()));
-  await stage.load('hello-world');
+  await open(stage, page, "<null time='2'/>");
   expect(asked.filter((url) => /\/music-/.test(url))).toEqual([]);
 });
