@@ -1,5 +1,6 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
+import { applyView, Asked } from './asked.js';
 import type { FaceFile } from './avatar.js';
 import { createEngine } from './backend.js';
 import { applyFace, Paint, type Lent } from './face-look.js';
@@ -33,8 +34,6 @@ import {
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
-/** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
-const REDUCED_MOTION = 0.25;
 /** A lost picture is restored by itself this often, the last time by the next back end that may be used; then a button offers it. */
 const MOST_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
@@ -62,20 +61,11 @@ export class Picture {
   #holding = false;
   /** What of the figure is missing, once its pictures are decoded. */
   #decoded: Promise<Diagnostic[]> = Promise.resolve([]);
-  #quality: Quality = 'auto';
-  /** The amount of idle life, where the page chooses it. */
-  #motion: number | undefined;
-  /** What is rehearsed has room for every place of a hand. */
-  #roomy = true;
-  #view: View | undefined;
-  #openEnded = false;
-  /** Share of the height that captions take. */
-  #captions = 0;
+  #asked = new Asked();
   /** The face that the figure has got, where it is not its own, what others lend it, and what is painted on it. */
   #face: FigureFace | undefined;
   #lent: Lent = new Map();
   #paint = new Paint();
-  #light: { readonly name: Light; readonly turn: number } | undefined;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -122,7 +112,7 @@ export class Picture {
     // Its pictures may still be decoded: they are those of this very figure.
     const told = same ? { ...files, figure: before } : files;
     this.#events = events;
-    this.#openEnded = false;
+    this.#asked.openEnded = false;
     let story: Story;
     try {
       story = this.#read(engine, told, same);
@@ -165,21 +155,21 @@ export class Picture {
 
   /** How much work goes into a picture. */
   setQuality(quality: Quality): void {
-    if (quality === this.#quality) return;
-    this.#quality = quality;
+    if (quality === this.#asked.quality) return;
+    this.#asked.quality = quality;
     this.#guard((engine) => engine.setQuality(quality));
   }
 
   /** Shows the whole figure from another side. */
   look(view: View): void {
-    this.#view = view;
+    this.#asked.view = view;
     this.#guard((engine) => applyView(engine, view));
   }
 
   /** Keeps hands and feet above captions that take this share of the height at the lower edge; whether that is new. */
   setCaptions(share: number): boolean {
-    if (share === this.#captions) return false;
-    this.#captions = share;
+    if (share === this.#asked.captions) return false;
+    this.#asked.captions = share;
     this.#guard((engine) => engine.setCaptions(share));
     return true;
   }
@@ -201,15 +191,15 @@ export class Picture {
 
   /** The clock may pass the end of the story. */
   setOpenEnded(openEnded: boolean): void {
-    if (openEnded === this.#openEnded) return;
-    this.#openEnded = openEnded;
+    if (openEnded === this.#asked.openEnded) return;
+    this.#asked.openEnded = openEnded;
     this.#guard((engine) => engine.setOpenEnded(openEnded));
   }
 
   /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
   rehearse(eml: string, motion: number | undefined, roomy: boolean): Story | undefined {
-    this.#motion = motion;
-    this.#roomy = roomy;
+    this.#asked.motion = motion;
+    this.#asked.roomy = roomy;
     this.#files = { ...this.#files, eml, edited: true };
     const story = this.#guard((engine) => this.#reread(engine, this.#files));
     this.seek(this.#lastShown);
@@ -325,7 +315,7 @@ export class Picture {
 
   /** Lights the stage. */
   light(name: Light, turn: number): void {
-    this.#light = { name, turn };
+    this.#asked.light = { name, turn };
     this.#guard((engine) => engine.setLight(name, turn));
   }
 
@@ -500,7 +490,7 @@ export class Picture {
       let story = this.#read(engine);
       // The first picture has its animations, if they come soon.
       await this.#files.animations.fetch(engine);
-      engine.setQuality(this.#quality);
+      engine.setQuality(this.#asked.quality);
       engine.setResting(this.#resting);
       const missing = await this.#decode(engine);
       story = this.#animate(engine, story) ?? story;
@@ -518,17 +508,15 @@ export class Picture {
   /** `kept`: the figure is on stage already. */
   #read(engine: Engine, files = this.#files, kept = false): Story {
     const { eml, bundle, figure, edited, language, problem } = files;
-    const motion = this.#motion ?? usualMotion();
-    applyView(engine, this.#view);
-    if (this.#light !== undefined) engine.setLight(this.#light.name, this.#light.turn);
+    const motion = this.#asked.life;
+    this.#asked.prepare(engine);
     engine.setHandedness(figure.handedness ?? '');
     engine.setLanguage(language);
-    engine.setCaptions(this.#captions);
     try {
       const told = kept ? engine.tell(eml, bundle, motion) : undefined;
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
       if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face, this.#lent);
-      engine.setOpenEnded(this.#openEnded);
+      engine.setOpenEnded(this.#asked.openEnded);
       // An edited text is shown with room for what it may become.
       if (edited) return this.#reread(engine, files);
       const animated = this.#animate(engine, story, files) ?? story;
@@ -541,9 +529,9 @@ export class Picture {
   }
 
   #reread(engine: Engine, files: StoryFiles): Story {
-    const story = engine.rehearse(files.eml, files.bundle, this.#motion ?? usualMotion(), this.#roomy);
+    const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
-    engine.setOpenEnded(this.#openEnded);
+    engine.setOpenEnded(this.#asked.openEnded);
     return this.#animate(engine, story, files) ?? story;
   }
 
@@ -584,13 +572,6 @@ export class Picture {
     }
   }
 }
-
-function applyView(engine: Engine, view: View | undefined): void {
-  if (view !== undefined) engine.setView(view.turn, view.tilt, view.zoom, view.right, view.up);
-}
-
-/** How much idle life. */
-const usualMotion = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
 
 /** Gives an engine's memory back; one that trapped may refuse. */
 function release(engine: Engine): void {
