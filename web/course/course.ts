@@ -1,10 +1,11 @@
 /** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Answered } from '../element/lesson.js';
+import type { Answered, Score } from '../element/lesson.js';
 import { united, type Span } from '../element/ranges.js';
-import type { Happening, Record, Report } from './report.js';
-import { answersIn, readMemory, shareOf, writeMemory } from './seen.js';
+import { bestOf, NOTHING, type Memory, type Remembered } from './memory.js';
+import type { Happening, Known, Record, Report } from './report.js';
+import { shareOf } from './seen.js';
 
 /** What the author asks of a learner. */
 export interface Rules {
@@ -16,19 +17,33 @@ export interface Rules {
 
 /** What was told is kept no more often than this, but at once where something is complete. */
 const KEEP_MS = 10_000;
+/** Who has come no further when the system answers is brought to where they were; others stay. */
+const BARELY_SECS = 3;
+/** A story that was brought elsewhere has gone on no further when that is told. */
+const SOON_SECS = 1;
+const NEARLY_SECS = 0.05;
+
+const NO_POINTS: Score = { points: 0, most: 0 };
 
 export class Course {
   readonly #player: RaconteurPlayer;
   readonly #record: Record;
   readonly #rules: Rules;
   readonly #end = new AbortController();
+  /** What is known from sessions before, of this attempt. */
+  #memory: Memory = NOTHING;
   /** What was seen in this session and in those before. */
   #seen: readonly Span[] = [];
   #isComplete = false;
+  #isReview = false;
+  /** The learner has answered, or was somewhere, before the system has told where they were. */
+  #isAtWork = false;
   /** The share of the points that is enough. */
   #pass: number | undefined;
   /** Where the learner was when that was told last. */
   #placeSecs = 0;
+  /** To where the course itself has brought the story: nobody has sought. */
+  readonly #leaps: number[] = [];
   #keptMs = -Infinity;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -39,25 +54,45 @@ export class Course {
     this.#pass = rules.pass;
   }
 
-  /** Begins the session: the story stands where the learner left it. Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same. */
-  async begin(): Promise<void> {
-    const { memory, isComplete, pass } = await this.#record.open();
-    this.#pass = pass ?? this.#pass;
-    const { placeSecs, seen, answered, more } = readMemory(memory);
-    this.#seen = seen;
-    this.#isComplete = isComplete;
-    if (placeSecs > 0 || answered !== undefined) this.#return(placeSecs, { ...more, answered });
+  /**
+   * Begins the session: the story stands where the learner left it, as soon as the system tells that. What is done before is kept.
+   * Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same.
+   */
+  async begin(): Promise<Known> {
     this.#listen();
     this.#tell();
+    const known = await this.#record.open();
+    const { memory, isComplete, pass, isReview = false } = known;
+    this.#pass = pass ?? this.#pass;
+    this.#isComplete = isComplete;
+    this.#isReview = isReview;
+    await this.#story();
+    this.#return(memory);
+    this.#tell();
+    return known;
   }
 
-  #return(placeSecs: number, state: { readonly answered: unknown }): void {
-    const player = this.#player;
-    const go = () => {
-      player.restore({ ...state, placeSecs: placeSecs < player.duration ? placeSecs : 0 });
-    };
-    if (player.readyState > 0) go();
-    else player.addEventListener('loadedmetadata', go, { once: true });
+  /** Resolves when the story is there. */
+  #story(): Promise<unknown> | undefined {
+    if (this.#player.readyState > 0) return undefined;
+    return new Promise((ready) => this.#player.addEventListener('loadedmetadata', ready, { once: true }));
+  }
+
+  /** What the learner has done before: nobody who is at work is brought elsewhere. */
+  #return(memory: Memory): void {
+    const { placeSecs, answered, more } = memory;
+    const session = memory.session + 1;
+    this.#memory = { ...memory, session };
+    this.#seen = united([...this.#seen, ...memory.seen]);
+    const isAnything = placeSecs > 0 || answered.length > 0 || Object.keys(more).length > 0;
+    if (!isAnything) return;
+    if (this.#isAtWork) this.#player.restore({ ...more, answered, placeSecs: NaN });
+    else this.#go({ ...more, answered, placeSecs: placeSecs < this.#player.duration ? placeSecs : 0 });
+  }
+
+  #go(state: Parameters<RaconteurPlayer['restore']>[0]): void {
+    this.#leaps.push(state.placeSecs);
+    this.#player.restore(state);
   }
 
   #listen(): void {
@@ -67,7 +102,8 @@ export class Course {
     const note = (kind: Happening['kind']) => () => this.#note({ kind });
     this.#player.addEventListener('playing', note('played'), { signal });
     this.#player.addEventListener('pause', note('paused'), { signal });
-    this.#player.addEventListener('seeked', () => this.#note({ kind: 'seeked', fromSecs: this.#placeSecs }), { signal });
+    this.#player.addEventListener('leap', ({ detail: { toSecs } }) => this.#leaps.push(toSecs), { signal });
+    this.#player.addEventListener('seeked', () => this.#sought(), { signal });
     let askedMs = performance.now();
     this.#player.addEventListener('question', () => (askedMs = performance.now()), { signal });
     this.#player.addEventListener('answer', ({ detail }) => this.#reply(detail, performance.now() - askedMs), { signal });
@@ -85,38 +121,73 @@ export class Course {
     this.#record.close();
   }
 
-  #report(): Report {
-    const { duration, currentTime, ended, played, score } = this.#player;
-    const now = Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
-    this.#seen = united([...this.#seen, ...now]);
-    const progress = shareOf(this.#seen, duration, this.#player.optional);
+  /** Begins the story anew: what was answered before does not count any more, but the points of the best attempt do. */
+  again(): void {
+    const { score } = this.#player;
+    const { attempt, session, best } = this.#memory;
+    this.#memory = { ...NOTHING, attempt: attempt + 1, session, best: score.most > 0 ? bestOf(best, score) : undefined };
+    this.#go({ answered: [], placeSecs: 0 });
+    this.#tell();
+    this.#keep();
+    void this.#player.play().catch(() => undefined);
+  }
+
+  /** Points of this attempt, and what is enough; undefined where there is nothing to win, or nothing that is enough. */
+  get outcome(): { readonly score: Score; readonly isPassed: boolean | undefined } {
+    return { score: this.#player.score, isPassed: this.#verdict() };
+  }
+
+  #played(): readonly Span[] {
+    const { played } = this.#player;
+    return Array.from({ length: played.length }, (_, i): Span => [played.start(i), played.end(i)]);
+  }
+
+  /** The attempt as it is now. */
+  #remembered(): Memory {
+    const { ended, currentTime } = this.#player;
+    const { placeSecs: _, answered, ...more } = this.#player.state();
     // Who comes back to a story that has ended sees it from the start.
     const placeSecs = (this.#placeSecs = ended ? 0 : currentTime);
-    const asks = score.most > 0;
-    const share = asks ? score.points / score.most : 0;
-    const { placeSecs: _, answered, ...more } = this.#player.state();
+    return { ...this.#memory, placeSecs, seen: this.#seen, answered: answered as readonly Remembered[], more };
+  }
+
+  #report(): Report {
+    const { duration, score } = this.#player;
+    this.#seen = united([...this.#seen, ...this.#played()]);
+    const memory = this.#remembered();
+    const progress = shareOf(this.#seen, duration, this.#player.optional);
     const isOver = this.#isComplete || progress >= this.#rules.watched;
+    const best = bestOf(this.#memory.best, score.most > 0 ? score : undefined);
     return {
-      placeSecs,
-      score: asks ? score : undefined,
-      isPassed: asks && isOver ? this.#isEnough(share, answersIn(answered) as readonly Answered[]) : undefined,
+      placeSecs: memory.placeSecs,
       durationSecs: duration,
       progress,
       seen: this.#seen,
       isComplete: isOver,
-      memory: writeMemory({ placeSecs, seen: this.#seen, answered, more }, this.#record.mostMemory),
+      score: best,
+      isSettled: this.#isSettled(),
+      isPassed: best !== undefined && isOver ? this.#verdict() : undefined,
+      memory,
     };
   }
 
-  /** Whether a share of the points is enough; nobody has failed while there is something to answer. Not all ways come to all questions. */
-  #isEnough(share: number, answered: readonly Answered[]): boolean | undefined {
-    if (this.#pass === undefined) return undefined;
-    if (share >= this.#pass) return true;
-    const isSettled = this.#player.ended || this.#player.questions.every(({ name }) => answered.some((it) => it.name === name && it.isFinal));
-    return isSettled ? false : undefined;
+  /** Nothing is left to answer. Not all ways come to all questions: who is at the end has come by all of theirs. */
+  #isSettled(): boolean {
+    const { ended, questions } = this.#player;
+    const answered = this.#player.state().answered as readonly Answered[];
+    return ended || questions.every(({ name }) => answered.some((it) => it.name === name && it.isFinal));
+  }
+
+  /** Whether the points are enough; nobody has failed while there is something to answer. */
+  #verdict(): boolean | undefined {
+    const { points, most } = bestOf(this.#memory.best, this.#player.score) ?? NO_POINTS;
+    if (this.#pass === undefined || most === 0) return undefined;
+    if (points / most >= this.#pass) return true;
+    return this.#isSettled() ? false : undefined;
   }
 
   #reply(answered: Answered, latencyMs: number): void {
+    this.#isAtWork = true;
     const question = this.#player.questions.find(({ name }) => name === answered.name);
     if (question === undefined) return;
     this.#record.reply?.({ question, answered, atMs: Date.now(), latencyMs });
@@ -125,14 +196,28 @@ export class Course {
     this.#keep();
   }
 
+  /** The story stands elsewhere: by what the learner has done, unless it was brought there by its own ways. */
+  #sought(): void {
+    const { currentTime } = this.#player;
+    const at = this.#leaps.findIndex((secs) => secs < currentTime + NEARLY_SECS && currentTime < secs + SOON_SECS);
+    if (at >= 0) {
+      this.#leaps.splice(0, at + 1);
+      this.#tell();
+      return;
+    }
+    this.#isAtWork = true;
+    this.#note({ kind: 'seeked', fromSecs: this.#placeSecs });
+  }
+
   #note(what: Happening): void {
     this.#tell();
     this.#record.note?.(what);
   }
 
   #tell(): void {
-    // Before the story is there nothing is known of the learner's place in it.
-    if (this.#player.readyState === 0) return;
+    // Before the story is there nothing is known of the learner's place in it; who only looks at it does nothing.
+    if (this.#player.readyState === 0 || this.#isReview) return;
+    if (this.#player.currentTime > BARELY_SECS) this.#isAtWork = true;
     const report = this.#report();
     const isNews = report.isComplete && !this.#isComplete;
     this.#isComplete = report.isComplete;

@@ -2,15 +2,16 @@
 
 import { register } from '../element/register.js';
 import { Course } from './course.js';
-import { RecordError, type Record } from './report.js';
+import { CoursePage } from './page.js';
+import type { Record } from './report.js';
 import { Scorm, SCORM_12, SCORM_2004 } from './scorm.js';
 import { BrowserRecord } from './storage.js';
 import { XapiRecord, type Course as About } from './xapi.js';
 
 /** By the page's `data-record`. */
 const RECORDS: { readonly [name: string]: (about: About) => Record } = {
-  scorm12: () => new Scorm(SCORM_12),
-  scorm2004: () => new Scorm(SCORM_2004),
+  scorm12: ({ activityId }) => new Scorm(SCORM_12, activityId, storage()),
+  scorm2004: ({ activityId }) => new Scorm(SCORM_2004, activityId, storage()),
   xapi: (about) => new XapiRecord(location.href, about, storage()),
   cmi5: (about) => new XapiRecord(location.href, about, storage()),
   html: ({ activityId }) => new BrowserRecord(activityId, storage()),
@@ -34,18 +35,13 @@ function share(text: string | undefined): number | undefined {
 async function begin(): Promise<void> {
   const { record = 'html', course = '', watched, pass } = document.body.dataset;
   const player = document.querySelector('raconteur-player');
-  const note = document.querySelector('output');
-  if (player === null) return;
+  const [bar, result] = ['nav', 'section'].map((name) => document.querySelector<HTMLElement>(name));
+  const status = document.querySelector('output');
+  const open = RECORDS[record];
+  if (player === null || status === null || !bar || !result || open === undefined) throw new Error('This page was not made by “raconteur export”.');
   const rules = { watched: share(watched) ?? 0.9, pass: share(pass) };
-  const about = { ...rules, activityId: course, title: document.title, language: document.documentElement.lang };
-  const open = RECORDS[record] ?? RECORDS['html'];
-  if (open === undefined) return;
-  try {
-    await new Course(player, open(about), rules).begin();
-  } catch (error) {
-    if (!(error instanceof RecordError)) throw error;
-    if (note !== null) note.value = error.message;
-  }
+  const kept = open({ ...rules, activityId: course, title: document.title, language: document.documentElement.lang });
+  await new CoursePage(player, new Course(player, kept, rules), kept, { bar, status, result }, record !== 'html').begin();
 }
 
 // The library lies beside the page of the course.

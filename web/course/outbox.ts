@@ -1,39 +1,40 @@
-/** Sends statements to a store, in order, and loses none: what the store has not taken is kept, and tried again. */
+/** Sends statements to a store, in order and in batches, and loses none: what the store has not taken is kept, and tried again. */
 
-/** Keeps texts by name: the browser's `localStorage`, where a page may have it. */
-export type Shelf = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
+import { Again } from './again.js';
+import { Slot, type Shelf } from './shelf.js';
+import { bytesOf, MOST_KEPT_BYTES, type Outcome, type Statement } from './store.js';
+import type { Trouble } from './trouble.js';
 
-/** A statement of xAPI; its `id` makes sending it twice the same as sending it once. */
-export interface Statement {
-  readonly id: string;
-  readonly [part: string]: unknown;
+/** What is said within this time is sent together. */
+const TOGETHER_MS = 1000;
+const MOST_TOGETHER = 50;
+
+interface Listener {
+  /** Sends a batch, all or none of it. */
+  send(batch: readonly Statement[]): Promise<Outcome>;
+  trouble(what: string, trouble: Trouble | undefined): void;
 }
 
-/** What became of a statement: the store has it, will never take it, or cannot be reached. */
-export type Outcome = 'taken' | 'refused' | 'away';
-
-/** The first wait after a failure; each further one doubles it. */
-const FIRST_WAIT_MS = 1000;
-const LONGEST_WAIT_MS = 30_000;
-/** More than a session of many hours makes. */
-const MOST = 5000;
-
 export class Outbox {
-  readonly #send: (statement: Statement) => Promise<Outcome>;
-  readonly #shelf: Shelf | undefined;
-  readonly #name: string;
-  #waiting: Statement[];
-  #isSending = false;
+  readonly #slot: Slot;
+  readonly #listener: Listener;
+  readonly #again = new Again(() => void this.flush());
+  /** In order; those that were refused are behind all others, and wait for the next session. */
+  #waiting: readonly Statement[];
+  readonly #refused = new Set<Statement>();
+  /** How many of the first are on their way. */
+  #sending = 0;
+  /** A batch was refused: its statements go one by one, so that those that are right come through. */
+  #single = 0;
+  #isOpen = false;
   #isClosed = false;
-  #waitMs = FIRST_WAIT_MS;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /** `name`: under which unsent statements are kept for the next session, on the `shelf`. */
-  constructor(name: string, shelf: Shelf | undefined, send: (statement: Statement) => Promise<Outcome>) {
-    this.#name = name;
-    this.#shelf = shelf;
-    this.#send = send;
-    this.#waiting = this.#kept();
+  constructor(name: string, shelf: Shelf | undefined, listener: Listener) {
+    this.#slot = new Slot(shelf, name);
+    this.#listener = listener;
+    this.#waiting = statementsIn(this.#slot.get());
   }
 
   /** What the store has not taken yet, in order. */
@@ -41,53 +42,111 @@ export class Outbox {
     return this.#waiting;
   }
 
-  add(statement: Statement): void {
-    if (this.#waiting.length >= MOST) return;
-    this.#waiting.push(statement);
+  /** The session has begun: what waits is put into an order of the caller's, and sent. */
+  open(arrange: (waiting: readonly Statement[]) => readonly Statement[]): void {
+    this.#waiting = arrange(this.#waiting);
     this.#keep();
+    this.#isOpen = true;
     void this.flush();
   }
 
-  /** Sends what waits, one after another; settles when all was taken or the store is away. */
-  async flush(): Promise<void> {
-    if (this.#isSending) return;
-    this.#isSending = true;
-    clearTimeout(this.#timer);
-    for (let next = this.#waiting[0]; next !== undefined; next = this.#waiting[0]) {
-      const outcome = await this.#send(next);
-      if (outcome === 'away') {
-        if (!this.#isClosed) this.#timer = setTimeout(() => void this.flush(), this.#waitMs);
-        this.#waitMs = Math.min(LONGEST_WAIT_MS, 2 * this.#waitMs);
-        break;
-      }
-      this.#waitMs = FIRST_WAIT_MS;
-      this.#waiting.shift();
-      this.#keep();
-    }
-    this.#isSending = false;
+  add(statement: Statement): void {
+    // Those that were refused stay behind.
+    const at = this.#waiting.length - this.#refused.size;
+    this.#waiting = [...this.#waiting.slice(0, at), statement, ...this.#waiting.slice(at)];
+    this.#keep();
+    if (this.#sending === 0) this.#timer ??= setTimeout(() => void this.flush(), TOGETHER_MS);
   }
 
-  /** The page goes: nothing is tried again before the next session. */
+  /** Sends what waits, batch after batch; settles when all was taken or the store is away. */
+  async flush(): Promise<void> {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    while (this.#isOpen && this.#sending === 0) {
+      const batch = this.#next();
+      if (batch.length === 0) return;
+      if (!this.#took(batch, await this.#send(batch))) return;
+    }
+  }
+
+  /** The page goes: what waits is sent once more, and then in the next session. */
   close(): void {
     this.#isClosed = true;
+    this.#again.close();
     clearTimeout(this.#timer);
+    if (!this.#isOpen) return;
+    const late = this.#waiting.slice(this.#sending, this.#waiting.length - this.#refused.size);
+    const batch = together(late, MOST_KEPT_BYTES - bytesOf(JSON.stringify(this.#waiting.slice(0, this.#sending))));
+    if (batch.length > 0) void this.#listener.send(batch).then((outcome) => outcome === 'taken' && this.#drop(batch));
   }
 
-  #kept(): Statement[] {
-    try {
-      const list = JSON.parse(this.#shelf?.getItem(this.#name) ?? '[]') as unknown;
-      return Array.isArray(list) ? list.filter((it): it is Statement => typeof (it as Statement | null)?.id === 'string').slice(0, MOST) : [];
-    } catch {
-      return [];
+  #next(): readonly Statement[] {
+    const waiting = this.#waiting.slice(0, this.#waiting.length - this.#refused.size);
+    return this.#single > 0 ? waiting.slice(0, 1) : together(waiting, MOST_KEPT_BYTES);
+  }
+
+  async #send(batch: readonly Statement[]): Promise<Outcome> {
+    this.#sending = batch.length;
+    const outcome = await this.#listener.send(batch);
+    this.#sending = 0;
+    return outcome;
+  }
+
+  /** What has become of a batch; whether more may be sent. */
+  #took(batch: readonly Statement[], outcome: Outcome): boolean {
+    const [first] = batch;
+    if (first === undefined) return false;
+    this.#listener.trouble('statements', outcome === 'away' || outcome === 'denied' ? outcome : undefined);
+    switch (outcome) {
+      case 'taken':
+        this.#again.reset();
+        this.#single = Math.max(0, this.#single - 1);
+        this.#drop(batch);
+        break;
+      case 'refused':
+        if (batch.length > 1) this.#single = batch.length;
+        else {
+          this.#single = Math.max(0, this.#single - 1);
+          this.#setAside(first);
+        }
+        break;
+      default:
+        this.#again.later();
     }
+    return !this.#isClosed && (outcome === 'taken' || outcome === 'refused');
+  }
+
+  #drop(batch: readonly Statement[]): void {
+    const taken = new Set(batch);
+    this.#waiting = this.#waiting.filter((statement) => !taken.has(statement));
+    this.#keep();
+  }
+
+  #setAside(statement: Statement): void {
+    this.#refused.add(statement);
+    this.#waiting = [...this.#waiting.filter((it) => it !== statement), statement];
+    this.#listener.trouble('a statement', 'refused');
+    this.#keep();
   }
 
   #keep(): void {
-    try {
-      if (this.#waiting.length === 0) this.#shelf?.removeItem(this.#name);
-      else this.#shelf?.setItem(this.#name, JSON.stringify(this.#waiting));
-    } catch {
-      // Full, or forbidden: it is sent all the same while the page is there.
-    }
+    if (this.#waiting.length === 0) this.#slot.clear();
+    else if (!this.#slot.set(JSON.stringify(this.#waiting))) this.#listener.trouble('the browser', 'unkept');
+  }
+}
+
+/** The first of some statements, as many as go into one request; one at least. */
+function together(statements: readonly Statement[], mostBytes: number): readonly Statement[] {
+  let bytes = 2;
+  const end = statements.slice(0, MOST_TOGETHER).findIndex((statement) => (bytes += bytesOf(JSON.stringify(statement)) + 1) > mostBytes);
+  return statements.slice(0, end < 0 ? MOST_TOGETHER : Math.max(1, end));
+}
+
+function statementsIn(text: string | undefined): readonly Statement[] {
+  try {
+    const list = JSON.parse(text ?? '[]') as unknown;
+    return Array.isArray(list) ? list.filter((it): it is Statement => typeof (it as Statement | null)?.id === 'string') : [];
+  } catch {
+    return [];
   }
 }

@@ -3,6 +3,8 @@
 import type { Answered, Score } from '../element/lesson.js';
 import type { Span } from '../element/ranges.js';
 import type { Question } from '../element/types.js';
+import type { Memory } from './memory.js';
+import type { Troubles } from './trouble.js';
 
 /** Where a learner is and how far they have come. */
 export interface Report {
@@ -15,12 +17,14 @@ export interface Report {
   readonly seen: readonly Span[];
   /** The author's rule of completion is met. It stays so. */
   readonly isComplete: boolean;
-  /** Points of the story's questions; undefined where it asks nothing. */
+  /** Points of the story's questions, of the best attempt; undefined where it asks nothing. */
   readonly score: Score | undefined;
+  /** Nothing is left to answer, in this attempt. */
+  readonly isSettled: boolean;
   /** Enough points for the rule of the system, else the author's; undefined while that is open, or where there is no such rule. */
   readonly isPassed: boolean | undefined;
   /** What brings the learner back to where they were; only the course itself reads it. */
-  readonly memory: string;
+  readonly memory: Memory;
 }
 
 /** What a learner has just done. */
@@ -41,18 +45,24 @@ export interface Reply {
 
 /** What a system knew of the learner when the course began. */
 export interface Known {
-  /** The `memory` of the last report; empty at the first time. */
-  readonly memory: string;
+  /** That of the last report. */
+  readonly memory: Memory;
   readonly isComplete: boolean;
   /** The share of the points that the system wants, 0 to 1, whatever the author wants. */
   readonly pass?: number | undefined;
+  /** The learner wants no sound. */
+  readonly isMuted?: boolean;
+  /** Somebody only looks at what a learner did: nothing is told. */
+  readonly isReview?: boolean;
+  /** Where the learner goes who leaves the course. */
+  readonly returnAddress?: string | undefined;
 }
 
-/** Where reports go: a learning management system, a record store, or the browser itself. */
+/** Where reports go: a learning management system, a record store, or the browser itself. All but `open` may be called before the session is open. */
 export interface Record {
-  /** The most characters of `memory` that it keeps; all without. */
-  readonly mostMemory?: number;
-  /** Begins a session. Rejects with a `RecordError` where there is none to be had. */
+  /** What keeps it from being kept. */
+  readonly troubles: Troubles;
+  /** Begins a session: as soon as the system answers. Rejects with a `RecordError` where there is none to be had. */
   open(): Promise<Known>;
   /** Takes the last state; cheap, and as often as there is something new. */
   tell(report: Report): void;

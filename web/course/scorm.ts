@@ -4,8 +4,11 @@
  */
 
 import { interaction12, interaction2004, type Elements } from './interactions.js';
+import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import { RecordError, type Known, type Record, type Reply, type Report } from './report.js';
+import { LocalCopy, Slot, type Shelf } from './shelf.js';
 import { decimal } from './texts.js';
+import { Troubles } from './trouble.js';
 
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
@@ -22,6 +25,9 @@ interface Version {
   readonly names: {
     readonly mode: string;
     readonly memory: string;
+    /** Whose session it is, and whether it goes on with an earlier one. */
+    readonly learner: string;
+    readonly entry: string;
     readonly place: string;
     readonly status: string;
     readonly exit: string;
@@ -33,12 +39,8 @@ interface Version {
     /** Of the score: with `raw`, `min` and `max` after it. */
     readonly score: string;
   };
-  /** Texts of a status that is not to be taken back. */
-  readonly complete: readonly string[];
   spent(ms: number): string;
   interaction(n: number, reply: Reply): Elements;
-  /** The most characters of `memory`. */
-  readonly mostMemory: number;
 }
 
 const two = (n: number): string => String(n).padStart(2, '0');
@@ -55,16 +57,16 @@ export const SCORM_12: Version = {
   names: {
     mode: 'cmi.core.lesson_mode',
     memory: 'cmi.suspend_data',
+    learner: 'cmi.core.student_id',
+    entry: 'cmi.core.entry',
     place: 'cmi.core.lesson_location',
     status: 'cmi.core.lesson_status',
     exit: 'cmi.core.exit',
     spent: 'cmi.core.session_time',
     score: 'cmi.core.score',
   },
-  complete: ['completed', 'passed', 'failed'],
   spent: (ms) => `${String(Math.min(9999, Math.floor(ms / 3_600_000))).padStart(4, '0')}:${two(Math.floor(ms / 60_000) % 60)}:${hundredths(ms)}`,
   interaction: interaction12,
-  mostMemory: 4096,
 };
 
 export const SCORM_2004: Version = {
@@ -76,6 +78,8 @@ export const SCORM_2004: Version = {
   names: {
     mode: 'cmi.mode',
     memory: 'cmi.suspend_data',
+    learner: 'cmi.learner_id',
+    entry: 'cmi.entry',
     place: 'cmi.location',
     status: 'cmi.completion_status',
     exit: 'cmi.exit',
@@ -85,13 +89,22 @@ export const SCORM_2004: Version = {
     scaled: 'cmi.score.scaled',
     score: 'cmi.score',
   },
-  complete: ['completed'],
   spent: (ms) => `PT${Math.floor(ms / 3_600_000)}H${Math.floor(ms / 60_000) % 60}M${Number(hundredths(ms))}S`,
   interaction: interaction2004,
-  mostMemory: 64_000,
 };
 
 const MOST_SCORE = 100;
+/**
+ * The most characters of the memory: what 1.2 promises (3.4.5). 2004 promises 64,000 (4.2.25), but systems of earlier editions, which
+ * take its packages as well, have 4,000.
+ */
+export const MOST_MEMORY = 4000;
+/** A status is never taken back for one before it. */
+const STATUSES = ['', 'not attempted', 'unknown', 'browsed', 'incomplete', 'completed', 'failed', 'passed'];
+/** The error of 1.2 for what a system need not have. */
+const NOT_IMPLEMENTED = '401';
+/** What systems may refuse without a loss: what is right, and how a question reads, is in the course. */
+const BESIDE = /correct_responses|description|weighting|latency|time(stamp)?$/;
 
 /** So many windows are looked at: systems put the course into frames of frames. */
 const MOST_PARENTS = 20;
@@ -114,8 +127,10 @@ function find(object: string, from: Window): Api | undefined {
 
 /** A session with a system that has SCORM. */
 export class Scorm implements Record {
-  readonly mostMemory: number;
+  readonly troubles = new Troubles();
   readonly #version: Version;
+  readonly #course: string;
+  readonly #shelf: Shelf | undefined;
   readonly #from: Window;
   readonly #sinceMs = performance.now();
   #api: Api | undefined;
@@ -123,74 +138,172 @@ export class Scorm implements Record {
   readonly #set = new Map<string, string>();
   /** Somebody looks at what a learner did before: nothing is told. */
   #isReview = false;
-  /** The status when the session began. */
-  #was = '';
-  #wasComplete = false;
+  /** The statuses that the system has had: of completion, and of success where that is apart. */
+  readonly #had = new Map<string, string>();
   #isKept = true;
   /** How many answers the system has. */
   #replies = 0;
+  /** It has none of answers: in 1.2 they are optional. */
+  #takesReplies = true;
+  /** Answers that it has not taken yet, those that it has taken and not confirmed, by their numbers, and parts of them that it has not taken. */
+  #waiting: Reply[] = [];
+  #taken: Taken[] = [];
+  #late: Elements = [];
+  #waitingSlot: Slot | undefined;
+  /** Says that the system has not confirmed all that was told. */
+  #openSlot: Slot | undefined;
+  #copy: LocalCopy | undefined;
+  #last: Memory = NOTHING;
 
-  /** `from`: the window in and around which the system is looked for. */
-  constructor(version: Version, from: Window = window) {
+  /** `course`: its address; `from`: the window in and around which the system is looked for; `shelf`: what keeps a copy where the system loses something. */
+  constructor(version: Version, course: string, shelf: Shelf | undefined, from: Window = window) {
     this.#version = version;
-    this.mostMemory = version.mostMemory;
+    this.#course = course;
+    this.#shelf = shelf;
     this.#from = from;
   }
 
   open(): Promise<Known> {
-    const { title, object, begin, names, complete } = this.#version;
+    const { title, object, begin, names } = this.#version;
     this.#api = find(object, this.#from);
     if (this.#api === undefined) return Promise.reject(new RecordError(`No learning management system with ${title} was found around this page; nothing is recorded.`));
-    if (this.#call(begin, '') !== 'true') return Promise.reject(new RecordError(`The learning management system did not begin a session (${this.#fault()}); nothing is recorded.`));
+    if (this.#call(begin, '') !== 'true') {
+      const fault = this.#fault();
+      this.#api = undefined;
+      return Promise.reject(new RecordError(`The learning management system did not begin a session (${fault}); nothing is recorded.`));
+    }
     const mode = this.#get(names.mode);
     this.#isReview = mode === 'review' || mode === 'browse';
-    this.#was = this.#get(names.status);
-    this.#wasComplete = complete.includes(this.#was);
-    this.#replies = Number(this.#get('cmi.interactions._count')) || 0;
-    return Promise.resolve({ memory: this.#get(names.memory), isComplete: this.#wasComplete });
+    // A session that is never closed is one that goes on.
+    this.#put(names.exit, 'suspend');
+    for (const name of [names.status, names.success]) if (name !== undefined) this.#had.set(name, this.#get(name));
+    const count = this.#get('cmi.interactions._count');
+    this.#takesReplies = count !== '' || this.#call('GetLastError') !== NOT_IMPLEMENTED;
+    this.#replies = Number(count) || 0;
+    const memory = this.#isReview ? readMemory(this.#get(names.memory)) : this.#memory();
+    const isComplete = STATUSES.indexOf(this.#had.get(names.status) ?? '') >= STATUSES.indexOf('completed');
+    this.#last = memory;
+    return Promise.resolve({ memory, isComplete, isReview: this.#isReview });
+  }
+
+  /** What the system knows, with what this browser has beside it. */
+  #memory(): Memory {
+    const { names } = this.#version;
+    const learner = this.#get(names.learner);
+    // Who has no name may be anybody.
+    const shelf = learner === '' ? undefined : this.#shelf;
+    const slot = (what: string) => `raconteur-scorm-${what}:${this.#course}:${learner}`;
+    this.#copy = new LocalCopy(shelf, slot('state'));
+    this.#openSlot = new Slot(shelf, slot('open'));
+    this.#waitingSlot = new Slot(shelf, slot('answers'));
+    const text = this.#get(names.memory);
+    const theirs = readMemory(text);
+    // A new attempt of the system's begins anew, unless the system has lost what was never confirmed.
+    const isNew = text === '' && this.#get(names.entry) === 'ab-initio' && this.#openSlot.get() === undefined;
+    if (isNew) {
+      this.#copy.clear();
+      this.#waitingSlot.clear();
+      return theirs;
+    }
+    this.#recall(this.#copy.get().session >= theirs.session);
+    const [points, most] = ['raw', 'max'].map((part) => Number(this.#get(`${names.score}.${part}`) || NaN));
+    const known = joined(this.#copy.get(), theirs);
+    // What the system has of points is not less than what is known here.
+    const had = points !== undefined && most !== undefined && points >= 0 && most > 0 && points <= most ? { points, most } : undefined;
+    return { ...known, best: bestOf(known.best, had) };
+  }
+
+  /** Answers that the system may not have: those with the number of one that it has are told once more, unless that is another's. */
+  #recall(isOurs: boolean): void {
+    for (const { n, reply } of takenIn(this.#waitingSlot?.get())) {
+      if (n === undefined || n >= this.#replies || !isOurs) this.#waiting.push(reply);
+      else {
+        this.#taken.push({ n, reply });
+        this.#late = [...this.#late, ...this.#version.interaction(n, reply)];
+      }
+    }
   }
 
   tell({ placeSecs, progress, isComplete, memory, score, isPassed }: Report): void {
+    if (this.#api === undefined) return;
     const { names } = this.#version;
+    this.#last = memory;
+    this.#put(names.exit, 'suspend');
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
-    if (names.progress !== undefined) this.#put(names.progress, String(Math.round(progress * 10_000) / 10_000));
-    if (memory.length <= this.mostMemory) this.#put(names.memory, memory);
-    if (score !== undefined) {
-      // Scores of the older one end at 100.
-      const most = names.scaled === undefined ? Math.min(MOST_SCORE, score.most) : score.most;
-      this.#put(`${names.score}.min`, '0');
-      this.#put(`${names.score}.max`, decimal(most) ?? '0');
-      this.#put(`${names.score}.raw`, decimal(most < score.most ? (score.points / score.most) * most : score.points) ?? '0');
-      if (names.scaled !== undefined && score.most > 0) this.#put(names.scaled, String(Math.round((score.points / score.most) * 10_000) / 10_000));
-    }
+    if (names.progress !== undefined) this.#put(names.progress, String(Math.round(Math.min(1, Math.max(0, progress)) * 10_000) / 10_000));
+    this.#put(names.memory, writeMemory(memory, MOST_MEMORY));
+    if (score !== undefined) this.#tellScore(score);
     const outcome = isPassed === undefined ? undefined : isPassed ? 'passed' : 'failed';
-    if (outcome !== undefined && names.success !== undefined) this.#put(names.success, outcome);
+    if (outcome !== undefined && names.success !== undefined) this.#raise(names.success, outcome);
     // The older one has one status for both.
     const done = names.success === undefined && outcome !== undefined ? outcome : 'completed';
-    // Who had seen enough before may pass or fail later.
-    if (!this.#wasComplete || (this.#was === 'completed' && done !== 'completed')) this.#put(names.status, isComplete ? done : 'incomplete');
+    this.#raise(names.status, isComplete ? done : 'incomplete');
+  }
+
+  #tellScore({ points, most }: { readonly points: number; readonly most: number }): void {
+    const { score, scaled } = this.#version.names;
+    // Scores of the older one end at 100.
+    const end = scaled === undefined ? Math.min(MOST_SCORE, most) : most;
+    this.#put(`${score}.min`, '0');
+    this.#put(`${score}.max`, decimal(end) ?? '0');
+    this.#put(`${score}.raw`, decimal(end < most ? (points / most) * end : points) ?? '0');
+    if (scaled !== undefined && most > 0) this.#put(scaled, String(Math.round((points / most) * 10_000) / 10_000));
+  }
+
+  /** Sets a status that is further than the one that the system has. */
+  #raise(name: string, status: string): void {
+    if (STATUSES.indexOf(status) < STATUSES.indexOf(this.#had.get(name) ?? '')) return;
+    if (this.#put(name, status)) this.#had.set(name, status);
   }
 
   reply(reply: Reply): void {
-    for (const [element, value] of this.#version.interaction(this.#replies, reply)) this.#put(element, value);
-    this.#replies += 1;
+    if (this.#isReview || !this.#takesReplies) return;
+    this.#waiting.push(reply);
+    this.#tellReplies();
+  }
+
+  /** Tells the answers that wait, in order: each before the next. */
+  #tellReplies(): void {
+    this.#late = this.#late.filter(([element, value]) => !this.#put(element, value));
+    while (this.#api !== undefined) {
+      const [reply] = this.#waiting;
+      if (reply === undefined) break;
+      const [first, ...more] = this.#version.interaction(this.#replies, reply);
+      if (first === undefined || !this.#put(...first)) break;
+      this.#late = [...this.#late, ...more.filter(([element, value]) => !this.#put(element, value) && !BESIDE.test(element))];
+      this.#taken.push({ n: this.#replies, reply });
+      this.#replies += 1;
+      this.#waiting.shift();
+    }
+    this.#keepReplies();
+  }
+
+  #keepReplies(): void {
+    const all: readonly Taken[] = [...this.#taken, ...this.#waiting.map((reply) => ({ n: undefined, reply }))];
+    if (all.length === 0) this.#waitingSlot?.clear();
+    else this.#waitingSlot?.set(JSON.stringify(all));
   }
 
   keep(): void {
-    const { names, spent } = this.#version;
-    if (this.#isKept || this.#api === undefined) return;
+    if (this.#api === undefined || this.#isReview) return;
+    this.#tellReplies();
+    if (this.#copy?.put(this.#last) === false) this.troubles.set('the browser', 'unkept');
+    if (this.#isKept) return;
     // A session that is never closed, as where a machine goes down, has its time as well.
-    this.#put(names.spent, spent(performance.now() - this.#sinceMs));
+    this.#put(this.#version.names.spent, this.#version.spent(performance.now() - this.#sinceMs));
     this.#isKept = this.#call('Commit', '') === 'true';
+    this.troubles.set('commit', this.#isKept ? undefined : 'away');
+    if (!this.#isKept) return;
+    if (this.#late.length === 0) this.#taken = [];
+    this.#keepReplies();
+    this.#openSlot?.clear();
   }
 
   close(): void {
-    const { names, end } = this.#version;
     if (this.#api === undefined) return;
-    this.#put(names.exit, 'suspend');
     this.#isKept = false;
     this.keep();
-    this.#call(end, '');
+    this.#call(this.#version.end, '');
     this.#api = undefined;
   }
 
@@ -198,12 +311,16 @@ export class Scorm implements Record {
     return this.#call('GetValue', element);
   }
 
-  /** Sets what is new; what was refused is tried again with the next report. */
-  #put(element: string, value: string): void {
-    if (this.#isReview || this.#api === undefined || this.#set.get(element) === value) return;
-    if (this.#call('SetValue', element, value) !== 'true') return;
-    this.#set.set(element, value);
+  /** Sets what is new, and tells whether the system has it; what was refused is tried again with the next report. */
+  #put(element: string, value: string): boolean {
+    if (this.#isReview || this.#api === undefined || this.#set.get(element) === value) return true;
+    const isTaken = this.#call('SetValue', element, value) === 'true';
+    if (!BESIDE.test(element)) this.troubles.set(element, isTaken ? undefined : 'refused');
+    // What was not taken is committed again, too.
     this.#isKept = false;
+    this.#openSlot?.set('1');
+    if (isTaken) this.#set.set(element, value);
+    return isTaken;
   }
 
   #call(method: string, ...given: string[]): string {
@@ -217,5 +334,24 @@ export class Scorm implements Record {
 
   #fault(): string {
     return `error ${this.#call('GetLastError')}`;
+  }
+}
+
+/** An answer, and its number where the system has taken it. */
+interface Taken {
+  readonly n: number | undefined;
+  readonly reply: Reply;
+}
+
+function takenIn(text: string | undefined): Taken[] {
+  const isTaken = (told: unknown): told is Taken => {
+    const { reply } = (told ?? {}) as { reply?: Partial<Reply> };
+    return typeof reply?.question?.name === 'string' && typeof reply.answered?.name === 'string';
+  };
+  try {
+    const list = JSON.parse(text ?? '[]') as unknown;
+    return Array.isArray(list) ? list.filter(isTaken) : [];
+  } catch {
+    return [];
   }
 }

@@ -2,10 +2,11 @@
 
 import type { Score } from '../element/lesson.js';
 import type { Span } from '../element/ranges.js';
-import type { Statement } from './outbox.js';
+import type { Statement } from './store.js';
 
 const ADL = 'http://adlnet.gov/expapi/verbs/';
 const VIDEO = 'https://w3id.org/xapi/video';
+const SESSION = `${VIDEO}/extensions/session-id`;
 const CMI5 = 'https://w3id.org/xapi/cmi5/context/';
 
 /** What a learner does, by the verbs' addresses. */
@@ -18,6 +19,7 @@ export const VERBS = {
   seeked: `${VIDEO}/verbs/seeked`,
   passed: `${ADL}passed`,
   failed: `${ADL}failed`,
+  scored: `${ADL}scored`,
   answered: `${ADL}answered`,
 } as const;
 
@@ -31,8 +33,6 @@ export interface Session {
   readonly title: string;
   readonly language: string;
   readonly registration: string | undefined;
-  /** What all statements of the launch are to have in their contexts. */
-  readonly context: { readonly [part: string]: unknown };
   /** Of this session, where the launch gives none: a UUID. */
   readonly sessionId: string;
   /** The share that counts as all of it, 0 to 1. */
@@ -52,7 +52,10 @@ export interface Moment {
   readonly progress: number;
   readonly seen: readonly Span[];
   readonly spentMs: number;
+  /** Points so far; undefined where the story asks nothing. */
   readonly score: Score | undefined;
+  /** Nothing is left to answer: the score is the last one. */
+  readonly isSettled: boolean;
 }
 
 const rounded = (secs: number): number => Math.round(secs * 1000) / 1000;
@@ -69,8 +72,9 @@ export function scoreOf(points: number, most: number): object {
 }
 
 /** Results that a verb asks for. */
-function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score }: Moment): object | undefined {
+function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score, isSettled }: Moment): object | undefined {
   const extension = (name: string) => `${VIDEO}/extensions/${name}`;
+  const points = score === undefined ? {} : scoreOf(score.points, score.most);
   const played = { [extension('progress')]: rounded(progress), [extension('played-segments')]: segments(seen) };
   switch (verb) {
     case 'initialized':
@@ -85,15 +89,17 @@ function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progre
       return {
         completion: true,
         duration: durationOf(spentMs),
-        // In cmi5 only who passes or fails has a score (9.5.1).
-        ...(isCmi5 || score === undefined ? {} : scoreOf(score.points, score.most)),
+        // In cmi5 only who passes or fails has a score (9.5.1); and one that is not the last says too little.
+        ...(isCmi5 || !isSettled ? {} : points),
         extensions: { [extension('time')]: rounded(placeSecs), ...played },
       };
     case 'passed':
     case 'failed':
-      return { success: verb === 'passed', duration: durationOf(spentMs), ...(score === undefined ? {} : scoreOf(score.points, score.most)) };
+      return { success: verb === 'passed', duration: durationOf(spentMs), ...points };
+    case 'scored':
+      return points;
     case 'terminated':
-      return { duration: durationOf(spentMs), extensions: { [extension('time')]: rounded(placeSecs), ...played } };
+      return { duration: durationOf(spentMs), ...(isCmi5 ? {} : points), extensions: { [extension('time')]: rounded(placeSecs), ...played } };
   }
 }
 
@@ -112,21 +118,33 @@ export interface Added {
   readonly extensions: object;
 }
 
-/** The context of a statement: nothing of the session's own is lost or written over. */
-export function contextOf({ context: given, registration, sessionId }: Session, { categories, parent, extensions: added }: Added): object {
-  const { contextActivities = {}, extensions, ...context } = given as Grouped;
-  const joined = (kind: string, more: readonly object[]): object => {
-    const all = [contextActivities[kind] ?? [], more].flat();
-    return all.length === 0 ? {} : { [kind]: all };
-  };
+/** The context of a statement, without what the launch wants in it. */
+export function contextOf({ registration, sessionId }: Session, { categories, parent, extensions }: Added): object {
   const category = categories.map((id) => ({ id }));
   return {
-    ...context,
     ...(registration === undefined ? {} : { registration }),
-    contextActivities: { ...contextActivities, ...joined('category', category), ...joined('parent', parent === undefined ? [] : [parent]) },
-    extensions: { [`${VIDEO}/extensions/session-id`]: sessionId, ...added, ...extensions },
+    contextActivities: { ...(category.length > 0 ? { category } : {}), ...(parent === undefined ? {} : { parent: [parent] }) },
+    extensions: { [SESSION]: sessionId, ...extensions },
   };
 }
+
+/** A statement with what all of a launch are to have in their contexts: nothing of that is lost or written over (cmi5, 10.2.1). */
+export function launchedAs(statement: Statement, template: object): Statement {
+  const { contextActivities: own = {}, extensions, ...context } = (statement['context'] ?? {}) as Grouped;
+  const { contextActivities: given = {}, extensions: more, ...others } = template as Grouped;
+  const kinds = [...new Set([...Object.keys(given), ...Object.keys(own)])];
+  const contextActivities = Object.fromEntries(kinds.map((kind) => [kind, [given[kind] ?? [], own[kind] ?? []].flat()]));
+  return { ...statement, context: { ...context, ...others, contextActivities, extensions: { ...extensions, ...more } } };
+}
+
+/** A statement that an earlier session could not send, as one of this session. */
+export function movedTo(statement: Statement, { sessionId }: Session): Statement {
+  const { extensions, ...context } = (statement['context'] ?? {}) as Grouped;
+  return { ...statement, context: { ...context, extensions: { ...extensions, [SESSION]: sessionId } } };
+}
+
+/** Whether a statement has one of these verbs. */
+export const hasVerb = ({ verb }: Statement, ...verbs: readonly Verb[]): boolean => verbs.some((it) => VERBS[it] === (verb as { id?: unknown } | undefined)?.id);
 
 /** The course as an activity. */
 export const courseOf = ({ activityId, language, title }: Session): object => ({
@@ -138,9 +156,9 @@ export const courseOf = ({ activityId, language, title }: Session): object => ({
 /** The categories of a statement about the course: the profile's, and cmi5's for its own statements (9.6.2); others it allows. */
 function categoriesOf(verb: Verb, isCmi5: boolean): string[] {
   const isJudged = verb === 'passed' || verb === 'failed';
-  const own =
-    isJudged || verb === 'completed' ? [`${CMI5}categories/cmi5`, `${CMI5}categories/moveon`] : verb === 'initialized' || verb === 'terminated' ? [`${CMI5}categories/cmi5`] : [];
-  return [...(isJudged ? [] : [VIDEO]), ...(isCmi5 ? own : [])];
+  const isOwn = isJudged || verb === 'completed' || verb === 'initialized' || verb === 'terminated';
+  const own = [...(isOwn ? ['cmi5'] : []), ...(isJudged || verb === 'completed' ? ['moveon'] : [])];
+  return [...(isJudged || verb === 'scored' ? [] : [VIDEO]), ...(isCmi5 ? own.map((name) => `${CMI5}categories/${name}`) : [])];
 }
 
 /** A statement that is made now about the course. */

@@ -1,32 +1,28 @@
 /** A course on a plain site: the browser itself keeps what the learner did. */
 
+import { NOTHING, readMemory, writeMemory } from './memory.js';
 import type { Known, Record, Report } from './report.js';
-
-/** What is kept. */
-interface Kept extends Known {
-  readonly placeSecs: number;
-  readonly progress: number;
-}
+import { Slot, type Shelf } from './shelf.js';
+import { Troubles } from './trouble.js';
 
 export class BrowserRecord implements Record {
-  readonly #key: string;
-  readonly #storage: Pick<Storage, 'getItem' | 'setItem'> | undefined;
+  readonly troubles = new Troubles();
+  readonly #slot: Slot;
   #last: Report | undefined;
   #wasComplete = false;
 
-  /** `course` names the course among those of a site. Without a `storage`, as in a frame that may keep nothing, each visit is the first. */
-  constructor(course: string, storage: Pick<Storage, 'getItem' | 'setItem'> | undefined) {
-    this.#key = `raconteur-course:${course}`;
-    this.#storage = storage;
+  /** `course` names the course among those of a site. Without a `shelf`, as in a frame that may keep nothing, each visit is the first. */
+  constructor(course: string, shelf: Shelf | undefined) {
+    this.#slot = new Slot(shelf, `raconteur-course:${course}`);
   }
 
   open(): Promise<Known> {
     try {
-      const kept = JSON.parse(this.#storage?.getItem(this.#key) ?? 'null') as Partial<Kept> | null;
+      const kept = JSON.parse(this.#slot.get() ?? 'null') as { memory?: unknown; isComplete?: unknown } | null;
       this.#wasComplete = kept?.isComplete === true;
-      return Promise.resolve({ memory: typeof kept?.memory === 'string' ? kept.memory : '', isComplete: this.#wasComplete });
+      return Promise.resolve({ memory: readMemory(typeof kept?.memory === 'string' ? kept.memory : ''), isComplete: this.#wasComplete });
     } catch {
-      return Promise.resolve({ memory: '', isComplete: false });
+      return Promise.resolve({ memory: NOTHING, isComplete: false });
     }
   }
 
@@ -36,13 +32,10 @@ export class BrowserRecord implements Record {
 
   keep(): void {
     if (this.#last === undefined) return;
-    const { memory, placeSecs, progress, isComplete } = this.#last;
-    const kept: Kept = { memory, placeSecs, progress, isComplete: isComplete || this.#wasComplete };
-    try {
-      this.#storage?.setItem(this.#key, JSON.stringify(kept));
-    } catch {
-      // Full, or forbidden: the story is told all the same.
-    }
+    const { memory, placeSecs, progress, score, isPassed, isComplete } = this.#last;
+    // What the page that lists several lessons reads is beside the memory.
+    const kept = { memory: writeMemory(memory), placeSecs, progress, score, isPassed, isComplete: isComplete || this.#wasComplete };
+    this.troubles.set('the browser', this.#slot.set(JSON.stringify(kept)) ? undefined : 'unkept');
   }
 
   close(): void {

@@ -1,6 +1,10 @@
-/** A learning record store, as xAPI 1.0.3 has it (part three, 2.1 and 2.3). */
+/** A learning record store, as xAPI 1.0.3 has it (part three, 2.1 to 2.6). */
 
-import type { Outcome, Statement } from './outbox.js';
+/** A statement of xAPI; its `id` makes sending it twice the same as sending it once. */
+export interface Statement {
+  readonly id: string;
+  readonly [part: string]: unknown;
+}
 
 /** Where it is and what it is asked with. */
 export interface Access {
@@ -18,9 +22,23 @@ export interface Owner {
   readonly registration: string | undefined;
 }
 
+/**
+ * What became of a request: the store has it (`taken`), cannot be reached or is busy (`away`), does not let the course in any more
+ * (`denied`), or does not take this (`refused`).
+ */
+export type Outcome = 'taken' | 'away' | 'denied' | 'refused';
+
 const VERSION = '1.0.3';
-/** A browser sends 64 KiB for pages that go (Fetch, 4.6); a character has at most three bytes. */
-const MOST_KEPT = 16_000;
+/** A browser sends 64 KiB for pages that go (Fetch, 4.6), in all requests together. */
+export const MOST_KEPT_BYTES = 60_000;
+
+export const bytesOf = (text: string): number => new TextEncoder().encode(text).length;
+
+function outcomeOf(status: number): Outcome {
+  if (status >= 200 && status < 300) return 'taken';
+  if (status === 401 || status === 403) return 'denied';
+  return status >= 500 || status === 429 || status === 408 ? 'away' : 'refused';
+}
 
 export class RecordStore {
   readonly #access: Access;
@@ -29,35 +47,39 @@ export class RecordStore {
     this.#access = access;
   }
 
-  /** Puts a statement under its id. A page that goes may still send it. */
-  async put(statement: Statement): Promise<Outcome> {
-    try {
-      const { ok, status } = await this.#ask('PUT', 'statements', { statementId: statement.id }, JSON.stringify(statement));
-      // It has one of this id: the answer to an earlier try was lost.
-      if (ok || status === 409) return 'taken';
-      return status >= 500 || status === 429 || status === 408 ? 'away' : 'refused';
-    } catch {
-      return 'away';
-    }
+  /** Hands over statements, all or none of them. A page that goes may still send them. */
+  async send(statements: readonly Statement[]): Promise<Outcome> {
+    const [first, ...more] = statements;
+    if (first === undefined) return 'taken';
+    const sent =
+      more.length > 0 ? this.#ask('POST', 'statements', {}, JSON.stringify(statements)) : this.#ask('PUT', 'statements', { statementId: first.id }, JSON.stringify(first));
+    const status = await statusOf(sent);
+    // It has one of this id: the answer to an earlier try was lost.
+    return status === 409 && more.length === 0 ? 'taken' : outcomeOf(status);
   }
 
-  /** A document of the state of a learner in an activity; empty where there is none, undefined where the store cannot be asked. */
-  async state(owner: Owner, id: string): Promise<string | undefined> {
-    try {
-      const response = await this.#ask('GET', 'activities/state', query(owner, id));
-      if (response.status === 404) return '';
-      return response.ok ? await response.text() : undefined;
-    } catch {
-      return undefined;
-    }
+  /** A document of the state of a learner in an activity; its text is empty where there is none. */
+  state(owner: Owner, id: string): Promise<{ readonly outcome: Outcome; readonly text: string }> {
+    return this.#document('activities/state', query(owner, id));
   }
 
-  /** Whether the store has it. */
-  async putState(owner: Owner, id: string, text: string): Promise<boolean> {
+  /** A document that the store has of a learner, whatever they do. */
+  profile({ agent }: Owner, profileId: string): Promise<{ readonly outcome: Outcome; readonly text: string }> {
+    return this.#document('agents/profile', { agent, profileId });
+  }
+
+  async putState(owner: Owner, id: string, text: string): Promise<Outcome> {
+    return outcomeOf(await statusOf(this.#ask('PUT', 'activities/state', query(owner, id), text)));
+  }
+
+  async #document(resource: string, asked: { readonly [name: string]: string }): Promise<{ readonly outcome: Outcome; readonly text: string }> {
     try {
-      return (await this.#ask('PUT', 'activities/state', query(owner, id), text)).ok;
+      const response = await this.#ask('GET', resource, asked);
+      if (response.status === 404) return { outcome: 'taken', text: '' };
+      const outcome = outcomeOf(response.status);
+      return { outcome, text: outcome === 'taken' ? await response.text() : '' };
     } catch {
-      return false;
+      return { outcome: 'away', text: '' };
     }
   }
 
@@ -66,10 +88,18 @@ export class RecordStore {
     const headers: { [name: string]: string } = { Authorization: authorization, 'X-Experience-API-Version': VERSION };
     if (body !== undefined) headers['Content-Type'] = 'application/json';
     // What is long cannot outlive the page: browsers refuse it then.
-    const keepalive = (body?.length ?? 0) <= MOST_KEPT;
-    return fetch(`${endpoint}${resource}?${new URLSearchParams(asked)}`, { method, headers, keepalive, ...(body === undefined ? {} : { body }) });
+    const keepalive = body !== undefined && bytesOf(body) <= MOST_KEPT_BYTES;
+    const parts = new URLSearchParams(asked).toString();
+    return fetch(`${endpoint}${resource}${parts === '' ? '' : `?${parts}`}`, { method, headers, keepalive, ...(body === undefined ? {} : { body }) });
   }
 }
+
+/** 503 where nobody answers. */
+const statusOf = (response: Promise<Response>): Promise<number> =>
+  response.then(
+    ({ status }) => status,
+    () => 503,
+  );
 
 const query = ({ activityId, agent, registration }: Owner, stateId: string): { [name: string]: string } => ({
   activityId,

@@ -1,20 +1,22 @@
 /**
  * A course with a record store: launched by a link with the store's address, as Tin Can packages are, or by a cmi5 system
- * (https://aicc.github.io/CMI-5_Spec_Current, 8 to 10), whose session has rules of its own.
+ * (https://aicc.github.io/CMI-5_Spec_Current, 8 to 11), whose session has rules of its own.
  */
 
+import type { Score } from '../element/lesson.js';
 import { answeredOf } from './answered.js';
-import { Backup, writeKept, type Verdict } from './kept.js';
-import { Outbox, type Shelf } from './outbox.js';
-import { RecordError, type Happening, type Known, type Record, type Reply, type Report } from './report.js';
-import { statementOf, type Moment, type Session, type Verb } from './statements.js';
-import { RecordStore, type Access, type Owner } from './store.js';
+import { StateKeeper } from './keeper.js';
+import { launchOf, linkOf, textOf, type Launch, type Link } from './launch.js';
+import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
+import { Outbox } from './outbox.js';
+import type { Happening, Known, Record, Reply, Report } from './report.js';
+import { LocalCopy, Slot, type Shelf } from './shelf.js';
+import { hasVerb, launchedAs, movedTo, statementOf, type Moment, type Session, type Verb } from './statements.js';
+import { RecordStore, type Outcome, type Statement } from './store.js';
+import { Troubles } from './trouble.js';
 
 /** Under which a course keeps its memory in the store. */
 const STATE = 'raconteur';
-const NOT_FOUND = 'Nothing is recorded.';
-/** After each of them a store that is away is asked again: some two minutes in all. */
-const WAITS_MS = [1000, 2000, 4000, 8000, 16_000, 30_000, 60_000];
 
 /** What the course's author says of it. */
 export interface Course {
@@ -24,181 +26,217 @@ export interface Course {
   readonly watched: number;
 }
 
-interface Launched {
-  readonly access: Access;
-  readonly owner: Owner;
-  readonly session: Session;
-  /** Somebody only looks at it: nothing is said of what they have done. */
-  readonly isReview: boolean;
+/** What statements a registration may have once, and the score that was said last. */
+interface Said {
+  readonly isComplete: boolean;
+  readonly verdict?: 'passed' | 'failed' | undefined;
+  readonly score?: Score | undefined;
 }
 
-/** What the address of the page says of the launch; where it says nothing of a store, it was not launched. */
-async function launched(asked: URLSearchParams, course: Course): Promise<Launched> {
-  const endpoint = asked.get('endpoint');
-  const actor = asked.get('actor');
-  if (endpoint === null || actor === null) throw new RecordError(`This course was opened without a record store. ${NOT_FOUND}`);
-  const fetchAddress = asked.get('fetch');
-  const access: Access = {
-    endpoint: endpoint.endsWith('/') ? endpoint : `${endpoint}/`,
-    authorization: fetchAddress === null ? (asked.get('auth') ?? '') : await tokenOf(fetchAddress),
-  };
-  const activityId = asked.get('activityId') ?? asked.get('activity_id') ?? course.activityId;
-  const registration = asked.get('registration') ?? undefined;
-  const owner: Owner = { activityId, agent: actor, registration };
-  const data = fetchAddress === null ? {} : await launchData(access, owner);
-  const { contextTemplate = {}, launchMode = 'Normal', masteryScore } = data as { contextTemplate?: { [part: string]: unknown }; launchMode?: string; masteryScore?: unknown };
-  const session: Session = {
-    actor: parsed(actor),
-    activityId,
-    title: course.title,
-    language: course.language || 'und',
-    registration,
-    context: contextTemplate,
-    sessionId: crypto.randomUUID(),
-    threshold: course.watched,
-    isCmi5: fetchAddress !== null,
-    masteryScore: typeof masteryScore === 'number' && masteryScore >= 0 && masteryScore <= 1 ? masteryScore : undefined,
-  };
-  return { access, owner, session, isReview: launchMode !== 'Normal' };
-}
-
-function parsed(json: string): unknown {
+/** What was said, as the state has it. */
+function saidIn(text: string): Said & { readonly memory: string } {
   try {
-    return JSON.parse(json) as unknown;
+    const { memory, isComplete, verdict, score } = JSON.parse(text) as { [name in keyof Said | 'memory']?: unknown };
+    return {
+      memory: typeof memory === 'string' ? memory : '',
+      isComplete: isComplete === true,
+      verdict: verdict === 'passed' || verdict === 'failed' ? verdict : undefined,
+      score: typeof (score as Score | undefined)?.points === 'number' ? (score as Score) : undefined,
+    };
   } catch {
-    throw new RecordError(`The address of this course names no learner. ${NOT_FOUND}`);
+    return { memory: '', isComplete: false };
   }
-}
-
-/** The token of a session: the system gives it once (cmi5, 8.2). */
-async function tokenOf(address: string): Promise<string> {
-  const answer = await fetch(address, { method: 'POST' }).then(
-    (response) => (response.ok ? (response.json() as Promise<{ 'auth-token'?: unknown }>) : undefined),
-    () => undefined,
-  );
-  const token = answer?.['auth-token'];
-  if (typeof token !== 'string') throw new RecordError(`The system that has opened this course did not let it in: open it there anew. ${NOT_FOUND}`);
-  return `Basic ${token}`;
-}
-
-/** A document of the state, as soon as the store can be asked: what is not known must not be written over. */
-async function stateOf(store: RecordStore, owner: Owner, id: string): Promise<string> {
-  for (const waitMs of WAITS_MS) {
-    const text = await store.state(owner, id);
-    if (text !== undefined) return text;
-    await new Promise((over) => setTimeout(over, waitMs));
-  }
-  throw new RecordError(`The record store cannot be reached. ${NOT_FOUND}`);
-}
-
-/** What the system says of the launch (cmi5, 10). */
-async function launchData(access: Access, owner: Owner): Promise<object> {
-  const text = await stateOf(new RecordStore(access), owner, 'LMS.LaunchData');
-  const data = text === '' ? undefined : parsed(text);
-  if (typeof data !== 'object' || data === null) throw new RecordError(`The record store does not say how this course is to be opened. ${NOT_FOUND}`);
-  return data;
 }
 
 /** A session with a record store. */
 export class XapiRecord implements Record {
-  readonly #asked: URLSearchParams;
+  readonly troubles = new Troubles();
+  readonly #link: Link | undefined;
+  readonly #failure: unknown;
   readonly #course: Course;
   readonly #shelf: Shelf | undefined;
   readonly #sinceMs = performance.now();
-  #launched: Launched | undefined;
-  #store: RecordStore | undefined;
+  #session: Session | undefined;
   #outbox: Outbox | undefined;
-  #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: '', score: undefined, isPassed: undefined };
-  #isComplete = false;
-  /** What was said of passing or failing, in this session or before. */
-  #verdict: Verdict | undefined;
-  /** One of them was said in this session, which has room for no other. */
+  #copy: LocalCopy | undefined;
+  /** What it had when the session began: until the store answers that is added to. */
+  #earlier: Memory = NOTHING;
+  /** What was said beside the memory: the store may not have it yet. */
+  #saidSlot: Slot | undefined;
+  /** Undefined until the store has answered. */
+  #launch: Launch | undefined;
+  #keeper: StateKeeper | undefined;
+  #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: NOTHING, score: undefined, isSettled: false, isPassed: undefined };
+  #said: Said = { isComplete: false };
+  /** Passed or failed was said in this session, which has room for no other in cmi5. */
   #isJudged = false;
-  /** What the store has of the state. */
-  #kept = '';
-  /** The state that was sent last. */
-  #sent = '';
-  #backup: Backup | undefined;
+  #isClosed = false;
 
-  /** `address`: that of the page; `shelf`: what keeps statements that the store has not taken. */
+  /** `address`: that of the page; `shelf`: what keeps statements and answers that the store has not taken. */
   constructor(address: string, course: Course, shelf: Shelf | undefined) {
-    this.#asked = new URL(address).searchParams;
     this.#course = course;
     this.#shelf = shelf;
+    try {
+      this.#link = linkOf(address, course.activityId);
+    } catch (error) {
+      // `open` tells.
+      this.#failure = error;
+      return;
+    }
+    this.#begin(this.#link);
+  }
+
+  /** What is said before the store has answered waits in the outbox. */
+  #begin({ actor, owner, fetch }: Link): void {
+    const { title, language, watched } = this.#course;
+    const { activityId, registration, agent } = owner;
+    const isCmi5 = fetch !== undefined;
+    this.#session = { actor, activityId, title, language: language || 'und', registration, sessionId: crypto.randomUUID(), threshold: watched, isCmi5, masteryScore: undefined };
+    const name = `${registration ?? ''}:${activityId}:${agent}`;
+    this.#copy = new LocalCopy(this.#shelf, `raconteur-state:${name}`);
+    this.#earlier = this.#copy.get();
+    this.#saidSlot = new Slot(this.#shelf, `raconteur-said:${name}`);
+    this.#outbox = new Outbox(`raconteur-statements:${name}`, this.#shelf, {
+      send: (batch) => this.#send(batch),
+      trouble: (what, trouble) => this.troubles.set(what, trouble),
+    });
+    this.#say('initialized');
+  }
+
+  async #send(batch: readonly Statement[]): Promise<Outcome> {
+    if (this.#launch === undefined) return 'away';
+    const { access, template } = this.#launch;
+    return new RecordStore(access).send(batch.map((statement) => launchedAs(statement, template)));
   }
 
   async open(): Promise<Known> {
-    const opened = (this.#launched = await launched(this.#asked, this.#course));
-    const store = (this.#store = new RecordStore(opened.access));
-    const { registration = '', activityId } = opened.owner;
-    this.#outbox = new Outbox(`raconteur-statements:${registration || activityId}`, this.#shelf, (statement) => store.put(statement));
-    const state = await stateOf(store, opened.owner, STATE);
-    this.#backup = new Backup(`raconteur-state:${registration || activityId}:${opened.owner.agent}`, this.#shelf);
-    const { memory, isComplete, verdict } = this.#backup.join(state);
-    this.#kept = state;
+    if (this.#link === undefined || this.#session === undefined) throw this.#failure;
+    const { owner } = this.#link;
+    const waiting = { trouble: this.troubles.set.bind(this.troubles), isClosed: () => this.#isClosed };
+    const launch = await launchOf(this.#link, waiting);
+    const text = launch && (await textOf(() => new RecordStore(launch.access).state(owner, STATE), waiting));
+    // The page went before: what was done is kept here for the next session.
+    if (launch === undefined || text === undefined) return new Promise(() => undefined);
+    const { masteryScore: pass, isReview, isMuted, returnAddress } = launch;
+    this.#launch = launch;
+    this.#session = { ...this.#session, masteryScore: pass };
+    this.#keeper = new StateKeeper(
+      text,
+      (state) => new RecordStore(launch.access).putState(owner, STATE, state),
+      (outcome) => this.#stateTold(outcome),
+    );
+    const { memory, ...said } = saidIn(text);
+    this.#said = this.#saidOf(said, saidIn(this.#saidSlot?.get() ?? ''));
+    this.#outbox?.open((waiting) => this.#arranged(waiting));
+    const known = joined(this.#copy?.get() ?? NOTHING, readMemory(memory));
     // Who leaves before the story is there has seen nothing new.
-    this.#last = { ...this.#last, memory };
-    this.#isComplete = isComplete;
-    this.#verdict = verdict;
-    this.#say('initialized');
-    return { memory, isComplete, pass: opened.session.masteryScore };
+    this.#last = { ...this.#last, memory: known };
+    return { memory: known, isComplete: this.#said.isComplete, pass, isReview, isMuted, returnAddress };
+  }
+
+  /** What was said once, by the store, by this browser and by what waits to be sent: it is not said again. */
+  #saidOf(...known: readonly Said[]): Said {
+    const waiting = this.#outbox?.waiting ?? [];
+    const has = (verb: Verb) => waiting.some((statement) => hasVerb(statement, verb));
+    const verdicts = new Set(known.map(({ verdict }) => verdict));
+    const isPassed = verdicts.has('passed') || has('passed');
+    const isFailed = verdicts.has('failed') || has('failed');
+    return {
+      isComplete: known.some(({ isComplete }) => isComplete) || has('completed'),
+      verdict: isPassed ? 'passed' : isFailed ? 'failed' : undefined,
+      score: known.reduce<Score | undefined>((best, { score }) => bestOf(best, score), undefined),
+    };
+  }
+
+  #stateTold(outcome: Outcome): void {
+    this.troubles.set('state', outcome === 'taken' ? undefined : outcome);
+    // What the store has is not left on a computer that others may use.
+    if (outcome === 'taken' && this.#keeper?.isKept) {
+      this.#copy?.clear();
+      this.#saidSlot?.clear();
+    }
+  }
+
+  /**
+   * The order in which statements go that earlier sessions could not send. A session of cmi5 begins and ends with its own ones (9.3):
+   * what is older is said in it, without the marks of sessions that are over.
+   */
+  #arranged(waiting: readonly Statement[]): readonly Statement[] {
+    const session = this.#session;
+    if (session === undefined) return waiting;
+    const isMark = (statement: Statement) => hasVerb(statement, 'initialized', 'terminated');
+    if (this.#launch?.isReview) return waiting.filter((statement) => isMark(statement) && isOf(statement, session));
+    if (!session.isCmi5) return waiting;
+    const own = waiting.filter((statement) => isOf(statement, session));
+    const older = waiting.filter((statement) => !isOf(statement, session) && !isMark(statement));
+    this.#isJudged ||= older.some((statement) => hasVerb(statement, 'passed', 'failed'));
+    return [...own.slice(0, 1), ...older.map((statement) => movedTo(statement, session)), ...own.slice(1)];
   }
 
   tell(report: Report): void {
     this.#last = report;
-    if (report.isComplete && !this.#isComplete) {
-      this.#isComplete = true;
-      this.#say('completed');
+    // What was said before is not known yet.
+    if (this.#launch === undefined || this.#launch.isReview) return;
+    if (report.isComplete && !this.#said.isComplete) {
+      this.#say('completed', { isComplete: true });
     }
-    if (report.isPassed !== undefined) this.#judge(report.isPassed ? 'passed' : 'failed');
+    if (report.isSettled) this.#judge(false);
   }
 
-  /** Says once that somebody has passed, or failed; who has passed does not fail any more (cmi5, 9.3). */
-  #judge(verdict: Verdict): void {
-    if (this.#isJudged || this.#verdict === 'passed' || this.#verdict === verdict || this.#launched?.isReview !== false) return;
-    this.#verdict = verdict;
-    this.#isJudged = true;
-    this.#say(verdict);
-    this.keep();
+  /**
+   * Says that somebody has passed, or failed: as soon as nothing is left to answer, so that it has the last score, or at the end of a
+   * session. Who has passed does not fail any more (cmi5, 9.3), and a session of cmi5 says one of them: who has failed may try again
+   * until it ends.
+   */
+  #judge(isEnd: boolean): void {
+    const { isPassed, score, isSettled } = this.#last;
+    const verdict = isPassed === undefined ? undefined : isPassed ? 'passed' : 'failed';
+    const isOpen = this.#said.verdict !== 'passed' && this.#said.verdict !== verdict && !(this.#session?.isCmi5 && this.#isJudged);
+    if (verdict !== undefined && isOpen && (isEnd || isPassed || !this.#session?.isCmi5)) {
+      this.#isJudged = true;
+      this.#say(verdict, { verdict, score });
+      this.keep();
+    } else if (score !== undefined && (isEnd || isSettled) && score.points !== (this.#said.score?.points ?? 0)) {
+      this.#say('scored', { score });
+    }
   }
 
   note({ kind, fromSecs }: Happening): void {
-    this.#say(kind, fromSecs);
+    this.#say(kind, {}, fromSecs);
   }
 
   reply(reply: Reply): void {
-    if (this.#launched?.isReview === false) this.#outbox?.add(answeredOf(this.#launched.session, reply));
+    if (this.#session !== undefined && this.#launch?.isReview !== true) this.#outbox?.add(answeredOf(this.#session, reply));
   }
 
   keep(): void {
-    const { owner, isReview } = this.#launched ?? {};
-    const text = writeKept({ memory: this.#last.memory, isComplete: this.#isComplete, verdict: this.#verdict });
-    if (owner === undefined || isReview || text === this.#kept) return;
-    this.#sent = text;
-    this.#backup?.put(text, this.#kept);
-    void this.#store?.putState(owner, STATE, text).then((isKept) => {
-      if (!isKept) return;
-      this.#kept = text;
-      // What was sent later is still on its way.
-      if (this.#sent === text) this.#backup?.clear();
-    });
+    if (this.#launch?.isReview || this.#isClosed) return;
+    const { memory } = this.#last;
+    if (this.#copy?.put(this.#launch === undefined ? joined(memory, this.#earlier) : memory) === false) this.troubles.set('the browser', 'unkept');
+    if (this.#launch !== undefined) this.#keeper?.keep(JSON.stringify({ memory: writeMemory(memory), ...this.#said }));
   }
 
   close(): void {
-    if (this.#launched === undefined) return;
+    if (this.#isClosed || this.#session === undefined) return;
+    if (this.#launch?.isReview === false) this.#judge(true);
     this.keep();
     this.#say('terminated');
+    this.#isClosed = true;
+    this.#keeper?.close();
     this.#outbox?.close();
-    this.#launched = undefined;
   }
 
   /** Who only looks at it begins and ends a session, and nothing else is said (cmi5, 10: `launchMode`). */
-  #say(verb: Verb, fromSecs?: number): void {
-    if (this.#launched === undefined) return;
-    const { session, isReview } = this.#launched;
-    if (isReview && verb !== 'initialized' && verb !== 'terminated') return;
-    const { placeSecs, durationSecs, progress, seen, score } = this.#last;
-    const moment: Moment = { placeSecs, fromSecs, durationSecs, progress, seen, score, spentMs: performance.now() - this.#sinceMs };
-    this.#outbox?.add(statementOf(verb, session, moment));
+  #say(verb: Verb, said: Partial<Said> = {}, fromSecs?: number): void {
+    if (this.#session === undefined || this.#isClosed) return;
+    if (this.#launch?.isReview && verb !== 'initialized' && verb !== 'terminated') return;
+    const { placeSecs, durationSecs, progress, seen, isSettled } = this.#last;
+    // Before the store has answered nobody knows what was reached before.
+    const score = this.#launch === undefined ? undefined : this.#last.score;
+    const moment: Moment = { placeSecs, fromSecs, durationSecs, progress, seen, score, isSettled, spentMs: performance.now() - this.#sinceMs };
+    if (Object.keys(said).length > 0) this.#saidSlot?.set(JSON.stringify((this.#said = { ...this.#said, ...said })));
+    this.#outbox?.add(statementOf(verb, this.#session, moment));
   }
 }
+
+const isOf = (statement: Statement, { sessionId }: Session): boolean => JSON.stringify(statement['context'] ?? {}).includes(sessionId);

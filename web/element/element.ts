@@ -408,10 +408,11 @@ export class RaconteurPlayer extends MediaElement {
     return { placeSecs: this.currentTime, ...this.#questioner.lesson.state() };
   }
 
-  /** Brings back what `state` told, once the story is there. What does not fit the story is left out. */
+  /** Brings back what `state` told, once the story is there. What does not fit the story is left out. Without a place (`NaN`) the learner stays, and what they have done here is added to. */
   restore({ placeSecs, ...lesson }: PlayerState): void {
-    this.#questioner.lesson.restore(lesson);
-    if (Number.isFinite(placeSecs)) this.currentTime = placeSecs;
+    const stays = !Number.isFinite(placeSecs);
+    this.#questioner.restore(lesson, stays ? this.currentTime : undefined);
+    if (!stays) this.currentTime = placeSecs;
     this.requestUpdate();
   }
 

@@ -71,6 +71,8 @@ export interface PlayerEventMap {
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
   /** The story rests and asks something. */
   question: CustomEvent<Question>;
+  /** The story goes on elsewhere by itself: over what a learner has not chosen, or to another part. `seeking` and `seeked` follow. */
+  leap: CustomEvent<{ fromSecs: number; toSecs: number }>;
   /** Somebody has answered. */
   answer: CustomEvent<Answered>;
   /** A question was answered for good: points so far, and the most that there are. */

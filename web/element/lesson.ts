@@ -241,6 +241,24 @@ export class Lesson {
     this.seek(0);
   }
 
+  /**
+   * Adds what a state has that is not known here, where the learner goes on: answers to what was not answered as well, what was set,
+   * and how far they came. What is asked now may be answered by that.
+   */
+  join(state: unknown, secs: number): void {
+    const here = this.state();
+    this.restore(state);
+    for (const answered of here.answered) {
+      const before = this.#answered.get(answered.name);
+      if (before === undefined || before.points <= answered.points) this.#answered.set(answered.name, answered);
+    }
+    for (const order of here.done) this.#done.add(order);
+    this.#values.restore({ ...this.#values.all, ...here.values });
+    this.#furthestSecs = Math.max(this.#furthestSecs, here.furthestSecs);
+    this.#skipped.push(...here.skipped);
+    this.seek(secs);
+  }
+
   #take(asked: Question, answered: Answered): { readonly answered: Answered; readonly turn: Turn } {
     this.#answered.set(asked.name, answered);
     return { answered, turn: answered.isFinal ? this.#react(asked, answered) : GO };
@@ -341,12 +359,25 @@ export class Lesson {
     for (const order of this.#done) if (order >= from && order <= to) this.#done.delete(order);
   }
 
-  /** An answer of a state, judged anew: what comes from outside may claim too much. */
+  /** An answer of a state, judged anew: what comes from outside may claim too much. One whose text was left out is believed. */
   #known(told: unknown): Answered | undefined {
-    const { name, given, tries, isFinal } = (told ?? {}) as { [name in keyof Answered]?: unknown };
+    const { name, given, tries, isFinal, isRight, points, fits } = (told ?? {}) as { [name in keyof Answered]?: unknown };
     const question = typeof name === 'string' ? this.#byName.get(name) : undefined;
-    if (question === undefined || !Array.isArray(given) || !(typeof tries === 'number' && tries >= 1)) return undefined;
+    if (question === undefined || !(typeof tries === 'number' && tries >= 1)) return undefined;
     const count = Math.min(question.tries, Math.floor(tries));
+    if (given === undefined && typeof isRight === 'boolean') {
+      const worth = typeof points === 'number' ? Math.max(0, Math.min(question.points, points)) : 0;
+      return {
+        name: question.name,
+        given: [],
+        isRight,
+        fits: listOf(fits).map(String),
+        points: worth,
+        tries: count,
+        isFinal: isFinal === true || isRight || count >= question.tries,
+      };
+    }
+    if (!Array.isArray(given)) return undefined;
     const judgement = judge(question, given.map(String)) ?? { given: [], isRight: false, fits: [] };
     const isOver = given.length === 0 && isFinal === true;
     return {

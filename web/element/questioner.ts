@@ -47,6 +47,21 @@ export class Questioner {
     this.lesson.retime(questions, ways, secs);
   }
 
+  /** What was answered before; at a time where the learner stays it is added to what was answered here. */
+  restore(state: unknown, secs?: number): void {
+    const { asked } = this.lesson;
+    if (secs === undefined) this.lesson.restore(state);
+    else this.lesson.join(state, secs);
+    // The form of what is still asked, and what is written there, stays; what was answered before is passed.
+    const isOver = asked !== undefined && secs !== undefined && this.lesson.pass(secs).kind !== 'rest';
+    if (isOver) this.lesson.seek(secs);
+    this.#ask();
+    if (isOver)
+      this.#contextOf()
+        .player.play()
+        .catch(() => undefined);
+  }
+
   /** The story goes, and what was answered to it. */
   clear(): void {
     this.lesson.clear();
@@ -101,7 +116,10 @@ export class Questioner {
     if (!transport.paused) drain?.(Math.min(from, secs));
     if (turn.kind === 'rest') transport.pause();
     const isThere = Math.abs(secs - to) < NEAR_SECS;
-    if (!isThere) transport.seek(to);
+    if (!isThere) {
+      fire(this.#contextOf().player, 'leap', { fromSecs: secs, toSecs: to });
+      transport.seek(to);
+    }
     this.#isTurning = false;
     return isThere;
   }

@@ -47,9 +47,19 @@ export function without(endSecs: number, spans: readonly Span[]): Span[] {
   const left: Span[] = [];
   let from = 0;
   for (const [start, end] of united(spans)) {
-    if (start > from) left.push([from, Math.min(start, endSecs)]);
+    if (start >= endSecs) break;
+    if (start > from) left.push([from, start]);
     from = Math.max(from, end);
   }
   if (from < endSecs) left.push([from, endSecs]);
   return left;
 }
+
+/** What some spans have in common with others. */
+export function common(spans: readonly Span[], others: readonly Span[]): Span[] {
+  const pieces = united(spans).flatMap(([from, to]) => others.map(([start, end]): Span => [Math.max(from, start), Math.min(to, end)]));
+  return united(pieces.filter(([from, to]) => to > from));
+}
+
+/** The time that spans take together, seconds. */
+export const lengthOf = (spans: readonly Span[]): number => united(spans).reduce((sum, [from, to]) => sum + Math.max(0, to - from), 0);

@@ -2,8 +2,10 @@
 
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
+import { NOTHING } from '../course/memory.js';
 import type { Known, Record, Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12 } from '../course/scorm.js';
+import { Troubles } from '../course/trouble.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/lesson.js';
 import { Ranges, type Span } from '../element/ranges.js';
@@ -61,11 +63,12 @@ class Seen extends EventTarget {
 
 /** What was told, in order. */
 class Heard implements Record {
+  readonly troubles = new Troubles();
   readonly heard: (boolean | undefined | string)[] = [];
   readonly #known: Known;
 
   constructor(pass?: number) {
-    this.#known = { memory: '', isComplete: false, pass };
+    this.#known = { memory: NOTHING, isComplete: false, pass };
   }
 
   open = (): Promise<Known> => Promise.resolve(this.#known);
@@ -94,7 +97,7 @@ it('nobody has failed before all is answered for good, and an answer comes befor
   player.answer('q1', true);
   player.answer('q2', false, false);
   player.answer('q2', false);
-  expect(record.heard).toEqual([undefined, 'q0', undefined, 'q1', undefined, 'q2', undefined, 'q2', false]);
+  expect(record.heard).toEqual([undefined, undefined, 'q0', undefined, 'q1', undefined, 'q2', undefined, 'q2', false]);
 });
 
 it('a story that has ended is settled, whatever it did not ask on its way', async () => {
@@ -104,7 +107,7 @@ it('a story that has ended is settled, whatever it did not ask on its way', asyn
   player.answer('q0', true);
   player.ended = true;
   player.dispatchEvent(new Event('ended'));
-  expect(record.heard).toEqual([undefined, 'q0', undefined, false]);
+  expect(record.heard).toEqual([undefined, undefined, 'q0', undefined, false]);
 });
 
 it('the share that the system wants counts before the author’s', async () => {
@@ -136,7 +139,7 @@ it('who had seen enough passes later with SCORM 1.2, and points beyond 100 are t
   const top = { API: api, parent: undefined as unknown };
   top.parent = top;
   const player = new Seen(300);
-  await begun(player, new Scorm(SCORM_12, top as unknown as Window), 0.01);
+  await begun(player, new Scorm(SCORM_12, 'x', undefined, top as unknown as Window), 0.01);
   expect(values.get('cmi.core.lesson_status')).toBe('completed');
   for (const name of ['q0', 'q1', 'q2']) player.answer(name, true);
   expect(['lesson_status', 'score.raw', 'score.max'].map((name) => values.get(`cmi.core.${name}`))).toEqual(['passed', '1', '100']);

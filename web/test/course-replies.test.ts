@@ -3,6 +3,7 @@
 import { Scorm12API, Scorm2004API } from 'scorm-again';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { interaction12, interaction2004, type Elements } from '../course/interactions.js';
+import { NOTHING } from '../course/memory.js';
 import type { Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import { decimal, plain } from '../course/texts.js';
@@ -44,7 +45,7 @@ async function session({ version, object, prefix, open }: System): Promise<{ rec
   };
   const top: { [name: string]: unknown } = { [object]: strict };
   top['parent'] = top;
-  const record = new Scorm(version, top as unknown as Window);
+  const record = new Scorm(version, 'x', undefined, top as unknown as Window);
   await record.open();
   return { record, api, faults };
 }
@@ -53,7 +54,17 @@ const reportOf = (replies: readonly Reply[], questions: readonly Question[]): Re
   const most = questions.reduce((sum, { points }) => sum + points, 0);
   const points = replies.reduce((sum, { answered }) => sum + answered.points, 0);
   const score = { points: Math.min(points, most), most };
-  return { placeSecs: 1.5, durationSecs: 60, progress: 0.5, seen: [], isComplete: true, memory: '{}', score: most > 0 ? score : undefined, isPassed: points >= most / 2 };
+  return {
+    placeSecs: 1.5,
+    durationSecs: 60,
+    progress: 0.5,
+    seen: [],
+    isComplete: true,
+    isSettled: true,
+    memory: NOTHING,
+    score: most > 0 ? score : undefined,
+    isPassed: points >= most / 2,
+  };
 };
 
 const SIGNS = 'abcdefghijklmnopqrstuvwxyz0123456789';

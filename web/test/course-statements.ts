@@ -89,10 +89,10 @@ function faultsOfCourse(told: Told, isCmi5: boolean): string[] {
     success: result['success'] !== (isJudged ? verb === 'passed' : undefined),
     completion: result['completion'] !== (verb === 'completed' ? true : undefined),
     duration: (isJudged || verb === 'completed' || verb === 'terminated') && !DURATION.test(String(result['duration'])),
-    score: isCmi5 && !isJudged && result['score'] !== undefined,
+    score: isCmi5 && isOwn && !isJudged && result['score'] !== undefined,
     'category of cmi5': has('cmi5') !== (isCmi5 && isOwn),
     'category moveon': has('moveon') !== (isCmi5 && (isJudged || verb === 'completed')),
-    'category of the profile': categories.includes(VIDEO) === isJudged,
+    'category of the profile': categories.includes(VIDEO) === (isJudged || verb === 'scored'),
     length: typeof context.extensions[`${VIDEO}/extensions/length`] !== 'number',
   };
   return Object.keys(isFaulty).filter((what) => isFaulty[what]);
@@ -120,7 +120,7 @@ export function faultsOf(told: Told, isCmi5: boolean): string[] {
 }
 
 /** What is wrong with the order of what was said in a registration. */
-export function faultsOfOrder(all: readonly Told[]): string[] {
+export function faultsOfOrder(all: readonly Told[], isCmi5: boolean): string[] {
   const sessionOf = ({ context }: Told) => context.extensions[`${VIDEO}/extensions/session-id`];
   const sessions = [...new Set(all.map(sessionOf))].map((session) => all.filter((it) => sessionOf(it) === session));
   const faults: string[] = [];
@@ -129,8 +129,10 @@ export function faultsOfOrder(all: readonly Told[]): string[] {
     const count = (...names: string[]) => verbs.filter((verb) => names.includes(verb)).length;
     if (verbs[0] !== 'initialized' || count('initialized') !== 1) faults.push('initialized first');
     if (count('terminated') > 1 || (count('terminated') === 1 && verbs.at(-1) !== 'terminated')) faults.push('terminated last');
-    if (count('passed', 'failed') > 1) faults.push('judged twice');
-    if (told.some(({ timestamp }, i) => i > 0 && timestamp < told[i - 1]!.timestamp)) faults.push('times');
+    if (isCmi5 && count('passed', 'failed') > 1) faults.push('judged twice');
+    // What an earlier session could not send has the time at which it was done.
+    const own = told.filter(({ timestamp }) => timestamp >= (told[0]?.timestamp ?? ''));
+    if (own.some(({ timestamp }, i) => i > 0 && timestamp < own[i - 1]!.timestamp)) faults.push('times');
   }
   const verbs = all.map(verbOf);
   for (const once of ['passed', 'completed']) if (verbs.filter((verb) => verb === once).length > 1) faults.push(`${once} twice`);

@@ -1,18 +1,23 @@
 /** A record store for tests, and how a course with one is launched. */
 
-import type { Shelf } from '../course/outbox.js';
+import { vi } from 'vitest';
+import { NOTHING, type Memory } from '../course/memory.js';
 import type { Report } from '../course/report.js';
+import type { Shelf } from '../course/shelf.js';
 import { VERBS } from '../course/statements.js';
 
 /** A store of records that takes what the standard lets it take, and can be away. */
 export class FakeStore {
   readonly statements: { id: string; verb: { id: string }; timestamp: string; [part: string]: unknown }[] = [];
   readonly states = new Map<string, string>();
+  readonly profiles = new Map<string, string>();
   isAway = false;
   /** The answer to what it has taken is lost. */
   losesAnswers = false;
   tokens = 0;
   readonly faults: string[] = [];
+  /** What it answers instead, where that is anything: to statements by their ids as well. */
+  status: (method: string, resource: string, ids: readonly string[]) => number | undefined = () => undefined;
 
   readonly fetch = async (address: string | URL, { method = 'GET', headers = {}, body }: RequestInit = {}): Promise<Response> => {
     await Promise.resolve();
@@ -24,13 +29,23 @@ export class FakeStore {
     }
     const given = headers as { [name: string]: string };
     if (given['X-Experience-API-Version'] !== '1.0.3' || !given['Authorization']?.startsWith('Basic ')) this.faults.push(`headers of ${href}`);
-    if (pathname === '/lrs/statements' && method === 'PUT') {
-      const statement = JSON.parse(String(body)) as (typeof this.statements)[number];
-      if (searchParams.get('statementId') !== statement.id) this.faults.push('another id');
-      if (this.statements.some(({ id }) => id === statement.id)) return new Response('', { status: 409 });
-      this.statements.push(statement);
+    const told = pathname === '/lrs/statements' ? ([JSON.parse(String(body))].flat() as (typeof this.statements)[number][]) : [];
+    const status = this.status(
+      method,
+      pathname,
+      told.map(({ id }) => id),
+    );
+    if (status !== undefined) return new Response('', { status });
+    if (pathname === '/lrs/statements') {
+      if (method === 'PUT' && searchParams.get('statementId') !== told[0]?.id) this.faults.push('another id');
+      if (told.some(({ id }) => this.statements.some((known) => known.id === id))) return new Response('', { status: 409 });
+      this.statements.push(...told);
       if (this.losesAnswers) throw new TypeError('no network');
-      return new Response(null, { status: 204 });
+      return new Response(null, { status: method === 'PUT' ? 204 : 200 });
+    }
+    if (pathname === '/lrs/agents/profile') {
+      const profile = this.profiles.get(searchParams.get('profileId') ?? '');
+      return profile === undefined ? new Response('', { status: 404 }) : new Response(profile);
     }
     if (pathname !== '/lrs/activities/state') return new Response('', { status: 404 });
     const key = ['activityId', 'agent', 'registration', 'stateId'].map((name) => searchParams.get(name)).join(' ');
@@ -73,17 +88,25 @@ export const shelf = (): Shelf & { readonly values: Map<string, string> } => {
   return { values, getItem: (key) => values.get(key) ?? null, setItem: (key, value) => void values.set(key, value), removeItem: (key) => void values.delete(key) };
 };
 
+/** What a learner at a place has of a course. */
+export const memoryAt = (placeSecs: number): Memory => ({ ...NOTHING, session: 1, placeSecs, seen: placeSecs > 0 ? [[0, placeSecs]] : [] });
+
 export const report = (placeSecs: number, isComplete = false): Report => ({
   placeSecs,
   durationSecs: 60,
   progress: placeSecs / 60,
   seen: [[0, placeSecs]],
   isComplete,
-  memory: `at ${placeSecs}`,
+  memory: memoryAt(placeSecs),
   score: undefined,
+  isSettled: false,
   isPassed: undefined,
 });
 export const verbs = (store: FakeStore): string[] => store.statements.map(({ verb }) => Object.entries(VERBS).find(([, id]) => id === verb.id)?.[0] ?? verb.id);
+/** What is on its way has come; with the clock of tests what is said together is sent. */
 export const settled = async (): Promise<void> => {
+  for (let i = 0; i < 60; i++) await Promise.resolve();
+  if (!vi.isFakeTimers()) return;
+  await vi.advanceTimersByTimeAsync(1000);
   for (let i = 0; i < 60; i++) await Promise.resolve();
 };

@@ -2,12 +2,13 @@
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { questionId } from '../course/answered.js';
+import { NOTHING } from '../course/memory.js';
 import type { Reply, Report } from '../course/report.js';
 import { XapiRecord } from '../course/xapi.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/types.js';
 import { random, randomQuestion, randomReply, randomText, type Next } from './course-questions.js';
 import { faultsOf, faultsOfOrder, verbOf, type Told } from './course-statements.js';
-import { COURSE, FakeStore, launchOf, prepare, report, settled, shelf } from './course-store.js';
+import { COURSE, FakeStore, launchOf, memoryAt, prepare, report, settled, shelf } from './course-store.js';
 import { sized } from './tier.js';
 
 let store: FakeStore;
@@ -27,7 +28,12 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const judged = (points: number, isPassed: boolean | undefined, isComplete = true): Report => ({ ...report(30, isComplete), score: { points, most: 4 }, isPassed });
+const judged = (points: number, isPassed: boolean | undefined, isComplete = true): Report => ({
+  ...report(30, isComplete),
+  score: { points, most: 4 },
+  isSettled: isPassed !== undefined,
+  isPassed,
+});
 const option = (name: string, more: Partial<QuestionOption> = {}): QuestionOption => ({ name, text: `Text ${name}`, isRight: true, ...more });
 /** What follows from an answer does not matter here. */
 const NONE = { fits: [] };
@@ -90,11 +96,11 @@ for (const isCmi5 of [false, true]) {
           told().flatMap((it) => faultsOf(it, isCmi5)),
           `learner ${learner}`,
         ).toEqual([]);
-        expect(faultsOfOrder(told()), `learner ${learner}`).toEqual([]);
+        expect(faultsOfOrder(told(), isCmi5), `learner ${learner}`).toEqual([]);
         const answered = told().filter((it) => verbOf(it) === 'answered');
         expect(answered.map(({ object }) => object.id)).toEqual(replies.map(({ question }) => questionId(COURSE.activityId, question.name)));
         expect(answered.map(({ result }) => result?.['success'])).toEqual(replies.map((reply) => reply.answered.isRight));
-        expect(told().filter((it) => verbOf(it) === 'terminated')).toHaveLength(3);
+        if (!isCmi5) expect(told().filter((it) => verbOf(it) === 'terminated')).toHaveLength(3);
       }
     }, 120_000);
 
@@ -155,7 +161,7 @@ for (const isCmi5 of [false, true]) {
         store.isAway = false;
         store.tokens = 0;
         const record = new XapiRecord(launchOf(isCmi5), COURSE, kept);
-        expect(await record.open()).toMatchObject(time === 0 ? { memory: '', isComplete: false } : { memory: 'at 30', isComplete: true });
+        expect(await record.open()).toMatchObject(time === 0 ? { memory: NOTHING, isComplete: false } : { memory: memoryAt(30), isComplete: true });
         await settled();
         store.isAway = true;
         record.tell(judged(4, true));
@@ -166,14 +172,19 @@ for (const isCmi5 of [false, true]) {
       store.tokens = 0;
       await new XapiRecord(launchOf(isCmi5), COURSE, kept).open();
       await settled();
-      expect(told().map(verbOf)).toEqual(['initialized', 'completed', 'passed', 'terminated', 'initialized', 'terminated', 'initialized']);
+      expect(told().map(verbOf)).toEqual(
+        // A session of cmi5 says what an earlier one could not, without its end.
+        isCmi5
+          ? ['initialized', 'initialized', 'completed', 'passed', 'initialized']
+          : ['initialized', 'completed', 'passed', 'terminated', 'initialized', 'terminated', 'initialized'],
+      );
       // The store has it now; another browser brings the learner elsewhere, and this one follows.
       for (const shelves of [shelf(), kept]) {
         store.tokens = 0;
         const record = new XapiRecord(launchOf(isCmi5), COURSE, shelves);
         const { memory } = await record.open();
-        if (shelves === kept) expect(memory).toBe('at 40');
-        record.tell({ ...judged(4, true), memory: 'at 40' });
+        if (shelves === kept) expect(memory).toEqual({ ...memoryAt(40), session: 2 });
+        record.tell({ ...judged(4, true), memory: { ...memoryAt(40), session: 2 } });
         record.close();
         await settled();
       }

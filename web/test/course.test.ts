@@ -1,79 +1,16 @@
 import { Scorm12API, Scorm2004API } from 'scorm-again';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
+import { readMemory } from '../course/memory.js';
 import { RecordError } from '../course/report.js';
 import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
-import { readMemory, shareOf, writeMemory } from '../course/seen.js';
+import { shareOf } from '../course/seen.js';
 import { BrowserRecord } from '../course/storage.js';
-import type { PlayerState, RaconteurPlayer } from '../element/element.js';
-import { Lesson, type Score } from '../element/lesson.js';
-import { Ranges, united, type Span } from '../element/ranges.js';
+import { united, without, type Span } from '../element/ranges.js';
 import type { Question } from '../element/types.js';
+import { FakePlayer } from './course-learner.js';
 import { random } from './course-questions.js';
 import { sized } from './tier.js';
-
-/** A player without pictures: time passes when the test says so. */
-class FakePlayer extends EventTarget {
-  readyState = 4;
-  duration = 60;
-  currentTime = 0;
-  #spans: Span[] = [];
-
-  get played(): TimeRanges {
-    return new Ranges(this.#spans);
-  }
-
-  get ended(): boolean {
-    return this.currentTime >= this.duration;
-  }
-
-  readonly lesson = new Lesson();
-  questions: readonly Question[] = [];
-
-  get optional(): readonly Span[] {
-    return this.questions.map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
-  }
-
-  ask(questions: readonly Question[]): void {
-    this.questions = questions;
-    this.lesson.setStory(questions, []);
-  }
-
-  get score(): Score {
-    return this.lesson.score;
-  }
-
-  state(): PlayerState {
-    return { placeSecs: this.currentTime, answered: this.lesson.state() };
-  }
-
-  restore({ placeSecs, answered }: PlayerState): void {
-    this.lesson.restore(answered);
-    this.currentTime = placeSecs;
-  }
-
-  /** Answers the question at a time. */
-  answer(secs: number, given: readonly string[]): void {
-    this.currentTime = secs;
-    this.lesson.pass(secs);
-    this.dispatchEvent(new Event('question'));
-    const taken = this.lesson.answer(given);
-    if (taken !== undefined) this.dispatchEvent(Object.assign(new Event('answer'), { detail: taken.answered }));
-  }
-
-  play(secs: number): void {
-    const from = this.ended ? 0 : this.currentTime;
-    this.currentTime = Math.min(this.duration, from + secs);
-    this.#spans = united([...this.#spans, [from, this.currentTime]]);
-    this.dispatchEvent(new Event('timeupdate'));
-    if (this.ended) this.dispatchEvent(new Event('ended'));
-  }
-
-  seek(secs: number): void {
-    this.currentTime = secs;
-    this.dispatchEvent(new Event('seeked'));
-  }
-}
 
 /** The page around the course: what it listens to, and the window in which the system is looked for. */
 let page: EventTarget & { hidden: boolean };
@@ -120,7 +57,7 @@ function windowWith(object: string, api: Api): Window {
 async function session(system: System, before: object | undefined, player = new FakePlayer()): Promise<{ api: Api; player: FakePlayer; course: Course }> {
   const api = system.open() as unknown as Api;
   if (before !== undefined) api.loadFromJSON(before, '');
-  const course = new Course(player as unknown as RaconteurPlayer, new Scorm(system.version, windowWith(system.object, api)), { watched: 0.9 });
+  const course = new Course(player.real, new Scorm(system.version, 'x', undefined, windowWith(system.object, api)), { watched: 0.9 });
   await course.begin();
   return { api, player, course };
 }
@@ -136,9 +73,9 @@ for (const system of SYSTEMS) {
     it('is incomplete, and complete once enough was seen', async () => {
       const { api, player, course } = await session(system, undefined);
       expect(statusOf(system, api)).toBe('incomplete');
-      player.play(50);
+      player.pass(50);
       expect(statusOf(system, api)).toBe('incomplete');
-      player.play(5);
+      player.pass(5);
       expect(statusOf(system, api)).toBe('completed');
       course.close();
       course.close();
@@ -146,22 +83,22 @@ for (const system of SYSTEMS) {
 
     it('brings a learner back to the place, and adds what is seen in several sessions', async () => {
       const first = await session(system, undefined);
-      first.player.play(30);
+      first.player.pass(30);
       first.course.close();
       const second = await session(system, first.api.renderCMIToJSONObject());
       expect(second.player.currentTime).toBe(30);
       expect(statusOf(system, second.api)).toBe('incomplete');
-      second.player.play(26);
+      second.player.pass(26);
       expect(statusOf(system, second.api)).toBe('completed');
     });
 
     it('does not take completion back, and tells nothing while somebody looks at it', async () => {
       const first = await session(system, undefined);
-      first.player.play(60);
+      first.player.pass(60);
       first.course.close();
       const again = await session(system, first.api.renderCMIToJSONObject());
       expect(statusOf(system, again.api)).toBe('completed');
-      again.player.play(1);
+      again.player.pass(1);
       expect(statusOf(system, again.api)).toBe('completed');
     });
 
@@ -195,7 +132,7 @@ for (const system of SYSTEMS) {
       const again = await session(system, kept, second);
       expect(second.score).toEqual({ points: 2, most: 4 });
       second.answer(20, ['frog', 'leaf']);
-      second.play(60);
+      second.pass(60);
       const { cmi } = JSON.parse(JSON.stringify(again.api.renderCMIToJSONObject())) as {
         cmi: { interactions: { [n: string]: { [part: string]: string } }; [part: string]: unknown };
       };
@@ -213,7 +150,7 @@ for (const system of SYSTEMS) {
     it('skipping is not seeing', async () => {
       const { api, player } = await session(system, undefined);
       player.seek(59);
-      player.play(1);
+      player.pass(1);
       expect(statusOf(system, api)).toBe('incomplete');
     });
 
@@ -230,7 +167,7 @@ for (const system of SYSTEMS) {
           for (let act = 0; act < 6; act++) {
             if (next() < 0.4) player.seek(60 * next());
             const from = player.ended ? 0 : player.currentTime;
-            player.play(12 * next());
+            player.pass(12 * next());
             seen = united([...seen, [from, player.currentTime]]);
             if (next() < 0.3) vi.advanceTimersByTime(20_000);
           }
@@ -254,7 +191,7 @@ for (const system of SYSTEMS) {
     it('says in a sentence that there is no system', async () => {
       const alone = { opener: null } as unknown as { parent: unknown };
       alone.parent = alone;
-      const course = new Course(new FakePlayer() as unknown as RaconteurPlayer, new Scorm(system.version, alone as unknown as Window), { watched: 0.9 });
+      const course = new Course(new FakePlayer().real, new Scorm(system.version, 'x', undefined, alone as unknown as Window), { watched: 0.9 });
       await expect(course.begin()).rejects.toThrow(RecordError);
     });
   });
@@ -277,12 +214,12 @@ describe('A system that misbehaves', () => {
       LMSFinish: () => 'true',
     };
     const player = new FakePlayer();
-    const course = new Course(player as unknown as RaconteurPlayer, new Scorm(SCORM_12, windowWith('API', api as unknown as Api)), { watched: 0.9 });
+    const course = new Course(player.real, new Scorm(SCORM_12, 'x', undefined, windowWith('API', api as unknown as Api)), { watched: 0.9 });
     await course.begin();
-    player.play(57);
+    player.pass(57);
     expect(values.size).toBe(0);
     fails = false;
-    player.play(1);
+    player.pass(1);
     expect(values.get('cmi.core.lesson_status')).toBe('completed');
     course.close();
     expect(values.get('cmi.core.exit')).toBe('suspend');
@@ -292,15 +229,15 @@ describe('A system that misbehaves', () => {
     const commits: number[] = [];
     const api = { ...broken, LMSSetValue: () => 'true', LMSCommit: () => String(commits.push(Date.now()) > 0), LMSFinish: () => 'true' };
     const player = new FakePlayer();
-    await new Course(player as unknown as RaconteurPlayer, new Scorm(SCORM_12, windowWith('API', api as unknown as Api)), { watched: 0.9 }).begin();
+    await new Course(player.real, new Scorm(SCORM_12, 'x', undefined, windowWith('API', api as unknown as Api)), { watched: 0.9 }).begin();
     for (let i = 0; i < 120; i++) {
-      player.play(0.25);
+      player.pass(0.25);
       vi.advanceTimersByTime(250);
     }
     expect(commits.length).toBeGreaterThanOrEqual(3);
     expect(commits.length).toBeLessThanOrEqual(4);
     const before = commits.length;
-    player.play(30);
+    player.pass(30);
     expect(commits.length).toBe(before + 1);
   });
 });
@@ -320,71 +257,56 @@ it('the share that was seen leaves out what nobody has to see', () => {
     shareOf([[10, 30]], 40, [[10, 30]]),
   ]).toEqual([0.25, 0.5, 1, 0]);
   expect([shareOf([], 40), shareOf([[0, 50]], 40), shareOf([[0, 5]], 0), shareOf([[0, 5]], Infinity), shareOf([[0, 5]], 5, [[0, 5]])]).toEqual([0, 1, 0, 0, 0]);
+  // Spans that end beyond the story, and begin there.
+  expect([
+    shareOf([[0, 2]], 5, [
+      [0, 6],
+      [7, 8],
+    ]),
+    shareOf([[0, 183]], 757, [
+      [100, 200],
+      [700, 800],
+      [900, 950],
+    ]),
+  ]).toEqual([0, 100 / 600]);
 });
 
-describe('A memory', () => {
-  it('is read as it was written, whatever was seen, and is short', () => {
-    const next = random(7);
-    for (let i = 0; i < 300; i++) {
-      const spans = united(Array.from({ length: Math.floor(400 * next()) }, (): Span => [10_000 * next(), 0]).map(([from]): Span => [from, from + 5 * next()]));
-      const text = writeMemory({ placeSecs: 10_000 * next(), seen: spans, answered: undefined });
-      expect(text.length).toBeLessThanOrEqual(SCORM_12.mostMemory);
-      const read = readMemory(text);
-      expect(writeMemory(read)).toBe(text);
-      expect(shareOf(read.seen, 10_000)).toBeLessThanOrEqual(shareOf(spans, 10_000));
-    }
-  });
-
-  it('leaves out the longest answers where it would be too long', () => {
-    const answered = [1, 20, 30, 1_000_000, 40, 3000].map((length, i) => ({ name: `q${i}`, given: ['x'.repeat(length)], tries: 1 }));
-    const memory = { placeSecs: 5, seen: [[0, 5]] as const, answered };
-    expect(readMemory(writeMemory(memory)).answered).toEqual(answered);
-    const text = writeMemory(memory, 3400);
-    expect(text.length).toBeLessThanOrEqual(3400);
-    expect(readMemory(text)).toEqual({ ...memory, answered: answered.filter((_, i) => i !== 3) });
-    // To the character.
-    const exact = writeMemory(memory, text.length);
-    expect([exact, readMemory(writeMemory(memory, text.length - 1)).answered]).toEqual([text, answered.slice(0, 3).concat(answered.slice(4, 5))]);
-    expect(readMemory(writeMemory(memory, 10)).answered).toBeUndefined();
-    // What else a player tells stays.
-    const told = { placeSecs: 5, seen: [], answered: { answered, values: { x: 1 } }, more: { furthestSecs: 9 } };
-    expect(readMemory(writeMemory(told))).toEqual(told);
-    expect(readMemory(writeMemory(told, 3400))).toEqual({ ...told, answered: { ...told.answered, answered: answered.filter((_, i) => i !== 3) } });
-  });
-
-  it('of another kind is none', () => {
-    for (const text of [
-      '',
-      'x',
-      '[]',
-      '{}',
-      'null',
-      '{"v":2,"at":1,"seen":[]}',
-      '{"v":1,"at":1,"seen":[1]}',
-      '{"v":1,"at":1,"seen":[1,"2"]}',
-      '{"v":1,"at":1,"seen":[-1,2]}',
-      `{"v":1,"seen":[${'0,1,'.repeat(300)}0,1]}`,
-    ]) {
-      expect(readMemory(text)).toEqual({ placeSecs: 0, seen: [], answered: undefined });
-    }
-    expect(readMemory('{"v":1,"at":-5,"seen":[3,1,2,4]}')).toEqual({ placeSecs: 0, seen: [[2, 4]], answered: undefined });
-  });
+it('ranges are what random times are in', () => {
+  const next = random(11);
+  for (let i = 0; i < sized(2000, 20_000); i++) {
+    const spans = (most: number): Span[] =>
+      Array.from({ length: Math.floor(most * next()) }, () => Math.floor(40 * next())).map((from): Span => [from, from + Math.floor(12 * next())]);
+    const [seen, optional, end] = [spans(6), spans(6), Math.floor(40 * next())];
+    const within = (list: readonly Span[], at: number) => list.some(([from, to]) => from <= at && at < to);
+    // Whole seconds: each is in or out.
+    const secs = Array.from({ length: 60 }, (_, at) => at);
+    const left = without(end, optional);
+    expect(secs.filter((at) => within(left, at))).toEqual(secs.filter((at) => at < end && !within(optional, at)));
+    expect(left.every(([from, to]) => from < to && to <= end)).toBe(true);
+    const wanted = secs.filter((at) => at < end && !within(optional, at));
+    expect(shareOf(seen, end, optional)).toBeCloseTo(wanted.length === 0 ? 0 : wanted.filter((at) => within(seen, at)).length / wanted.length, 12);
+  }
 });
 
 describe('A course on a plain site', () => {
   it('is kept by the browser, and plays where that keeps nothing', async () => {
     const values = new Map<string, string>();
-    const storage = { getItem: (key: string) => values.get(key) ?? null, setItem: (key: string, value: string) => void values.set(key, value) };
+    const storage = {
+      getItem: (key: string) => values.get(key) ?? null,
+      setItem: (key: string, value: string) => void values.set(key, value),
+      removeItem: (key: string) => void values.delete(key),
+    };
     const first = new FakePlayer();
-    const course = new Course(first as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 });
+    const course = new Course(first.real, new BrowserRecord('x', storage), { watched: 0.5 });
     await course.begin();
-    first.play(31);
+    first.pass(31);
     course.close();
     const again = new FakePlayer();
-    await new Course(again as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 }).begin();
+    await new Course(again.real, new BrowserRecord('x', storage), { watched: 0.5 }).begin();
     expect(again.currentTime).toBe(31);
     expect(JSON.parse(values.get('raconteur-course:x') ?? '')).toMatchObject({ isComplete: true });
     const full = {
+      removeItem: () => undefined,
       getItem: () => '{',
       setItem: () => {
         throw new Error('full');
@@ -392,9 +314,9 @@ describe('A course on a plain site', () => {
     };
     for (const storage of [full, undefined]) {
       const player = new FakePlayer();
-      const course = new Course(player as unknown as RaconteurPlayer, new BrowserRecord('x', storage), { watched: 0.5 });
+      const course = new Course(player.real, new BrowserRecord('x', storage), { watched: 0.5 });
       await course.begin();
-      player.play(31);
+      player.pass(31);
       course.close();
     }
   });

@@ -47,8 +47,10 @@ fn page(about: &About) -> String {
   <body data-record="{record}" data-course="{iri}" data-watched="{watched}"{pass}>
     <main>
       <h1>{title}</h1>
+      <nav></nav>
       <raconteur-player src="{story}" label="{title}"{figure} loading="eager" controls captions></raconteur-player>
       <output></output>
+      <section aria-labelledby="result" hidden></section>
     </main>
   </body>
 </html>

@@ -1,0 +1,125 @@
+/** How a course with a record store is launched: by a link, as Tin Can packages are, or by a cmi5 system (cmi5, 8 and 10). */
+
+import { until } from './again.js';
+import { RecordError } from './report.js';
+import { RecordStore, type Access, type Outcome, type Owner } from './store.js';
+import type { Trouble } from './trouble.js';
+
+const NOT_FOUND = 'Nothing is recorded.';
+
+/** What the address of the page says. */
+export interface Link {
+  readonly endpoint: string;
+  /** Where a cmi5 system gives the token, once; undefined without cmi5. */
+  readonly fetch: string | undefined;
+  readonly auth: string;
+  readonly actor: unknown;
+  readonly owner: Owner;
+}
+
+/** What a cmi5 system says of the launch (10.2); without cmi5 there is nothing to say. */
+export interface Launch {
+  readonly access: Access;
+  /** What all statements are to have in their contexts. */
+  readonly template: object;
+  /** Somebody only looks at it: nothing is said of what they have done. */
+  readonly isReview: boolean;
+  /** The share of the points that the system wants, 0 to 1. */
+  readonly masteryScore: number | undefined;
+  readonly returnAddress: string | undefined;
+  /** What a learner wants of every course (11). */
+  readonly isMuted: boolean;
+}
+
+/** Reads the address of the page. Throws a `RecordError` where it says nothing of a store: it was not launched. */
+export function linkOf(address: string, courseId: string): Link {
+  const asked = new URL(address).searchParams;
+  const [endpoint, actor, fetch] = ['endpoint', 'actor', 'fetch'].map((name) => asked.get(name));
+  if (endpoint == null || actor == null) throw new RecordError(`This course was opened without a record store. ${NOT_FOUND}`);
+  const activityId = asked.get('activityId') ?? asked.get('activity_id') ?? courseId;
+  return {
+    endpoint: endpoint.endsWith('/') ? endpoint : `${endpoint}/`,
+    fetch: fetch ?? undefined,
+    auth: asked.get('auth') ?? '',
+    actor: parsed(actor),
+    owner: { activityId, agent: actor, registration: asked.get('registration') ?? undefined },
+  };
+}
+
+function parsed(json: string): unknown {
+  try {
+    return JSON.parse(json) as unknown;
+  } catch {
+    throw new RecordError(`The address of this course names no learner. ${NOT_FOUND}`);
+  }
+}
+
+interface Waiting {
+  readonly trouble: (what: string, trouble: Trouble | undefined) => void;
+  readonly isClosed: () => boolean;
+}
+
+/** Asks the store for a text until it answers; undefined where the page went before. */
+export function textOf(ask: () => Promise<{ readonly outcome: Outcome; readonly text: string }>, { trouble, isClosed }: Waiting): Promise<string | undefined> {
+  return until(async () => {
+    const { outcome, text } = await ask();
+    trouble('opening', outcome === 'taken' ? undefined : outcome);
+    return outcome === 'taken' ? text : undefined;
+  }, isClosed);
+}
+
+/** The token of a session: the system gives it once (8.2), so that only who had no answer asks again. */
+function tokenOf(address: string, { trouble, isClosed }: Waiting): Promise<string | undefined> {
+  return until(async () => {
+    const response = await fetch(address, { method: 'POST' }).catch(() => undefined);
+    const isAway = response === undefined || response.status >= 500;
+    trouble('opening', isAway ? 'away' : undefined);
+    if (isAway) return undefined;
+    const answer = (await response.json().catch(() => undefined)) as { 'auth-token'?: unknown } | undefined;
+    const token = response.ok ? answer?.['auth-token'] : undefined;
+    if (typeof token === 'string') return token;
+    throw new RecordError('The system that has opened this course did not let it in: what you do is kept in this browser. Open the course there anew to have it recorded.');
+  }, isClosed);
+}
+
+const isShare = (value: unknown): value is number => typeof value === 'number' && value >= 0 && value <= 1;
+
+/** An address to which a page may go. */
+function addressIn(value: unknown): string | undefined {
+  if (typeof value !== 'string' || !URL.canParse(value)) return undefined;
+  return ['https:', 'http:'].includes(new URL(value).protocol) ? value : undefined;
+}
+
+/** What the system says of the launch; undefined where the page went before it has answered. */
+export async function launchOf(link: Link, waiting: Waiting): Promise<Launch | undefined> {
+  const plain = { template: {}, isReview: false, masteryScore: undefined, returnAddress: undefined, isMuted: false };
+  if (link.fetch === undefined) return { ...plain, access: { endpoint: link.endpoint, authorization: link.auth } };
+  const token = await tokenOf(link.fetch, waiting);
+  if (token === undefined) return undefined;
+  const access = { endpoint: link.endpoint, authorization: `Basic ${token}` };
+  const store = new RecordStore(access);
+  const text = await textOf(() => store.state(link.owner, 'LMS.LaunchData'), waiting);
+  if (text === undefined) return undefined;
+  const data = text === '' ? undefined : parsed(text);
+  if (typeof data !== 'object' || data === null) throw new RecordError(`The record store does not say how this course is to be opened. ${NOT_FOUND}`);
+  const { contextTemplate, launchMode = 'Normal', masteryScore, returnURL } = data as { [name: string]: unknown };
+  return {
+    access,
+    template: typeof contextTemplate === 'object' && contextTemplate !== null ? contextTemplate : {},
+    isReview: launchMode !== 'Normal',
+    masteryScore: isShare(masteryScore) ? masteryScore : undefined,
+    returnAddress: addressIn(returnURL),
+    isMuted: await wantsSilence(store, link.owner, waiting),
+  };
+}
+
+/** The learner's preferences (11.2): a story has one language, but it can be silent. */
+async function wantsSilence(store: RecordStore, owner: Owner, { isClosed }: Waiting): Promise<boolean> {
+  // They are a wish: what a system does not give is not waited for.
+  const { text } = isClosed() ? { text: '' } : await store.profile(owner, 'cmi5LearnerPreferences');
+  try {
+    return (JSON.parse(text || '{}') as { audioPreference?: unknown } | null)?.audioPreference === 'off';
+  } catch {
+    return false;
+  }
+}

@@ -1,0 +1,103 @@
+/** What the page of a course says, in the language of the course. */
+
+import type { Trouble } from './trouble.js';
+
+export interface CourseWords {
+  readonly chapters: string;
+  readonly exit: string;
+  readonly left: string;
+  readonly result: string;
+  readonly points: (points: number, most: number) => string;
+  readonly passed: string;
+  readonly failed: string;
+  readonly right: string;
+  readonly wrong: string;
+  readonly unanswered: string;
+  readonly taken: string;
+  readonly yours: (answer: string) => string;
+  readonly solution: (answer: string) => string;
+  readonly again: string;
+  readonly review: string;
+  readonly saved: string;
+  readonly troubles: { readonly [trouble in Trouble]: string };
+}
+
+const EN: CourseWords = {
+  chapters: 'Chapters',
+  exit: 'Leave the course',
+  left: 'You have left the course. You can close this window.',
+  result: 'Your result',
+  points: (points, most) => `${points} of ${most} points`,
+  passed: 'Passed',
+  failed: 'Not passed',
+  right: 'Right',
+  wrong: 'Not right',
+  unanswered: 'Not answered',
+  taken: 'Answered',
+  yours: (answer) => `Your answer: ${answer}`,
+  solution: (answer) => `Right: ${answer}`,
+  again: 'Try again',
+  review: 'Watch again',
+  saved: 'Everything is saved.',
+  troubles: {
+    away: 'Not saved yet: the system cannot be reached. What you do is kept in this browser, and saved as soon as it can be.',
+    denied: 'Not saved: the system does not let this course in any more. What you do is kept in this browser; open the course there anew.',
+    refused: 'Not all is saved: the system has refused a part of it. It is kept in this browser, and tried again.',
+    unkept: 'This browser keeps nothing here: what is not saved yet would be lost if you closed this page.',
+  },
+};
+
+const PT: CourseWords = {
+  chapters: 'Capítulos',
+  exit: 'Sair do curso',
+  left: 'Saiu do curso. Pode fechar esta janela.',
+  result: 'O seu resultado',
+  points: (points, most) => `${points} de ${most} pontos`,
+  passed: 'Aprovado',
+  failed: 'Não aprovado',
+  right: 'Certo',
+  wrong: 'Não está certo',
+  unanswered: 'Sem resposta',
+  taken: 'Respondido',
+  yours: (answer) => `A sua resposta: ${answer}`,
+  solution: (answer) => `Certo: ${answer}`,
+  again: 'Tentar outra vez',
+  review: 'Ver outra vez',
+  saved: 'Está tudo guardado.',
+  troubles: {
+    away: 'Ainda não guardado: o sistema não responde. O que faz fica neste navegador e é guardado logo que possível.',
+    denied: 'Não guardado: o sistema já não aceita este curso. O que faz fica neste navegador; abra lá o curso de novo.',
+    refused: 'Nem tudo está guardado: o sistema recusou uma parte. Fica neste navegador e tenta-se outra vez.',
+    unkept: 'Este navegador não guarda nada aqui: o que ainda não foi guardado perde-se ao fechar esta página.',
+  },
+};
+
+const DE: CourseWords = {
+  chapters: 'Kapitel',
+  exit: 'Kurs verlassen',
+  left: 'Sie haben den Kurs verlassen. Sie können dieses Fenster schließen.',
+  result: 'Ihr Ergebnis',
+  points: (points, most) => `${points} von ${most} Punkten`,
+  passed: 'Bestanden',
+  failed: 'Nicht bestanden',
+  right: 'Richtig',
+  wrong: 'Nicht richtig',
+  unanswered: 'Nicht beantwortet',
+  taken: 'Beantwortet',
+  yours: (answer) => `Ihre Antwort: ${answer}`,
+  solution: (answer) => `Richtig: ${answer}`,
+  again: 'Noch einmal versuchen',
+  review: 'Noch einmal ansehen',
+  saved: 'Alles ist gespeichert.',
+  troubles: {
+    away: 'Noch nicht gespeichert: Das System ist nicht erreichbar. Was Sie tun, bleibt in diesem Browser und wird gespeichert, sobald es geht.',
+    denied: 'Nicht gespeichert: Das System lässt diesen Kurs nicht mehr ein. Was Sie tun, bleibt in diesem Browser; öffnen Sie den Kurs dort neu.',
+    refused: 'Nicht alles ist gespeichert: Das System hat einen Teil abgelehnt. Er bleibt in diesem Browser und wird wieder versucht.',
+    unkept: 'Dieser Browser behält hier nichts: Was noch nicht gespeichert ist, geht verloren, wenn Sie diese Seite schließen.',
+  },
+};
+
+const LANGUAGES: { readonly [language: string]: CourseWords | undefined } = { en: EN, pt: PT, de: DE };
+
+/** The words of a language, a tag of BCP 47; English where there are none. */
+export const wordsOf = (language: string): CourseWords => LANGUAGES[language.toLowerCase().split('-')[0] ?? ''] ?? EN;
