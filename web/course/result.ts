@@ -35,7 +35,7 @@ function row(question: Question, answered: Answered | undefined, words: CourseWo
 }
 
 /** A gap is a place to be filled. */
-const promptOf = ({ kind, prompt }: Question): string => (kind === 'gap' ? prompt.replaceAll(/\[[^[\]]*\]/g, '…') : prompt);
+const promptOf = ({ kind, prompt }: Question): string => (kind === 'gap' ? prompt.replaceAll(/\[[^[\]]*\]/g, '___') : prompt);
 
 /** Draws the result into a section of the page. */
 export function showResult(into: HTMLElement, { questions, answered, score, isPassed }: Attempt, words: CourseWords, actions: ResultActions): void {

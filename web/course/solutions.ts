@@ -5,6 +5,7 @@ import type { Question, QuestionOption } from '../element/types.js';
 const LIST = ', ';
 const ORDER = ' → ';
 const PAIR = ' – ';
+const PAIRS = '; ';
 const OR = ' / ';
 
 const texts = (options: readonly QuestionOption[], between: string): string => options.map(({ text }) => text).join(between);
@@ -26,7 +27,7 @@ export function givenText({ kind, options }: Question, given: readonly string[])
         ORDER,
       );
     case 'match':
-      return options.flatMap(({ text }, i) => (named(given[i]) === undefined ? [] : [`${text}${PAIR}${named(given[i])?.partner ?? ''}`])).join(LIST);
+      return options.flatMap(({ text }, i) => (named(given[i]) === undefined ? [] : [`${text}${PAIR}${named(given[i])?.partner ?? ''}`])).join(PAIRS);
     default:
       return given.filter((text) => text !== '').join(LIST);
   }
@@ -44,7 +45,7 @@ export function rightText({ kind, options }: Question): string {
     case 'order':
       return texts(options, ORDER);
     case 'match':
-      return options.map(({ text, partner = '' }) => `${text}${PAIR}${partner}`).join(LIST);
+      return options.map(({ text, partner = '' }) => `${text}${PAIR}${partner}`).join(PAIRS);
     case 'gap':
       return options.map(({ accepts = [] }) => accepts[0] ?? '').join(LIST);
     case 'number':

@@ -1,0 +1,326 @@
+/** A learner's session: what is done before the system answers, new attempts, the last score, and copies where systems lose something. */
+
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { Course } from '../course/course.js';
+import { NOTHING, readMemory, writeMemory } from '../course/memory.js';
+import { MOST_MEMORY, Scorm, SCORM_12 } from '../course/scorm.js';
+import { BrowserRecord } from '../course/storage.js';
+import { XapiRecord } from '../course/xapi.js';
+import type { Question } from '../element/types.js';
+import { FakePlayer } from './course-learner.js';
+import { verbOf, type Told } from './course-statements.js';
+import { COURSE, FakeStore, launchOf, memoryAt, prepare, settled, shelf, verbs } from './course-store.js';
+
+let store: FakeStore;
+let page: EventTarget;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  store = new FakeStore();
+  prepare(store, 'Normal');
+  page = new EventTarget();
+  vi.stubGlobal('fetch', store.fetch);
+  vi.stubGlobal('document', Object.assign(new EventTarget(), { hidden: false }));
+  vi.stubGlobal('addEventListener', page.addEventListener.bind(page));
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+const asked = (name: string, atSecs: number, points = 1): Question => ({
+  order: atSecs,
+  name,
+  kind: 'choice',
+  atSecs,
+  endSecs: atSecs,
+  prompt: 'Which?',
+  points,
+  tries: 1,
+  options: [
+    { name: 'yes', text: 'Yes', isRight: true },
+    { name: 'no', text: 'No', isRight: false },
+  ],
+  answers: [],
+});
+const QUESTIONS = Array.from({ length: 10 }, (_, i) => asked(`q${i}`, 3 + 5 * i));
+
+function playerWith(questions: readonly Question[] = QUESTIONS): FakePlayer {
+  const player = new FakePlayer();
+  player.ask(questions);
+  return player;
+}
+
+/** A system of SCORM 1.2 that keeps what it takes. */
+function system(values = new Map<string, string>(), learner = '7') {
+  const api = {
+    LMSInitialize: () => 'true',
+    LMSGetValue: (element: string) => (element === 'cmi.core.student_id' ? learner : (values.get(element) ?? '')),
+    LMSSetValue: (element: string, value: string) => String(values.set(element, value).size > 0),
+    LMSCommit: () => 'true',
+    LMSFinish: () => 'true',
+    LMSGetLastError: () => '0',
+  };
+  const top = { API: api, API_1484_11: undefined, parent: undefined as unknown };
+  top.parent = top;
+  return { api, values, window: top as unknown as Window };
+}
+
+const scores = (): unknown[] =>
+  (store.statements as unknown as Told[]).flatMap((it) =>
+    verbOf(it) === 'answered' || it.result?.['score'] === undefined ? [] : [[verbOf(it), (it.result['score'] as { raw: number }).raw]],
+  );
+
+for (const isCmi5 of [false, true]) {
+  const name = isCmi5 ? 'cmi5' : 'xAPI';
+
+  it(`the last statement of ${name} has the last score, whenever somebody had points enough`, async () => {
+    const player = playerWith();
+    const course = new Course(player.real, new XapiRecord(launchOf(isCmi5), COURSE, shelf()), { watched: 0.5, pass: 0.6 });
+    await course.begin();
+    player.pass(40);
+    for (const [i, { name: question, atSecs }] of QUESTIONS.entries()) player.answer(atSecs, [i === 3 || question === 'q5' ? 'no' : 'yes']);
+    player.pass(60);
+    course.close();
+    await settled();
+    expect(scores()).toEqual(
+      isCmi5
+        ? [['passed', 8]]
+        : [
+            ['passed', 8],
+            ['terminated', 8],
+          ],
+    );
+    expect((store.statements as unknown as Told[]).filter((it) => verbOf(it) === 'completed').map(({ result }) => result?.['score'])).toEqual([undefined]);
+  });
+
+  it(`who has passed with ${name} and answers more in a later session has the score of that`, async () => {
+    const kept = shelf();
+    for (const [from, to] of [
+      [0, 7],
+      [7, 10],
+    ] as const) {
+      store.tokens = 0;
+      const player = playerWith();
+      const course = new Course(player.real, new XapiRecord(launchOf(isCmi5), COURSE, kept), { watched: 0.5, pass: 0.6 });
+      await course.begin();
+      player.pass(40);
+      for (const { atSecs } of QUESTIONS.slice(from, to)) player.answer(atSecs, ['yes']);
+      course.close();
+      await settled();
+    }
+    expect(scores()).toEqual(
+      isCmi5
+        ? [
+            ['passed', 7],
+            ['scored', 10],
+          ]
+        : [
+            ['passed', 7],
+            ['terminated', 7],
+            ['scored', 10],
+            ['terminated', 10],
+          ],
+    );
+    expect(verbs(store).at(-1)).toBe('terminated');
+  });
+
+  it(`who is at work when the store of ${name} answers is not brought elsewhere, and has all that was answered before`, async () => {
+    const first = playerWith();
+    const before = new Course(first.real, new XapiRecord(launchOf(isCmi5), COURSE, undefined), { watched: 0.9 });
+    await before.begin();
+    for (const { atSecs } of QUESTIONS.slice(0, 4)) first.answer(atSecs, ['yes']);
+    first.pass(5);
+    before.close();
+    await settled();
+    store.tokens = 0;
+    store.isAway = true;
+    const player = playerWith();
+    const course = new Course(player.real, new XapiRecord(launchOf(isCmi5), COURSE, shelf()), { watched: 0.9 });
+    const begun = course.begin();
+    await settled();
+    player.pass(2);
+    player.answer(3, ['no']);
+    player.answer(8, ['yes']);
+    await vi.advanceTimersByTimeAsync(100_000);
+    store.isAway = false;
+    await vi.advanceTimersByTimeAsync(100_000);
+    await begun;
+    expect(player.currentTime).toBe(8);
+    // What was right stays right.
+    expect(player.score.points).toBe(4);
+    course.close();
+    await settled();
+    expect(verbs(store).filter((verb) => verb === 'answered')).toHaveLength(6);
+  });
+}
+
+it('a story that goes on elsewhere by itself is not sought', async () => {
+  const player = playerWith();
+  const course = new Course(player.real, new XapiRecord(launchOf(false), COURSE, shelf()), { watched: 0.9 });
+  await course.begin();
+  player.dispatchEvent(Object.assign(new Event('leap'), { detail: { fromSecs: 3, toSecs: 20 } }));
+  player.seek(20);
+  player.seek(40);
+  course.close();
+  await settled();
+  expect(verbs(store)).toEqual(['initialized', 'seeked', 'terminated']);
+});
+
+it('an attempt that failed is not for good: a new one begins at nothing, and the better one counts', async () => {
+  const { window, values } = system();
+  const player = playerWith();
+  const course = new Course(player.real, new Scorm(SCORM_12, 'x', shelf(), window), { watched: 0, pass: 0.6 });
+  const told = () => ['lesson_status', 'score.raw'].map((name) => values.get(`cmi.core.${name}`));
+  await course.begin();
+  for (const [i, { atSecs }] of QUESTIONS.entries()) player.answer(atSecs, [i < 3 ? 'yes' : 'no']);
+  expect(told()).toEqual(['failed', '3']);
+  course.again();
+  expect([player.currentTime, player.score.points, player.state().answered]).toEqual([0, 0, []]);
+  player.answer(3, ['yes']);
+  expect(told()).toEqual(['failed', '3']);
+  for (const { atSecs } of QUESTIONS.slice(1)) player.answer(atSecs, ['yes']);
+  expect(told()).toEqual(['passed', '10']);
+  course.again();
+  for (const { atSecs } of QUESTIONS) player.answer(atSecs, ['no']);
+  expect(told()).toEqual(['passed', '10']);
+  course.close();
+  // In a later session, too.
+  const later = playerWith();
+  await new Course(later.real, new Scorm(SCORM_12, 'x', shelf(), window), { watched: 0, pass: 0.6 }).begin();
+  expect([told(), later.score.points]).toEqual([['passed', '10'], 0]);
+});
+
+it('a session of SCORM goes on from its first moment, and its memory has room in every system', async () => {
+  const { window, values } = system();
+  const player = playerWith([{ ...asked('why', 3), kind: 'text', tries: 3, options: [{ name: 'all', text: '', isRight: true, accepts: ['frog'] }] }]);
+  const record = new Scorm(SCORM_12, 'x', shelf(), window);
+  await record.open();
+  expect(values.get('cmi.core.exit')).toBe('suspend');
+  await new Course(player.real, record, { watched: 0.9 }).begin();
+  player.answer(3, [`frog ${Array.from({ length: 9000 }, (_, i) => String.fromCharCode(0x4e00 + ((i * 7919) % 20_000))).join('')}`]);
+  const text = values.get('cmi.suspend_data') ?? '';
+  expect(text.length).toBeLessThanOrEqual(MOST_MEMORY);
+  const again = playerWith(player.questions);
+  await new Course(again.real, new Scorm(SCORM_12, 'x', undefined, window), { watched: 0.9 }).begin();
+  expect([again.score.points, again.lesson.answered[0]?.isFinal]).toEqual([1, true]);
+});
+
+it('what a system loses is there in the browser: of the same learner, and not in a new attempt', async () => {
+  const kept = shelf();
+  const first = playerWith();
+  const { window } = system();
+  const course = new Course(first.real, new Scorm(SCORM_12, 'x', kept, window), { watched: 0.9 });
+  await course.begin();
+  first.answer(3, ['yes']);
+  first.pass(2);
+  course.close();
+  const placeIn = async (values: Map<string, string>, learner = '7') => {
+    const player = playerWith();
+    const copy = shelf();
+    for (const [key, value] of kept.values) copy.setItem(key, value);
+    await new Course(player.real, new Scorm(SCORM_12, 'x', copy, system(values, learner).window), { watched: 0.9 }).begin();
+    return [player.currentTime, player.score.points];
+  };
+  expect(await placeIn(new Map([['cmi.core.entry', 'resume']]))).toEqual([5, 1]);
+  expect(
+    await placeIn(
+      new Map([
+        ['cmi.core.entry', 'resume'],
+        ['cmi.suspend_data', '{"broken'],
+      ]),
+    ),
+  ).toEqual([5, 1]);
+  expect(await placeIn(new Map([['cmi.core.entry', 'ab-initio']]))).toEqual([0, 0]);
+  expect(await placeIn(new Map([['cmi.core.entry', 'resume']]), '8')).toEqual([0, 0]);
+  // Another browser has brought the learner further.
+  const further = writeMemory({ ...memoryAt(40), session: 9 });
+  expect(
+    await placeIn(
+      new Map([
+        ['cmi.core.entry', 'resume'],
+        ['cmi.suspend_data', further],
+      ]),
+    ),
+  ).toEqual([40, 1]);
+});
+
+it('what a system of SCORM refuses is said, until it takes it', async () => {
+  for (const fault of ['LMSSetValue', 'LMSCommit'] as const) {
+    for (const wrong of ['false', 'throws']) {
+      const { api, window, values } = system();
+      const right = api[fault] as (...given: string[]) => string;
+      let isWrong = true;
+      (api as unknown as { [method: string]: unknown })[fault] = (...given: string[]) => {
+        if (!isWrong) return right(...given);
+        if (wrong === 'throws') throw new Error('away');
+        return 'false';
+      };
+      const player = playerWith();
+      const record = new Scorm(SCORM_12, 'x', shelf(), window);
+      const troubles: unknown[] = [];
+      record.troubles.listen((trouble) => troubles.push(trouble));
+      await new Course(player.real, record, { watched: 0.9 }).begin();
+      player.answer(3, ['yes']);
+      await vi.advanceTimersByTimeAsync(30_000);
+      expect(troubles.at(-1)).toBe(fault === 'LMSSetValue' ? 'refused' : 'away');
+      isWrong = false;
+      player.pass(1);
+      await vi.advanceTimersByTimeAsync(30_000);
+      expect([fault, wrong, troubles.at(-1), values.get('cmi.interactions.0.result')]).toEqual([fault, wrong, undefined, 'correct']);
+    }
+  }
+});
+
+it('a system of SCORM 1.2 without answers is one, and nothing is wrong', async () => {
+  const { api, window } = system();
+  api.LMSGetLastError = () => '401';
+  const set = api.LMSSetValue;
+  api.LMSSetValue = (element, value) => (element.startsWith('cmi.interactions') ? 'false' : set(element, value));
+  const player = playerWith();
+  const record = new Scorm(SCORM_12, 'x', shelf(), window);
+  const troubles: unknown[] = [];
+  record.troubles.listen((trouble) => troubles.push(trouble));
+  await new Course(player.real, record, { watched: 0.9 }).begin();
+  player.answer(3, ['yes']);
+  await vi.advanceTimersByTimeAsync(30_000);
+  expect(troubles).toEqual([]);
+});
+
+it('who only looks at a course finds it as it was left, and nothing is told', async () => {
+  const { window, values } = system();
+  values.set('cmi.core.lesson_mode', 'review');
+  values.set('cmi.suspend_data', writeMemory({ ...memoryAt(20), answered: [{ name: 'q0', given: ['yes'], tries: 1 }] }));
+  const before = new Map(values);
+  const player = playerWith();
+  const course = new Course(player.real, new Scorm(SCORM_12, 'x', shelf(), window), { watched: 0.9 });
+  await course.begin();
+  expect([player.currentTime, player.score.points]).toEqual([20, 1]);
+  player.pass(40);
+  player.answer(8, ['yes']);
+  course.close();
+  expect(values).toEqual(before);
+});
+
+it('a learner who leaves before the story is there leaves it as it was', async () => {
+  const { window, values } = system();
+  values.set('cmi.suspend_data', writeMemory(memoryAt(20)));
+  values.set('cmi.core.entry', 'resume');
+  const player = playerWith();
+  player.readyState = 0;
+  void new Course(player.real, new Scorm(SCORM_12, 'x', shelf(), window), { watched: 0.9 }).begin();
+  await settled();
+  page.dispatchEvent(new Event('pagehide'));
+  expect(readMemory(values.get('cmi.suspend_data') ?? '')).toEqual(memoryAt(20));
+  expect(readMemory('')).toBe(NOTHING);
+});
+
+it('a browser that keeps nothing says so', async () => {
+  const record = new BrowserRecord('x', undefined);
+  const troubles: unknown[] = [];
+  record.troubles.listen((trouble) => troubles.push(trouble));
+  const player = playerWith();
+  await new Course(player.real, record, { watched: 0.9 }).begin();
+  player.answer(3, ['yes']);
+  expect(troubles).toEqual(['unkept']);
+});
