@@ -1,7 +1,7 @@
 /** What the controls and the keys of a player do. */
 
 import type { BarActions } from './controls.js';
-import type { PlayerContext } from './context.js';
+import { wordsFor, type PlayerContext } from './context.js';
 import type { KeyActions } from './keyboard.js';
 import { hasCaptions } from './show.js';
 
@@ -14,7 +14,7 @@ export function actionsOf(context: PlayerContext): KeyActions & BarActions {
       const { lesson, form } = context.questioner;
       // The story goes on when it has its answer.
       if (player.paused && lesson.asked !== undefined) return form.focus();
-      if (player.paused) player.play().catch((error: Error) => error.name !== 'AbortError' && say('The story could not be started'));
+      if (player.paused) player.play().catch((error: Error) => error.name !== 'AbortError' && say(wordsFor(player).notStarted));
       else player.pause();
     },
     seekTo: (secs) => (player.currentTime = secs),
@@ -34,7 +34,8 @@ export function actionsOf(context: PlayerContext): KeyActions & BarActions {
       if (context.show !== undefined) context.show.refusesCaptions = !on;
       player.captions = on;
       player.requestUpdate();
-      say(on ? 'Captions on' : 'Captions off');
+      const { captionsOn, captionsOff } = wordsFor(player);
+      say(on ? captionsOn : captionsOff);
     },
     toggleFullscreen: () => {
       const change = isFullscreen() ? document.exitFullscreen() : player.requestFullscreen();

@@ -60,10 +60,36 @@ export function formatTime(secs: number): string {
   return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;
 }
 
-/** `1 minute 5 seconds`, as it is read aloud. */
-export function spokenTime(secs: number): string {
+type Unit = 'hour' | 'minute' | 'second';
+
+/** To make one takes longer than all the rest, and the bar is drawn often. */
+const formats = new Map<string, Intl.NumberFormat>();
+
+function formatOf(language: string, unit: Unit): Intl.NumberFormat {
+  const name = `${language} ${unit}`;
+  const known = formats.get(name);
+  if (known !== undefined) return known;
+  const options = { style: 'unit', unit, unitDisplay: 'long' } as const;
+  let made: Intl.NumberFormat;
+  try {
+    made = new Intl.NumberFormat(language, options);
+  } catch {
+    // What a page says is no language.
+    made = new Intl.NumberFormat('en', options);
+  }
+  formats.set(name, made);
+  return made;
+}
+
+/** `1 minute 5 seconds`, as it is read aloud in a language (a tag of BCP 47). */
+export function spokenTime(secs: number, language = 'en'): string {
   const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
-  const unit = (n: number, name: string) => (n === 0 ? [] : [`${n} ${name}${n === 1 ? '' : 's'}`]);
-  const parts = [...unit(Math.floor(whole / 3600), 'hour'), ...unit(Math.floor(whole / 60) % 60, 'minute'), ...unit(whole % 60, 'second')];
-  return parts.length === 0 ? '0 seconds' : parts.join(' ');
+  const unit = (n: number, name: Unit) => formatOf(language, name).format(n);
+  const parts = [
+    [Math.floor(whole / 3600), 'hour'],
+    [Math.floor(whole / 60) % 60, 'minute'],
+    [whole % 60, 'second'],
+  ] as const;
+  const said = parts.filter(([n]) => n > 0).map(([n, name]) => unit(n, name));
+  return said.length === 0 ? unit(0, 'second') : said.join(' ');
 }

@@ -1,5 +1,6 @@
 /** What the parts of a player share: the element makes one context and hands it to each of them. */
 
+import { controlWords, type ControlWords } from './control-words.js';
 import type { Diagnostics } from './diagnostics.js';
 import type { RaconteurPlayer } from './element.js';
 import type { PlayerEventMap } from './events.js';
@@ -44,6 +45,12 @@ export interface PlayerContext {
 export function fire<K extends keyof PlayerEventMap>(player: RaconteurPlayer, type: K, detail: PlayerEventMap[K]['detail']): void {
   player.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
 }
+
+/** The language of what a player itself says, its controls: its own, or that of the page around it. */
+export const controlLanguage = (player: RaconteurPlayer): string => player.lang || languageAround(player);
+
+/** What the controls of a player say. */
+export const wordsFor = (player: RaconteurPlayer): ControlWords => controlWords(controlLanguage(player));
 
 /** The language of the page around a player, a tag of BCP 47; that of who reads where the page tells none. */
 export function languageAround(player: RaconteurPlayer): string {

@@ -5,6 +5,7 @@ import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { classMap } from 'lit/directives/class-map.js';
 import type { captionAt } from './captions.js';
 import { formatTime, spokenTime } from './clock.js';
+import type { ControlWords } from './control-words.js';
 import { icons } from './icons.js';
 import type { Diagnostic, Place } from './types.js';
 
@@ -13,6 +14,9 @@ const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
 
 /** What the bar shows. */
 export interface BarState {
+  readonly words: ControlWords;
+  /** Of the words, a tag of BCP 47. */
+  readonly language: string;
   readonly paused: boolean;
   readonly ended: boolean;
   readonly position: number;
@@ -52,11 +56,12 @@ const filled = directive(
 
 /** The bar of controls. */
 export function bar(state: BarState, actions: BarActions): TemplateResult {
-  const { position, duration } = state;
+  const { position, duration, words, language } = state;
   const share = duration > 0 ? (100 * position) / duration : 0;
   const silent = state.muted || state.volume === 0;
-  const playLabel = state.ended ? 'Play again' : state.paused ? 'Play' : 'Pause';
+  const playLabel = state.ended ? words.playAgain : state.paused ? words.play : words.pause;
   const playIcon = state.ended ? icons.replay : state.paused ? icons.play : icons.pause;
+  const screenLabel = state.fullscreen ? words.leaveFullScreen : words.fullScreen;
   const speeds = SPEEDS.includes(state.rate) ? SPEEDS : [...SPEEDS, state.rate].sort((a, b) => a - b);
   return html`<div class=${classMap({ bar: true, gone: state.gone })} part="controls">
     <input
@@ -68,18 +73,18 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
       step="0.01"
       .value=${String(position)}
       ${filled(share)}
-      aria-label="Seek"
-      aria-valuetext="${spokenTime(position)} of ${spokenTime(duration)}"
+      aria-label=${words.seek}
+      aria-valuetext=${words.of(spokenTime(position, language), spokenTime(duration, language))}
       @input=${(event: Event) => actions.seekTo(number(event))}
     />
-    <button part="button play" aria-label=${playLabel} title="${playLabel} (space)" @click=${actions.toggle}>${playIcon}</button>
+    <button part="button play" aria-label=${playLabel} title="${playLabel} (${words.space})" @click=${actions.toggle}>${playIcon}</button>
     <span class="time" part="time">${formatTime(position)} / ${formatTime(duration)}</span>
     <span></span>
     <button
       part="button mute"
-      aria-label="Mute"
+      aria-label=${words.mute}
       aria-pressed=${state.muted ? 'true' : 'false'}
-      title="${silent ? 'Sound on' : 'Mute'} (M)"
+      title="${silent ? words.soundOn : words.mute} (M)"
       @click=${actions.toggleMuted}
     >
       ${silent ? icons.silent : icons.loud}
@@ -93,18 +98,18 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
       step="0.05"
       .value=${String(silent ? 0 : state.volume)}
       ${filled(silent ? 0 : state.volume * 100)}
-      aria-label="Volume"
-      aria-valuetext="${Math.round(silent ? 0 : state.volume * 100)} percent"
+      aria-label=${words.volume}
+      aria-valuetext=${words.percent(Math.round(silent ? 0 : state.volume * 100))}
       @input=${(event: Event) => actions.setVolume(number(event))}
     />
-    <select class="speed" part="speed" aria-label="Speed" title="Speed" @change=${(event: Event) => actions.setRate(number(event))}>
+    <select class="speed" part="speed" aria-label=${words.speed} title=${words.speed} @change=${(event: Event) => actions.setRate(number(event))}>
       ${speeds.map((s) => html`<option value=${s} .selected=${s === state.rate}>${s}×</option>`)}
     </select>
     <button
       part="button captions-button"
-      aria-label="Captions"
+      aria-label=${words.captions}
       aria-pressed=${state.captions ? 'true' : 'false'}
-      title="Captions (C)"
+      title="${words.captions} (C)"
       @click=${actions.toggleCaptions}
     >
       ${icons.captions}
@@ -113,8 +118,8 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
       state.canFullscreen
         ? html`<button
           part="button fullscreen"
-          aria-label=${state.fullscreen ? 'Leave full screen' : 'Full screen'}
-          title="${state.fullscreen ? 'Leave full screen' : 'Full screen'} (F)"
+          aria-label=${screenLabel}
+          title="${screenLabel} (F)"
           @click=${actions.toggleFullscreen}
         >
           ${state.fullscreen ? icons.leave : icons.enter}
@@ -158,35 +163,35 @@ export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResu
 const where = (place: Place): string => `Line ${place.line}, column ${place.column}:`;
 
 /** A story that cannot be played at all. */
-export function failure(message: string, retry: () => void): TemplateResult {
+export function failure(words: ControlWords, message: string, retry: () => void): TemplateResult {
   return html`<div class="failure" part="error" role="alert">
-    <p><strong>The story cannot be told</strong>${message}</p>
-    <button part="button retry" @click=${retry}>Try again</button>
+    <p><strong>${words.untold}</strong>${message}</p>
+    <button part="button retry" @click=${retry}>${words.tryAgain}</button>
   </div>`;
 }
 
 /** The picture is lost, the story is not; a film may stand in for it. */
-export function pictureLost(recovering: boolean, hasFilm: boolean, retry: () => void): TemplateResult {
+export function pictureLost(words: ControlWords, recovering: boolean, hasFilm: boolean, retry: () => void): TemplateResult {
   return html`<div class="note" part="picture-lost">
-    ${hasFilm ? 'No picture can be drawn here; a film of the story is shown.' : 'The picture is lost; the story goes on in sound and captions.'}
-    ${recovering ? 'Bringing it back…' : html`<button part="button retry" @click=${retry}>${hasFilm ? 'Try to draw it' : 'Bring it back'}</button>`}
+    ${hasFilm ? words.filmShown : words.pictureLost}
+    ${recovering ? words.bringingBack : html`<button part="button retry" @click=${retry}>${hasFilm ? words.tryToDraw : words.bringBack}</button>`}
   </div>`;
 }
 
 /** The big button before a story begins and after it ends. */
-export function bigButton(ended: boolean, play: () => void): TemplateResult {
+export function bigButton(words: ControlWords, ended: boolean, play: () => void): TemplateResult {
   return html`<div class="overlay">
-    <button part="big-play" aria-label=${ended ? 'Play the story again' : 'Play the story'} @click=${play}>
+    <button part="big-play" aria-label=${ended ? words.playStoryAgain : words.playStory} @click=${play}>
       <span class="disc">${ended ? icons.replay : icons.play}</span>
     </button>
   </div>`;
 }
 
 /** How far loading is. */
-export function loadingProgress(share: number): TemplateResult {
+export function loadingProgress(words: ControlWords, share: number): TemplateResult {
   return html`<div class="progress">
-    <progress max="1" .value=${share} aria-label="Loading the story"></progress>
-    <span>The storyteller is getting ready…</span>
+    <progress max="1" .value=${share} aria-label=${words.loading}></progress>
+    <span>${words.gettingReady}</span>
   </div>`;
 }
 

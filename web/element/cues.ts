@@ -1,6 +1,6 @@
 /** What happens in a story as events of the element. */
 
-import { fire, type PlayerContext } from './context.js';
+import { fire, wordsFor, type PlayerContext } from './context.js';
 import { dispatch } from './media-events.js';
 import type { Show } from './show.js';
 import type { TransportEvent } from './transport.js';
@@ -29,9 +29,9 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   }
   if (event === 'play') {
     context.started = true;
-    say('Playing');
+    say(wordsFor(player).playing);
   }
-  if (event === 'pause') say(player.ended ? 'The story has ended' : 'Paused');
+  if (event === 'pause') say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
   if (event === 'seeked') {
     const { picture } = context.show ?? {};
     if (context.questioner.isTurning) picture?.leap(player.currentTime);

@@ -4,7 +4,7 @@ import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
 import { attributes } from './attributes.js';
 import { FigureLoader } from './figure-loader.js';
-import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
 import type { ElementEventMap, Listener } from './events.js';
 import { Diagnostics } from './diagnostics.js';
@@ -185,7 +185,7 @@ export class RaconteurPlayer extends MediaElement {
       this.#frames.keep();
       this.#frames.advance();
       if (this.autoplay && this.#playback.mayAutoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
-        this.play().catch(() => this.#say('Press play to begin'));
+        this.play().catch(() => this.#say(wordsFor(this).pressPlay));
       }
     },
     failed: (message) => this.#playback.fail(message),

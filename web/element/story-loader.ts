@@ -5,7 +5,7 @@ import { chooseBackends, decodeScript, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
-import { credentialsOf, languageAround, languageOf, libraryOf, type PlayerContext } from './context.js';
+import { credentialsOf, languageAround, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
 import type { FigureFile } from './figure.js';
 import { PictureKeeper, type Opened } from './keeper.js';
 import { LiveScript } from './live.js';
@@ -415,7 +415,7 @@ export class StoryLoader {
   #setLost(lost: 'no' | 'recovering' | 'yes', signal: AbortSignal): void {
     if (signal.aborted) return;
     this.#lost = lost;
-    if (lost !== 'no') this.#context.say('The picture is lost; the story goes on in sound and captions');
+    if (lost !== 'no') this.#context.say(wordsFor(this.#context.player).pictureLost);
     this.#context.player.requestUpdate();
     this.#context.advance();
   }

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import type { captionAt } from './captions.js';
+import { controlLanguage, wordsFor } from './context.js';
 import * as controls from './controls.js';
 import type { RaconteurPlayer } from './element.js';
 import type { Idle } from './idle.js';
@@ -29,6 +30,7 @@ export interface TemplateState {
 
 export function template(state: TemplateState, actions: controls.BarActions): TemplateResult {
   const { player, show, stories, idle, started, film, questioner } = state;
+  const words = wordsFor(player);
   const before = (show !== undefined || stories.waits) && player.paused && (!started || player.ended) && questioner.lesson.asked === undefined;
   const shown = show !== undefined && stories.lost === 'no';
   // What a film stands in for is told where it is not watched.
@@ -39,9 +41,9 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
         ${film ?? stories.canvas}
       </div>
       ${player.poster && poster ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
-      ${stories.share === undefined ? nothing : controls.loadingProgress(stories.share)}
+      ${stories.share === undefined ? nothing : controls.loadingProgress(words, stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
-      ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
+      ${before ? controls.bigButton(words, player.ended, actions.toggle) : nothing}
       ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
         ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
@@ -49,10 +51,10 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       </div>
       ${question(questioner)}
       <div class="notes">
-        ${stories.lost !== 'no' && told ? controls.pictureLost(stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
+        ${stories.lost !== 'no' && told ? controls.pictureLost(words, stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
         ${player.remarks && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
       </div>
-      ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
+      ${player.error ? controls.failure(words, player.error.message, () => void player.load()) : nothing}
       <div class="unseen" role="status">${state.announcement}</div>
     </div>
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
@@ -65,6 +67,8 @@ function question({ lesson: { asked }, form }: Questioner): TemplateResult | typ
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {
   return controls.bar(
     {
+      words: wordsFor(player),
+      language: controlLanguage(player),
       paused: player.paused,
       ended: player.ended,
       position: player.currentTime,

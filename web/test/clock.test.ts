@@ -23,5 +23,6 @@ test('speeds outside the range are brought into it', () => {
 
 test('times are written and spoken as people do', () => {
   expect([0, 65.9, 3725, NaN].map(formatTime)).toEqual(['0:00', '1:05', '1:02:05', '0:00']);
-  expect([0, 1, 65, 3600].map(spokenTime)).toEqual(['0 seconds', '1 second', '1 minute 5 seconds', '1 hour']);
+  expect([0, 1, 65, 3600].map((secs) => spokenTime(secs))).toEqual(['0 seconds', '1 second', '1 minute 5 seconds', '1 hour']);
+  expect([spokenTime(65, 'de'), spokenTime(61, 'pt'), spokenTime(1, 'no language!')]).toEqual(['1 Minute 5 Sekunden', '1 minuto 1 segundo', '1 second']);
 });
