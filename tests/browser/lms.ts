@@ -22,17 +22,23 @@ export function exported(standard: string, story = HELLO, ...more: readonly stri
 
 /** The systems, and where each has the status. */
 export const SYSTEMS = {
-  scorm12: { object: 'API', made: 'Scorm12API', commit: 'LMSCommit', status: ['core', 'lesson_status'], memory: 'suspend_data' },
-  scorm2004: { object: 'API_1484_11', made: 'Scorm2004API', commit: 'Commit', status: ['completion_status'], memory: 'suspend_data' },
+  scorm12: { object: 'API', made: 'Scorm12API', set: 'LMSSetValue', commit: 'LMSCommit', status: ['core', 'lesson_status'], memory: 'suspend_data' },
+  scorm2004: { object: 'API_1484_11', made: 'Scorm2004API', set: 'SetValue', commit: 'Commit', status: ['completion_status'], memory: 'suspend_data' },
 } as const;
 
-/** The page of the system: it keeps what is committed, and gives it to the next session. */
-const pageOf = ({ object, made, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>A system</title>
+/** The page of the system: it keeps what is committed, and gives it to the next session; while `refuses` is set it takes nothing. */
+const pageOf = ({ object, made, set, commit }: (typeof SYSTEMS)[keyof typeof SYSTEMS]) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>A system</title>
   <script src="system.js"></script>
   <script>
     const api = (window.${object} = new ${made}({ autocommit: false }));
     const kept = localStorage.getItem('kept');
     if (kept !== null) api.loadFromJSON(JSON.parse(kept), '');
+    for (const method of ['${set}', '${commit}']) {
+      const right = api[method].bind(api);
+      api[method] = (...given) => (window.refuses ? 'false' : right(...given));
+    }
+    Object.assign(api.cmi, api.cmi.core === undefined ? { learner_id: '7' } : {});
+    if (api.cmi.core !== undefined) api.cmi.core.student_id = '7';
     api.on('${commit}', () => localStorage.setItem('kept', JSON.stringify(api.renderCMIToJSONObject())));
   </script>
   <iframe src="course/index.html" title="The course" width="460" height="340" allow="autoplay"></iframe></html>`;

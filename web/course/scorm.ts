@@ -228,6 +228,7 @@ export class Scorm implements Record {
     if (this.#api === undefined) return;
     const { names } = this.#version;
     this.#last = memory;
+    if (!this.#isReview) this.#copy?.follow(memory);
     this.#put(names.exit, 'suspend');
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
     if (names.progress !== undefined) this.#put(names.progress, String(Math.round(Math.min(1, Math.max(0, progress)) * 10_000) / 10_000));

@@ -5,6 +5,9 @@ import { joined, readMemory, writeMemory, type Memory } from './memory.js';
 /** Keeps texts by name: the browser's `localStorage`, where a page may have it. */
 export type Shelf = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
 
+/** What is told all the time is kept so often. */
+export const FOLLOW_MS = 1000;
+
 /** A text on a shelf. */
 export class Slot {
   readonly #shelf: Shelf | undefined;
@@ -49,6 +52,7 @@ export class Slot {
  */
 export class LocalCopy {
   readonly #slot: Slot;
+  #putMs = -Infinity;
 
   constructor(shelf: Shelf | undefined, name: string) {
     this.#slot = new Slot(shelf, name);
@@ -60,7 +64,13 @@ export class LocalCopy {
 
   /** Keeps a memory; whether that went. */
   put(memory: Memory): boolean {
+    this.#putMs = performance.now();
     return this.#slot.set(writeMemory(memory));
+  }
+
+  /** Keeps a memory that is told all the time, once a second: a page may go without a word. */
+  follow(memory: Memory): void {
+    if (performance.now() - this.#putMs >= FOLLOW_MS) this.put(memory);
   }
 
   clear(): void {

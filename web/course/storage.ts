@@ -2,7 +2,7 @@
 
 import { NOTHING, readMemory, writeMemory } from './memory.js';
 import type { Known, Record, Report } from './report.js';
-import { Slot, type Shelf } from './shelf.js';
+import { FOLLOW_MS, Slot, type Shelf } from './shelf.js';
 import { Troubles } from './trouble.js';
 
 export class BrowserRecord implements Record {
@@ -10,6 +10,9 @@ export class BrowserRecord implements Record {
   readonly #slot: Slot;
   #last: Report | undefined;
   #wasComplete = false;
+  /** What was kept before is known: it must not be written over. */
+  #isOpen = false;
+  #keptMs = -Infinity;
 
   /** `course` names the course among those of a site. Without a `shelf`, as in a frame that may keep nothing, each visit is the first. */
   constructor(course: string, shelf: Shelf | undefined) {
@@ -17,6 +20,7 @@ export class BrowserRecord implements Record {
   }
 
   open(): Promise<Known> {
+    this.#isOpen = true;
     try {
       const kept = JSON.parse(this.#slot.get() ?? 'null') as { memory?: unknown; isComplete?: unknown } | null;
       this.#wasComplete = kept?.isComplete === true;
@@ -28,10 +32,13 @@ export class BrowserRecord implements Record {
 
   tell(report: Report): void {
     this.#last = report;
+    // A page may go without a word.
+    if (performance.now() - this.#keptMs >= FOLLOW_MS) this.keep();
   }
 
   keep(): void {
-    if (this.#last === undefined) return;
+    if (this.#last === undefined || !this.#isOpen) return;
+    this.#keptMs = performance.now();
     const { memory, placeSecs, progress, score, isPassed, isComplete } = this.#last;
     // What the page that lists several lessons reads is beside the memory.
     const kept = { memory: writeMemory(memory), placeSecs, progress, score, isPassed, isComplete: isComplete || this.#wasComplete };

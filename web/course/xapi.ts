@@ -175,6 +175,7 @@ export class XapiRecord implements Record {
 
   tell(report: Report): void {
     this.#last = report;
+    if (this.#launch?.isReview !== true) this.#copy?.follow(this.#known(report.memory));
     // What was said before is not known yet.
     if (this.#launch === undefined || this.#launch.isReview) return;
     if (report.isComplete && !this.#said.isComplete) {
@@ -209,10 +210,15 @@ export class XapiRecord implements Record {
     if (this.#session !== undefined && this.#launch?.isReview !== true) this.#outbox?.add(answeredOf(this.#session, reply));
   }
 
+  /** A memory with what this browser had before, until the store tells all. */
+  #known(memory: Memory): Memory {
+    return this.#launch === undefined ? joined(memory, this.#earlier) : memory;
+  }
+
   keep(): void {
     if (this.#launch?.isReview || this.#isClosed) return;
     const { memory } = this.#last;
-    if (this.#copy?.put(this.#launch === undefined ? joined(memory, this.#earlier) : memory) === false) this.troubles.set('the browser', 'unkept');
+    if (this.#copy?.put(this.#known(memory)) === false) this.troubles.set('the browser', 'unkept');
     if (this.#launch !== undefined) this.#keeper?.keep(JSON.stringify({ memory: writeMemory(memory), ...this.#said }));
   }
 
