@@ -56,7 +56,9 @@ const MOST_CAPTIONS = 0.2;
 const AWAY_MS = 6000;
 
 /**
- * The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties.
+ * The custom element: a media element whose medium is a story that somebody performs. Attributes set properties; the player writes
+ * none of its own, so that the markup stays as the page, or its server, wrote it. What it is to screen readers it tells by
+ * `ElementInternals`, which an author's `role` and `aria-label` override.
  *
  * @tag raconteur-player
  * @cssprop --raconteur-accent - Of what is chosen, the played part of the time line and the ring of the focus
@@ -97,6 +99,8 @@ const AWAY_MS = 6000;
 export class RaconteurPlayer extends MediaElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
+  /** What takes the keys is the frame within: it has the focus that the player is given by `focus()` or a click. */
+  static override shadowRootOptions: ShadowRootInit = { ...MediaElement.shadowRootOptions, delegatesFocus: true };
   static override styles = [unsafeCSS(look), unsafeCSS(questionLook)];
   static override properties = attributes;
 
@@ -137,6 +141,8 @@ export class RaconteurPlayer extends MediaElement {
   /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
   declare remarks: boolean;
 
+  /** What the element is by itself; there is none where a page is made without a browser. */
+  readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #announcement = '';
   /** The place of a whole caption, while there are captions, and its share of the stage's height. */
   #captionRoom: Element | null = null;
@@ -221,6 +227,7 @@ export class RaconteurPlayer extends MediaElement {
     this.label = 'Story';
     this.loading = 'lazy';
     this.captions = this.remarks = false;
+    if (this.#internals !== undefined) this.#internals.role = 'region';
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
@@ -437,12 +444,17 @@ export class RaconteurPlayer extends MediaElement {
     return this.#context.show?.picture.course(from, to, count);
   }
 
+  /** Gives the keyboard's focus to the player, whose keys then work. */
+  override focus(options?: FocusOptions): void {
+    // What takes it is drawn a moment after the element was put into the page.
+    if (this.isConnected && !this.hasUpdated) this.performUpdate();
+    super.focus(options);
+  }
+
   // --- life ---
 
   override connectedCallback(): void {
     super.connectedCallback();
-    if (!this.hasAttribute('tabindex')) this.tabIndex = 0;
-    if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
     spare.library ??= libraryOf(this);
     this.#resized.observe(this);
     this.#seen.observe(this);
@@ -470,7 +482,7 @@ export class RaconteurPlayer extends MediaElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('mind') && this.#context.show !== undefined) void this.#mind.connect(this.#context.show);
     if (changed.has('src')) this.#context.text = undefined;
-    if (changed.has('label')) this.setAttribute('aria-label', this.label);
+    if (changed.has('label') && this.#internals !== undefined) this.#internals.ariaLabel = this.label;
     this.#loadChanged(changed);
     this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);

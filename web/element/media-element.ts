@@ -149,7 +149,7 @@ export abstract class MediaElement extends LitElement {
     this.parts.stories.close();
     if (moved) dispatch(this, 'timeupdate');
     this.#startSecs = 0;
-    if (!this.hasAttribute('playback-rate') || this.#defaultRate !== 1) this.playbackRate = this.#defaultRate;
+    this.playbackRate = this.#defaultRate;
   }
 
   // --- time ---
@@ -490,10 +490,8 @@ export abstract class MediaElement extends LitElement {
     } else if (name === 'muted') {
       if (!this.#isMutedSet && !this.hasUpdated) this.#muted = after !== null;
     } else {
-      const { playbackRate } = this;
       super.attributeChangedCallback(name, before, after);
-      // Written by a page, not by the property that it mirrors.
-      if (name === 'playback-rate' && playbackRate !== this.playbackRate) this.#defaultRate = this.playbackRate;
+      if (name === 'playback-rate') this.#defaultRate = this.playbackRate;
     }
   }
 
