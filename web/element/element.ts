@@ -3,6 +3,7 @@
 import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
 import { attributes } from './attributes.js';
+import { Away } from './away.js';
 import { FigureLoader } from './figure-loader.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
@@ -22,6 +23,7 @@ import { Playback } from './playback.js';
 import { hasCaptions, statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
+import { reducesMotion, Surroundings } from './surroundings.js';
 import { spare } from './fetching.js';
 import type { Answered, Score } from './lesson.js';
 import questionLook from './question.css?inline';
@@ -40,6 +42,7 @@ import {
   type Hand,
   type Light,
   type NaturalHair,
+  type PlayerState,
   type PoseNumbers,
   type Quality,
   type Question,
@@ -52,8 +55,6 @@ import {
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
-/** So long a player that is taken out of the page keeps its story. */
-const AWAY_MS = 6000;
 
 /**
  * The custom element: a media element whose medium is a story that somebody performs. Attributes set properties; the player writes
@@ -179,23 +180,26 @@ export class RaconteurPlayer extends MediaElement {
   readonly #frames = new FrameLoop(this.#context, this.#mind);
   readonly #figures = new FigureLoader(this.#context);
   readonly #standIn = new StandIn(this.#context);
-  /** Gives the story back of a player that stays out of the page. */
-  #leaving: ReturnType<typeof setTimeout> | undefined;
+  readonly #away = new Away(this, () => this.#stories.release());
   readonly #own = new OwnText(this, () => this.#ownChanged());
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {
+      const kept = this.#away.take();
+      if (kept !== undefined) this.#questioner.lesson.restore(kept);
       this.begin(languageOf(this, show.story), hasCaptions(this, show));
       this.#playback.attach(show.transport);
       void this.#mind.connect(show);
       this.#frames.keep();
       this.#frames.advance();
-      if (this.autoplay && this.#playback.mayAutoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      if (this.autoplay && this.#playback.mayAutoplay && !reducesMotion()) {
         this.play().catch(() => this.#say('Press play to begin'));
       }
+      this.#away.count();
     },
     failed: (message) => this.#playback.fail(message),
     closed: () => {
+      this.#away.take();
       this.#mind.close();
       this.end();
       this.#playback.detach();
@@ -208,6 +212,7 @@ export class RaconteurPlayer extends MediaElement {
       this.#standIn.follow();
       if (event === 'playing') this.#playback.started();
       if (event === 'play' || event === 'seeking' || event === 'ended') this.capture(event !== 'ended');
+      if (event === 'pause') this.#away.count();
     },
   });
   readonly #idle = new Idle(
@@ -216,8 +221,10 @@ export class RaconteurPlayer extends MediaElement {
     () => this.requestUpdate(),
   );
   readonly #actions = actionsOf(this.#context);
-  readonly #resized = new ResizeObserver(() => this.#resize());
-  readonly #seen = new IntersectionObserver((entries) => this.#appeared(entries), { rootMargin: '200px' });
+  readonly #around = new Surroundings(
+    () => this.#resize(),
+    (isNear) => this.#appeared(isNear),
+  );
 
   constructor() {
     super();
@@ -456,22 +463,18 @@ export class RaconteurPlayer extends MediaElement {
   override connectedCallback(): void {
     super.connectedCallback();
     spare.library ??= libraryOf(this);
-    this.#resized.observe(this);
-    this.#seen.observe(this);
+    this.#around.watch(this);
     this.#own.watch();
     this.#frames.keep();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#resized.disconnect();
-    this.#seen.disconnect();
+    this.#around.rest();
     this.#own.rest();
-    // Moving an element disconnects it for a moment; one that stays away rests, as a video does, and for a while keeps its story:
-    // place, answers and sound are there when it is put back.
-    setTimeout(() => !this.isConnected && !this.paused && this.pause());
-    clearTimeout(this.#leaving);
-    this.#leaving = setTimeout(() => !this.isConnected && this.#stories.release(), AWAY_MS);
+    // Moving an element disconnects it for a moment; one that stays away rests, as a video does.
+    setTimeout(() => !this.isConnected && this.#playback.pause());
+    this.#away.count();
   }
 
   protected override updated(): void {
@@ -519,8 +522,8 @@ export class RaconteurPlayer extends MediaElement {
     if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
   }
 
-  #appeared(entries: readonly IntersectionObserverEntry[]): void {
-    this.#context.onScreen = entries.at(-1)?.isIntersecting ?? false;
+  #appeared(isNear: boolean): void {
+    this.#context.onScreen = isNear;
     if (this.#context.onScreen && this.#stories.hasStory) void this.#stories.come();
     this.#frames.keep();
   }
@@ -573,21 +576,6 @@ export interface RaconteurPlayer {
   addEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | AddEventListenerOptions): void;
   removeEventListener<K extends keyof ElementEventMap>(type: K, listener: Listener<this, K>, options?: boolean | EventListenerOptions): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | EventListenerOptions): void;
-}
-
-/** Where a learner is and what they have answered. */
-export interface PlayerState {
-  readonly placeSecs: number;
-  /** What was answered. It and what follows may have gone through other hands since `state` told them. */
-  readonly answered: unknown;
-  /** The variables of the story. */
-  readonly values?: unknown;
-  /** What was set and is not set again. */
-  readonly done?: unknown;
-  /** How far the learner has come, seconds. */
-  readonly furthestSecs?: unknown;
-  /** What gotos have led over. */
-  readonly skipped?: unknown;
 }
 
 declare global {

@@ -47,7 +47,7 @@ export class FrameLoop {
   /** Runs the loops that are needed now, and no others. */
   keep(): void {
     const { player, show, onScreen } = this.#context;
-    this.#pulse.keep(player.isConnected && show !== undefined && !player.paused, onScreen);
+    this.#pulse.keep(show !== undefined && !player.paused, onScreen);
     const { asked } = this.#context.questioner.lesson;
     if (asked?.name !== this.#asked) this.#welcome.restart();
     this.#asked = asked?.name;

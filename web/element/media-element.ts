@@ -474,6 +474,16 @@ export abstract class MediaElement extends LitElement {
     if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
   }
 
+  /** Whoever waits for an update has it also where the element was never in a document: it is played there, too. */
+  protected override getUpdateComplete(): Promise<boolean> {
+    if (!this.hasUpdated && !this.isConnected) {
+      // As with the first connection.
+      (this as { renderRoot: HTMLElement | DocumentFragment }).renderRoot ??= this.createRenderRoot();
+      this.enableUpdating(true);
+    }
+    return super.getUpdateComplete();
+  }
+
   protected override performUpdate(): void {
     this.#updating = true;
     super.performUpdate();

@@ -11,7 +11,6 @@ export const missed: readonly Missed[] = [
   { test: 'loading-the-media-resource/resource-selection-invoke-set-src-in-namespace.html', why: 'the browser tells a custom element of attributes of any namespace' },
   { test: 'loading-the-media-resource/resource-selection-remove-src.html', why: 'without an address the story is what stands between the tags' },
   { test: 'error-codes/error.html#instanceof MediaError', why: 'scripts cannot make a MediaError' },
-  { test: 'ready-states/autoplay.html#internal pause steps set the autoplaying flag to false', why: 'nothing is loaded outside a document' },
   { test: 'playing-the-media-resource/loop.html#seek to end while paused', why: 'it rests at the end, as in Chromium' },
   { test: 'playing-the-media-resource/loop.html#seek to end while playing', why: 'both seeks are told to their end' },
   { test: 'playing-the-media-resource/pause-remove-from-document-networkState.html', why: 'without an address the story between the tags is looked for, and there is none' },
