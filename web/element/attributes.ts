@@ -21,6 +21,7 @@ export const mediaAttributes: PropertyDeclarations = {
   loop: itself,
   defaultMuted: { ...itself, attribute: 'muted' },
   disablePictureInPicture: { ...itself, attribute: 'disablepictureinpicture' },
+  playsInline: { ...itself, attribute: 'playsinline' },
   muted: { attribute: false },
   volume: { converter: volumeFrom },
   playbackRate: { attribute: 'playback-rate', converter: rateFrom },

@@ -15,7 +15,7 @@ import { template } from './template.js';
 import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
 import { MediaElement, type Parts } from './media-element.js';
-import { dispatch } from './media-events.js';
+import { after, dispatch } from './media-events.js';
 import { MindConnection } from './mind-connection.js';
 import { soundOf } from './outlet.js';
 import { OwnText } from './own-text.js';
@@ -175,6 +175,7 @@ export class RaconteurPlayer extends MediaElement {
     soundOf(this),
     (event) => dispatch(this, event),
     () => void this.#stories.ensure(),
+    (work) => after(this, work),
   );
   readonly #mind = new MindConnection(this.#context);
   readonly #frames = new FrameLoop(this.#context, this.#mind);

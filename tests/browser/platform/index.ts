@@ -9,6 +9,7 @@ import { theme as playing } from './playing.js';
 import type { Theme } from './rows.js';
 import { theme as seeking } from './seeking.js';
 import { theme as sound } from './sound.js';
+import { theme as standard } from './standard.js';
 import { theme as tracks } from './tracks.js';
 
-export const themes: readonly Theme[] = [interfaces, loading, playing, places, seeking, sound, tracks, cues, picture];
+export const themes: readonly Theme[] = [interfaces, loading, playing, places, seeking, standard, sound, tracks, cues, picture];
