@@ -86,8 +86,11 @@ test('the attribute src has the last word', async ({ stage }) => {
   await stage.ready();
   await stage.play();
   await expect.poll(() => words(stage)).toEqual(text.split(' '));
-  // Without it the text is the story.
-  await stage.player.evaluate((p: RaconteurPlayer) => p.removeAttribute('src'));
+  // Without it the text is the story that is loaded next.
+  await stage.player.evaluate((p: RaconteurPlayer) => {
+    p.removeAttribute('src');
+    return p.load();
+  });
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.readyState)).toBe(4);
   await stage.play();
   await expect.poll(async () => (await words(stage)).join(' '), { timeout: 60_000 }).toContain('The story of the frog');

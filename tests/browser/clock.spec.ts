@@ -142,7 +142,7 @@ test('over many seeks, the phone that the engine thinks is heard is heard', asyn
   // --- a minute of playing ---
   const next = random(6);
   for (let i = 0; i < SEEKS; i++) {
-    const rate = [1, 1, 1, 1.5, 1, 1, 0.75, 1, 1, 2, 1, 1, 0.5, 1][i % 14] ?? 1;
+    const rate = [1, 4, 1, 1.5, 0.25, 1, 0.75, 1, 1, 2, 1, 1, 0.5, 1][i % 14] ?? 1;
     const to = next() * (duration - 2 * (PLAYED_MS / 1000) * rate);
     await stage.player.evaluate(
       (p: RaconteurPlayer, [secs, speed]) => {

@@ -8,6 +8,12 @@ import { serveElsewhere } from './elsewhere.js';
 import { story, voiceFiles } from './fixture.js';
 import { expect, ready, test, type Stage } from './stage.js';
 
+declare global {
+  interface Window {
+    away: RaconteurPlayer;
+  }
+}
+
 /** How often a player is taken out of its page. */
 const TIMES = sized(8, 20);
 
@@ -135,6 +141,26 @@ test(`it is taken out and put back ${TIMES} times, in play and at rest`, { tag: 
   await stage.play();
   await stage.until(0.5);
   expect((await stage.picture()).spread).toBeGreaterThan(4);
+});
+
+test('out of its page for longer it gives back what it holds, and goes on where it was when it is put back', async ({ stage, page }) => {
+  await stage.open(`<main>${player()}</main>`, files);
+  await stage.ready();
+  await stage.play();
+  await stage.until(0.5);
+  const at = await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    window.away = p;
+    p.remove();
+    await new Promise((done) => p.addEventListener('emptied', done, { once: true }));
+    return [p.currentTime, p.readyState];
+  });
+  expect(at[0]).toBeGreaterThan(0.5);
+  expect(at[1]).toBe(0);
+  await page.evaluate(() => document.querySelector('main')?.append(window.away));
+  await stage.ready();
+  expect(await stage.time()).toBe(at[0]);
+  await stage.play();
+  await stage.until((at[0] ?? 0) + 0.2);
 });
 
 /** States of a player, and how a page brings it there. */

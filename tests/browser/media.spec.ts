@@ -280,7 +280,7 @@ test('an attribute that is no speed or loudness counts as none', async ({ stage 
   });
   expect(await read()).toEqual([1.5, 0.25]);
   await stage.player.evaluate((p: RaconteurPlayer) => (p.playbackRate = 2));
-  await expect(stage.player).toHaveAttribute('playback-rate', '2');
+  await expect(stage.player).toHaveAttribute('playback-rate', '1.5');
   await stage.player.evaluate((p) => {
     p.setAttribute('playback-rate', 'quick');
     p.removeAttribute('volume');

@@ -205,7 +205,6 @@ test('the controls and the keys do what they say', async ({ stage, page }) => {
   expect((await state()).muted).toBe(false);
   await stage.player.getByRole('combobox', { name: 'Speed' }).selectOption('1.5');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.playbackRate)).toBe(1.5);
-  await expect(stage.player).toHaveAttribute('playback-rate', '1.5');
   await stage.player.getByRole('button', { name: 'Play', exact: true }).click();
   await expect(stage.player.getByRole('status')).toHaveText('Playing');
 });

@@ -1,5 +1,6 @@
 /** How a page wants a story shown, whichever engine shows it. */
 
+import { reducesMotion } from './surroundings.js';
 import type { Engine, Light, Quality, View } from './types.js';
 
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
@@ -22,7 +23,7 @@ export class Asked {
 
   /** How much idle life, 0 to 1. */
   get life(): number {
-    return this.motion ?? (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
+    return this.motion ?? (reducesMotion() ? REDUCED_MOTION : 1);
   }
 
   /** What an engine must know before it reads a story. */

@@ -1,10 +1,13 @@
-/** The attributes of the element and how they become properties. Numbers that a page must not set are refused by the setters (`media.ts`). */
+/**
+ * The attributes of the element and how they become properties. Numbers that a page must not set are refused by the setters (`media.ts`).
+ * Attributes are the page's: a property is written to its attribute only where those of HTML's media elements are, which are the attribute.
+ */
 
 import type { PropertyDeclarations } from 'lit';
 import { rateFrom, volumeFrom } from './media.js';
 
-const text = { reflect: true };
-const flag = { type: Boolean, reflect: true };
+const text = {};
+const flag = { type: Boolean };
 /** The property is the attribute itself, as those of media elements are. */
 const itself = { noAccessor: true };
 
@@ -18,9 +21,10 @@ export const mediaAttributes: PropertyDeclarations = {
   loop: itself,
   defaultMuted: { ...itself, attribute: 'muted' },
   disablePictureInPicture: { ...itself, attribute: 'disablepictureinpicture' },
+  playsInline: { ...itself, attribute: 'playsinline' },
   muted: { attribute: false },
-  volume: { reflect: true, converter: volumeFrom },
-  playbackRate: { reflect: true, attribute: 'playback-rate', converter: rateFrom },
+  volume: { converter: volumeFrom },
+  playbackRate: { attribute: 'playback-rate', converter: rateFrom },
 };
 
 /** Those of a storyteller. */

@@ -1,7 +1,7 @@
 /** The story's clock: a straight line from the time of a source (the sound's) to story time. */
 
-/** Slowest and fastest speed of playing. */
-export const RATES = { min: 0.5, max: 2 } as const;
+/** Slowest and fastest speed of playing; at 0 time stands still. */
+export const RATES = { min: 0.25, max: 4 } as const;
 
 /**
  * Maps source time to story time. While it runs, story time is
@@ -47,8 +47,9 @@ export class StoryClock {
   }
 }
 
-/** The nearest speed that can be played; 1 for NaN. */
+/** The nearest speed that can be played, 0 included; 1 for NaN. */
 export function clampRate(rate: number): number {
+  if (rate === 0) return 0;
   return Number.isFinite(rate) ? Math.min(RATES.max, Math.max(RATES.min, rate)) : 1;
 }
 

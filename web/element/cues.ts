@@ -1,7 +1,7 @@
 /** What happens in a story as events of the element. */
 
 import { fire, wordsFor, type PlayerContext } from './context.js';
-import { dispatch } from './media-events.js';
+import { dispatch, takeBackSeek } from './media-events.js';
 import type { Show } from './show.js';
 import type { TransportEvent } from './transport.js';
 import type { Cue } from './types.js';
@@ -24,6 +24,7 @@ export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, 
 export function passTransport(context: PlayerContext, event: TransportEvent): void {
   const { player, say, tell } = context;
   if (event === 'seeking') {
+    takeBackSeek(player);
     dispatch(player, 'seeking');
     return;
   }

@@ -3,6 +3,7 @@
 import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
 import { attributes } from './attributes.js';
+import { Away } from './away.js';
 import { FigureLoader } from './figure-loader.js';
 import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
@@ -14,7 +15,7 @@ import { template } from './template.js';
 import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
 import { MediaElement, type Parts } from './media-element.js';
-import { dispatch } from './media-events.js';
+import { after, dispatch } from './media-events.js';
 import { MindConnection } from './mind-connection.js';
 import { soundOf } from './outlet.js';
 import { OwnText } from './own-text.js';
@@ -22,6 +23,7 @@ import { Playback } from './playback.js';
 import { hasCaptions, statisticsOf } from './show.js';
 import { StandIn } from './stand-in.js';
 import { StoryLoader } from './story-loader.js';
+import { reducesMotion, Surroundings } from './surroundings.js';
 import { spare } from './fetching.js';
 import type { Answered, Score } from './lesson.js';
 import questionLook from './question.css?inline';
@@ -40,6 +42,7 @@ import {
   type Hand,
   type Light,
   type NaturalHair,
+  type PlayerState,
   type PoseNumbers,
   type Quality,
   type Question,
@@ -52,11 +55,11 @@ import {
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
-/** So long a player that is taken out of the page keeps its story. */
-const AWAY_MS = 6000;
 
 /**
- * The custom element: a media element whose medium is a story that somebody performs. Attributes mirror properties.
+ * The custom element: a media element whose medium is a story that somebody performs. Attributes set properties; the player writes
+ * none of its own, so that the markup stays as the page, or its server, wrote it. What it is to screen readers it tells by
+ * `ElementInternals`, which an author's `role` and `aria-label` override.
  *
  * @tag raconteur-player
  * @cssprop --raconteur-accent - Of what is chosen, the played part of the time line and the ring of the focus
@@ -97,6 +100,8 @@ const AWAY_MS = 6000;
 export class RaconteurPlayer extends MediaElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
+  /** What takes the keys is the frame within: it has the focus that the player is given by `focus()` or a click. */
+  static override shadowRootOptions: ShadowRootInit = { ...MediaElement.shadowRootOptions, delegatesFocus: true };
   static override styles = [unsafeCSS(look), unsafeCSS(questionLook)];
   static override properties = attributes;
 
@@ -137,6 +142,8 @@ export class RaconteurPlayer extends MediaElement {
   /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
   declare remarks: boolean;
 
+  /** What the element is by itself; there is none where a page is made without a browser. */
+  readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #announcement = '';
   /** The place of a whole caption, while there are captions, and its share of the stage's height. */
   #captionRoom: Element | null = null;
@@ -168,28 +175,32 @@ export class RaconteurPlayer extends MediaElement {
     soundOf(this),
     (event) => dispatch(this, event),
     () => void this.#stories.ensure(),
+    (work) => after(this, work),
   );
   readonly #mind = new MindConnection(this.#context);
   readonly #frames = new FrameLoop(this.#context, this.#mind);
   readonly #figures = new FigureLoader(this.#context);
   readonly #standIn = new StandIn(this.#context);
-  /** Gives the story back of a player that stays out of the page. */
-  #leaving: ReturnType<typeof setTimeout> | undefined;
+  readonly #away = new Away(this, () => this.#stories.release());
   readonly #own = new OwnText(this, () => this.#ownChanged());
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {
+      const kept = this.#away.take();
+      if (kept !== undefined) this.#questioner.lesson.restore(kept);
       this.begin(languageOf(this, show.story), hasCaptions(this, show));
       this.#playback.attach(show.transport);
       void this.#mind.connect(show);
       this.#frames.keep();
       this.#frames.advance();
-      if (this.autoplay && this.#playback.mayAutoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      if (this.autoplay && this.#playback.mayAutoplay && !reducesMotion()) {
         this.play().catch(() => this.#say(wordsFor(this).pressPlay));
       }
+      this.#away.count();
     },
     failed: (message) => this.#playback.fail(message),
     closed: () => {
+      this.#away.take();
       this.#mind.close();
       this.end();
       this.#playback.detach();
@@ -202,6 +213,7 @@ export class RaconteurPlayer extends MediaElement {
       this.#standIn.follow();
       if (event === 'playing') this.#playback.started();
       if (event === 'play' || event === 'seeking' || event === 'ended') this.capture(event !== 'ended');
+      if (event === 'pause') this.#away.count();
     },
   });
   readonly #idle = new Idle(
@@ -210,8 +222,10 @@ export class RaconteurPlayer extends MediaElement {
     () => this.requestUpdate(),
   );
   readonly #actions = actionsOf(this.#context);
-  readonly #resized = new ResizeObserver(() => this.#resize());
-  readonly #seen = new IntersectionObserver((entries) => this.#appeared(entries), { rootMargin: '200px' });
+  readonly #around = new Surroundings(
+    () => this.#resize(),
+    (isNear) => this.#appeared(isNear),
+  );
 
   constructor() {
     super();
@@ -221,6 +235,7 @@ export class RaconteurPlayer extends MediaElement {
     this.label = 'Story';
     this.loading = 'lazy';
     this.captions = this.remarks = false;
+    if (this.#internals !== undefined) this.#internals.role = 'region';
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
@@ -438,29 +453,30 @@ export class RaconteurPlayer extends MediaElement {
     return this.#context.show?.picture.course(from, to, count);
   }
 
+  /** Gives the keyboard's focus to the player, whose keys then work. */
+  override focus(options?: FocusOptions): void {
+    // What takes it is drawn a moment after the element was put into the page.
+    if (this.isConnected && !this.hasUpdated) this.performUpdate();
+    super.focus(options);
+  }
+
   // --- life ---
 
   override connectedCallback(): void {
     super.connectedCallback();
-    if (!this.hasAttribute('tabindex')) this.tabIndex = 0;
-    if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
     spare.library ??= libraryOf(this);
-    this.#resized.observe(this);
-    this.#seen.observe(this);
+    this.#around.watch(this);
     this.#own.watch();
     this.#frames.keep();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#resized.disconnect();
-    this.#seen.disconnect();
+    this.#around.rest();
     this.#own.rest();
-    // Moving an element disconnects it for a moment; one that stays away rests, as a video does, and for a while keeps its story:
-    // place, answers and sound are there when it is put back.
-    setTimeout(() => !this.isConnected && !this.paused && this.pause());
-    clearTimeout(this.#leaving);
-    this.#leaving = setTimeout(() => !this.isConnected && this.#stories.release(), AWAY_MS);
+    // Moving an element disconnects it for a moment; one that stays away rests, as a video does.
+    setTimeout(() => !this.isConnected && this.#playback.pause());
+    this.#away.count();
   }
 
   protected override updated(): void {
@@ -471,7 +487,7 @@ export class RaconteurPlayer extends MediaElement {
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('mind') && this.#context.show !== undefined) void this.#mind.connect(this.#context.show);
     if (changed.has('src')) this.#context.text = undefined;
-    if (changed.has('label')) this.setAttribute('aria-label', this.label);
+    if (changed.has('label') && this.#internals !== undefined) this.#internals.ariaLabel = this.label;
     this.#loadChanged(changed);
     this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);
@@ -508,8 +524,8 @@ export class RaconteurPlayer extends MediaElement {
     if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
   }
 
-  #appeared(entries: readonly IntersectionObserverEntry[]): void {
-    this.#context.onScreen = entries.at(-1)?.isIntersecting ?? false;
+  #appeared(isNear: boolean): void {
+    this.#context.onScreen = isNear;
     if (this.#context.onScreen && this.#stories.hasStory) void this.#stories.come();
     this.#frames.keep();
   }
@@ -562,21 +578,6 @@ export interface RaconteurPlayer {
   addEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | AddEventListenerOptions): void;
   removeEventListener<K extends keyof ElementEventMap>(type: K, listener: Listener<this, K>, options?: boolean | EventListenerOptions): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject | null, options?: boolean | EventListenerOptions): void;
-}
-
-/** Where a learner is and what they have answered. */
-export interface PlayerState {
-  readonly placeSecs: number;
-  /** What was answered. It and what follows may have gone through other hands since `state` told them. */
-  readonly answered: unknown;
-  /** The variables of the story. */
-  readonly values?: unknown;
-  /** What was set and is not set again. */
-  readonly done?: unknown;
-  /** How far the learner has come, seconds. */
-  readonly furthestSecs?: unknown;
-  /** What gotos have led over. */
-  readonly skipped?: unknown;
 }
 
 declare global {

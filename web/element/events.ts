@@ -17,8 +17,8 @@ export interface MediaEventMap {
   abort: Event;
   /** There is no story any more. */
   emptied: Event;
-  /** The story cannot be played; `error` tells why. */
-  error: ErrorEvent;
+  /** The story cannot be played; the player's `error` tells why. */
+  error: Event;
   /** `duration` is another. */
   durationchange: Event;
   /** The picture has another size. */

@@ -9,7 +9,7 @@ import { Pulse } from './pulse.js';
 import type { Show } from './show.js';
 import { Welcome } from './welcome.js';
 
-/** While the story waits, for its voice or for sounds, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
+/** While the story waits, for its voice or for sounds, or plays at the speed 0, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
 const STILL_MS = 1000;
 
 export class FrameLoop {
@@ -47,7 +47,7 @@ export class FrameLoop {
   /** Runs the loops that are needed now, and no others. */
   keep(): void {
     const { player, show, onScreen } = this.#context;
-    this.#pulse.keep(player.isConnected && show !== undefined && !player.paused, onScreen);
+    this.#pulse.keep(show !== undefined && !player.paused, onScreen);
     const { asked } = this.#context.questioner.lesson;
     if (asked?.name !== this.#asked) this.#welcome.restart();
     this.#asked = asked?.name;
@@ -75,7 +75,7 @@ export class FrameLoop {
     const { questioner, started } = this.#context;
     if (started && !questioner.pass(show, secs, (to) => this.#pass(show, to))) return;
     const ms = performance.now();
-    if (show.transport.waiting && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
+    if ((show.transport.waiting || show.transport.rate === 0) && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
     this.#drawn = { secs, ms };
     const { asked } = questioner.lesson;
     if (this.#waits) show.picture.welcome(this.#welcome.secs);

@@ -30,6 +30,7 @@ const THEMSELVES: ReadonlyMap<string, string> = new Map([
   ['controls', 'controls'],
   ['loop', 'loop'],
   ['disablepictureinpicture', 'disablePictureInPicture'],
+  ['playsinline', 'playsInline'],
 ]);
 
 export interface MediaElement extends MediaStates {}
@@ -106,8 +107,9 @@ export abstract class MediaElement extends LitElement {
     this.setAttribute('preload', value);
   }
 
-  /** How sure it is that a story of a MIME type can be told: `probably`, `maybe` or `''`. */
+  /** How sure it is that a story of a MIME type can be told: `probably`, `maybe` or `''`. Throws `TypeError` without one. */
   canPlayType(type: string): CanPlayTypeResult {
+    if ((type as string | undefined) === undefined) throw new TypeError('A MIME type is needed.');
     return canPlay(String(type));
   }
 
@@ -149,7 +151,7 @@ export abstract class MediaElement extends LitElement {
     this.parts.stories.close();
     if (moved) dispatch(this, 'timeupdate');
     this.#startSecs = 0;
-    if (!this.hasAttribute('playback-rate') || this.#defaultRate !== 1) this.playbackRate = this.#defaultRate;
+    this.playbackRate = this.#defaultRate;
   }
 
   // --- time ---
@@ -163,7 +165,7 @@ export abstract class MediaElement extends LitElement {
     const secs = finite('currentTime', value);
     const { context } = this.parts;
     if (context.show === undefined) {
-      this.#startSecs = Math.max(0, secs);
+      this.#startSecs = secs;
       return;
     }
     context.started = true;
@@ -260,7 +262,7 @@ export abstract class MediaElement extends LitElement {
     this.parts.playback.pause();
   }
 
-  /** Speed, 0.5 to 2. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
+  /** Speed, 0.25 to 4, or 0, at which time stands still. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
   get playbackRate(): number {
     return this.#rate;
   }
@@ -414,6 +416,15 @@ export abstract class MediaElement extends LitElement {
     return opened;
   }
 
+  /** Attribute `playsinline`, for scripts that set it of any media element: a story plays in its page with and without it. */
+  get playsInline(): boolean {
+    return this.hasAttribute('playsinline');
+  }
+
+  set playsInline(value: boolean) {
+    this.toggleAttribute('playsinline', Boolean(value));
+  }
+
   // --- for the parts ---
 
   /** The story is on stage: where it begins, and its captions as a track. */
@@ -474,26 +485,36 @@ export abstract class MediaElement extends LitElement {
     if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
   }
 
+  /** Whoever waits for an update has it also where the element was never in a document: it is played there, too. */
+  protected override getUpdateComplete(): Promise<boolean> {
+    if (!this.hasUpdated && !this.isConnected) {
+      // As with the first connection.
+      (this as { renderRoot: HTMLElement | DocumentFragment }).renderRoot ??= this.createRenderRoot();
+      this.enableUpdating(true);
+    }
+    return super.getUpdateComplete();
+  }
+
   protected override performUpdate(): void {
     this.#updating = true;
     super.performUpdate();
     this.#updating = false;
   }
 
-  override attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+  override attributeChangedCallback(name: string, before: string | null, after: string | null, namespace?: string | null): void {
+    // The attributes of the element have none.
+    if (namespace) return;
     const property = THEMSELVES.get(name);
     if (property !== undefined) {
-      // A story is loaded anew also where it is the same one.
-      if (before !== after || name === 'src') this.requestUpdate(property, {});
+      // A story is loaded anew also where it is the same one, and goes on without its address.
+      if (name === 'src' ? after !== null : before !== after) this.requestUpdate(property, {});
       if (name === 'src' && after !== null) this.#look();
       if (this.disablePictureInPicture && document.pictureInPictureElement === this) void document.exitPictureInPicture();
     } else if (name === 'muted') {
       if (!this.#isMutedSet && !this.hasUpdated) this.#muted = after !== null;
     } else {
-      const { playbackRate } = this;
       super.attributeChangedCallback(name, before, after);
-      // Written by a page, not by the property that it mirrors.
-      if (name === 'playback-rate' && playbackRate !== this.playbackRate) this.#defaultRate = this.playbackRate;
+      if (name === 'playback-rate') this.#defaultRate = this.playbackRate;
     }
   }
 

@@ -41,8 +41,8 @@ export function checkedVolume(value: unknown): number {
 /** The `playbackRate` or `defaultPlaybackRate` that a page sets. */
 export function checkedRate(value: unknown, name = 'playbackRate'): number {
   const number = finite(name, value);
-  if (number < RATES.min || number > RATES.max) {
-    throw new DOMException(`Failed to set '${name}': ${number} is outside the range ${RATES.min} to ${RATES.max}.`, 'NotSupportedError');
+  if (number !== 0 && (number < RATES.min || number > RATES.max)) {
+    throw new DOMException(`Failed to set '${name}': ${number} is outside the range ${RATES.min} to ${RATES.max}, and not 0.`, 'NotSupportedError');
   }
   return number;
 }

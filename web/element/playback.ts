@@ -27,6 +27,7 @@ export class Playback {
   readonly #permission: Permission;
   readonly #emit: (event: PlaybackEvent) => unknown;
   readonly #ensure: () => void;
+  readonly #after: (work: () => void) => void;
   #transport: Transport | undefined;
   #wanted = false;
   #pending: Pending[] = [];
@@ -35,11 +36,12 @@ export class Playback {
   /** The attribute `autoplay` counts: neither `play` nor `pause` was called since loading began. */
   mayAutoplay = true;
 
-  /** `ensure` begins to load missing parts; it must not throw. */
-  constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void) {
+  /** `ensure` begins to load missing parts, and must not throw; `after` does something once the events that are there have come. */
+  constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void, after: (work: () => void) => void) {
     this.#permission = permission;
     this.#emit = emit;
     this.#ensure = ensure;
+    this.#after = after;
   }
 
   get paused(): boolean {
@@ -66,7 +68,7 @@ export class Playback {
   pause(): void {
     this.mayAutoplay = false;
     this.#rest();
-    this.#break('AbortError', 'The call of play() was interrupted by a call of pause().');
+    this.#breakAfter('AbortError', 'The call of play() was interrupted by a call of pause().');
   }
 
   /** A story is there. */
@@ -80,18 +82,20 @@ export class Playback {
     this.#transport = undefined;
     this.#wanted = false;
     this.mayAutoplay = true;
-    this.#break('AbortError', 'The call of play() was interrupted by a new load.');
+    reject(this.#settle(), 'AbortError', 'The call of play() was interrupted by a new load.');
   }
 
   /** There is no story to play. */
   fail(message: string): void {
-    this.#break('NotSupportedError', message);
+    this.#breakAfter('NotSupportedError', message);
   }
 
   /** The sound has begun. */
   started(): void {
     const pending = this.#settle();
-    for (const { resolve } of pending) resolve();
+    this.#after(() => {
+      for (const { resolve } of pending) resolve();
+    });
   }
 
   #begin(): void {
@@ -115,11 +119,13 @@ export class Playback {
 
   #refuse(): void {
     this.#rest();
-    this.#break('NotAllowedError', 'The browser allows sound only after the user has done something.');
+    this.#breakAfter('NotAllowedError', 'The browser allows sound only after the user has done something.');
   }
 
-  #break(name: string, message: string): void {
-    for (const { reject } of this.#settle()) reject(new DOMException(message, name));
+  /** Pages hear first of what has happened. */
+  #breakAfter(name: string, message: string): void {
+    const pending = this.#settle();
+    this.#after(() => reject(pending, name, message));
   }
 
   #settle(): Pending[] {
@@ -128,4 +134,8 @@ export class Playback {
     this.#pending = [];
     return pending;
   }
+}
+
+function reject(pending: readonly Pending[], name: string, message: string): void {
+  for (const { reject } of pending) reject(new DOMException(message, name));
 }

@@ -14,17 +14,18 @@ export class Ranges implements TimeRanges {
     return this.#spans.length;
   }
 
-  /** Throws `IndexSizeError` beyond the last. */
+  /** Throws `IndexSizeError` beyond the last, and `TypeError` without an index. */
   start(index: number): number {
     return this.#at(index)[0];
   }
 
-  /** Throws `IndexSizeError` beyond the last. */
+  /** As `start`. */
   end(index: number): number {
     return this.#at(index)[1];
   }
 
-  #at(index: number): Span {
+  #at(index: number | undefined): Span {
+    if (index === undefined) throw new TypeError('The index of a range is needed.');
     const span = this.#spans[index];
     if (span === undefined) throw new DOMException(`There is no range ${index}.`, 'IndexSizeError');
     return span;

@@ -33,7 +33,7 @@ export class StandIn {
     const { show } = this.#context;
     if (show === undefined || this.#film === undefined) return;
     const { position, paused, waiting, rate } = show.transport;
-    this.#film.follow({ secs: position, runs: !paused && !waiting, rate });
+    this.#film.follow({ secs: position, runs: !paused && !waiting && rate > 0, rate });
   }
 
   async #open(wanted: string): Promise<void> {

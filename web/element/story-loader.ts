@@ -366,7 +366,7 @@ export class StoryLoader {
   #fail(error: unknown): void {
     const known = error instanceof PlayerError ? error : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
     this.#error = known;
-    dispatch(this.#context.player, new ErrorEvent('error', { message: known.message, error: known }));
+    dispatch(this.#context.player, 'error');
     this.#events.failed(known.message);
   }
 

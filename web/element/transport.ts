@@ -95,6 +95,7 @@ export class Transport {
   play(announced = false): void {
     if (!this.#paused) return;
     if (this.#ended) this.seek(0);
+    this.#ended = false;
     this.#paused = false;
     this.#waiting = announced;
     if (!announced) this.#emit('play');
@@ -111,10 +112,17 @@ export class Transport {
 
   seek(secs: number): void {
     const wasRunning = !this.#paused;
-    const target = Number.isFinite(secs) ? Math.min(this.#endSecs, Math.max(0, secs)) : 0;
+    let target = Number.isFinite(secs) ? Math.min(this.#endSecs, Math.max(0, secs)) : 0;
     this.#emit('seeking');
+    const isEnd = target >= this.#endSecs && this.#endSecs > 0 && !this.openEnded;
+    // What begins again at its end does so at once.
+    if (isEnd && this.loop) {
+      this.#emit('seeking');
+      target = 0;
+    }
     this.#moveTo(target);
-    this.#ended = false;
+    // At rest it has ended there; `ended` is told of what came there by itself.
+    this.#ended = isEnd && !this.loop && !wasRunning;
     if (wasRunning) this.#run();
     else this.#voice.prepare(target);
     this.#emit('seeked');
@@ -130,9 +138,9 @@ export class Transport {
 
   /** What is planned is to be planned anew. */
   replan(): void {
-    if (!this.#clock.running) return;
+    if (this.#paused || this.#waiting) return;
     this.#rest();
-    this.#run();
+    this.#run(false);
   }
 
   /** Called for each picture and a few times a second when there is none; the story time heard. */
@@ -179,9 +187,10 @@ export class Transport {
     return this.#voice.running && this.#voice.ready(position);
   }
 
-  #run(): void {
+  /** `told`: pages hear that it plays. */
+  #run(told = true): void {
     const position = this.#latest;
-    this.#voice.prepare(position, this.#rate);
+    this.#voice.prepare(position, this.#rate || 1);
     if (!this.#mayRun(position)) {
       if (!this.#waiting) this.#emit('waiting');
       this.#waiting = true;
@@ -189,11 +198,14 @@ export class Transport {
     }
     this.#waiting = false;
     this.#ready = position;
-    const at = this.#voice.now() + LEAD_SECS;
-    this.#voice.start(position, this.#rate, at);
-    this.#clock.start(position, at, this.#rate);
-    this.#since = position;
-    this.#emit('playing');
+    // At the speed 0 it plays, and time stands still.
+    if (this.#rate > 0) {
+      const at = this.#voice.now() + LEAD_SECS;
+      this.#voice.start(position, this.#rate, at);
+      this.#clock.start(position, at, this.#rate);
+      this.#since = position;
+    }
+    if (told) this.#emit('playing');
   }
 
   #rest(waits = false): void {

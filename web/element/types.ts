@@ -526,3 +526,18 @@ export interface FaceMark extends FaceSpot {
 
 /** Lights of the stage. */
 export type Light = 'stage' | 'daylight' | 'evening' | 'studio';
+
+/** Where a learner is and what they have answered. */
+export interface PlayerState {
+  readonly placeSecs: number;
+  /** What was answered. It and what follows may have gone through other hands since `state` told them. */
+  readonly answered: unknown;
+  /** The variables of the story. */
+  readonly values?: unknown;
+  /** What was set and is not set again. */
+  readonly done?: unknown;
+  /** How far the learner has come, seconds. */
+  readonly furthestSecs?: unknown;
+  /** What gotos have led over. */
+  readonly skipped?: unknown;
+}

@@ -6,6 +6,8 @@
  * A story that rests elsewhere in its middle or at its end stands still, as a film does.
  */
 
+import { reducesMotion } from './surroundings.js';
+
 /** Breath and glances need no more pictures a second. */
 const MOST_HZ = 15;
 /** The share of the time that pictures may take: a device that draws slowly draws fewer of them. */
@@ -44,7 +46,7 @@ export class Welcome {
 
   /** Runs while the figure waits and is seen, and else not at all. */
   keep(waiting: boolean): void {
-    if (waiting && this.#animation === 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    if (waiting && this.#animation === 0 && !reducesMotion()) {
       this.#drawnMs = undefined;
       this.#measuring = false;
       this.#animation = requestAnimationFrame((now) => this.#frame(now));

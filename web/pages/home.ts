@@ -82,6 +82,8 @@ if (!isShared) choose(story);
 if (player !== null) {
   const chooseFigure = cast(player, (name) => {
     figure = name;
+    // The still is of the story's own figure.
+    player.toggleAttribute('data-teller', player.figure !== undefined);
     // The address keeps the visitor's own text.
     if (!owned) remember();
   });

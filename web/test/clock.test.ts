@@ -18,7 +18,7 @@ test('speed changes how fast the story passes, and sourceAt is the inverse', () 
 });
 
 test('speeds outside the range are brought into it', () => {
-  expect([0, 0.5, 1.3, 9, NaN].map(clampRate)).toEqual([0.5, 0.5, 1.3, 2, 1]);
+  expect([0, 0.1, 0.25, 1.3, 9, -1, NaN].map(clampRate)).toEqual([0, 0.25, 0.25, 1.3, 4, 0.25, 1]);
 });
 
 test('times are written and spoken as people do', () => {

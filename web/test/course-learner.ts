@@ -1,9 +1,9 @@
 /** A player without pictures, whose time passes when a test says so, with the questions of a story; and who uses it. */
 
-import type { PlayerState, RaconteurPlayer } from '../element/element.js';
+import type { RaconteurPlayer } from '../element/element.js';
 import { Lesson, type Answered, type Score } from '../element/lesson.js';
 import { Ranges, united, type Span } from '../element/ranges.js';
-import type { Question } from '../element/types.js';
+import type { PlayerState, Question } from '../element/types.js';
 
 export class FakePlayer extends EventTarget {
   readyState = 4;

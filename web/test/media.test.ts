@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Caption } from '../element/captions.js';
 import { canPlay, crossOriginOf, preloadOf } from '../element/media.js';
-import { dispatch, isPending, takeBack } from '../element/media-events.js';
+import { after, dispatch, isPending, takeBack, takeBackSeek } from '../element/media-events.js';
 import { FrameCallbacks } from '../element/outputs.js';
 import { Ranges, without, type Span } from '../element/ranges.js';
 import { StoryTextTracks } from '../element/text-tracks.js';
@@ -44,6 +44,9 @@ describe('ranges', () => {
   });
 });
 
+/** All tasks that are there have run. */
+const over = () => new Promise((done) => setTimeout(done, 20));
+
 describe('events', () => {
   it('come when the script is over, in order, and not after they were taken back', async () => {
     const media = new EventTarget();
@@ -54,14 +57,58 @@ describe('events', () => {
     dispatch(media, 'seeking');
     dispatch(media, 'seeked');
     expect([told.length, isPending(media, 'seeked')]).toEqual([0, true]);
-    await Promise.resolve();
+    await over();
     expect(told).toEqual(['seeking', 'seeked', 'emptied']);
     expect(isPending(media, 'seeked')).toBe(false);
     dispatch(media, 'seeking');
     takeBack(media);
     dispatch(media, 'emptied');
-    await Promise.resolve();
+    await over();
     expect(told.slice(3)).toEqual(['emptied']);
+  });
+});
+
+describe('steps of the same queue', () => {
+  it('come between the events, each in a task of its own', async () => {
+    const media = new EventTarget();
+    const told: string[] = [];
+    for (const type of ['playing', 'pause']) {
+      media.addEventListener(type, () => {
+        told.push(type);
+        void Promise.resolve().then(() => told.push(`after ${type}`));
+      });
+    }
+    dispatch(media, 'playing', 'pause');
+    after(media, () => told.push('kept'));
+    for (let i = 0; i < 10; i++) await Promise.resolve();
+    expect(told).toEqual([]);
+    await over();
+    expect(told).toEqual(['playing', 'after playing', 'pause', 'after pause', 'kept']);
+  });
+
+  it('are done at once where a new load takes the events back', async () => {
+    const media = new EventTarget();
+    const told: string[] = [];
+    for (const type of ['playing', 'volumechange', 'seeked']) media.addEventListener(type, () => told.push(type));
+    dispatch(media, 'playing', 'volumechange');
+    after(media, () => told.push('kept'));
+    takeBack(media);
+    expect(told).toEqual(['kept']);
+    await over();
+    expect(told).toEqual(['kept', 'volumechange']);
+  });
+
+  it('are those of one seek where another begins before the first is over', async () => {
+    const media = new EventTarget();
+    const told: string[] = [];
+    for (const type of ['seeking', 'timeupdate', 'seeked', 'pause']) media.addEventListener(type, () => told.push(type));
+    dispatch(media, 'pause', 'seeking', 'timeupdate', 'seeked');
+    takeBackSeek(media);
+    dispatch(media, 'seeking', 'timeupdate', 'seeked');
+    await over();
+    // None is under way.
+    takeBackSeek(media);
+    expect(told).toEqual(['pause', 'seeking', 'seeking', 'timeupdate', 'seeked']);
   });
 });
 

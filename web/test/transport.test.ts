@@ -125,6 +125,33 @@ test('waits for sound that is not there, rather than drift', () => {
   expect(events.filter((e) => e === 'waiting' || e === 'playing')).toEqual(['playing', 'waiting', 'playing']);
 });
 
+test('at the speed 0 it plays and stands still, and goes on at another', () => {
+  transport.play();
+  voice.time += 2.13;
+  transport.setRate(0);
+  voice.time += 5;
+  expect([transport.update(), transport.paused, transport.waiting]).toEqual([expect.closeTo(2, 9), false, false]);
+  transport.seek(3);
+  voice.time += 5;
+  expect(transport.update()).toBe(3);
+  transport.setRate(0.25);
+  expect(voice.starts.at(-1)).toMatchObject({ position: 3, rate: 0.25 });
+  voice.time += 4.13;
+  expect(transport.update()).toBeCloseTo(4, 9);
+  expect(events).toEqual(['play', 'playing', 'ratechange', 'seeking', 'playing', 'seeked', 'ratechange']);
+});
+
+test('sought to its end at rest it has ended, and in a loop it is at its beginning', () => {
+  transport.seek(10);
+  expect([transport.ended, transport.position]).toEqual([true, 10]);
+  transport.seek(4);
+  expect(transport.ended).toBe(false);
+  transport.loop = true;
+  transport.seek(10);
+  expect([transport.ended, transport.position]).toEqual([false, 0]);
+  expect(events).toEqual(['seeking', 'seeked', 'seeking', 'seeked', 'seeking', 'seeking', 'seeked']);
+});
+
 test('ends once, and plays again from the start', () => {
   transport.play();
   voice.time += 20;

@@ -152,7 +152,8 @@ export const inapplicable: readonly Inapplicable[] = [
   ...because('where the focus goes is tested in access.ts by all pages', `${video}video-tabindex.html`),
   ...because('clicks on `MediaController`, which is gone from the specification', 'user-interface/activation-behavior.html'),
   ...because('a proposal: no browser is muted by its speed', 'user-interface/muted-playbackrate.tentative.html'),
-  ...because('a proposal of one browser’s menu', 'controlsList.tentative.html'),
+  ...because('a proposal of one browser’s menu, whose entries are about files; the player has controls of its own, and parts to hide', 'controlsList.tentative.html'),
+  ...because('`remote` sends the address of a sound or a film to another device; a story is performed by the page', '/remote-playback/*'),
   ...because('optional: a hidden element may wait', 'ready-states/autoplay-hidden*'),
   ...because('an element without a window has no clock and no scripts of its own', 'playing-the-media-resource/play-in-detached-document.html'),
   ...because(

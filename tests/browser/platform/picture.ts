@@ -341,4 +341,19 @@ const shown: readonly Row[] = [
   },
 ];
 
-export const theme: Theme = { name: 'picture', control: 'video', seen: true, rows: [...callbacks, ...pictures, ...streams, ...windows, ...shown] };
+const reflected: readonly Row[] = [
+  {
+    test: '/html/dom/reflection-embedded.html#video.playsInline',
+    ask: ({ make }) => {
+      const media = make();
+      const seen: unknown[] = [media.playsInline];
+      media.setAttribute('playsinline', '');
+      seen.push(media.playsInline);
+      media.playsInline = false;
+      return [...seen, media.hasAttribute('playsinline')];
+    },
+    expected: [false, true, false],
+  },
+];
+
+export const theme: Theme = { name: 'picture', control: 'video', seen: true, rows: [...callbacks, ...pictures, ...streams, ...windows, ...shown, ...reflected] };

@@ -33,6 +33,7 @@ export type PlayerAttributes = { [Name in Named]?: RaconteurPlayer[Name] | undef
   volume?: number | `${number}` | undefined;
   'playback-rate'?: number | `${number}` | undefined;
   disablepictureinpicture?: boolean | undefined;
+  playsinline?: boolean | undefined;
 };
 
 /** All events of a player by their names. */
