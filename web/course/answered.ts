@@ -65,7 +65,8 @@ export function answeredOf(session: Session, reply: Reply): Statement {
     verb: { id: VERBS.answered, display: { 'en-US': 'answered' } },
     object: { objectType: 'Activity', id: questionId(session.activityId, question.name), definition: definitionOf(question, session.language) },
     result: {
-      success: answered.isRight,
+      // What is not graded is neither a success nor none.
+      ...(answered.isRight === undefined ? {} : { success: answered.isRight }),
       ...(response === undefined ? {} : { response }),
       ...scoreOf(answered.points, question.points),
       duration: durationOf(reply.latencyMs),

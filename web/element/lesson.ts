@@ -3,7 +3,7 @@
  * was answered. All of it lies one after another in the story's time; what is not meant is leapt over.
  */
 
-import { judge } from './judge.js';
+import { isOutcome, judge, type Judgement } from './judge.js';
 import { type Span, united } from './ranges.js';
 import type { Part } from './text-tracks.js';
 import type { Question, Way } from './types.js';
@@ -15,13 +15,14 @@ export interface Answered {
   readonly name: string;
   /** What was answered last; `QuestionKind` tells what it holds. Empty where the time was over. */
   readonly given: readonly string[];
-  readonly isRight: boolean;
+  /** Left out where the question is not graded: nothing is right or wrong there. */
+  readonly isRight?: boolean;
   /** The names of the options that it fits. */
   readonly fits: readonly string[];
   readonly points: number;
   /** How often it was answered. */
   readonly tries: number;
-  /** It is answered for good: right, or there are no tries left. */
+  /** It is answered for good: right, not graded, or there are no tries left. */
   readonly isFinal: boolean;
 }
 
@@ -207,8 +208,7 @@ export class Lesson {
     const judgement = asked && judge(asked, given);
     if (asked === undefined || judgement === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
-    const isFinal = judgement.isRight || tries >= asked.tries;
-    return this.#take(asked, { name: asked.name, ...judgement, points: judgement.isRight ? asked.points : 0, tries, isFinal });
+    return this.#take(asked, answeredOf(asked, judgement, tries));
   }
 
   /** The time for what is asked is over. */
@@ -216,7 +216,7 @@ export class Lesson {
     const asked = this.#asked;
     if (asked === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
-    return this.#take(asked, { name: asked.name, given: [], isRight: false, fits: [], points: 0, tries, isFinal: true });
+    return this.#take(asked, { ...answeredOf(asked, unanswered(asked), tries), isFinal: true });
   }
 
   /** What was done, to be given back to `restore`: data that `JSON.stringify` writes. */
@@ -247,7 +247,7 @@ export class Lesson {
   }
 
   #react(asked: Question, { isRight, fits }: Answered): Turn {
-    const meant = (to: string) => (to === 'right' ? isRight : to === 'wrong' ? !isRight : fits.includes(to));
+    const meant = (to: string) => isOutcome(to, isRight) || fits.includes(to);
     const reaction = asked.answers.find(({ to }) => meant(to));
     this.#asked = undefined;
     this.#next += 1;
@@ -347,17 +347,20 @@ export class Lesson {
     const question = typeof name === 'string' ? this.#byName.get(name) : undefined;
     if (question === undefined || !Array.isArray(given) || !(typeof tries === 'number' && tries >= 1)) return undefined;
     const count = Math.min(question.tries, Math.floor(tries));
-    const judgement = judge(question, given.map(String)) ?? { given: [], isRight: false, fits: [] };
+    const known = answeredOf(question, judge(question, given.map(String)) ?? unanswered(question), count);
     const isOver = given.length === 0 && isFinal === true;
-    return {
-      name: question.name,
-      ...judgement,
-      points: judgement.isRight ? question.points : 0,
-      tries: count,
-      isFinal: judgement.isRight || isOver || count >= question.tries,
-    };
+    return { ...known, isFinal: known.isFinal || isOver };
   }
 }
+
+/** An answer and what it is worth. What is not graded is taken at once. */
+function answeredOf({ name, points, tries: most }: Question, judgement: Judgement, tries: number): Answered {
+  const { isRight } = judgement;
+  return { name, ...judgement, points: isRight === true ? points : 0, tries, isFinal: isRight !== false || tries >= most };
+}
+
+/** What it is where nothing was answered. */
+const unanswered = ({ isUngraded }: Question): Judgement => ({ given: [], fits: [], ...(isUngraded === true ? {} : { isRight: false }) });
 
 /** The way from where a story would stand in a mark to behind it. */
 function over({ endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {

@@ -85,6 +85,8 @@ export interface Question extends Ordered {
   readonly name: string;
   readonly kind: QuestionKind;
   readonly prompt: string;
+  /** True where no answer is right or wrong: whatever is answered is taken, and counts no points. */
+  readonly isUngraded?: boolean;
   readonly points: number;
   readonly tries: number;
   /** Read after a wrong answer, while there are tries left. */
@@ -92,7 +94,7 @@ export interface Question extends Ordered {
   /** How long one may think about it, seconds; the learner may ask for more. */
   readonly limitSecs?: number;
   readonly options: readonly QuestionOption[];
-  /** `to`: `right`, `wrong`, or the name of an option. */
+  /** `to`: `right`, `wrong`, `answered`, or the name of an option. */
   readonly answers: readonly { readonly order: number; readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
 }
 

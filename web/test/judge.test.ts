@@ -80,6 +80,24 @@ describe('An answer', () => {
     ]);
   });
 
+  it('to what is not graded is neither right nor wrong, whatever its kind', () => {
+    const kinds: readonly [QuestionKind, string[]][] = [
+      ['choice', ['a']],
+      ['several', ['a', 'b']],
+      ['point', ['b']],
+      ['order', ['b', 'a']],
+      ['match', ['a', 'a']],
+      ['gap', ['x', '']],
+      ['number', ['7']],
+      ['text', ['I will.']],
+    ];
+    for (const [kind, given] of kinds) {
+      const asked = { ...question(kind, kind === 'number' || kind === 'text' ? [] : [option('a', { partner: 'A' }), option('b', { partner: 'B' })]), isUngraded: true };
+      expect([judge(asked, given)?.given, Object.keys(judge(asked, given) ?? {})], kind).toEqual([given, ['given', 'fits']]);
+      expect(judge(asked, []), kind).toBe(undefined);
+    }
+  });
+
   it('of any size and kind is bounded, and is never more than was given', () => {
     const kinds: readonly QuestionKind[] = ['choice', 'several', 'order', 'match', 'gap', 'number', 'point', 'text'];
     const texts = ['x'.repeat(1 << 20), '<script>alert(1)</script>', '\ud800', '__proto__', 'a', '[a]', '\0', '🙂'.repeat(9000), '-'.repeat(1 << 20), 'ä'.repeat(1 << 20)];

@@ -129,6 +129,28 @@ describe('A lesson', () => {
     expect(l.pass(12)).toMatchObject({ kind: 'leap', toSecs: 17 });
   });
 
+  it('takes any answer to what is not graded, for good, without points', () => {
+    const survey = question(10, {
+      isUngraded: true,
+      points: 0,
+      options: [option('a'), option('b'), option('c')],
+      answers: [...question(10).answers.slice(1), { order: 107, to: 'answered', startSecs: 16, endSecs: 17 }],
+    });
+    const l = lesson([survey, question(30)], [when(20, 22, 'q10', { is: 'wrong' }), when(24, 26, 'q10', { is: 'answered' })]);
+    l.pass(10);
+    expect(l.answer(['b'])).toEqual({ answered: { name: 'q10', given: ['b'], fits: ['b'], points: 0, tries: 1, isFinal: true }, turn: { kind: 'leap', fromSecs: 10, toSecs: 16 } });
+    expect(l.score).toEqual({ points: 0, most: 2 });
+    const { shown } = play(l, 17, 29);
+    expect([within(shown, 20, 22).length, within(shown, 24, 26).length]).toEqual([0, 8]);
+    const again = lesson([survey]);
+    again.restore(JSON.parse(JSON.stringify(l.state())));
+    expect(again.answered).toEqual(l.answered);
+    // Nor is it wrong to let the time run out.
+    const late = lesson([survey]);
+    late.pass(10);
+    expect(late.expire()?.answered).toEqual({ name: 'q10', given: [], fits: [], points: 0, tries: 1, isFinal: true });
+  });
+
   it('goes on with an answer while the story gets other times', () => {
     const l = lesson([question(10)]);
     l.pass(10);

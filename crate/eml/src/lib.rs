@@ -23,6 +23,7 @@ mod gesture;
 mod limits;
 mod namespaces;
 mod parse;
+mod questions;
 mod record;
 pub mod reference;
 pub mod schema;

@@ -34,6 +34,8 @@ struct Question {
     name: String,
     kind: &'static str,
     prompt: String,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_ungraded: bool,
     points: f64,
     tries: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -112,6 +114,7 @@ impl From<QuestionCue> for Question {
             name: cue.name,
             kind: cue.kind.word(),
             prompt: cue.prompt,
+            is_ungraded: !cue.is_graded,
             points: cue.points,
             tries: cue.tries,
             hint: cue.hint,

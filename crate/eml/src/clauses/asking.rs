@@ -24,6 +24,14 @@ words! {
     }
 }
 
+impl AskKind {
+    /// Whether it is answered by what somebody writes, which no option has to offer.
+    #[must_use]
+    pub fn is_free(self) -> bool {
+        matches!(self, Self::Number | Self::Text)
+    }
+}
+
 record! {
     /// What one may answer, or a rule for what one may.
     AskOption = "option" {
@@ -46,6 +54,10 @@ record! {
         /// The bone that is pointed at.
         at: Option<String> = "at",
     }
+    placed {
+        /// Its start tag.
+        span
+    }
 }
 
 record! {
@@ -57,6 +69,8 @@ record! {
         kind: AskKind = "type",
         /// What is asked, to be read.
         prompt: String = "prompt",
+        /// Whether some answers are right and others wrong; else whatever is answered is taken.
+        is_graded: bool = "graded",
         /// What a right answer counts.
         points: f64 = "points",
         /// How often one may answer.
@@ -75,7 +89,7 @@ record! {
 record! {
     /// After which answers something is performed.
     Reaction = "answer" {
-        /// `right`, `wrong`, or the name of an option.
+        /// `right`, `wrong`, `answered`, or the name of an option.
         to: String = "to",
     }
 }

@@ -21,7 +21,9 @@ pub struct QuestionCue {
     pub kind: AskKind,
     /// What is read.
     pub prompt: String,
-    /// What a right answer counts.
+    /// Whether answers are right or wrong.
+    pub is_graded: bool,
+    /// What a right answer counts; 0 where none is right.
     pub points: f64,
     /// How often one may answer.
     pub tries: u32,
@@ -86,7 +88,7 @@ impl OptionCue {
 pub struct AnswerCue {
     /// Its place among all that the story comes to.
     pub order: u32,
-    /// `right`, `wrong`, or the name of an option.
+    /// `right`, `wrong`, `answered`, or the name of an option.
     pub to: String,
     /// Where it begins, seconds.
     pub start_secs: f64,
@@ -113,7 +115,12 @@ impl Script {
                         name: question.name.clone(),
                         kind: question.kind,
                         prompt: question.prompt.clone(),
-                        points: question.points,
+                        is_graded: question.is_graded,
+                        points: if question.is_graded {
+                            question.points
+                        } else {
+                            0.0
+                        },
                         tries: question.tries,
                         hint: question.hint.clone(),
                         limit_secs: question.limit_secs,
