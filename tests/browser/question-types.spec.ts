@@ -216,6 +216,47 @@ test('a story from the right has its form there, in words of its language where 
   await expect(german.getByRole('button', { name: 'Antworten' })).toBeVisible();
 });
 
+test('where nothing is performed, what was right is read and said, and can be closed', async ({ stage }) => {
+  const options = `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`;
+  const body = `<seq time='0'><null time='0.3'/><r:ask time='0' name='one' prompt='One?'>${options}</r:ask>
+    <r:ask time='0' name='two' prompt='Two?' feedbackRight='Well seen!'>${options}</r:ask><null time='30'/></seq>`;
+  const form = await open(stage, body);
+  await form.getByLabel('B', { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.locator('legend')).toHaveText('Two?');
+  await expect(form.locator('[part~=feedback]')).toHaveText('That is not right. Right is: A');
+  await expect(stage.player.locator('.unseen')).toHaveText('That is not right. Right is: A Question: Two?');
+  await hasNoBarriers(stage);
+  await form.getByLabel('A', { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form).toHaveCount(0);
+  const note = stage.player.locator('[part~=feedback]');
+  await expect(note).toContainText('Well seen!');
+  await hasNoBarriers(stage);
+  await note.getByRole('button', { name: 'Close' }).click();
+  await expect(note).toHaveCount(0);
+});
+
+test('what is not graded is taken as it is', async ({ stage }) => {
+  const body = `<seq time='0'><null time='0.3'/><r:ask time='0' name='why' type='text' prompt='Why?' graded='false'/>
+    <r:ask time='0' name='liked' prompt='Did you like it?' graded='false'><r:option name='yes' text='Yes'/><r:option name='no' text='No'/>
+    <r:answer to='answered'><event time='0.1' type='thanks'/><null time='0.4'/></r:answer></r:ask><null time='1'/></seq>`;
+  const form = await open(stage, body);
+  await form.getByLabel('Your answer').fill('Because.');
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.locator('[part~=feedback]')).toHaveText('Thank you.');
+  await form.getByLabel('No').check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['thanks']);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.state().answered, p.score])).toEqual([
+    [
+      { name: 'why', given: ['Because.'], fits: [], points: 0, tries: 1, isFinal: true },
+      { name: 'liked', given: ['no'], fits: ['no'], points: 0, tries: 1, isFinal: true },
+    ],
+    { points: 0, most: 0 },
+  ]);
+});
+
 test('ten thousand questions are a story', async ({ stage }) => {
   const one = (i: number) => `<r:ask time='0' name='q${i}' prompt='Which?'><r:option name='a' text='A' right='true'/></r:ask>`;
   const form = await open(stage, `<seq time='0'><null time='0.3'/>${Array.from({ length: 10_000 }, (_, i) => one(i)).join('')}</seq>`);

@@ -85,10 +85,11 @@ function patterns12(question: Question): string[] {
   }
 }
 
-/** What both versions say of an answer; `wrong` is their word for one that is. What is not graded is neutral. */
-function resultOf({ isRight }: Answered, wrong: 'wrong' | 'incorrect'): string {
+/** What both versions say of an answer; `wrong` is their word for one that is. What is not graded is neutral, and what is right in part has its points. */
+function resultOf({ isRight, points }: Answered, wrong: 'wrong' | 'incorrect'): string {
   if (isRight === undefined) return 'neutral';
-  return isRight ? 'correct' : wrong;
+  if (isRight) return 'correct';
+  return points > 0 ? (decimal(points) ?? wrong) : wrong;
 }
 
 /** The `n`th interaction of SCORM 1.2. */

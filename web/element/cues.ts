@@ -29,9 +29,11 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   }
   if (event === 'play') {
     context.started = true;
-    say('Playing');
+    // What there is to read of an answer is said already, and more to the point.
+    if (context.questioner.form.feedback === '') say('Playing');
   }
-  if (event === 'pause') say(player.ended ? 'The story has ended' : 'Paused');
+  // What is asked is said instead, with what there is to read of the answer before.
+  if (event === 'pause' && context.questioner.lesson.asked === undefined) say(player.ended ? 'The story has ended' : 'Paused');
   if (event === 'seeked') {
     const { picture } = context.show ?? {};
     if (context.questioner.isTurning) picture?.leap(player.currentTime);

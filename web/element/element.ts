@@ -87,6 +87,7 @@ const AWAY_MS = 6000;
  * @csspart option - What one may answer there
  * @csspart submit - Its button
  * @csspart more - Its button that gives more time
+ * @csspart feedback - What is read of an answer, in a form and while the story goes on
  * @csspart marker - Each mark of what may be pointed at
  * @csspart diagnostics - The list of `remarks`
  * @csspart error - What is shown where the story cannot be played

@@ -98,18 +98,31 @@ function order({ options }: Question, given: readonly string[]): Required<Judgem
   return { given: [...given], isRight: options.every(({ name }, i) => given[i] === name), fits: [] };
 }
 
-function match({ options }: Question, given: readonly string[]): Required<Judgement> | undefined {
-  const partnerOf = (name: string | undefined) => options.find((option) => option.name === name)?.partner;
-  const known = options.map((_, i) => (partnerOf(given[i]) === undefined ? '' : (given[i] ?? '')));
-  if (known.every((name) => name === '')) return undefined;
-  return { given: known, isRight: options.every(({ partner }, i) => partnerOf(known[i]) === partner), fits: [] };
+/** The partner of an option by its name; undefined where it has none. */
+const partnerOf = (options: readonly QuestionOption[], name: string | undefined): string | undefined => options.find((option) => option.name === name)?.partner;
+
+/** Whether the option at a place was given its partner, or another one that reads the same. */
+export function isMatched({ options }: Question, given: readonly string[], place: number): boolean {
+  return partnerOf(options, given[place]) === options[place]?.partner;
 }
 
-function gap({ options }: Question, given: readonly string[]): Required<Judgement> | undefined {
-  const written = options.map((_, i) => (given[i] ?? '').trim().slice(0, MOST_CHARACTERS));
+function match(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+  const { options } = question;
+  const known = options.map((_, i) => (partnerOf(options, given[i]) === undefined ? '' : (given[i] ?? '')));
+  if (known.every((name) => name === '')) return undefined;
+  return { given: known, isRight: options.every((_, i) => isMatched(question, known, i)), fits: [] };
+}
+
+/** Whether the gap of the option at a place is filled as it has to be. */
+export function isFilled({ options }: Question, given: readonly string[], place: number): boolean {
+  const written = plain(given[place] ?? '');
+  return (options[place]?.accepts ?? []).some((accepted) => plain(accepted) === written);
+}
+
+function gap(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+  const written = question.options.map((_, i) => (given[i] ?? '').trim().slice(0, MOST_CHARACTERS));
   if (written.every((text) => plain(text) === '')) return undefined;
-  const fits = ({ accepts = [] }: QuestionOption, text = '') => accepts.some((accepted) => plain(accepted) === plain(text));
-  return { given: written, isRight: options.every((option, i) => fits(option, written[i])), fits: [] };
+  return { given: written, isRight: question.options.every((_, i) => isFilled(question, written, i)), fits: [] };
 }
 
 /** The first option that takes it decides. */

@@ -3,6 +3,7 @@
  * was answered. All of it lies one after another in the story's time; what is not meant is leapt over.
  */
 
+import { pointsOf } from './credit.js';
 import { isOutcome, judge, type Judgement } from './judge.js';
 import { type Span, united } from './ranges.js';
 import type { Part } from './text-tracks.js';
@@ -47,6 +48,15 @@ export interface LessonState {
 /** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
 export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
 
+/** What became of an answer. */
+export interface Taken {
+  readonly question: Question;
+  readonly answered: Answered;
+  readonly turn: Turn;
+  /** It is answered for good, and nothing of the story follows from it. */
+  readonly isSilent: boolean;
+}
+
 /** Something that a story comes to. */
 type Mark =
   | Way
@@ -57,7 +67,7 @@ const GO: Turn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
 /** The places of what is not in the story, after all that is. */
-const LIVE = 1e9;
+export const LIVE = 1e9;
 /** More of a state from outside is not read. */
 const MOST_DONE = 100_000;
 
@@ -203,7 +213,7 @@ export class Lesson {
   }
 
   /** Takes an answer to what is asked; undefined where nothing is, or where it is none. */
-  answer(given: readonly string[]): { readonly answered: Answered; readonly turn: Turn } | undefined {
+  answer(given: readonly string[]): Taken | undefined {
     const asked = this.#asked;
     const judgement = asked && judge(asked, given);
     if (asked === undefined || judgement === undefined) return undefined;
@@ -212,7 +222,7 @@ export class Lesson {
   }
 
   /** The time for what is asked is over. */
-  expire(): { readonly answered: Answered; readonly turn: Turn } | undefined {
+  expire(): Taken | undefined {
     const asked = this.#asked;
     if (asked === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
@@ -241,14 +251,15 @@ export class Lesson {
     this.seek(0);
   }
 
-  #take(asked: Question, answered: Answered): { readonly answered: Answered; readonly turn: Turn } {
+  #take(asked: Question, answered: Answered): Taken {
     this.#answered.set(asked.name, answered);
-    return { answered, turn: answered.isFinal ? this.#react(asked, answered) : GO };
+    if (!answered.isFinal) return { question: asked, answered, turn: GO, isSilent: false };
+    const { isRight, fits } = answered;
+    const reaction = asked.answers.find(({ to }) => isOutcome(to, isRight) || fits.includes(to));
+    return { question: asked, answered, turn: this.#react(asked, reaction), isSilent: reaction === undefined };
   }
 
-  #react(asked: Question, { isRight, fits }: Answered): Turn {
-    const meant = (to: string) => isOutcome(to, isRight) || fits.includes(to);
-    const reaction = asked.answers.find(({ to }) => meant(to));
+  #react(asked: Question, reaction: Question['answers'][number] | undefined): Turn {
     this.#asked = undefined;
     this.#next += 1;
     const toSecs = reaction?.startSecs ?? asked.endSecs;
@@ -354,9 +365,8 @@ export class Lesson {
 }
 
 /** An answer and what it is worth. What is not graded is taken at once. */
-function answeredOf({ name, points, tries: most }: Question, judgement: Judgement, tries: number): Answered {
-  const { isRight } = judgement;
-  return { name, ...judgement, points: isRight === true ? points : 0, tries, isFinal: isRight !== false || tries >= most };
+function answeredOf(question: Question, judgement: Judgement, tries: number): Answered {
+  return { name: question.name, ...judgement, points: pointsOf(question, judgement), tries, isFinal: judgement.isRight !== false || tries >= question.tries };
 }
 
 /** What it is where nothing was answered. */

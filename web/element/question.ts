@@ -4,7 +4,9 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { languageOf, type PlayerContext } from './context.js';
 import { gapsOf } from './judge.js';
 import type { Spot } from './pose.js';
-import type { Answered } from './lesson.js';
+import { feedbackOf } from './feedback.js';
+import type { Answered, Taken } from './lesson.js';
+import { Note } from './note.js';
 import type { Limit } from './limit.js';
 import { fieldsOf, gapsIn, givenIn, mixed } from './question-fields.js';
 import { wordsOf } from './question-words.js';
@@ -39,8 +41,14 @@ export class QuestionForm {
   #last: Answered | undefined;
   /** What the learner reads beneath the fields. */
   #said = '';
+  /** What is read of the question before. */
+  readonly #note: Note;
 
   constructor(limit: Limit, answer: (given: readonly string[]) => void, contextOf: () => PlayerContext) {
+    this.#note = new Note({
+      plays: () => !contextOf().player.paused && !document.hidden,
+      gone: () => contextOf().player.requestUpdate(),
+    });
     this.#limit = limit;
     this.#answer = answer;
     this.#contextOf = contextOf;
@@ -90,21 +98,36 @@ export class QuestionForm {
     this.#find<HTMLElement>('.question :is(input, select, textarea, button)')?.focus();
   }
 
-  /** Somebody has answered: what they read while there are tries left. */
-  answered(answered: Answered): void {
-    const question = this.#question;
+  /** What is read of an answer; empty where that is nothing. */
+  get feedback(): string {
+    return this.#note.text;
+  }
+
+  /** Nothing is to be read of a story that goes. */
+  forget(): void {
+    this.#note.show('');
+  }
+
+  /** Somebody has answered: what they read, while there are tries left and for good. */
+  answered(taken: Taken): void {
+    const { question, answered } = taken;
     this.#last = answered;
-    if (question === undefined || answered.isFinal) return;
     const { notYet, tries } = this.words;
+    this.#note.show(feedbackOf(taken, this.words));
+    if (answered.isFinal) return;
     this.#said = [notYet, question.hint, tries(question.tries - answered.tries)].filter(Boolean).join(' ');
   }
 
-  render(question: Question): TemplateResult {
+  /** The form of what is asked; else what is to be read of what was. */
+  render(question: Question | undefined): TemplateResult | typeof nothing {
     const { words, prompt } = this;
     const left = this.#limit.leftSecs;
     const isFromRight = FROM_RIGHT.has(this.#language.split('-')[0] ?? '');
+    const direction = isFromRight ? 'rtl' : 'ltr';
+    if (question === undefined) return this.feedback === '' ? nothing : this.#note.render(this.#language, direction, words.close);
     return html`${question.kind === 'point' ? this.#markers(question) : nothing}
-      <form class="question" part="question" lang=${this.#language} dir=${isFromRight ? 'rtl' : 'ltr'} @submit=${(event: SubmitEvent) => this.#submit(event, question)}>
+      <form class="question" part="question" lang=${this.#language} dir=${direction} @submit=${(event: SubmitEvent) => this.#submit(event, question)}>
+        ${this.feedback === '' ? nothing : html`<p class="before" part="feedback" dir="auto">${this.feedback}</p>`}
         <fieldset>
           <legend dir="auto">${prompt}</legend>
           ${fieldsOf({ question, words, shown: this.#shown, move: (name, by) => this.#move(name, by), look: (option) => this.#look(option) })}

@@ -50,6 +50,7 @@ export class Questioner {
   /** The story goes, and what was answered to it. */
   clear(): void {
     this.lesson.clear();
+    this.form.forget();
     this.#ask();
   }
 
@@ -78,13 +79,14 @@ export class Questioner {
   }
 
   #took(taken: ReturnType<Lesson['answer']>): Answered | undefined {
-    const { player, show, tell } = this.#contextOf();
+    const { player, show, tell, say } = this.#contextOf();
     if (taken === undefined || show === undefined) return undefined;
     const { answered, turn } = taken;
     fire(player, 'answer', answered);
     tell({ kind: 'answered', ...answered });
     if (answered.isFinal) fire(player, 'score', this.lesson.score);
-    this.form.answered(answered);
+    this.form.answered(taken);
+    if (this.form.feedback !== '') say(this.form.feedback);
     player.requestUpdate();
     if (turn.kind === 'go') return answered;
     this.#turn(show, turn, show.transport.position);
@@ -118,7 +120,8 @@ export class Questioner {
       fire(player, 'question', asked);
       const { kind, ...told } = asked;
       tell({ kind: 'question', ...told, type: kind });
-      say(this.form.words.asks(this.form.prompt));
+      // One that follows at once would be said instead of what there is to read of the answer.
+      say([this.form.feedback, this.form.words.asks(this.form.prompt)].filter(Boolean).join(' '));
     }
     keepTime();
     player.requestUpdate();

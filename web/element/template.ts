@@ -47,7 +47,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
         ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
-      ${question(questioner)}
+      ${questioner.form.render(questioner.lesson.asked)}
       <div class="notes">
         ${stories.lost !== 'no' && told ? controls.pictureLost(stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
         ${player.remarks && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
@@ -56,10 +56,6 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       <div class="unseen" role="status">${state.announcement}</div>
     </div>
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
-}
-
-function question({ lesson: { asked }, form }: Questioner): TemplateResult | typeof nothing {
-  return asked === undefined ? nothing : form.render(asked);
 }
 
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {

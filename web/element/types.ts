@@ -88,9 +88,15 @@ export interface Question extends Ordered {
   /** True where no answer is right or wrong: whatever is answered is taken, and counts no points. */
   readonly isUngraded?: boolean;
   readonly points: number;
+  /** What is right of an answer counts by itself (`several`, `order`, `match`, `gap`). */
+  readonly isPartial?: boolean;
+  /** Options are shown in an order by chance. */
+  readonly isShuffled?: boolean;
   readonly tries: number;
   /** Read after a wrong answer, while there are tries left. */
   readonly hint?: string;
+  /** Read once it is answered for good, where the author says what: after any answer, and in its place after a right or a wrong one. */
+  readonly feedback?: { readonly any?: string; readonly right?: string; readonly wrong?: string };
   /** How long one may think about it, seconds; the learner may ask for more. */
   readonly limitSecs?: number;
   readonly options: readonly QuestionOption[];

@@ -96,7 +96,9 @@ export function randomGiven(next: Next, { kind, options }: Question): string[] {
 export function randomReply(next: Next, question: Question): Reply {
   const given = { fits: [], name: question.name, given: randomGiven(next, question), tries: 1 };
   const isRight = next() < 0.5;
-  const answered = question.isUngraded ? { ...given, points: 0, isFinal: true } : { ...given, isRight, points: isRight ? question.points : 0, isFinal: isRight };
+  const answered = question.isUngraded
+    ? { ...given, points: 0, isFinal: true }
+    : { ...given, isRight, points: isRight ? question.points : next() < 0.3 ? Math.floor(33 * question.points) / 100 : 0, isFinal: isRight };
   return { question, answered, atMs: Date.now(), latencyMs: 1e6 * next() };
 }
 

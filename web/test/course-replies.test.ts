@@ -212,6 +212,17 @@ it('to what is not graded is neutral, and nothing is told to be right', () => {
   }
 });
 
+it('that is right in part has its points for a result', () => {
+  const reply = replyTo('several', [option('a'), option('b')], ['a']);
+  for (const [points, results] of [
+    [0, ['wrong', 'incorrect']],
+    [1.33, ['1.33', '1.33']],
+  ] as const) {
+    const made = [interaction12, interaction2004].map((interaction) => interaction(0, { ...reply, answered: { ...reply.answered, points } }));
+    expect(made.map((elements) => elements.find(([element]) => element.endsWith('result'))?.[1])).toEqual(results);
+  }
+});
+
 it('has patterns within the limits of 2004, and no two that are the same', () => {
   const accepts = ['a', 'b', 'c', 'a'];
   const [, , patterns] = told(interaction2004(0, replyTo('gap', [option('x', { accepts }), option('y', { accepts: ['d', 'e'] })], [])));

@@ -66,7 +66,7 @@ describe('A lesson', () => {
     const l = lesson([question(10)]);
     expect(l.pass(9.9)).toEqual({ kind: 'go' });
     expect([l.pass(10.02), l.asked?.name]).toEqual([{ kind: 'rest', atSecs: 10 }, 'q10']);
-    expect(l.answer(['a'])).toEqual({
+    expect(l.answer(['a'])).toMatchObject({
       answered: { name: 'q10', given: ['a'], fits: ['a'], isRight: true, points: 2, tries: 1, isFinal: true },
       turn: { kind: 'leap', fromSecs: 10, toSecs: 13 },
     });
@@ -138,7 +138,10 @@ describe('A lesson', () => {
     });
     const l = lesson([survey, question(30)], [when(20, 22, 'q10', { is: 'wrong' }), when(24, 26, 'q10', { is: 'answered' })]);
     l.pass(10);
-    expect(l.answer(['b'])).toEqual({ answered: { name: 'q10', given: ['b'], fits: ['b'], points: 0, tries: 1, isFinal: true }, turn: { kind: 'leap', fromSecs: 10, toSecs: 16 } });
+    expect(l.answer(['b'])).toMatchObject({
+      answered: { name: 'q10', given: ['b'], fits: ['b'], points: 0, tries: 1, isFinal: true },
+      turn: { kind: 'leap', fromSecs: 10, toSecs: 16 },
+    });
     expect(l.score).toEqual({ points: 0, most: 2 });
     const { shown } = play(l, 17, 29);
     expect([within(shown, 20, 22).length, within(shown, 24, 26).length]).toEqual([0, 8]);

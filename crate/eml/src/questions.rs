@@ -38,6 +38,7 @@ pub(crate) fn check(
     } else {
         ungraded(asked, span, sink);
     }
+    kind_of(asked, span, sink);
     if matches!(asked.kind, AskKind::Order | AskKind::Match) && asked.options.len() == 1 {
         let name = quoted(&asked.name);
         let message = format!("{name} has nothing to put together: it needs two options");
@@ -55,7 +56,7 @@ pub(crate) fn check(
                 quoted(&asked.name)
             );
             sink.push(
-                Diagnostic::warning("eml::ask-ungraded", clause.tag_span, message)
+                Diagnostic::warning("eml::unreachable", clause.tag_span, message)
                     .hint("to='answered' is performed after any answer"),
             );
         } else if !OUTCOMES.contains(&to) && !names.contains(to) {
@@ -171,25 +172,34 @@ fn right_options(asked: &Question, span: Span, sink: &mut Sink) {
 
 /// Reports what means nothing where nothing is right.
 fn ungraded(asked: &Question, span: Span, sink: &mut Sink) {
-    let name = quoted(&asked.name);
     for option in asked.options.iter().filter(|option| option.is_right) {
-        let message = format!(
-            "{name} is not graded; that {} is right means nothing",
-            quoted(&option.name)
-        );
-        sink.push(Diagnostic::warning(
-            "eml::ask-ungraded",
-            option.span,
-            message,
-        ));
+        ignored("right", option.span, "where nothing is graded", sink);
     }
     let given = [
         ("points", (asked.points - 1.0).abs() > 0.0),
         ("tries", asked.tries != 1),
         ("hint", asked.hint.is_some()),
+        ("partial", asked.is_partial),
+        ("feedbackRight", asked.feedback_right.is_some()),
+        ("feedbackWrong", asked.feedback_wrong.is_some()),
     ];
     for (attribute, _) in given.into_iter().filter(|(_, is_given)| *is_given) {
-        let message = format!("{name} is not graded; its `{attribute}` means nothing");
-        sink.push(Diagnostic::warning("eml::ask-ungraded", span, message));
+        ignored(attribute, span, "where nothing is graded", sink);
     }
+}
+
+/// Reports what means nothing where a question is answered so.
+fn kind_of(asked: &Question, span: Span, sink: &mut Sink) {
+    let of = format!("with type='{}'", asked.kind.word());
+    if asked.is_graded && asked.is_partial && !asked.kind.has_parts() {
+        ignored("partial", span, &of, sink);
+    }
+    if asked.is_shuffled && !asked.kind.is_listed() {
+        ignored("shuffle", span, &of, sink);
+    }
+}
+
+fn ignored(attribute: &str, span: Span, beside: &str, sink: &mut Sink) {
+    let message = format!("`{attribute}` means nothing {beside}");
+    sink.push(Diagnostic::warning("eml::ignored-attribute", span, message));
 }

@@ -1,6 +1,6 @@
 //! Messages to JavaScript about a story's questions and the ways through it.
 
-use raconteur_player::{AnswerCue, OptionCue, QuestionCue, WayCue, WayKind};
+use raconteur_player::{AnswerCue, FeedbackCue, OptionCue, QuestionCue, WayCue, WayKind};
 use serde::Serialize;
 
 /// The questions of a story and the ways through it.
@@ -37,13 +37,35 @@ struct Question {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_ungraded: bool,
     points: f64,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_partial: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_shuffled: bool,
     tries: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     hint: Option<String>,
+    feedback: Feedback,
     #[serde(skip_serializing_if = "Option::is_none")]
     limit_secs: Option<f64>,
     options: Vec<Choice>,
     answers: Vec<Answer>,
+}
+
+/// What is read once it is answered for good.
+#[derive(Debug, Serialize)]
+struct Feedback {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    any: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    right: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrong: Option<String>,
+}
+
+impl From<FeedbackCue> for Feedback {
+    fn from(FeedbackCue { any, right, wrong }: FeedbackCue) -> Self {
+        Self { any, right, wrong }
+    }
 }
 
 /// What one may answer.
@@ -116,8 +138,11 @@ impl From<QuestionCue> for Question {
             prompt: cue.prompt,
             is_ungraded: !cue.is_graded,
             points: cue.points,
+            is_partial: cue.is_partial,
+            is_shuffled: cue.is_shuffled,
             tries: cue.tries,
             hint: cue.hint,
+            feedback: cue.feedback.into(),
             limit_secs: cue.limit_secs,
             options: cue.options.into_iter().map(Choice::from).collect(),
             answers: cue.answers.into_iter().map(Answer::from).collect(),

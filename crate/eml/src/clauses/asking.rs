@@ -30,6 +30,18 @@ impl AskKind {
     pub fn is_free(self) -> bool {
         matches!(self, Self::Number | Self::Text)
     }
+
+    /// Whether an answer has parts, some of which may be right.
+    #[must_use]
+    pub fn has_parts(self) -> bool {
+        matches!(self, Self::Several | Self::Order | Self::Match | Self::Gap)
+    }
+
+    /// Whether its options are shown one below the other.
+    #[must_use]
+    pub fn is_listed(self) -> bool {
+        !matches!(self, Self::Gap | Self::Number | Self::Text)
+    }
 }
 
 record! {
@@ -73,10 +85,20 @@ record! {
         is_graded: bool = "graded",
         /// What a right answer counts.
         points: f64 = "points",
+        /// Whether what is right of an answer counts by itself.
+        is_partial: bool = "partial",
+        /// Whether its options are shown in an order by chance.
+        is_shuffled: bool = "shuffle",
         /// How often one may answer.
         tries: u32 = "tries",
         /// What is read after a wrong answer, while there are tries left.
         hint: Option<String> = "hint",
+        /// What is read once it is answered for good.
+        feedback: Option<String> = "feedback",
+        /// What is read in its place after a right answer.
+        feedback_right: Option<String> = "feedbackRight",
+        /// What is read in its place after a wrong answer.
+        feedback_wrong: Option<String> = "feedbackWrong",
         /// How long one may think about it, seconds; none: as long as one likes.
         limit_secs: Option<f64> = "limit",
     }

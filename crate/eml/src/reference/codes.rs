@@ -15,10 +15,6 @@ pub const CODES: &[(&str, &str)] = &[
         "Of the options of a question none is right, or more than one where one is to be chosen.",
     ),
     (
-        "eml::ask-ungraded",
-        "Something of a question that is not graded means nothing there: points, tries, a hint, or what is right.",
-    ),
-    (
         "eml::bad-boolean",
         "A truth value is none of true, false, 1 and 0.",
     ),

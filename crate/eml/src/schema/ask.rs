@@ -36,10 +36,32 @@ pub(super) static ELEMENT: Element = Element {
         )
         .default("true"),
         Attribute::between("points", 0.0, 1000.0, "What a right answer counts.").default("1"),
+        Attribute::flag(
+            "partial",
+            "Whether an answer that is right in part counts in part, with type='several' (what is right less what is wrong, of all that is right), match and gap (the share that is right), and order (the share of neighbours in their order).",
+        )
+        .default("false"),
+        Attribute::flag(
+            "shuffle",
+            "Whether each learner has the options in an order by chance, the same whenever they come back. Those of order, and partners of match, are mixed in any case, else alike for all learners.",
+        )
+        .default("false"),
         Attribute::integer("tries", 1, 100, "How often one may answer.").default("1"),
         Attribute::text(
             "hint",
             "What is read after a wrong answer, while there are tries left.",
+        ),
+        Attribute::text(
+            "feedback",
+            "What is read once it is answered for good. Where no answer is performed, it is by itself whether that was right, and what is right.",
+        ),
+        Attribute::text(
+            "feedbackRight",
+            "What is read in its place after a right answer.",
+        ),
+        Attribute::text(
+            "feedbackWrong",
+            "What is read in its place after a wrong answer.",
         ),
         Attribute::seconds_up_to(
             "limit",

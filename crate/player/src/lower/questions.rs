@@ -25,16 +25,33 @@ pub struct QuestionCue {
     pub is_graded: bool,
     /// What a right answer counts; 0 where none is right.
     pub points: f64,
+    /// Whether what is right of an answer counts by itself.
+    pub is_partial: bool,
+    /// Whether its options are shown in an order by chance.
+    pub is_shuffled: bool,
     /// How often one may answer.
     pub tries: u32,
     /// What is read after a wrong answer, while there are tries left.
     pub hint: Option<String>,
+    /// What is read once it is answered for good.
+    pub feedback: FeedbackCue,
     /// How long one may think about it, seconds.
     pub limit_secs: Option<f64>,
     /// What one may answer, in order.
     pub options: Vec<OptionCue>,
     /// What follows, in order.
     pub answers: Vec<AnswerCue>,
+}
+
+/// What is read once a question is answered for good, where its author says so.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FeedbackCue {
+    /// After any answer.
+    pub any: Option<String>,
+    /// In its place after a right one.
+    pub right: Option<String>,
+    /// In its place after a wrong one.
+    pub wrong: Option<String>,
 }
 
 /// What one may answer, or a rule for what one may.
@@ -121,8 +138,15 @@ impl Script {
                         } else {
                             0.0
                         },
+                        is_partial: question.is_partial,
+                        is_shuffled: question.is_shuffled,
                         tries: question.tries,
                         hint: question.hint.clone(),
+                        feedback: FeedbackCue {
+                            any: question.feedback.clone(),
+                            right: question.feedback_right.clone(),
+                            wrong: question.feedback_wrong.clone(),
+                        },
                         limit_secs: question.limit_secs,
                         options: options.collect(),
                         answers: Vec::new(),
