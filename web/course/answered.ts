@@ -27,7 +27,7 @@ function componentsOf({ kind, options }: Question, language: string): object {
     const id = identifierOf(options[place]?.name ?? '', place);
     return { id, description: { [language]: plain(text ?? '', MOST_TEXT) || id } };
   };
-  const all = options.map(({ text }, place) => component(place, text));
+  const all = options.map((option, place) => component(place, option.text || option.picture?.alt));
   switch (TYPES[kind]) {
     case 'choice':
     case 'sequencing':

@@ -174,7 +174,7 @@ export function pictureLost(recovering: boolean, hasFilm: boolean, retry: () => 
 }
 
 /** The big button before a story begins and after it ends. */
-export function bigButton(ended: boolean, play: () => void): TemplateResult {
+export function bigButton(ended: boolean, play: (event: MouseEvent) => void): TemplateResult {
   return html`<div class="overlay">
     <button part="big-play" aria-label=${ended ? 'Play the story again' : 'Play the story'} @click=${play}>
       <span class="disc">${ended ? icons.replay : icons.play}</span>

@@ -85,6 +85,7 @@ const AWAY_MS = 6000;
  * @csspart caption-word - The word that is being said
  * @csspart question - The form of a question
  * @csspart option - What one may answer there
+ * @csspart picture - Each picture there
  * @csspart submit - Its button
  * @csspart more - Its button that gives more time
  * @csspart feedback - What is read of an answer, in a form and while the story goes on
@@ -381,7 +382,8 @@ export class RaconteurPlayer extends MediaElement {
 
   /** All that the story asks, by time. */
   get questions(): readonly Question[] {
-    return this.#context.show?.story.questions ?? [];
+    const all = this.#context.show?.story.questions ?? [];
+    return all.filter((question) => this.#questioner.lesson.isDrawn(question));
   }
 
   /** What the story asks now, while it rests for that. */
@@ -573,6 +575,8 @@ export interface PlayerState {
   readonly values?: unknown;
   /** What was set and is not set again. */
   readonly done?: unknown;
+  /** What is by chance for the learner: the order of options, and what is drawn of pools. */
+  readonly seed?: unknown;
   /** How far the learner has come, seconds. */
   readonly furthestSecs?: unknown;
   /** What gotos have led over. */

@@ -2,6 +2,7 @@
 
 import { gapsOf } from './judge.js';
 import { LIVE, type Taken } from './lesson.js';
+import { readOf } from './question-fields.js';
 import type { QuestionWords } from './question-words.js';
 import type { Question, QuestionOption } from './types.js';
 
@@ -31,11 +32,11 @@ export function rightAnswer(question: Question, words: QuestionWords): string {
     case 'choice':
     case 'several':
     case 'point':
-      return right.map(({ text }) => text).join('; ');
+      return right.map(readOf).join('; ');
     case 'order':
-      return options.map(({ text }, i) => `${i + 1}. ${text}`).join(' ');
+      return options.map((option, i) => `${i + 1}. ${readOf(option)}`).join(' ');
     case 'match':
-      return options.map(({ text, partner }) => `${text} – ${partner ?? ''}`).join('; ');
+      return options.map((option) => `${readOf(option)} – ${option.partner ?? ''}`).join('; ');
     case 'gap':
       return gapsOf(question)
         .map((part) => (typeof part === 'string' ? part : (part.accepts?.[0] ?? '…')))

@@ -11,6 +11,8 @@ interface Listener {
   plays(): boolean;
   /** It is gone. */
   gone(): void;
+  /** Somebody has closed it by a key, and is to go on from elsewhere. */
+  left(): void;
 }
 
 export class Note {
@@ -42,11 +44,17 @@ export class Note {
     }, 1000);
   }
 
+  #close({ detail }: MouseEvent): void {
+    this.show('');
+    // A key has pressed the button, which goes.
+    if (detail === 0) this.#listener.left();
+  }
+
   /** By itself, with a way to close it. */
-  render(language: string, direction: string, close: string): TemplateResult {
+  render(language: string, direction: string, words: { readonly close: string }): TemplateResult {
     return html`<div class="feedback" part="feedback" lang=${language} dir=${direction}>
       <p dir="auto">${this.#text}</p>
-      <button type="button" aria-label=${close} @click=${() => this.show('')}>✕</button>
+      <button type="button" aria-label=${words.close} @click=${(event: MouseEvent) => this.#close(event)}>✕</button>
     </div>`;
   }
 }

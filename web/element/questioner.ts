@@ -32,7 +32,7 @@ export class Questioner {
     });
     this.form = new QuestionForm(
       this.#limit,
-      (given) => void this.answer(given),
+      (given) => this.answer(given) !== undefined,
       () => this.#contextOf(),
     );
   }
@@ -114,7 +114,7 @@ export class Questioner {
     if (asked?.name === this.#told) return;
     this.#told = asked?.name;
     const { player, show, say, tell, keepTime } = this.#contextOf();
-    this.form.open(asked, show?.story);
+    this.form.open(asked, show?.story, this.lesson.seed);
     this.#limit.start(asked?.limitSecs, this.form.words);
     if (asked !== undefined) {
       fire(player, 'question', asked);

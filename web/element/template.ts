@@ -41,7 +41,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${player.poster && poster ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
       ${stories.share === undefined ? nothing : controls.loadingProgress(stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
-      ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
+      ${before ? controls.bigButton(player.ended, (event) => begin(player, actions, event)) : nothing}
       ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
         ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
@@ -56,6 +56,12 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       <div class="unseen" role="status">${state.announcement}</div>
     </div>
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
+}
+
+/** The story is begun; a button that goes takes no focus with it: who uses keys goes on with them. */
+function begin(player: RaconteurPlayer, actions: controls.BarActions, { detail }: MouseEvent): void {
+  actions.toggle();
+  if (detail === 0) player.focus({ preventScroll: true });
 }
 
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {

@@ -69,7 +69,7 @@ export interface Performer {
   readonly language?: string;
 }
 
-/** The place of something among all that a story comes to, and that of the answer or condition around it. */
+/** The place of something among all that a story comes to, and that of the answer, condition or item of a pool around it. */
 export interface Ordered {
   readonly order: number;
   readonly within?: number;
@@ -85,6 +85,7 @@ export interface Question extends Ordered {
   readonly name: string;
   readonly kind: QuestionKind;
   readonly prompt: string;
+  readonly picture?: QuestionPicture;
   /** True where no answer is right or wrong: whatever is answered is taken, and counts no points. */
   readonly isUngraded?: boolean;
   readonly points: number;
@@ -104,11 +105,19 @@ export interface Question extends Ordered {
   readonly answers: readonly { readonly order: number; readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
 }
 
-/** Something on the way through a story. */
+/** A picture of a question or an option: a file of the story's folder, and what it shows. */
+export interface QuestionPicture {
+  readonly file: string;
+  readonly alt: string;
+}
+
+/** Something on the way through a story. An item is a clause of the pool at a place, before what it is itself. */
 export type Way = Ordered & { readonly atSecs: number; readonly endSecs: number } & (
     | { readonly kind: 'part'; readonly name: string; readonly title: string }
     | { readonly kind: 'if'; readonly name: string; readonly is?: string; readonly not?: string; readonly above?: number; readonly below?: number }
     | { readonly kind: 'set'; readonly name: string; readonly value?: string; readonly by?: number }
+    | { readonly kind: 'pool'; readonly count: number }
+    | { readonly kind: 'item'; readonly pool: number }
     | { readonly kind: 'goto'; readonly to: string }
   );
 
@@ -124,6 +133,7 @@ export interface QuestionOption {
   readonly name: string;
   /** Read; of `gap`, `number` and `text` it may be empty. */
   readonly text: string;
+  readonly picture?: QuestionPicture;
   readonly isRight: boolean;
   /** Of `match`: its right partner. */
   readonly partner?: string;

@@ -55,6 +55,13 @@ pub(crate) fn lesson(document: &Document, is_fragment: bool, sink: &mut Sink) {
         match &clause.kind {
             ClauseKind::Ask(ask) => questions::check(document, ask, span, &mut names.looks, sink),
             ClauseKind::If(branch) => names.condition(&branch.condition, span, sink),
+            ClauseKind::Pool(pool) => {
+                let (count, all) = (pool.draw.count as usize, pool.content.children.len());
+                if count > all {
+                    let message = format!("{count} are to be drawn of {all}; all are performed");
+                    sink.push(Diagnostic::warning("eml::small-pool", span, message));
+                }
+            }
             ClauseKind::Goto(goto) if !names.parts.contains(goto.to.as_str()) => {
                 let message = format!(
                     "no part has the name {}; this goto leads nowhere",
@@ -98,7 +105,7 @@ impl<'d> Names<'d> {
             ClauseKind::Set(assignment) if !is_fragment => {
                 return self.variable(assignment, span, sink);
             }
-            ClauseKind::If(_) => {
+            ClauseKind::If(_) | ClauseKind::Pool(_) => {
                 self.conditions = true;
                 return;
             }

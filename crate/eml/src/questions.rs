@@ -29,6 +29,7 @@ pub(crate) fn check(
             sink.push(twice("option", &option.name, option.span));
         }
         check_option(asked, option, looks, sink);
+        picture(&option.picture, &option.alt, option.span, sink);
     }
     if asked.options.is_empty() && (asked.is_graded || !asked.kind.is_free()) {
         let message = format!("{} needs at least one `option` in it", quoted(&asked.name));
@@ -39,6 +40,7 @@ pub(crate) fn check(
         ungraded(asked, span, sink);
     }
     kind_of(asked, span, sink);
+    picture(&asked.picture, &asked.alt, span, sink);
     if matches!(asked.kind, AskKind::Order | AskKind::Match) && asked.options.len() == 1 {
         let name = quoted(&asked.name);
         let message = format!("{name} has nothing to put together: it needs two options");
@@ -116,13 +118,13 @@ fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
             .is_some_and(|t| t.split('|').any(|t| t.contains(char::is_alphanumeric)))
     };
     let is_graded = asked.is_graded;
+    let says = |text: Option<&str>| text.is_some_and(|text| !text.is_empty());
+    // A picture says it as well as words do, to those who have its words.
+    let is_mute =
+        !says(Some(&option.text)) && !(option.picture.is_some() && says(option.alt.as_deref()));
     match asked.kind {
-        AskKind::Choice | AskKind::Several | AskKind::Order if option.text.is_empty() => {
-            Some("needs `text`")
-        }
-        AskKind::Match
-            if option.text.is_empty() || option.partner.as_deref().unwrap_or("").is_empty() =>
-        {
+        AskKind::Choice | AskKind::Several | AskKind::Order if is_mute => Some("needs `text`"),
+        AskKind::Match if is_mute || option.partner.as_deref().unwrap_or("").is_empty() => {
             Some("needs `text` and `partner`")
         }
         AskKind::Gap if is_graded && !has(&option.accepts) => Some("needs `accepts`"),
@@ -138,9 +140,7 @@ fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
         AskKind::Number if option.least.zip(option.most).is_some_and(|(l, m)| l > m) => {
             Some("takes no number: `least` is greater than `most`")
         }
-        AskKind::Point if option.at.is_none() || option.text.is_empty() => {
-            Some("needs `at` and `text`")
-        }
+        AskKind::Point if option.at.is_none() || is_mute => Some("needs `at` and `text`"),
         _ => None,
     }
 }
@@ -196,6 +196,25 @@ fn kind_of(asked: &Question, span: Span, sink: &mut Sink) {
     }
     if asked.is_shuffled && !asked.kind.is_listed() {
         ignored("shuffle", span, &of, sink);
+    }
+}
+
+/// Reports a picture that is nothing to those who do not see it, and words for none.
+fn picture(file: &Option<String>, alt: &Option<String>, span: Span, sink: &mut Sink) {
+    match (file, alt) {
+        (Some(file), None) => sink.push(
+            Diagnostic::warning(
+                "eml::missing-alt",
+                span,
+                format!(
+                    "the picture {} says nothing to those who do not see it",
+                    quoted(file)
+                ),
+            )
+            .hint("write what it shows into `alt`, or alt='' where the text says it already"),
+        ),
+        (None, Some(_)) => ignored("alt", span, "without `picture`", sink),
+        _ => {}
     }
 }
 

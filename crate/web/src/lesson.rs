@@ -1,6 +1,8 @@
 //! Messages to JavaScript about a story's questions and the ways through it.
 
-use raconteur_player::{AnswerCue, FeedbackCue, OptionCue, QuestionCue, WayCue, WayKind};
+use raconteur_player::{
+    AnswerCue, FeedbackCue, OptionCue, PictureCue, QuestionCue, WayCue, WayKind,
+};
 use serde::Serialize;
 
 /// The questions of a story and the ways through it.
@@ -34,6 +36,8 @@ struct Question {
     name: String,
     kind: &'static str,
     prompt: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    picture: Option<Picture>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_ungraded: bool,
     points: f64,
@@ -49,6 +53,19 @@ struct Question {
     limit_secs: Option<f64>,
     options: Vec<Choice>,
     answers: Vec<Answer>,
+}
+
+/// A picture of a question or an option.
+#[derive(Debug, Serialize)]
+struct Picture {
+    file: String,
+    alt: String,
+}
+
+impl From<PictureCue> for Picture {
+    fn from(PictureCue { file, alt }: PictureCue) -> Self {
+        Self { file, alt }
+    }
 }
 
 /// What is read once it is answered for good.
@@ -74,6 +91,8 @@ impl From<FeedbackCue> for Feedback {
 struct Choice {
     name: String,
     text: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    picture: Option<Picture>,
     is_right: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     partner: Option<String>,
@@ -94,6 +113,7 @@ impl From<OptionCue> for Choice {
         Self {
             name: cue.name,
             text: cue.text,
+            picture: cue.picture.map(Picture::from),
             is_right: cue.is_right,
             partner: cue.partner,
             accepts: cue.accepts,
@@ -136,6 +156,7 @@ impl From<QuestionCue> for Question {
             name: cue.name,
             kind: cue.kind.word(),
             prompt: cue.prompt,
+            picture: cue.picture.map(Picture::from),
             is_ungraded: !cue.is_graded,
             points: cue.points,
             is_partial: cue.is_partial,
@@ -189,6 +210,12 @@ enum What {
         #[serde(skip_serializing_if = "Option::is_none")]
         by: Option<f64>,
     },
+    Pool {
+        count: u32,
+    },
+    Item {
+        pool: u32,
+    },
     Goto {
         to: String,
     },
@@ -212,6 +239,8 @@ impl From<WayCue> for Way {
                 below,
             },
             WayKind::Set { name, value, by } => What::Set { name, value, by },
+            WayKind::Pool { count } => What::Pool { count },
+            WayKind::Item { pool } => What::Item { pool },
             WayKind::Goto { to } => What::Goto { to },
         };
         Self {

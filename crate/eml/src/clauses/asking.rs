@@ -51,6 +51,10 @@ record! {
         name: String = "name",
         /// What is read.
         text: String = "text",
+        /// A picture beside the story that is shown with it.
+        picture: Option<String> = "picture",
+        /// What the picture shows, for those who do not see it.
+        alt: Option<String> = "alt",
         /// Whether it is right.
         is_right: bool = "right",
         /// Its right partner, of `match`.
@@ -81,6 +85,10 @@ record! {
         kind: AskKind = "type",
         /// What is asked, to be read.
         prompt: String = "prompt",
+        /// A picture beside the story that is shown with it.
+        picture: Option<String> = "picture",
+        /// What the picture shows, for those who do not see it.
+        alt: Option<String> = "alt",
         /// Whether some answers are right and others wrong; else whatever is answered is taken.
         is_graded: bool = "graded",
         /// What a right answer counts.
@@ -139,6 +147,14 @@ record! {
         above: Option<f64> = "above",
         /// It is a smaller number than this.
         below: Option<f64> = "below",
+    }
+}
+
+record! {
+    /// How much is drawn of a pool.
+    Draw = "pool" {
+        /// How many of its clauses each learner has.
+        count: u32 = "count",
     }
 }
 

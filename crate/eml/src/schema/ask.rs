@@ -1,8 +1,18 @@
 //! `ask`, `option` and `answer`: questions.
 
-use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
+use super::{Attribute, CLAUSE_PARENTS, Content, Element, Kind, Role};
 use crate::ClauseKind;
 use crate::clauses::asking::AskKind;
+
+const PICTURE: Attribute = Attribute::new(
+    "picture",
+    Kind::Path,
+    "A picture beside the story that is shown with it.",
+);
+const ALT: Attribute = Attribute::text(
+    "alt",
+    "What the picture shows, for those who do not see it; empty where the text says it already.",
+);
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown(
@@ -30,6 +40,8 @@ pub(super) static ELEMENT: Element = Element {
         )
         .default("choice"),
         Attribute::text("prompt", "What is asked, to be read and to be read aloud.").required(),
+        PICTURE,
+        ALT,
         Attribute::flag(
             "graded",
             "Whether answers are right or wrong. A question that is not graded, as in a survey or a reflection, takes whatever is answered, at once and for good, and counts no points.",
@@ -91,9 +103,11 @@ pub(super) static OPTION: Element = Element {
             .required(),
         Attribute::text(
             "text",
-            "What is read; gaps, numbers and texts may do without.",
+            "What is read; gaps, numbers and texts may do without, and so may what has a picture that says it.",
         )
         .default(""),
+        PICTURE,
+        ALT,
         Attribute::flag(
             "right",
             "Whether it is right; in order, match and gap all are.",

@@ -9,7 +9,7 @@ use crate::lower::script::Script;
 pub struct QuestionCue {
     /// Its place among all that the story comes to, for what lies at one time.
     pub order: u32,
-    /// The place of the answer or condition around it.
+    /// The place of the answer, condition or item of a pool around it.
     pub within: Option<u32>,
     /// Where the story rests until it is answered, seconds.
     pub at_secs: f64,
@@ -21,6 +21,8 @@ pub struct QuestionCue {
     pub kind: AskKind,
     /// What is read.
     pub prompt: String,
+    /// What is shown with it.
+    pub picture: Option<PictureCue>,
     /// Whether answers are right or wrong.
     pub is_graded: bool,
     /// What a right answer counts; 0 where none is right.
@@ -43,6 +45,24 @@ pub struct QuestionCue {
     pub answers: Vec<AnswerCue>,
 }
 
+/// A picture of a question or an option.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureCue {
+    /// The path of its file, from the story's folder, which it does not leave.
+    pub file: String,
+    /// What it shows, for those who do not see it.
+    pub alt: String,
+}
+
+impl PictureCue {
+    fn new(file: &Option<String>, alt: &Option<String>) -> Option<Self> {
+        Some(Self {
+            file: file.clone()?,
+            alt: alt.clone().unwrap_or_default(),
+        })
+    }
+}
+
 /// What is read once a question is answered for good, where its author says so.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FeedbackCue {
@@ -61,6 +81,8 @@ pub struct OptionCue {
     pub name: String,
     /// What is read.
     pub text: String,
+    /// What is shown with it.
+    pub picture: Option<PictureCue>,
     /// Whether it is right.
     pub is_right: bool,
     /// Its right partner, of `match`.
@@ -89,6 +111,7 @@ impl OptionCue {
         Self {
             name: option.name.clone(),
             text: option.text.clone(),
+            picture: PictureCue::new(&option.picture, &option.alt),
             is_right: option.is_right,
             partner: option.partner.clone(),
             accepts: texts(&option.accepts),
@@ -126,12 +149,13 @@ impl Script {
                     let options = question.options.iter().map(OptionCue::new);
                     let cue = QuestionCue {
                         order: index,
-                        within: self.optional_around(at),
+                        within: self.optional_around(index, at),
                         at_secs: at.start_secs,
                         end_secs: at.end_secs,
                         name: question.name.clone(),
                         kind: question.kind,
                         prompt: question.prompt.clone(),
+                        picture: PictureCue::new(&question.picture, &question.alt),
                         is_graded: question.is_graded,
                         points: if question.is_graded {
                             question.points
