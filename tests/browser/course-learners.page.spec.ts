@@ -33,7 +33,7 @@ const LOST_SHARE = 0.35;
 interface Told {
   readonly name: string;
   readonly given: readonly string[];
-  readonly isRight: boolean;
+  readonly isRight: boolean | undefined;
 }
 
 /** Where a course is opened, and what its record has in the end. */

@@ -11,9 +11,10 @@ const ask = (type: string, prompt: string, options: string, more = '') =>
     <r:answer to='right'><event time='0.2' type='yes'/><null time='0.4'/></r:answer>
     <r:answer to='wrong'><event time='0.2' type='no'/><null time='0.4'/></r:answer></r:ask><null time='0.5'/></seq>`;
 
-async function open(stage: Stage, body: string, attributes = '', css?: string): Promise<Locator> {
+async function open(stage: Stage, body: string, attributes = '', css?: string, files: { [path: string]: Buffer } = {}): Promise<Locator> {
   await stage.open(`<main><h1>A page</h1><raconteur-player src="story.eml" quality="lowest" loading="eager" label="Songs" controls ${attributes}></raconteur-player></main>`, {
     'story.eml': story(body),
+    ...files,
     ...(css === undefined ? {} : { 'test.css': css }),
   });
   await stage.ready();
@@ -214,6 +215,104 @@ test('a story from the right has its form there, in words of its language where 
   await hasNoBarriers(stage);
   const german = await open(stage, asked, 'lang="de-AT"');
   await expect(german.getByRole('button', { name: 'Antworten' })).toBeVisible();
+});
+
+test('where nothing is performed, what was right is read and said, and can be closed', async ({ stage }) => {
+  const options = `<r:option name='a' text='A' right='true'/><r:option name='b' text='B'/>`;
+  const body = `<seq time='0'><null time='0.3'/><r:ask time='0' name='one' prompt='One?'>${options}</r:ask>
+    <r:ask time='0' name='two' prompt='Two?' feedbackRight='Well seen!'>${options}</r:ask><null time='30'/></seq>`;
+  const form = await open(stage, body);
+  await form.getByLabel('B', { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.locator('legend')).toHaveText('Two?');
+  await expect(form.locator('[part~=feedback]')).toHaveText('That is not right. Right is: A');
+  await expect(stage.player.locator('.unseen')).toHaveText('That is not right. Right is: A Question: Two?');
+  await hasNoBarriers(stage);
+  await form.getByLabel('A', { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form).toHaveCount(0);
+  const note = stage.player.locator('[part~=feedback]');
+  await expect(note).toContainText('Well seen!');
+  await hasNoBarriers(stage);
+  await note.getByRole('button', { name: 'Close' }).click();
+  await expect(note).toHaveCount(0);
+});
+
+test('what is not graded is taken as it is', async ({ stage }) => {
+  const body = `<seq time='0'><null time='0.3'/><r:ask time='0' name='why' type='text' prompt='Why?' graded='false'/>
+    <r:ask time='0' name='liked' prompt='Did you like it?' graded='false'><r:option name='yes' text='Yes'/><r:option name='no' text='No'/>
+    <r:answer to='answered'><event time='0.1' type='thanks'/><null time='0.4'/></r:answer></r:ask><null time='1'/></seq>`;
+  const form = await open(stage, body);
+  await form.getByLabel('Your answer').fill('Because.');
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.locator('[part~=feedback]')).toHaveText('Thank you.');
+  await form.getByLabel('No').check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['thanks']);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.state().answered, p.score])).toEqual([
+    [
+      { name: 'why', given: ['Because.'], fits: [], points: 0, tries: 1, isFinal: true },
+      { name: 'liked', given: ['no'], fits: ['no'], points: 0, tries: 1, isFinal: true },
+    ],
+    { points: 0, most: 0 },
+  ]);
+});
+
+test('options are in an order by chance, and of a pool some is asked: the same for whoever comes back', async ({ stage }) => {
+  const options = (from: number) => Array.from({ length: 6 }, (_, i) => `<r:option name='o${i}' text='Option ${from + i}' ${i === 0 ? `right='true'` : ''}/>`).join('');
+  const asks = Array.from(
+    { length: 4 },
+    (_, i) =>
+      `<seq time='0.1'><event time='0' type='item${i}'/><null time='0.2'/><r:ask time='0' name='q${i}' prompt='Question ${i}?' shuffle='true'>${options(10 * i)}</r:ask></seq>`,
+  );
+  const body = `<seq time='0'><null time='0.3'/><r:pool time='0' count='2'>${asks.join('')}</r:pool><event time='0' type='after'/><null time='0.3'/></seq>`;
+  const form = await open(stage, body);
+  const shown = async () => [await form.locator('legend').innerText(), ...(await form.locator('label').allInnerTexts())];
+  const first = await shown();
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => [p.score.most, p.questions.length])).toEqual([2, 2]);
+  const kept = await stage.player.evaluate((p: RaconteurPlayer) => JSON.stringify(p.state()));
+  const name = first[0]?.replace(/\D/g, '') ?? '';
+  await form.getByLabel(`Option ${name === '0' ? '' : name}0`, { exact: true }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect(form.locator('legend')).not.toHaveText(first[0] ?? '');
+  const second = await shown();
+  // Another visit of the same attempt.
+  await open(stage, body);
+  await stage.player.evaluate((p: RaconteurPlayer, text) => p.restore(JSON.parse(text) as ReturnType<RaconteurPlayer['state']>), kept);
+  await stage.seek(0);
+  // Until here another attempt was played.
+  const before = (await told(stage)).length;
+  await stage.play();
+  await expect.poll(shown).toEqual(first);
+  await form.locator('input').first().check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(shown).toEqual(second);
+  await form.locator('input').first().check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.ended), { timeout: 60_000 }).toBe(true);
+  const items = (await told(stage)).slice(before).filter((type) => type.startsWith('item'));
+  expect(new Set(items)).toEqual(new Set([first, second].map(([legend]) => `item${legend?.replace(/\D/g, '') ?? ''}`)));
+  expect((await told(stage)).at(-1)).toBe('after');
+});
+
+test('questions and options have pictures, from the folder of the story alone', async ({ stage }) => {
+  const body = ask(
+    'choice',
+    'Who sang?',
+    `<r:option name='a' picture='a b.png' alt='A frog' right='true'/><r:option name='b' text='An owl' picture='%2e%2e/owl.png' alt=''/>`,
+    `picture='a b.png' alt='A pond'`,
+  );
+  const png = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==', 'base64');
+  const form = await open(stage, body, '', undefined, { 'a%20b.png': png });
+  await hasNoBarriers(stage);
+  const images = form.locator('img');
+  await expect(images).toHaveCount(3);
+  expect(await images.evaluateAll((all) => all.map((it) => new URL((it as HTMLImageElement).src).pathname.split('/').pop()))).toEqual(['a%20b.png', 'a%20b.png', 'owl.png']);
+  await expect.poll(() => images.first().evaluate((it: HTMLImageElement) => it.naturalWidth)).toBe(1);
+  expect(await images.nth(2).evaluate((it: HTMLImageElement) => it.src.includes('/%252e%252e/owl.png'))).toBe(true);
+  await form.getByRole('radio', { name: 'A frog' }).check();
+  await form.getByRole('button', { name: 'Answer' }).click();
+  await expect.poll(() => told(stage)).toEqual(['yes']);
 });
 
 test('ten thousand questions are a story', async ({ stage }) => {

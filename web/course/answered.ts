@@ -27,7 +27,7 @@ function componentsOf({ kind, options }: Question, language: string): object {
     const id = identifierOf(options[place]?.name ?? '', place);
     return { id, description: { [language]: plain(text ?? '', MOST_TEXT) || id } };
   };
-  const all = options.map(({ text }, place) => component(place, text));
+  const all = options.map((option, place) => component(place, option.text || option.picture?.alt));
   switch (TYPES[kind]) {
     case 'choice':
     case 'sequencing':
@@ -65,7 +65,8 @@ export function answeredOf(session: Session, reply: Reply): Statement {
     verb: { id: VERBS.answered, display: { 'en-US': 'answered' } },
     object: { objectType: 'Activity', id: questionId(session.activityId, question.name), definition: definitionOf(question, session.language) },
     result: {
-      success: answered.isRight,
+      // What is not graded is neither a success nor none.
+      ...(answered.isRight === undefined ? {} : { success: answered.isRight }),
       ...(response === undefined ? {} : { response }),
       ...scoreOf(answered.points, question.points),
       duration: durationOf(reply.latencyMs),

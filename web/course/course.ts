@@ -1,5 +1,6 @@
 /** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
 
+import { newSeed } from '../element/chance.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered, Score } from '../element/lesson.js';
 import { united, type Span } from '../element/ranges.js';
@@ -126,7 +127,8 @@ export class Course {
     const { score } = this.#player;
     const { attempt, session, best } = this.#memory;
     this.#memory = { ...NOTHING, attempt: attempt + 1, session, best: score.most > 0 ? bestOf(best, score) : undefined };
-    this.#go({ answered: [], placeSecs: 0 });
+    // What is by chance comes out anew.
+    this.#go({ answered: [], seed: newSeed(), placeSecs: 0 });
     this.#tell();
     this.#keep();
     void this.#player.play().catch(() => undefined);

@@ -1,5 +1,6 @@
 /** Answers as SCORM has them: `cmi.interactions` of 1.2 (Run-Time Environment, 3.4.7) and of 2004 (4.2.9). */
 
+import type { Answered } from '../element/lesson.js';
 import type { Question } from '../element/types.js';
 import type { Reply } from './report.js';
 import { gapsText, identifierOf, numberText, pairsOf, patternsOf, placesOf, responseOf, rightNames, TYPES, type Limits } from './responses.js';
@@ -84,6 +85,13 @@ function patterns12(question: Question): string[] {
   }
 }
 
+/** What both versions say of an answer; `wrong` is their word for one that is. What is not graded is neutral, and what is right in part has its points. */
+function resultOf({ isRight, points }: Answered, wrong: 'wrong' | 'incorrect'): string {
+  if (isRight === undefined) return 'neutral';
+  if (isRight) return 'correct';
+  return points > 0 ? (decimal(points) ?? wrong) : wrong;
+}
+
 /** The `n`th interaction of SCORM 1.2. */
 export function interaction12(n: number, reply: Reply): Elements {
   const at = `cmi.interactions.${n}`;
@@ -97,7 +105,7 @@ export function interaction12(n: number, reply: Reply): Elements {
     [`${at}.weighting`, question.points <= MOST_WEIGHT ? decimal(question.points) : undefined],
     ...patterns12(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),
     [`${at}.student_response`, response12(reply)],
-    [`${at}.result`, answered.isRight ? 'correct' : 'wrong'],
+    [`${at}.result`, resultOf(answered, 'wrong')],
     [`${at}.latency`, `${String(Math.min(9999, Math.floor(secs / 3600))).padStart(4, '0')}:${two(Math.floor(secs / 60) % 60)}:${two(secs % 60)}`],
   ]);
 }
@@ -134,7 +142,7 @@ export function interaction2004(n: number, reply: Reply): Elements {
     [`${at}.weighting`, decimal(question.points)],
     ...patterns2004(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),
     [`${at}.learner_response`, response2004(reply)],
-    [`${at}.result`, answered.isRight ? 'correct' : 'incorrect'],
+    [`${at}.result`, resultOf(answered, 'incorrect')],
     [`${at}.latency`, `PT${Math.round(reply.latencyMs / 10) / 100}S`],
     [`${at}.description`, plain(question.prompt, 250)],
   ]);

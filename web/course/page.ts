@@ -115,7 +115,7 @@ export class CoursePage {
     const { result } = this.#places;
     const { score, isPassed } = this.#course.outcome;
     const answered = this.#player.state().answered as readonly Answered[];
-    showResult(result, { questions, answered, score, isPassed }, this.#words, {
+    showResult(result, { questions, answered, score, isPassed }, this.#words, document.documentElement.lang, {
       again: () => {
         result.hidden = true;
         this.#player.focus();

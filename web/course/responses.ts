@@ -56,8 +56,9 @@ export function pairsOf({ options }: Question, given: readonly string[]): (reado
   });
 }
 
-/** The names that a right answer chooses, in the form of `given`. */
-export function rightNames({ kind, options }: Question): string[] {
+/** The names that a right answer chooses, in the form of `given`; none where nothing is right. */
+export function rightNames({ kind, options, isUngraded }: Question): string[] {
+  if (isUngraded === true) return [];
   const right = kind === 'order' || kind === 'match' ? options : options.filter(({ isRight }) => isRight);
   return right.map(({ name }) => name);
 }
@@ -105,8 +106,9 @@ function rangeOf({ least = -Infinity, most = Infinity }: QuestionOption, before:
   return isCut || least > most || ends.includes(undefined) || ends.every((end) => end === '') ? undefined : ends.join(RANGE);
 }
 
-/** What is right, each way once; empty where the form has nothing for it. */
+/** What is right, each way once; empty where nothing is, or where the form has nothing for it. */
 export function patternsOf(question: Question, limits: Limits): string[] {
+  if (question.isUngraded === true) return [];
   const right = question.options.filter(({ isRight }) => isRight);
   const patterns = (() => {
     switch (TYPES[question.kind]) {

@@ -2,8 +2,10 @@
 
 import { html, nothing, render, type TemplateResult } from 'lit';
 import type { Answered, Score } from '../element/lesson.js';
+import { rightAnswer } from '../element/feedback.js';
+import { wordsOf } from '../element/question-words.js';
 import type { Question } from '../element/types.js';
-import { givenText, rightText } from './solutions.js';
+import { givenText } from './given.js';
 import type { CourseWords } from './words.js';
 
 /** What is shown of an attempt. */
@@ -22,14 +24,20 @@ export interface ResultActions {
   review(): void;
 }
 
-function row(question: Question, answered: Answered | undefined, words: CourseWords): TemplateResult {
-  const isRight = answered?.isRight === true;
-  const mark = answered === undefined ? words.unanswered : isRight ? words.right : words.wrong;
+/** What has become of a question. */
+function outcomeOf({ isUngraded }: Question, answered: Answered | undefined): 'unanswered' | 'taken' | 'right' | 'wrong' {
+  if (answered === undefined) return 'unanswered';
+  if (isUngraded === true) return 'taken';
+  return answered.isRight === true ? 'right' : 'wrong';
+}
+
+function row(question: Question, answered: Answered | undefined, words: CourseWords, language: string): TemplateResult {
+  const outcome = outcomeOf(question, answered);
   const given = answered === undefined ? '' : givenText(question, answered.given);
-  const right = isRight ? '' : rightText(question);
-  return html`<li class=${isRight ? 'right' : 'wrong'}>
+  const right = outcome === 'right' || question.isUngraded === true ? '' : rightAnswer(question, wordsOf(language));
+  return html`<li class=${outcome}>
     <h3 dir="auto">${promptOf(question)}</h3>
-    <p class="mark">${mark}${question.points > 0 ? html` · ${words.points(answered?.points ?? 0, question.points)}` : nothing}</p>
+    <p class="mark">${words[outcome]}${question.points > 0 ? html` · ${words.points(answered?.points ?? 0, question.points)}` : nothing}</p>
     ${given === '' ? nothing : html`<p dir="auto">${words.yours(given)}</p>`} ${right === '' ? nothing : html`<p dir="auto">${words.solution(right)}</p>`}
   </li>`;
 }
@@ -38,7 +46,7 @@ function row(question: Question, answered: Answered | undefined, words: CourseWo
 const promptOf = ({ kind, prompt }: Question): string => (kind === 'gap' ? prompt.replaceAll(/\[[^[\]]*\]/g, '___') : prompt);
 
 /** Draws the result into a section of the page. */
-export function showResult(into: HTMLElement, { questions, answered, score, isPassed }: Attempt, words: CourseWords, actions: ResultActions): void {
+export function showResult(into: HTMLElement, { questions, answered, score, isPassed }: Attempt, words: CourseWords, language: string, actions: ResultActions): void {
   const verdict = isPassed === undefined ? nothing : html`<p class="verdict">${isPassed ? words.passed : words.failed}</p>`;
   render(
     html`<h2 id="result" tabindex="-1">${words.result}</h2>
@@ -49,6 +57,7 @@ export function showResult(into: HTMLElement, { questions, answered, score, isPa
             question,
             answered.find(({ name }) => name === question.name),
             words,
+            language,
           ),
         )}
       </ol>

@@ -179,7 +179,7 @@ export function pictureLost(words: ControlWords, recovering: boolean, hasFilm: b
 }
 
 /** The big button before a story begins and after it ends. */
-export function bigButton(words: ControlWords, ended: boolean, play: () => void): TemplateResult {
+export function bigButton(words: ControlWords, ended: boolean, play: (event: MouseEvent) => void): TemplateResult {
   return html`<div class="overlay">
     <button part="big-play" aria-label=${ended ? words.playStoryAgain : words.playStory} @click=${play}>
       <span class="disc">${ended ? icons.replay : icons.play}</span>

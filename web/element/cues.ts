@@ -30,9 +30,11 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   }
   if (event === 'play') {
     context.started = true;
-    say(wordsFor(player).playing);
+    // What there is to read of an answer is said already, and more to the point.
+    if (context.questioner.form.feedback === '') say(wordsFor(player).playing);
   }
-  if (event === 'pause') say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
+  // What is asked is said instead, with what there is to read of the answer before.
+  if (event === 'pause' && context.questioner.lesson.asked === undefined) say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
   if (event === 'seeked') {
     const { picture } = context.show ?? {};
     if (context.questioner.isTurning) picture?.leap(player.currentTime);

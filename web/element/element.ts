@@ -88,8 +88,10 @@ const MOST_CAPTIONS = 0.2;
  * @csspart caption-word - The word that is being said
  * @csspart question - The form of a question
  * @csspart option - What one may answer there
+ * @csspart picture - Each picture there
  * @csspart submit - Its button
  * @csspart more - Its button that gives more time
+ * @csspart feedback - What is read of an answer, in a form and while the story goes on
  * @csspart marker - Each mark of what may be pointed at
  * @csspart diagnostics - The list of `remarks`
  * @csspart error - What is shown where the story cannot be played
@@ -395,7 +397,8 @@ export class RaconteurPlayer extends MediaElement {
 
   /** All that the story asks, by time. */
   get questions(): readonly Question[] {
-    return this.#context.show?.story.questions ?? [];
+    const all = this.#context.show?.story.questions ?? [];
+    return all.filter((question) => this.#questioner.lesson.isDrawn(question));
   }
 
   /** What the story asks now, while it rests for that. */

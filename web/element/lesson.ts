@@ -3,7 +3,10 @@
  * was answered. All of it lies one after another in the story's time; what is not meant is leapt over.
  */
 
-import { judge } from './judge.js';
+import { newSeed } from './chance.js';
+import { pointsOf } from './credit.js';
+import { isOutcome, judge, type Judgement } from './judge.js';
+import { leftOut } from './pools.js';
 import { type Span, united } from './ranges.js';
 import type { Part } from './text-tracks.js';
 import type { Question, Way } from './types.js';
@@ -15,13 +18,14 @@ export interface Answered {
   readonly name: string;
   /** What was answered last; `QuestionKind` tells what it holds. Empty where the time was over. */
   readonly given: readonly string[];
-  readonly isRight: boolean;
+  /** Left out where the question is not graded: nothing is right or wrong there. */
+  readonly isRight?: boolean;
   /** The names of the options that it fits. */
   readonly fits: readonly string[];
   readonly points: number;
   /** How often it was answered. */
   readonly tries: number;
-  /** It is answered for good: right, or there are no tries left. */
+  /** It is answered for good: right, not graded, or there are no tries left. */
   readonly isFinal: boolean;
 }
 
@@ -37,6 +41,8 @@ export interface LessonState {
   readonly values: { readonly [name: string]: Value };
   /** What was set and is not set again, by its place in the story. */
   readonly done: readonly number[];
+  /** What is by chance for the learner follows from it: a whole number of 32 bits. */
+  readonly seed: number;
   /** How far the learner has come, seconds. */
   readonly furthestSecs: number;
   /** What gotos have led over. */
@@ -45,6 +51,15 @@ export interface LessonState {
 
 /** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
 export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
+
+/** What became of an answer. */
+export interface Taken {
+  readonly question: Question;
+  readonly answered: Answered;
+  readonly turn: Turn;
+  /** It is answered for good, and nothing of the story follows from it. */
+  readonly isSilent: boolean;
+}
 
 /** Something that a story comes to. */
 type Mark =
@@ -56,7 +71,7 @@ const GO: Turn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
 /** The places of what is not in the story, after all that is. */
-const LIVE = 1e9;
+export const LIVE = 1e9;
 /** More of a state from outside is not read. */
 const MOST_DONE = 100_000;
 
@@ -84,7 +99,13 @@ export class Lesson {
   readonly #answered = new Map<string, Answered>();
   readonly #values = new Values();
   readonly #done = new Set<number>();
+  #seed = newSeed();
+  #ways: readonly Way[] = [];
+  /** The places of what is not drawn of pools, with all in it. */
+  #leftOut: ReadonlySet<number> = new Set();
   #furthestSecs = 0;
+  /** Where the story stood at the last step. */
+  #stoodSecs = 0;
   readonly #skipped: Span[] = [];
   #asked: Question | undefined;
   /** The answer that is performed, and where the story goes on after it. */
@@ -94,10 +115,26 @@ export class Lesson {
   setStory(questions: readonly Question[], ways: readonly Way[]): void {
     this.#questions = questions;
     this.#byName = new Map(questions.map((question) => [question.name, question]));
+    this.#ways = ways;
     this.#marks = marksOf(questions, ways);
+    this.#draw();
     this.#asked = this.#follows = undefined;
     this.#next = 0;
     this.#closed.clear();
+  }
+
+  /** What is by chance for this learner. */
+  get seed(): number {
+    return this.#seed;
+  }
+
+  #draw(): void {
+    this.#leftOut = leftOut(this.#questions, this.#ways, this.#seed);
+  }
+
+  /** Whether a question may be asked of this learner: it is in no pool, or was drawn. */
+  isDrawn({ order }: Question): boolean {
+    return !this.#leftOut.has(order);
   }
 
   /** The text on stage has other times, at this one: voices come while it is told. An answer that is performed goes on. */
@@ -147,6 +184,7 @@ export class Lesson {
 
   /** Nothing is left of a story that goes. */
   clear(): void {
+    this.#seed = newSeed();
     this.setStory([], []);
     this.#answered.clear();
     this.#values.clear();
@@ -160,9 +198,10 @@ export class Lesson {
     return this.#marks.flatMap((mark) => (mark.kind === 'part' ? [{ name: mark.name, title: mark.title, startSecs: mark.atSecs, endSecs: mark.endSecs }] : []));
   }
 
-  /** What not everybody comes to: answers, what has a condition, and what gotos have led this learner over. */
+  /** What not everybody comes to: answers, what has a condition, what is not drawn, and what gotos have led this learner over. */
   get optional(): readonly Span[] {
-    const spans = this.#marks.flatMap(({ kind, atSecs, endSecs }): Span[] => (kind === 'ask' || kind === 'if' ? [[atSecs, endSecs]] : []));
+    const isOptional = ({ kind, order }: Mark) => kind === 'ask' || kind === 'if' || (kind === 'item' && this.#leftOut.has(order));
+    const spans = this.#marks.filter(isOptional).map(({ atSecs, endSecs }): Span => [atSecs, endSecs]);
     return united([...spans, ...this.#skipped]);
   }
 
@@ -177,20 +216,23 @@ export class Lesson {
   }
 
   get score(): Score {
-    const points = this.answered.reduce((sum, { points }) => sum + points, 0);
-    return { points, most: [...this.#byName.values()].reduce((sum, { points }) => sum + points, 0) };
+    const asked = [...this.#byName.values()].filter((question) => this.isDrawn(question));
+    const points = asked.reduce((sum, { name }) => sum + (this.#answered.get(name)?.points ?? 0), 0);
+    return { points, most: asked.reduce((sum, { points }) => sum + points, 0) };
   }
 
   /** The story has come to a time by itself: whether it may go on. */
   pass(secs: number): Turn {
     const turn = this.#leave(secs) ?? this.#walk(secs);
     if (turn.kind === 'go') this.#furthestSecs = Math.max(this.#furthestSecs, secs);
+    this.#stoodSecs = turn.kind === 'go' ? secs : turn.kind === 'rest' ? turn.atSecs : turn.toSecs;
     return turn;
   }
 
   /** The story was brought to another time: what follows from an answer is not told any more. */
   seek(secs: number): void {
     this.#follows = this.#asked = undefined;
+    this.#stoodSecs = secs;
     this.#closed.clear();
     // Nobody comes further than by the ways of the story: from there on it is walked through.
     const from = Math.min(secs, this.#furthestSecs);
@@ -202,37 +244,45 @@ export class Lesson {
   }
 
   /** Takes an answer to what is asked; undefined where nothing is, or where it is none. */
-  answer(given: readonly string[]): { readonly answered: Answered; readonly turn: Turn } | undefined {
+  answer(given: readonly string[]): Taken | undefined {
     const asked = this.#asked;
     const judgement = asked && judge(asked, given);
     if (asked === undefined || judgement === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
-    const isFinal = judgement.isRight || tries >= asked.tries;
-    return this.#take(asked, { name: asked.name, ...judgement, points: judgement.isRight ? asked.points : 0, tries, isFinal });
+    return this.#take(asked, answeredOf(asked, judgement, tries));
   }
 
   /** The time for what is asked is over. */
-  expire(): { readonly answered: Answered; readonly turn: Turn } | undefined {
+  expire(): Taken | undefined {
     const asked = this.#asked;
     if (asked === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
-    return this.#take(asked, { name: asked.name, given: [], isRight: false, fits: [], points: 0, tries, isFinal: true });
+    return this.#take(asked, { ...answeredOf(asked, unanswered(asked), tries), isFinal: true });
   }
 
   /** What was done, to be given back to `restore`: data that `JSON.stringify` writes. */
   state(): LessonState {
-    return { answered: [...this.#answered.values()], values: this.#values.all, done: [...this.#done], furthestSecs: this.#furthestSecs, skipped: united(this.#skipped) };
+    return {
+      answered: [...this.#answered.values()],
+      values: this.#values.all,
+      done: [...this.#done],
+      seed: this.#seed,
+      furthestSecs: this.#furthestSecs,
+      skipped: united(this.#skipped),
+    };
   }
 
   /** Takes what `state` gave, whatever has become of it in between: what is no answer to a question on stage is left out. */
   restore(state: unknown): void {
-    const { answered, values, done, furthestSecs, skipped } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
+    const { answered, values, done, seed, furthestSecs, skipped } = (state ?? {}) as { [name in keyof LessonState]?: unknown };
     this.#answered.clear();
     this.#asked = this.#follows = undefined;
     for (const told of listOf(answered)) {
       const known = this.#known(told);
       if (known !== undefined) this.#answered.set(known.name, known);
     }
+    if (isSeed(seed)) this.#seed = seed;
+    this.#draw();
     this.#values.restore(values);
     this.#done.clear();
     for (const order of listOf(done).slice(0, MOST_DONE)) if (Number.isInteger(order)) this.#done.add(order as number);
@@ -259,14 +309,15 @@ export class Lesson {
     this.seek(secs);
   }
 
-  #take(asked: Question, answered: Answered): { readonly answered: Answered; readonly turn: Turn } {
+  #take(asked: Question, answered: Answered): Taken {
     this.#answered.set(asked.name, answered);
-    return { answered, turn: answered.isFinal ? this.#react(asked, answered) : GO };
+    if (!answered.isFinal) return { question: asked, answered, turn: GO, isSilent: false };
+    const { isRight, fits } = answered;
+    const reaction = asked.answers.find(({ to }) => isOutcome(to, isRight) || fits.includes(to));
+    return { question: asked, answered, turn: this.#react(asked, reaction), isSilent: reaction === undefined };
   }
 
-  #react(asked: Question, { isRight, fits }: Answered): Turn {
-    const meant = (to: string) => (to === 'right' ? isRight : to === 'wrong' ? !isRight : fits.includes(to));
-    const reaction = asked.answers.find(({ to }) => meant(to));
+  #react(asked: Question, reaction: Question['answers'][number] | undefined): Turn {
     this.#asked = undefined;
     this.#next += 1;
     const toSecs = reaction?.startSecs ?? asked.endSecs;
@@ -308,7 +359,13 @@ export class Lesson {
   #meet(mark: Mark, secs: number): Turn | undefined {
     switch (mark.kind) {
       case 'part':
+      case 'pool':
         return undefined;
+      case 'item': {
+        const isDrawn = !this.#leftOut.has(mark.order);
+        this.#open(mark, isDrawn);
+        return isDrawn ? undefined : this.#over(mark, secs, mark.atSecs - 2 * NEARLY_SECS);
+      }
       case 'set':
         if (!this.#done.has(mark.order)) this.#values.set(mark);
         this.#done.add(mark.order);
@@ -317,7 +374,7 @@ export class Lesson {
         const holds = this.#values.holds(mark, { score: this.score, answered: (name) => this.#answered.get(name) });
         this.#open(mark, holds);
         // What stands exactly at its beginning is its own.
-        return holds ? undefined : over(mark, secs, mark.atSecs - 2 * NEARLY_SECS);
+        return holds ? undefined : this.#over(mark, secs, mark.atSecs - 2 * NEARLY_SECS);
       }
       case 'answer':
         this.#open(mark, this.#follows?.order === mark.order);
@@ -327,10 +384,19 @@ export class Lesson {
           this.#asked = mark.question;
           return { kind: 'rest', atSecs: mark.atSecs };
         }
-        return over(mark, secs, mark.atSecs);
+        return this.#over(mark, secs, mark.atSecs);
       case 'goto':
         return this.#go(mark, secs);
     }
+  }
+
+  /**
+   * The way from a mark to behind it. A step of the story may be longer than what is passed over: then it goes back to its end, so that
+   * nothing of it is told. Whoever has sought further stays there.
+   */
+  #over({ atSecs, endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {
+    const isStep = atSecs >= this.#stoodSecs - NEARLY_SECS && endSecs > atSecs + NEARLY_SECS;
+    return isStep || secs < endSecs - NEARLY_SECS ? { kind: 'leap', fromSecs, toSecs: endSecs } : undefined;
   }
 
   #open({ order }: Mark, isOpen: boolean): void {
@@ -361,39 +427,35 @@ export class Lesson {
 
   /** An answer of a state, judged anew: what comes from outside may claim too much. One whose text was left out is believed. */
   #known(told: unknown): Answered | undefined {
-    const { name, given, tries, isFinal, isRight, points, fits } = (told ?? {}) as { [name in keyof Answered]?: unknown };
+    const { name, given, tries, isFinal } = (told ?? {}) as { [name in keyof Answered]?: unknown };
     const question = typeof name === 'string' ? this.#byName.get(name) : undefined;
     if (question === undefined || !(typeof tries === 'number' && tries >= 1)) return undefined;
     const count = Math.min(question.tries, Math.floor(tries));
-    if (given === undefined && typeof isRight === 'boolean') {
-      const worth = typeof points === 'number' ? Math.max(0, Math.min(question.points, points)) : 0;
-      return {
-        name: question.name,
-        given: [],
-        isRight,
-        fits: listOf(fits).map(String),
-        points: worth,
-        tries: count,
-        isFinal: isFinal === true || isRight || count >= question.tries,
-      };
-    }
+    if (given === undefined) return this.#believed(question, told as Partial<Answered>, count);
     if (!Array.isArray(given)) return undefined;
-    const judgement = judge(question, given.map(String)) ?? { given: [], isRight: false, fits: [] };
+    const known = answeredOf(question, judge(question, given.map(String)) ?? unanswered(question), count);
     const isOver = given.length === 0 && isFinal === true;
-    return {
-      name: question.name,
-      ...judgement,
-      points: judgement.isRight ? question.points : 0,
-      tries: count,
-      isFinal: judgement.isRight || isOver || count >= question.tries,
-    };
+    return { ...known, isFinal: known.isFinal || isOver };
+  }
+
+  /** An answer without its text, which somebody had no room for: what it was worth is what is told. */
+  #believed({ name, points: most, tries: allowed, isUngraded = false }: Question, told: Partial<Answered>, tries: number): Answered {
+    const isRight = told.isRight === true;
+    const points = Math.max(0, Math.min(most, Number(told.points) || 0));
+    const isFinal = told.isFinal === true || isRight || isUngraded || tries >= allowed;
+    return { name, given: [], ...(isUngraded ? {} : { isRight }), fits: listOf(told.fits).map(String), points, tries, isFinal };
   }
 }
 
-/** The way from where a story would stand in a mark to behind it. */
-function over({ endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {
-  return secs < endSecs - NEARLY_SECS ? { kind: 'leap', fromSecs, toSecs: endSecs } : undefined;
+/** An answer and what it is worth. What is not graded is taken at once. */
+function answeredOf(question: Question, judgement: Judgement, tries: number): Answered {
+  return { name: question.name, ...judgement, points: pointsOf(question, judgement), tries, isFinal: judgement.isRight !== false || tries >= question.tries };
 }
+
+/** What it is where nothing was answered. */
+const unanswered = ({ isUngraded }: Question): Judgement => ({ given: [], fits: [], ...(isUngraded === true ? {} : { isRight: false }) });
+
+const isSeed = (data: unknown): data is number => typeof data === 'number' && Number.isInteger(data) && data >= 0 && data < 2 ** 32;
 
 const isSpan = (data: unknown): data is Span =>
   Array.isArray(data) && data.length === 2 && data.every((secs) => typeof secs === 'number' && Number.isFinite(secs)) && data[0] <= data[1];

@@ -2,35 +2,45 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
+import { shuffled } from './chance.js';
 import { gapsOf, MOST_CHARACTERS } from './judge.js';
 import type { QuestionWords } from './question-words.js';
-import type { Question, QuestionOption } from './types.js';
+import type { Question, QuestionOption, QuestionPicture } from './types.js';
 
 /** What fields need besides their question. */
 export interface Fields {
   readonly question: Question;
   readonly words: QuestionWords;
-  /** Of `order` and `match`: the names of options as they are shown. */
+  /** The names of options as they are shown; of `match` those of their partners. */
   readonly shown: readonly string[];
   /** Moves an option of `order` by a place. */
   move(name: string, by: -1 | 1): void;
+  /** A picture, where there is one. */
+  image(picture: QuestionPicture | undefined): TemplateResult | typeof nothing;
   /** The learner turns to something that may be pointed at. */
   look(option: QuestionOption | undefined): void;
 }
 
-/** Names in an order by chance, the same at every time, that is not the one that is right. */
-export function mixed({ name, options }: Question): readonly string[] {
+/**
+ * The names of options as they are shown. What is put together is mixed in any case, and never shown in the order that is right; else
+ * options stand as in the story, unless they are shuffled. Who does not shuffle has one order for all learners.
+ */
+export function shownOf({ name, kind, options, isShuffled }: Question, seed: number): readonly string[] {
   const names = options.map((option) => option.name);
-  const order = [...names].sort((a, b) => hash(name + a) - hash(name + b));
-  if (names.length > 1 && order.every((entry, i) => entry === names[i])) order.push(order.shift() ?? '');
+  const isMixed = kind === 'order' || kind === 'match';
+  if (!isMixed && isShuffled !== true) return names;
+  const order = [...shuffled(names, name, isShuffled === true ? seed : 0)];
+  if (isMixed && names.length > 1 && order.every((entry, i) => entry === names[i])) order.push(order.shift() ?? '');
   return order;
 }
 
-function hash(text: string): number {
-  let value = 0x811c9dc5;
-  for (const sign of text) value = Math.imul(value ^ (sign.codePointAt(0) ?? 0), 0x01000193) >>> 0;
-  return value;
+/** Options in the order in which they are shown. */
+export function optionsIn({ options }: Question, shown: readonly string[]): readonly QuestionOption[] {
+  return shown.flatMap((name) => options.find((option) => option.name === name) ?? []);
 }
+
+/** What an option is called where words alone say it: its text, else what its picture shows. */
+export const readOf = (option: QuestionOption | undefined): string => option?.text || option?.picture?.alt || '';
 
 /** What was filled into a form, as `Answered.given` has it. */
 export function givenIn(form: HTMLFormElement, { kind }: Question, shown: readonly string[]): readonly string[] {
@@ -59,25 +69,27 @@ export function fieldsOf(fields: Fields): TemplateResult {
   }
 }
 
-function choices({ question: { kind, options } }: Fields): TemplateResult {
-  const type = kind === 'choice' ? 'radio' : 'checkbox';
-  return html`${options.map(
-    ({ name, text }) => html`<label part="option"><input type=${type} name="option" value=${name} ?required=${type === 'radio'} /><span dir="auto">${text}</span></label>`,
+function choices({ question, shown, image }: Fields): TemplateResult {
+  const type = question.kind === 'choice' ? 'radio' : 'checkbox';
+  return html`${optionsIn(question, shown).map(
+    ({ name, text, picture }) =>
+      html`<label part="option"><input type=${type} name="option" value=${name} ?required=${type === 'radio'} />${image(picture)}<span dir="auto">${text}</span></label>`,
   )}`;
 }
 
-function points({ question: { options }, words, look }: Fields): TemplateResult {
+function points({ question, shown, words, look, image }: Fields): TemplateResult {
   return html`<p class="said">${words.pointing}</p>
-    ${options.map(
+    ${optionsIn(question, shown).map(
       (option, i) => html`<label part="option" @pointerenter=${() => look(option)} @pointerleave=${() => look(undefined)}>
         <input type="radio" name="option" value=${option.name} required @focus=${() => look(option)} @blur=${() => look(undefined)} />
-        <span class="number" aria-hidden="true">${i + 1}</span><span dir="auto">${option.text}</span>
+        <span class="number" aria-hidden="true">${i + 1}</span>${image(option.picture)}<span dir="auto">${option.text}</span>
       </label>`,
     )}`;
 }
 
-function order({ question: { options }, words, shown, move }: Fields): TemplateResult {
-  const textOf = (name: string) => options.find((option) => option.name === name)?.text ?? '';
+function order({ question, words, shown, move, image }: Fields): TemplateResult {
+  const optionOf = (name: string) => question.options.find((option) => option.name === name);
+  const textOf = (name: string) => readOf(optionOf(name));
   const ends = (name: string, by: -1 | 1) => shown.at(by < 0 ? 0 : -1) === name;
   // One that can do nothing keeps the focus.
   const button = (name: string, by: -1 | 1, label: string, sign: string) => html`<button
@@ -96,17 +108,17 @@ function order({ question: { options }, words, shown, move }: Fields): TemplateR
       shown,
       (name) => name,
       (name) => html`<li part="option">
-        <span dir="auto">${textOf(name)}</span>${button(name, -1, words.up(textOf(name)), '↑')}${button(name, 1, words.down(textOf(name)), '↓')}
+        ${image(optionOf(name)?.picture)}<span dir="auto">${optionOf(name)?.text}</span>${button(name, -1, words.up(textOf(name)), '↑')}${button(name, 1, words.down(textOf(name)), '↓')}
       </li>`,
     )}
   </ol>`;
 }
 
-function match({ question: { options }, words, shown }: Fields): TemplateResult {
-  const partners = shown.flatMap((name) => options.find((option) => option.name === name) ?? []);
-  return html`${options.map(
-    ({ text }) => html`<label part="option" class="pair"
-      ><span dir="auto">${text}</span
+function match({ question, words, shown, image }: Fields): TemplateResult {
+  const partners = optionsIn(question, shown);
+  return html`${question.options.map(
+    ({ text, picture }) => html`<label part="option" class="pair"
+      >${image(picture)}<span dir="auto">${text}</span
       ><select name="option" required>
         <option value="">${words.choose}</option>
         ${partners.map(({ name, partner }) => html`<option value=${name}>${partner}</option>`)}

@@ -18,6 +18,17 @@ export interface QuestionWords {
   readonly soon: (secs: number) => string;
   readonly tries: (left: number) => string;
   readonly asks: (prompt: string) => string;
+  /** What is read once it is answered for good. */
+  readonly right: string;
+  readonly wrong: string;
+  readonly partly: (points: number, of: number) => string;
+  readonly rightIs: (answer: string) => string;
+  readonly thanks: string;
+  readonly over: string;
+  readonly atLeast: (number: number) => string;
+  readonly atMost: (number: number) => string;
+  readonly between: (least: number, most: number) => string;
+  readonly close: string;
 }
 
 const EN: QuestionWords = {
@@ -37,6 +48,16 @@ const EN: QuestionWords = {
   soon: (secs) => `${secs} seconds are left.`,
   tries: (left) => (left === 1 ? 'One try is left.' : `${left} tries are left.`),
   asks: (prompt) => `Question: ${prompt}`,
+  right: 'That is right.',
+  wrong: 'That is not right.',
+  partly: (points, of) => `That is partly right: ${points} of ${of} points.`,
+  rightIs: (answer) => `Right is: ${answer}`,
+  thanks: 'Thank you.',
+  over: 'The time is over.',
+  atLeast: (number) => `at least ${number}`,
+  atMost: (number) => `at most ${number}`,
+  between: (least, most) => `${least} to ${most}`,
+  close: 'Close',
 };
 
 const PT: QuestionWords = {
@@ -56,6 +77,16 @@ const PT: QuestionWords = {
   soon: (secs) => `Restam ${secs} segundos.`,
   tries: (left) => (left === 1 ? 'Resta uma tentativa.' : `Restam ${left} tentativas.`),
   asks: (prompt) => `Pergunta: ${prompt}`,
+  right: 'Está certo.',
+  wrong: 'Não está certo.',
+  partly: (points, of) => `Está certo em parte: ${points} de ${of} pontos.`,
+  rightIs: (answer) => `Resposta certa: ${answer}`,
+  thanks: 'Obrigado.',
+  over: 'O tempo acabou.',
+  atLeast: (number) => `pelo menos ${number}`,
+  atMost: (number) => `no máximo ${number}`,
+  between: (least, most) => `de ${least} a ${most}`,
+  close: 'Fechar',
 };
 
 const DE: QuestionWords = {
@@ -75,6 +106,16 @@ const DE: QuestionWords = {
   soon: (secs) => `Noch ${secs} Sekunden.`,
   tries: (left) => (left === 1 ? 'Ein Versuch bleibt.' : `${left} Versuche bleiben.`),
   asks: (prompt) => `Frage: ${prompt}`,
+  right: 'Das ist richtig.',
+  wrong: 'Das ist nicht richtig.',
+  partly: (points, of) => `Das ist zum Teil richtig: ${points} von ${of} Punkten.`,
+  rightIs: (answer) => `Richtig ist: ${answer}`,
+  thanks: 'Danke.',
+  over: 'Die Zeit ist um.',
+  atLeast: (number) => `mindestens ${number}`,
+  atMost: (number) => `höchstens ${number}`,
+  between: (least, most) => `${least} bis ${most}`,
+  close: 'Schließen',
 };
 
 const LANGUAGES: { readonly [language: string]: QuestionWords | undefined } = { en: EN, pt: PT, de: DE };

@@ -3,44 +3,39 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { languageOf, type PlayerContext } from './context.js';
 import { gapsOf } from './judge.js';
-import type { Spot } from './pose.js';
-import type { Answered } from './lesson.js';
+import { feedbackOf } from './feedback.js';
+import type { Taken } from './lesson.js';
+import { arranged, type Box } from './markers.js';
+import { Note } from './note.js';
 import type { Limit } from './limit.js';
-import { fieldsOf, gapsIn, givenIn, mixed } from './question-fields.js';
+import { fieldsOf, gapsIn, givenIn, optionsIn, readOf, shownOf } from './question-fields.js';
+import { addressOf } from './question-picture.js';
 import { wordsOf } from './question-words.js';
-import type { Question, QuestionOption, Story } from './types.js';
+import type { Question, QuestionOption, QuestionPicture, Story } from './types.js';
 
-/** A marker keeps so far from the edge of the picture, and from the bar of controls, pixels. */
-const EDGE = 20;
-const BAR = 84;
 /** Languages that are written from the right. */
 const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur', 'yi']);
 
-/** Where what lies at a spot is marked: within the picture, above the bar, and not under the form. */
-function beside(spot: Spot, picture: { readonly clientWidth: number; readonly clientHeight: number }, form: HTMLElement | null): Spot {
-  const x = Math.min(picture.clientWidth - EDGE, Math.max(EDGE, spot.x));
-  const y = Math.min(picture.clientHeight - BAR - EDGE, Math.max(EDGE, spot.y));
-  if (form === null) return { x, y };
-  const [left, top] = [form.offsetLeft - EDGE, form.offsetTop - EDGE];
-  const isUnder = x > left && x < form.offsetLeft + form.offsetWidth + EDGE && y > top && y < form.offsetTop + form.offsetHeight + EDGE;
-  if (!isUnder) return { x, y };
-  // To its nearer side, where there is room.
-  return left >= EDGE && x - left < y - top ? { x: left, y } : { x, y: Math.max(EDGE, top) };
-}
-
 export class QuestionForm {
   readonly #limit: Limit;
-  readonly #answer: (given: readonly string[]) => void;
+  /** Takes an answer; false where it is none. */
+  readonly #answer: (given: readonly string[]) => boolean;
   readonly #contextOf: () => PlayerContext;
   #question: Question | undefined;
   #language = 'en';
   #shown: readonly string[] = [];
   #looked: QuestionOption | undefined;
-  #last: Answered | undefined;
   /** What the learner reads beneath the fields. */
   #said = '';
+  /** What is read of the question before. */
+  readonly #note: Note;
 
-  constructor(limit: Limit, answer: (given: readonly string[]) => void, contextOf: () => PlayerContext) {
+  constructor(limit: Limit, answer: (given: readonly string[]) => boolean, contextOf: () => PlayerContext) {
+    this.#note = new Note({
+      plays: () => !contextOf().player.paused && !document.hidden,
+      gone: () => contextOf().player.requestUpdate(),
+      left: () => contextOf().player.focus({ preventScroll: true }),
+    });
     this.#limit = limit;
     this.#answer = answer;
     this.#contextOf = contextOf;
@@ -65,13 +60,13 @@ export class QuestionForm {
   }
 
   /** Another question is asked, or none any more. */
-  open(question: Question | undefined, story: Story | undefined): void {
+  open(question: Question | undefined, story: Story | undefined, seed: number): void {
     const { player, onScreen } = this.#contextOf();
     const had = player.shadowRoot?.activeElement?.closest('.question') != null;
     this.#question = question;
     this.#language = story === undefined ? 'en' : languageOf(player, story);
-    this.#shown = question === undefined ? [] : mixed(question);
-    this.#looked = this.#last = undefined;
+    this.#shown = question === undefined ? [] : shownOf(question, seed);
+    this.#looked = undefined;
     this.#said = '';
     const isThere = had || document.activeElement === player;
     player.requestUpdate();
@@ -90,24 +85,39 @@ export class QuestionForm {
     this.#find<HTMLElement>('.question :is(input, select, textarea, button)')?.focus();
   }
 
-  /** Somebody has answered: what they read while there are tries left. */
-  answered(answered: Answered): void {
-    const question = this.#question;
-    this.#last = answered;
-    if (question === undefined || answered.isFinal) return;
+  /** What is read of an answer; empty where that is nothing. */
+  get feedback(): string {
+    return this.#note.text;
+  }
+
+  /** Nothing is to be read of a story that goes. */
+  forget(): void {
+    this.#note.show('');
+  }
+
+  /** Somebody has answered: what they read, while there are tries left and for good. */
+  answered(taken: Taken): void {
+    const { question, answered } = taken;
     const { notYet, tries } = this.words;
+    this.#note.show(feedbackOf(taken, this.words));
+    if (answered.isFinal) return;
     this.#said = [notYet, question.hint, tries(question.tries - answered.tries)].filter(Boolean).join(' ');
   }
 
-  render(question: Question): TemplateResult {
+  /** The form of what is asked; else what is to be read of what was. */
+  render(question: Question | undefined): TemplateResult | typeof nothing {
     const { words, prompt } = this;
     const left = this.#limit.leftSecs;
     const isFromRight = FROM_RIGHT.has(this.#language.split('-')[0] ?? '');
+    const image = (picture: QuestionPicture | undefined) => this.#image(picture);
+    const direction = isFromRight ? 'rtl' : 'ltr';
+    if (question === undefined) return this.feedback === '' ? nothing : this.#note.render(this.#language, direction, words);
     return html`${question.kind === 'point' ? this.#markers(question) : nothing}
-      <form class="question" part="question" lang=${this.#language} dir=${isFromRight ? 'rtl' : 'ltr'} @submit=${(event: SubmitEvent) => this.#submit(event, question)}>
+      <form class=${question.kind === 'point' ? 'question pointing' : 'question'} part="question" novalidate lang=${this.#language} dir=${direction} @submit=${(event: SubmitEvent) => this.#submit(event, question)}>
+        ${this.feedback === '' ? nothing : html`<p class="before" part="feedback" dir="auto">${this.feedback}</p>`}
         <fieldset>
           <legend dir="auto">${prompt}</legend>
-          ${fieldsOf({ question, words, shown: this.#shown, move: (name, by) => this.#move(name, by), look: (option) => this.#look(option) })}
+          ${image(question.picture)} ${fieldsOf({ question, words, image, shown: this.#shown, move: (name, by) => this.#move(name, by), look: (option) => this.#look(option) })}
         </fieldset>
         <p class="said" role="status">${this.#said}</p>
         ${left === undefined ? nothing : html`<p class="left" role="timer">${words.left(left)}</p>`}
@@ -121,11 +131,12 @@ export class QuestionForm {
   #submit(event: SubmitEvent, question: Question): void {
     event.preventDefault();
     const form = event.currentTarget as HTMLFormElement;
-    this.#last = undefined;
-    this.#answer(question.kind === 'gap' ? gapsIn(form, question) : givenIn(form, question, this.#shown));
-    if (this.#last !== undefined) return;
+    // Browsers would say it in a language of their own.
+    const isFilled = form.checkValidity();
+    if (isFilled && this.#answer(question.kind === 'gap' ? gapsIn(form, question) : givenIn(form, question, this.#shown))) return;
     this.#said = this.words.first;
     this.#contextOf().player.requestUpdate();
+    form.querySelector<HTMLElement>(isFilled ? ':is(input, select, textarea)' : ':is(input, select, textarea):invalid')?.focus();
   }
 
   /** Moves an option of an order, and stays on the button. */
@@ -137,7 +148,7 @@ export class QuestionForm {
     order.splice(to, 0, name);
     this.#shown = order;
     const { player, say } = this.#contextOf();
-    const text = this.#question?.options.find((option) => option.name === name)?.text ?? '';
+    const text = readOf(this.#question?.options.find((option) => option.name === name));
     say(this.words.place(text, to + 1, order.length));
     player.requestUpdate();
     void player.updateComplete.then(() => this.#find<HTMLElement>(`.move[data-name="${CSS.escape(name)}"][data-by="${by}"]`)?.focus());
@@ -148,16 +159,22 @@ export class QuestionForm {
     this.#contextOf().advance();
   }
 
+  #image(picture: QuestionPicture | undefined): TemplateResult | typeof nothing {
+    if (picture === undefined) return nothing;
+    const story = new URL(this.#contextOf().player.src, document.baseURI);
+    return html`<img part="picture" src=${addressOf(picture.file, story)} alt=${picture.alt} />`;
+  }
+
   // --- what is pointed at ---
 
   /** Marks on the stage, for those who point; who does not has the fields. */
-  #markers({ options }: Question): TemplateResult {
+  #markers(question: Question): TemplateResult {
     const choose = ({ name }: QuestionOption): void => {
       const input = this.#find<HTMLInputElement>(`.question input[value="${CSS.escape(name)}"]`);
       input?.click();
     };
     return html`<div class="markers" aria-hidden="true">
-      ${options.map(
+      ${optionsIn(question, this.#shown).map(
         (option, i) => html`<button
           type="button"
           class="marker"
@@ -180,20 +197,26 @@ export class QuestionForm {
     const { player } = this.#contextOf();
     const { readPose } = await import('./pose.js');
     const pose = readPose(player);
-    const { clientWidth, clientHeight } = player;
+    const { clientWidth: right, clientHeight: bottom } = player;
     const form = this.#find<HTMLElement>('.question');
-    for (const marker of player.shadowRoot?.querySelectorAll<HTMLElement>('.marker') ?? []) {
-      const joint = pose?.joints.find(({ name }) => name === `bone_${marker.dataset['at'] ?? ''}` || name === marker.dataset['at']);
-      const spot = joint && pose?.camera.project(joint.position, clientWidth, clientHeight);
-      marker.hidden = spot === undefined;
-      if (spot === undefined) continue;
-      const { x, y } = beside(spot, { clientWidth, clientHeight }, form);
-      marker.style.left = `${x}px`;
-      marker.style.top = `${y}px`;
-    }
+    const markers = [...(player.shadowRoot?.querySelectorAll<HTMLElement>('.marker') ?? [])];
+    const spots = markers.map(({ dataset: { at = '' } }) => {
+      const joint = pose?.joints.find(({ name }) => name === `bone_${at}` || name === at);
+      return joint && pose?.camera.project(joint.position, right, bottom);
+    });
+    const places = arranged(spots, { left: 0, top: 0, right, bottom }, form === null ? undefined : boxOf(form));
+    markers.forEach((marker, i) => {
+      const place = places[i];
+      marker.hidden = place === undefined;
+      if (place === undefined) return;
+      marker.style.left = `${place.x}px`;
+      marker.style.top = `${place.y}px`;
+    });
   }
 
   #find<E extends Element>(selector: string): E | null {
     return this.#contextOf().player.shadowRoot?.querySelector<E>(selector) ?? null;
   }
 }
+
+const boxOf = ({ offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight }: HTMLElement): Box => ({ left, top, right: left + offsetWidth, bottom: top + offsetHeight });

@@ -32,7 +32,7 @@ export class Questioner {
     });
     this.form = new QuestionForm(
       this.#limit,
-      (given) => void this.answer(given),
+      (given) => this.answer(given) !== undefined,
       () => this.#contextOf(),
     );
   }
@@ -65,6 +65,7 @@ export class Questioner {
   /** The story goes, and what was answered to it. */
   clear(): void {
     this.lesson.clear();
+    this.form.forget();
     this.#ask();
   }
 
@@ -93,13 +94,14 @@ export class Questioner {
   }
 
   #took(taken: ReturnType<Lesson['answer']>): Answered | undefined {
-    const { player, show, tell } = this.#contextOf();
+    const { player, show, tell, say } = this.#contextOf();
     if (taken === undefined || show === undefined) return undefined;
     const { answered, turn } = taken;
     fire(player, 'answer', answered);
     tell({ kind: 'answered', ...answered });
     if (answered.isFinal) fire(player, 'score', this.lesson.score);
-    this.form.answered(answered);
+    this.form.answered(taken);
+    if (this.form.feedback !== '') say(this.form.feedback);
     player.requestUpdate();
     if (turn.kind === 'go') return answered;
     this.#turn(show, turn, show.transport.position);
@@ -130,13 +132,14 @@ export class Questioner {
     if (asked?.name === this.#told) return;
     this.#told = asked?.name;
     const { player, show, say, tell, keepTime } = this.#contextOf();
-    this.form.open(asked, show?.story);
+    this.form.open(asked, show?.story, this.lesson.seed);
     this.#limit.start(asked?.limitSecs, this.form.words);
     if (asked !== undefined) {
       fire(player, 'question', asked);
       const { kind, ...told } = asked;
       tell({ kind: 'question', ...told, type: kind });
-      say(this.form.words.asks(this.form.prompt));
+      // One that follows at once would be said instead of what there is to read of the answer.
+      say([this.form.feedback, this.form.words.asks(this.form.prompt)].filter(Boolean).join(' '));
     }
     keepTime();
     player.requestUpdate();

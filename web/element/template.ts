@@ -43,13 +43,13 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
       ${player.poster && poster ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
       ${stories.share === undefined ? nothing : controls.loadingProgress(words, stories.share)}
       ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
-      ${before ? controls.bigButton(words, player.ended, actions.toggle) : nothing}
+      ${before ? controls.bigButton(words, player.ended, (event) => begin(player, actions, event)) : nothing}
       ${hasCaptions(player, show) && (show?.captions.length ?? 0) > 0 ? html`<div class="caption-room"></div>` : nothing}
       <div class="lower">
         ${hasCaptions(player, show) && !before && questioner.lesson.asked === undefined ? controls.caption(state.caption) : nothing}
         ${show && player.controls ? bar(player, show, idle, actions) : nothing}
       </div>
-      ${question(questioner)}
+      ${questioner.form.render(questioner.lesson.asked)}
       <div class="notes">
         ${stories.lost !== 'no' && told ? controls.pictureLost(words, stories.lost === 'recovering', film !== undefined, () => void show?.picture.recover(true)) : nothing}
         ${player.remarks && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
@@ -60,8 +60,10 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
     ${questioner.lesson.asked === undefined ? nothing : html`<div class="growth"></div>`}`;
 }
 
-function question({ lesson: { asked }, form }: Questioner): TemplateResult | typeof nothing {
-  return asked === undefined ? nothing : form.render(asked);
+/** The story is begun; a button that goes takes no focus with it: who uses keys goes on with them. */
+function begin(player: RaconteurPlayer, actions: controls.BarActions, { detail }: MouseEvent): void {
+  actions.toggle();
+  if (detail === 0) player.focus({ preventScroll: true });
 }
 
 function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {

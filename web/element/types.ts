@@ -69,7 +69,7 @@ export interface Performer {
   readonly language?: string;
 }
 
-/** The place of something among all that a story comes to, and that of the answer or condition around it. */
+/** The place of something among all that a story comes to, and that of the answer, condition or item of a pool around it. */
 export interface Ordered {
   readonly order: number;
   readonly within?: number;
@@ -85,22 +85,39 @@ export interface Question extends Ordered {
   readonly name: string;
   readonly kind: QuestionKind;
   readonly prompt: string;
+  readonly picture?: QuestionPicture;
+  /** True where no answer is right or wrong: whatever is answered is taken, and counts no points. */
+  readonly isUngraded?: boolean;
   readonly points: number;
+  /** What is right of an answer counts by itself (`several`, `order`, `match`, `gap`). */
+  readonly isPartial?: boolean;
+  /** Options are shown in an order by chance. */
+  readonly isShuffled?: boolean;
   readonly tries: number;
   /** Read after a wrong answer, while there are tries left. */
   readonly hint?: string;
+  /** Read once it is answered for good, where the author says what: after any answer, and in its place after a right or a wrong one. */
+  readonly feedback?: { readonly any?: string; readonly right?: string; readonly wrong?: string };
   /** How long one may think about it, seconds; the learner may ask for more. */
   readonly limitSecs?: number;
   readonly options: readonly QuestionOption[];
-  /** `to`: `right`, `wrong`, or the name of an option. */
+  /** `to`: `right`, `wrong`, `answered`, or the name of an option. */
   readonly answers: readonly { readonly order: number; readonly to: string; readonly startSecs: number; readonly endSecs: number }[];
 }
 
-/** Something on the way through a story. */
+/** A picture of a question or an option: a file of the story's folder, and what it shows. */
+export interface QuestionPicture {
+  readonly file: string;
+  readonly alt: string;
+}
+
+/** Something on the way through a story. An item is a clause of the pool at a place, before what it is itself. */
 export type Way = Ordered & { readonly atSecs: number; readonly endSecs: number } & (
     | { readonly kind: 'part'; readonly name: string; readonly title: string }
     | { readonly kind: 'if'; readonly name: string; readonly is?: string; readonly not?: string; readonly above?: number; readonly below?: number }
     | { readonly kind: 'set'; readonly name: string; readonly value?: string; readonly by?: number }
+    | { readonly kind: 'pool'; readonly count: number }
+    | { readonly kind: 'item'; readonly pool: number }
     | { readonly kind: 'goto'; readonly to: string }
   );
 
@@ -116,6 +133,7 @@ export interface QuestionOption {
   readonly name: string;
   /** Read; of `gap`, `number` and `text` it may be empty. */
   readonly text: string;
+  readonly picture?: QuestionPicture;
   readonly isRight: boolean;
   /** Of `match`: its right partner. */
   readonly partner?: string;
@@ -536,6 +554,8 @@ export interface PlayerState {
   readonly values?: unknown;
   /** What was set and is not set again. */
   readonly done?: unknown;
+  /** What is by chance for the learner: the order of options, and what is drawn of pools. */
+  readonly seed?: unknown;
   /** How far the learner has come, seconds. */
   readonly furthestSecs?: unknown;
   /** What gotos have led over. */

@@ -1,5 +1,6 @@
 /** The variables of a story, and the conditions on them. */
 
+import { isOutcome } from './judge.js';
 import type { Answered, Score } from './lesson.js';
 import type { Way } from './types.js';
 
@@ -71,7 +72,5 @@ export class Values {
 
 /** What a question has to be. */
 function holdsOf({ isFinal, isRight, fits }: Answered, text: string): boolean {
-  if (text === 'right') return isFinal && isRight;
-  if (text === 'wrong') return isFinal && !isRight;
-  return isFinal && fits.includes(text);
+  return isFinal && (isOutcome(text, isRight) || fits.includes(text));
 }

@@ -59,7 +59,8 @@ export function randomQuestion(next: Next, name: string, kind: QuestionKind = on
   const texts = Array.from({ length: 1 + count }, () => randomText(next));
   const points = oneOf(next, [0, 1, 2, 0.5, 0.1, 3, 10, 150, 1000]);
   const options = [...names].map((it) => randomOption(next, kind, it, texts));
-  return { order: 0, name, kind, atSecs: 1, endSecs: 2, prompt: randomText(next), points, tries: 3, options, answers: [] };
+  const asked = { order: 0, name, kind, atSecs: 1, endSecs: 2, prompt: randomText(next), points, tries: 3, options, answers: [] };
+  return next() < 0.2 ? { ...asked, isUngraded: true, points: 0, tries: 1 } : asked;
 }
 
 /** A list in another order. */
@@ -93,8 +94,11 @@ export function randomGiven(next: Next, { kind, options }: Question): string[] {
 }
 
 export function randomReply(next: Next, question: Question): Reply {
+  const given = { fits: [], name: question.name, given: randomGiven(next, question), tries: 1 };
   const isRight = next() < 0.5;
-  const answered = { fits: [], name: question.name, given: randomGiven(next, question), isRight, points: isRight ? question.points : 0, tries: 1, isFinal: isRight };
+  const answered = question.isUngraded
+    ? { ...given, points: 0, isFinal: true }
+    : { ...given, isRight, points: isRight ? question.points : next() < 0.3 ? Math.floor(33 * question.points) / 100 : 0, isFinal: isRight };
   return { question, answered, atMs: Date.now(), latencyMs: 1e6 * next() };
 }
 

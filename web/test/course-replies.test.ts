@@ -9,7 +9,7 @@ import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import { decimal, plain } from '../course/texts.js';
 import { numberOf } from '../element/judge.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/types.js';
-import { random, randomQuestion, randomReply, randomText, squashed } from './course-questions.js';
+import { KINDS, random, randomQuestion, randomReply, randomText, squashed } from './course-questions.js';
 import { sized } from './tier.js';
 
 type Api = { [method: string]: (...given: string[]) => string } & { renderCMIToJSONObject(): object };
@@ -209,6 +209,29 @@ describe('An answer', () => {
     expect([plain('ab🐸', 3), plain('ab🐸', 4), plain('\uDC38a\uD83D', 9), plain(' {a}\u0000[:] ', 20)]).toEqual(['ab', 'ab🐸', '\uFFFDa\uFFFD', ' {a} [ : ]']);
     expect([decimal(1e10), decimal(NaN), decimal(-1e-30), decimal(0.1 + 0.2), decimal(-1.5e-7)]).toEqual([undefined, undefined, '0', '0.30000000000000004', '-0.00000015']);
   });
+});
+
+it('to what is not graded is neutral, and nothing is told to be right', () => {
+  for (const kind of KINDS) {
+    const reply = replyTo(kind, [option('a', { partner: 'A', accepts: ['x'], least: 1 }), option('b', { partner: 'B', accepts: ['y'], least: 2 })], ['a']);
+    const { isRight: _, ...answered } = reply.answered;
+    const survey: Reply = { ...reply, question: { ...reply.question, isUngraded: true, points: 0 }, answered };
+    for (const interaction of [interaction12, interaction2004]) {
+      const elements = interaction(0, survey);
+      expect([elements.find(([element]) => element.endsWith('result'))?.[1], told(elements)[2]], kind).toEqual(['neutral', []]);
+    }
+  }
+});
+
+it('that is right in part has its points for a result', () => {
+  const reply = replyTo('several', [option('a'), option('b')], ['a']);
+  for (const [points, results] of [
+    [0, ['wrong', 'incorrect']],
+    [1.33, ['1.33', '1.33']],
+  ] as const) {
+    const made = [interaction12, interaction2004].map((interaction) => interaction(0, { ...reply, answered: { ...reply.answered, points } }));
+    expect(made.map((elements) => elements.find(([element]) => element.endsWith('result'))?.[1])).toEqual(results);
+  }
 });
 
 it('has patterns within the limits of 2004, and no two that are the same', () => {

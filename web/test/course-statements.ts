@@ -68,7 +68,7 @@ function faultsOfQuestion({ object: { definition }, result = {}, context }: Told
     pattern: !patterns.every((pattern) => isResponse(definition, pattern, true)),
     patterns: new Set(patterns).size !== patterns.length,
     response: response !== undefined && !isResponse(definition, response, false),
-    success: typeof result['success'] !== 'boolean',
+    success: !['boolean', 'undefined'].includes(typeof result['success']),
     duration: !DURATION.test(String(result['duration'])),
     'ids of components': lists.some((list) => new Set(list.map(({ id }) => id)).size !== list.length || list.some(({ id }) => !/^[\w.-]+$/.test(id))),
     parent: context.contextActivities['parent']?.at(-1) === undefined,

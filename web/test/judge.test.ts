@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { gapsOf, judge, MOST_CHARACTERS, numberOf, plain } from '../element/judge.js';
-import { mixed } from '../element/question-fields.js';
+import { shownOf } from '../element/question-fields.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/types.js';
 
 const option = (name: string, more: Partial<QuestionOption> = {}): QuestionOption => ({ name, text: name, isRight: false, ...more });
@@ -49,9 +49,9 @@ describe('An answer', () => {
       ['a', 'b', 'c'].map((name) => option(name)),
     );
     expect([isRight(asked, 'a', 'b', 'c'), isRight(asked, 'b', 'a', 'c'), judge(asked, ['a', 'b']), judge(asked, ['a', 'a', 'b'])]).toEqual([true, false, undefined, undefined]);
-    expect([...mixed(asked)].sort()).toEqual(['a', 'b', 'c']);
-    expect(mixed(asked)).not.toEqual(['a', 'b', 'c']);
-    expect(mixed(asked)).toEqual(mixed(asked));
+    expect([...shownOf(asked, 0)].sort()).toEqual(['a', 'b', 'c']);
+    expect(shownOf(asked, 0)).not.toEqual(['a', 'b', 'c']);
+    expect(shownOf(asked, 0)).toEqual(shownOf(asked, 0));
   });
 
   it('gives partners, those that are alike one as well as the other', () => {
@@ -78,6 +78,24 @@ describe('An answer', () => {
       false,
       undefined,
     ]);
+  });
+
+  it('to what is not graded is neither right nor wrong, whatever its kind', () => {
+    const kinds: readonly [QuestionKind, string[]][] = [
+      ['choice', ['a']],
+      ['several', ['a', 'b']],
+      ['point', ['b']],
+      ['order', ['b', 'a']],
+      ['match', ['a', 'a']],
+      ['gap', ['x', '']],
+      ['number', ['7']],
+      ['text', ['I will.']],
+    ];
+    for (const [kind, given] of kinds) {
+      const asked = { ...question(kind, kind === 'number' || kind === 'text' ? [] : [option('a', { partner: 'A' }), option('b', { partner: 'B' })]), isUngraded: true };
+      expect([judge(asked, given)?.given, Object.keys(judge(asked, given) ?? {})], kind).toEqual([given, ['given', 'fits']]);
+      expect(judge(asked, []), kind).toBe(undefined);
+    }
   });
 
   it('of any size and kind is bounded, and is never more than was given', () => {

@@ -66,7 +66,7 @@ describe('A lesson', () => {
     const l = lesson([question(10)]);
     expect(l.pass(9.9)).toEqual({ kind: 'go' });
     expect([l.pass(10.02), l.asked?.name]).toEqual([{ kind: 'rest', atSecs: 10 }, 'q10']);
-    expect(l.answer(['a'])).toEqual({
+    expect(l.answer(['a'])).toMatchObject({
       answered: { name: 'q10', given: ['a'], fits: ['a'], isRight: true, points: 2, tries: 1, isFinal: true },
       turn: { kind: 'leap', fromSecs: 10, toSecs: 13 },
     });
@@ -129,6 +129,31 @@ describe('A lesson', () => {
     expect(l.pass(12)).toMatchObject({ kind: 'leap', toSecs: 17 });
   });
 
+  it('takes any answer to what is not graded, for good, without points', () => {
+    const survey = question(10, {
+      isUngraded: true,
+      points: 0,
+      options: [option('a'), option('b'), option('c')],
+      answers: [...question(10).answers.slice(1), { order: 107, to: 'answered', startSecs: 16, endSecs: 17 }],
+    });
+    const l = lesson([survey, question(30)], [when(20, 22, 'q10', { is: 'wrong' }), when(24, 26, 'q10', { is: 'answered' })]);
+    l.pass(10);
+    expect(l.answer(['b'])).toMatchObject({
+      answered: { name: 'q10', given: ['b'], fits: ['b'], points: 0, tries: 1, isFinal: true },
+      turn: { kind: 'leap', fromSecs: 10, toSecs: 16 },
+    });
+    expect(l.score).toEqual({ points: 0, most: 2 });
+    const { shown } = play(l, 17, 29);
+    expect([within(shown, 20, 22).length, within(shown, 24, 26).length]).toEqual([0, 8]);
+    const again = lesson([survey]);
+    again.restore(JSON.parse(JSON.stringify(l.state())));
+    expect(again.answered).toEqual(l.answered);
+    // Nor is it wrong to let the time run out.
+    const late = lesson([survey]);
+    late.pass(10);
+    expect(late.expire()?.answered).toEqual({ name: 'q10', given: [], fits: [], points: 0, tries: 1, isFinal: true });
+  });
+
   it('goes on with an answer while the story gets other times', () => {
     const l = lesson([question(10)]);
     l.pass(10);
@@ -154,7 +179,7 @@ describe('A lesson', () => {
     answer(l, 'a');
     l.clear();
     l.setStory([question(10)], []);
-    expect([l.score.points, l.state()]).toEqual([0, { answered: [], values: {}, done: [], furthestSecs: 0, skipped: [] }]);
+    expect([l.score.points, l.state()]).toEqual([0, { answered: [], values: {}, done: [], seed: expect.any(Number), furthestSecs: 0, skipped: [] }]);
   });
 
   it('is restored from its state, and believes no more than that', () => {
@@ -171,7 +196,7 @@ describe('A lesson', () => {
     expect(again.score.points).toBe(0);
     for (const wrong of [undefined, null, 7, 'x', {}, [null], { answered: [{ name: 'q10' }] }, { answered: { 0: 1 }, values: [Number.NaN], done: 'x', furthestSecs: -1 }]) {
       again.restore(wrong);
-      expect(again.state()).toEqual({ answered: [], values: {}, done: [], furthestSecs: 0, skipped: [] });
+      expect(again.state()).toEqual({ answered: [], values: {}, done: [], seed: expect.any(Number), furthestSecs: 0, skipped: [] });
     }
   });
 });

@@ -127,6 +127,21 @@ impl StoryFiles {
         }
     }
 
+    /// What is wrong with pictures of questions that are not in the folder of the story.
+    fn lacking_pictures(&self) -> Vec<Diagnostic> {
+        let document = raconteur_eml::parse(&self.text).document;
+        let lacking = document.pictures().filter_map(|(path, span)| {
+            let why = match inside::find(self.folder(), path) {
+                Ok(Some(_)) => return None,
+                Ok(None) => "there is no such file beside the story".to_owned(),
+                Err(error) => format!("{error:#}"),
+            };
+            let message = format!("the picture {} cannot be shown: {why}", quoted(path));
+            Some(Diagnostic::warning("player::no-picture", span, message))
+        });
+        lacking.collect()
+    }
+
     /// The story ready to be performed: by the figure of this name, else by the one that the
     /// story chooses, else by the usual one.
     pub(crate) fn player(&self, figure: Option<&str>, shot: Shot) -> Result<Loaded> {
@@ -140,7 +155,13 @@ impl StoryFiles {
                 ..Options::default()
             },
         });
-        let before = self.undecoded.clone().into_iter().chain(trouble);
+        let lacking = self.lacking_pictures();
+        let before = self
+            .undecoded
+            .clone()
+            .into_iter()
+            .chain(trouble)
+            .chain(lacking);
         loaded.diagnostics.splice(0..0, before);
         let found: Vec<(String, Option<String>)> = loaded
             .player

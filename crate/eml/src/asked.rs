@@ -1,11 +1,11 @@
 //! Checks of a lesson: questions that can be answered, answers, variables and parts that
 //! there are.
 
-use crate::clauses::asking::{AskKind, AskOption, Assignment, Condition};
-use crate::clauses::sets::BONES;
+use crate::clauses::asking::{Assignment, Condition};
 use crate::diagnostic::Sink;
+use crate::questions;
 use crate::suggest::{MOST_HINTS, nearest, quoted};
-use crate::{Ask, ClauseKind, Diagnostic, Document, Span};
+use crate::{ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What the points so far are called in conditions.
@@ -53,15 +53,21 @@ pub(crate) fn lesson(document: &Document, is_fragment: bool, sink: &mut Sink) {
     for clause in &document.clauses {
         let span = clause.tag_span;
         match &clause.kind {
-            ClauseKind::Ask(ask) => question(document, ask, span, &mut names, sink),
+            ClauseKind::Ask(ask) => questions::check(document, ask, span, &mut names.looks, sink),
             ClauseKind::If(branch) => names.condition(&branch.condition, span, sink),
+            ClauseKind::Pool(pool) => {
+                let (count, all) = (pool.draw.count as usize, pool.content.children.len());
+                if count > all {
+                    let message = format!("{count} are to be drawn of {all}; all are performed");
+                    sink.push(Diagnostic::warning("eml::small-pool", span, message));
+                }
+            }
             ClauseKind::Goto(goto) if !names.parts.contains(goto.to.as_str()) => {
                 let message = format!(
                     "no part has the name {}; this goto leads nowhere",
                     quoted(&goto.to)
                 );
-                let near = names.near(&goto.to, &names.parts);
-                names.looks += 1;
+                let near = names.looks.near(&goto.to, &names.parts);
                 sink.push(hinted(
                     Diagnostic::error("eml::unknown-part", span, message),
                     near,
@@ -80,7 +86,7 @@ struct Names<'d> {
     variables: BTreeMap<&'d str, Option<Type>>,
     conditions: bool,
     gotos: bool,
-    looks: usize,
+    looks: Looks,
 }
 
 impl<'d> Names<'d> {
@@ -99,7 +105,7 @@ impl<'d> Names<'d> {
             ClauseKind::Set(assignment) if !is_fragment => {
                 return self.variable(assignment, span, sink);
             }
-            ClauseKind::If(_) => {
+            ClauseKind::If(_) | ClauseKind::Pool(_) => {
                 self.conditions = true;
                 return;
             }
@@ -153,8 +159,8 @@ impl<'d> Names<'d> {
                     "nothing sets {}, and no question has the name",
                     quoted(name)
                 );
-                let near = self.near(name, self.variables.keys().chain(&self.questions));
-                self.looks += 1;
+                let known = self.variables.keys().chain(&self.questions);
+                let near = self.looks.near(name, known);
                 sink.push(hinted(
                     Diagnostic::error("eml::unknown-variable", span, message),
                     near,
@@ -176,128 +182,40 @@ impl<'d> Names<'d> {
             sink.push(Diagnostic::warning("eml::variable-type", span, message));
         }
     }
+}
 
-    /// What may have been meant.
-    fn near<'n>(&self, name: &str, known: impl IntoIterator<Item = &'n &'n str>) -> Option<String> {
-        if self.looks >= MOST_LOOKS {
+/// Looks for what may have been meant, so often and no oftener.
+#[derive(Default)]
+pub(crate) struct Looks(usize);
+
+impl Looks {
+    /// What may have been meant by a name.
+    pub(crate) fn near<'n>(
+        &mut self,
+        name: &str,
+        known: impl IntoIterator<Item = &'n &'n str>,
+    ) -> Option<String> {
+        if !self.may_look() {
             return None;
         }
         nearest(name, known.into_iter().copied().take(MOST_HINTS)).map(str::to_owned)
     }
+
+    /// Whether another hint is worth its cost; counts it.
+    pub(crate) fn may_look(&mut self) -> bool {
+        self.0 += 1;
+        self.0 <= MOST_LOOKS
+    }
 }
 
-fn hinted(diagnostic: Diagnostic, near: Option<String>) -> Diagnostic {
+pub(crate) fn hinted(diagnostic: Diagnostic, near: Option<String>) -> Diagnostic {
     match near {
         Some(near) => diagnostic.hint(format!("did you mean `{near}`?")),
         None => diagnostic,
     }
 }
 
-fn twice(what: &str, name: &str, span: Span) -> Diagnostic {
+pub(crate) fn twice(what: &str, name: &str, span: Span) -> Diagnostic {
     let message = format!("a second {what} with the name {}", quoted(name));
     Diagnostic::error("eml::duplicate-name", span, message)
-}
-
-/// Reports a question that nobody can answer, and answers to nothing.
-fn question(document: &Document, ask: &Ask, span: Span, names: &mut Names<'_>, sink: &mut Sink) {
-    let asked = &ask.question;
-    let mut options = BTreeSet::new();
-    for option in &asked.options {
-        if !options.insert(option.name.as_str()) {
-            sink.push(twice("option", &option.name, span));
-        }
-        if let Some(lack) = lack(asked.kind, option, &asked.prompt) {
-            let message = format!(
-                "the option {} of a question of type='{}' {lack}",
-                quoted(&option.name),
-                asked.kind.word()
-            );
-            sink.push(Diagnostic::error("eml::ask-option", span, message));
-        }
-        if let Some(bone) = option.at.as_deref().filter(|at| !BONES.contains(at)) {
-            let message = format!("there is no bone {}", quoted(bone));
-            let near = names.near(bone, BONES);
-            names.looks += 1;
-            sink.push(hinted(
-                Diagnostic::warning("eml::unknown-bone", span, message),
-                near,
-            ));
-        }
-    }
-    right_options(ask, span, sink);
-    for &id in &ask.answers.children {
-        let clause = document.clause(id);
-        let ClauseKind::Answer(answer) = &clause.kind else {
-            continue;
-        };
-        let to = answer.reaction.to.as_str();
-        if !matches!(to, "right" | "wrong") && !options.contains(to) {
-            let message = format!(
-                "no option has the name {}; this answer is never performed",
-                quoted(to)
-            );
-            let near = names.near(to, &options);
-            names.looks += 1;
-            sink.push(hinted(
-                Diagnostic::error("eml::unknown-option", clause.tag_span, message),
-                near,
-            ));
-        }
-    }
-}
-
-/// What an option has to have where a question is answered so, in words.
-fn lack(kind: AskKind, option: &AskOption, prompt: &str) -> Option<&'static str> {
-    let has = |text: &Option<String>| {
-        text.as_deref()
-            .is_some_and(|t| t.split('|').any(|t| t.contains(char::is_alphanumeric)))
-    };
-    match kind {
-        AskKind::Choice | AskKind::Several | AskKind::Order if option.text.is_empty() => {
-            Some("needs `text`")
-        }
-        AskKind::Match
-            if option.text.is_empty() || option.partner.as_deref().unwrap_or("").is_empty() =>
-        {
-            Some("needs `text` and `partner`")
-        }
-        AskKind::Gap if !has(&option.accepts) => Some("needs `accepts`"),
-        AskKind::Gap if !prompt.contains(&format!("[{}]", option.name)) => {
-            Some("needs a gap in the prompt: its name in square brackets")
-        }
-        AskKind::Text if !has(&option.accepts) && !has(&option.rejects) => {
-            Some("needs `accepts` or `rejects`")
-        }
-        AskKind::Number if option.least.is_none() && option.most.is_none() => {
-            Some("needs `least` or `most`")
-        }
-        AskKind::Number if option.least.zip(option.most).is_some_and(|(l, m)| l > m) => {
-            Some("takes no number: `least` is greater than `most`")
-        }
-        AskKind::Point if option.at.is_none() || option.text.is_empty() => {
-            Some("needs `at` and `text`")
-        }
-        _ => None,
-    }
-}
-
-/// Reports too few or too many options that are right.
-fn right_options(ask: &Ask, span: Span, sink: &mut Sink) {
-    let asked = &ask.question;
-    let right = asked.options.iter().filter(|o| o.is_right).count();
-    let name = quoted(&asked.name);
-    let message = match asked.kind {
-        AskKind::Order | AskKind::Match if asked.options.len() < 2 => {
-            format!("{name} has nothing to put together: it needs two options")
-        }
-        AskKind::Order | AskKind::Match | AskKind::Gap => return,
-        AskKind::Choice if right != 1 => {
-            format!("of the options of {name} {right} are right, and one has to be")
-        }
-        _ if right == 0 => {
-            format!("of the options of {name} none is right, and at least one has to be")
-        }
-        _ => return,
-    };
-    sink.push(Diagnostic::error("eml::ask-right", span, message));
 }

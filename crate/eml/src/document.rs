@@ -1,7 +1,7 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
 use crate::RunUp;
-use crate::clauses::asking::{Assignment, Condition, Goto, Heading, Question, Reaction};
+use crate::clauses::asking::{Assignment, Condition, Draw, Goto, Heading, Question, Reaction};
 use crate::clauses::environment::{Camera, Emotion, Environment, Light, Music, Performer};
 use crate::clauses::functions::{FunctionArgs, VhMove};
 use crate::clauses::geometry::ConfigureGeometry;
@@ -65,6 +65,21 @@ impl Document {
     #[must_use]
     pub fn clause(&self, id: ClauseId) -> &Clause {
         &self.clauses[id.index()]
+    }
+
+    /// The pictures of questions and their options, by their paths beside the story, each with the
+    /// start tag that names it.
+    pub fn pictures(&self) -> impl Iterator<Item = (&str, Span)> {
+        self.clauses.iter().flat_map(|clause| {
+            let ClauseKind::Ask(ask) = &clause.kind else {
+                return Vec::new();
+            };
+            let options = ask.question.options.iter();
+            let named = options.map(|option| (option.picture.as_deref(), option.span));
+            let all = [(ask.question.picture.as_deref(), clause.tag_span)];
+            let all = all.into_iter().chain(named);
+            all.filter_map(|(path, span)| Some((path?, span))).collect()
+        })
     }
 
     /// Every clause with its id, in document order.
@@ -177,6 +192,8 @@ pub enum ClauseKind {
     Part(Box<Part>),
     /// What is performed under a condition (extension).
     If(Box<Branch>),
+    /// Of what is in it some is performed, by chance (extension).
+    Pool(Box<Pool>),
     /// A variable takes a value (extension).
     Set(Box<Assignment>),
     /// The story goes on at a part (extension).
@@ -227,6 +244,7 @@ impl ClauseKind {
             Self::Answer(_) => "answer",
             Self::Part(_) => "part",
             Self::If(_) => "if",
+            Self::Pool(_) => "pool",
             Self::Set(_) => "set",
             Self::Goto(_) => "goto",
         }
@@ -266,6 +284,7 @@ impl ClauseKind {
             Self::Answer(answer) => &mut answer.reaction,
             Self::Part(part) => &mut part.heading,
             Self::If(branch) => &mut branch.condition,
+            Self::Pool(pool) => &mut pool.draw,
             Self::Set(assignment) => assignment.as_mut(),
             Self::Goto(goto) => goto,
             Self::VoiceText(_)
@@ -325,6 +344,7 @@ impl ClauseKind {
             Self::Answer(answer) => Some(&answer.content),
             Self::Part(part) => Some(&part.content),
             Self::If(branch) => Some(&branch.content),
+            Self::Pool(pool) => Some(&pool.content),
             _ => None,
         }
     }
@@ -337,6 +357,7 @@ impl ClauseKind {
             Self::Answer(answer) => Some(&mut answer.content),
             Self::Part(part) => Some(&mut part.content),
             Self::If(branch) => Some(&mut branch.content),
+            Self::Pool(pool) => Some(&mut pool.content),
             _ => None,
         }
     }
@@ -344,7 +365,7 @@ impl ClauseKind {
     /// Whether the clauses in it follow each other.
     #[must_use]
     pub fn is_sequence(&self) -> bool {
-        matches!(self, Self::Seq(_) | Self::Ask(_))
+        matches!(self, Self::Seq(_) | Self::Ask(_) | Self::Pool(_))
     }
 }
 
@@ -395,6 +416,15 @@ pub struct Branch {
     /// When it is performed.
     pub condition: Condition,
     /// Its clauses, together.
+    pub content: Group,
+}
+
+/// Clauses of which some are performed, drawn anew for each learner; the timeline has room for all.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pool {
+    /// How many.
+    pub draw: Draw,
+    /// Its clauses, one after another.
     pub content: Group,
 }
 

@@ -23,6 +23,7 @@ mod gesture;
 mod limits;
 mod namespaces;
 mod parse;
+mod questions;
 mod record;
 pub mod reference;
 pub mod schema;
@@ -71,7 +72,9 @@ pub use clauses::speech::{
 };
 pub use decode::{Decoded, decode, parse_bytes};
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
-pub use document::{Answer, Ask, Branch, Clause, ClauseId, ClauseKind, Document, Group, Part};
+pub use document::{
+    Answer, Ask, Branch, Clause, ClauseId, ClauseKind, Document, Group, Part, Pool,
+};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use feeling::Emoticon;
 pub use gesture::{

@@ -1,7 +1,7 @@
 //! What lets one piece of code read, write and invent every clause: a record names its
 //! attributes and children once, and a visitor goes through them.
 
-use crate::Name;
+use crate::{Name, Span};
 
 /// The value of an attribute, read by its kind in the table.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub(crate) trait Record {
     fn element(&self) -> &'static str;
     /// Shows every field and every list of children to the visitor.
     fn visit(&mut self, visitor: &mut dyn Visit);
+    /// Takes where its start tag is, for those that keep it.
+    fn place(&mut self, _span: Span) {}
 }
 
 /// Goes through a record.
@@ -187,12 +189,14 @@ macro_rules! record {
             $($(#[$doc:meta])* $field:ident: $type:ty = $attribute:literal,)*
         }
         $(children { $(#[$list_doc:meta])* $list:ident: $list_type:ty })?
+        $(placed { $(#[$place_doc:meta])* $place:ident })?
     ) => {
         $(#[$meta])*
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct $name {
             $($(#[$doc])* pub $field: $type,)*
             $($(#[$list_doc])* pub $list: $list_type,)?
+            $($(#[$place_doc])* pub $place: $crate::Span,)?
         }
 
         impl $crate::record::Record for $name {
@@ -205,6 +209,10 @@ macro_rules! record {
                 $(visitor.children(&mut self.$list);)?
                 let _ = visitor;
             }
+
+            $(fn place(&mut self, span: $crate::Span) {
+                self.$place = span;
+            })?
         }
 
         impl $crate::record::Child for $name {

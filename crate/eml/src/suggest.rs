@@ -27,6 +27,18 @@ pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) ->
         .map(|(_, c)| c)
 }
 
+/// The candidates, those nearest to `name` first; as they are where the name is absurdly long.
+pub(crate) fn by_distance<'c>(
+    name: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+) -> Vec<&'c str> {
+    let mut all: Vec<&str> = candidates.into_iter().collect();
+    if name.len() <= LONGEST {
+        all.sort_by_cached_key(|candidate| distance(name, candidate));
+    }
+    all
+}
+
 fn capitals(name: &str) -> usize {
     name.bytes().filter(u8::is_ascii_uppercase).count()
 }

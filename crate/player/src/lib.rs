@@ -16,7 +16,7 @@ pub mod sweep;
 
 pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 pub use lower::music::MusicCue;
-pub use lower::questions::{AnswerCue, OptionCue, QuestionCue};
+pub use lower::questions::{AnswerCue, FeedbackCue, OptionCue, PictureCue, QuestionCue};
 pub use lower::script::{LoadStage, Script, performer_of};
 pub use lower::units::Units;
 pub use lower::ways::{WayCue, WayKind};

@@ -1,6 +1,8 @@
 //! Messages to JavaScript about a story's questions and the ways through it.
 
-use raconteur_player::{AnswerCue, OptionCue, QuestionCue, WayCue, WayKind};
+use raconteur_player::{
+    AnswerCue, FeedbackCue, OptionCue, PictureCue, QuestionCue, WayCue, WayKind,
+};
 use serde::Serialize;
 
 /// The questions of a story and the ways through it.
@@ -34,14 +36,53 @@ struct Question {
     name: String,
     kind: &'static str,
     prompt: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    picture: Option<Picture>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_ungraded: bool,
     points: f64,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_partial: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    is_shuffled: bool,
     tries: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     hint: Option<String>,
+    feedback: Feedback,
     #[serde(skip_serializing_if = "Option::is_none")]
     limit_secs: Option<f64>,
     options: Vec<Choice>,
     answers: Vec<Answer>,
+}
+
+/// A picture of a question or an option.
+#[derive(Debug, Serialize)]
+struct Picture {
+    file: String,
+    alt: String,
+}
+
+impl From<PictureCue> for Picture {
+    fn from(PictureCue { file, alt }: PictureCue) -> Self {
+        Self { file, alt }
+    }
+}
+
+/// What is read once it is answered for good.
+#[derive(Debug, Serialize)]
+struct Feedback {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    any: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    right: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrong: Option<String>,
+}
+
+impl From<FeedbackCue> for Feedback {
+    fn from(FeedbackCue { any, right, wrong }: FeedbackCue) -> Self {
+        Self { any, right, wrong }
+    }
 }
 
 /// What one may answer.
@@ -50,6 +91,8 @@ struct Question {
 struct Choice {
     name: String,
     text: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    picture: Option<Picture>,
     is_right: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     partner: Option<String>,
@@ -70,6 +113,7 @@ impl From<OptionCue> for Choice {
         Self {
             name: cue.name,
             text: cue.text,
+            picture: cue.picture.map(Picture::from),
             is_right: cue.is_right,
             partner: cue.partner,
             accepts: cue.accepts,
@@ -112,9 +156,14 @@ impl From<QuestionCue> for Question {
             name: cue.name,
             kind: cue.kind.word(),
             prompt: cue.prompt,
+            picture: cue.picture.map(Picture::from),
+            is_ungraded: !cue.is_graded,
             points: cue.points,
+            is_partial: cue.is_partial,
+            is_shuffled: cue.is_shuffled,
             tries: cue.tries,
             hint: cue.hint,
+            feedback: cue.feedback.into(),
             limit_secs: cue.limit_secs,
             options: cue.options.into_iter().map(Choice::from).collect(),
             answers: cue.answers.into_iter().map(Answer::from).collect(),
@@ -161,6 +210,12 @@ enum What {
         #[serde(skip_serializing_if = "Option::is_none")]
         by: Option<f64>,
     },
+    Pool {
+        count: u32,
+    },
+    Item {
+        pool: u32,
+    },
     Goto {
         to: String,
     },
@@ -184,6 +239,8 @@ impl From<WayCue> for Way {
                 below,
             },
             WayKind::Set { name, value, by } => What::Set { name, value, by },
+            WayKind::Pool { count } => What::Pool { count },
+            WayKind::Item { pool } => What::Item { pool },
             WayKind::Goto { to } => What::Goto { to },
         };
         Self {

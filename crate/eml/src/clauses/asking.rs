@@ -24,6 +24,26 @@ words! {
     }
 }
 
+impl AskKind {
+    /// Whether it is answered by what somebody writes, which no option has to offer.
+    #[must_use]
+    pub fn is_free(self) -> bool {
+        matches!(self, Self::Number | Self::Text)
+    }
+
+    /// Whether an answer has parts, some of which may be right.
+    #[must_use]
+    pub fn has_parts(self) -> bool {
+        matches!(self, Self::Several | Self::Order | Self::Match | Self::Gap)
+    }
+
+    /// Whether its options are shown one below the other.
+    #[must_use]
+    pub fn is_listed(self) -> bool {
+        !matches!(self, Self::Gap | Self::Number | Self::Text)
+    }
+}
+
 record! {
     /// What one may answer, or a rule for what one may.
     AskOption = "option" {
@@ -31,6 +51,10 @@ record! {
         name: String = "name",
         /// What is read.
         text: String = "text",
+        /// A picture beside the story that is shown with it.
+        picture: Option<String> = "picture",
+        /// What the picture shows, for those who do not see it.
+        alt: Option<String> = "alt",
         /// Whether it is right.
         is_right: bool = "right",
         /// Its right partner, of `match`.
@@ -46,6 +70,10 @@ record! {
         /// The bone that is pointed at.
         at: Option<String> = "at",
     }
+    placed {
+        /// Its start tag.
+        span
+    }
 }
 
 record! {
@@ -57,12 +85,28 @@ record! {
         kind: AskKind = "type",
         /// What is asked, to be read.
         prompt: String = "prompt",
+        /// A picture beside the story that is shown with it.
+        picture: Option<String> = "picture",
+        /// What the picture shows, for those who do not see it.
+        alt: Option<String> = "alt",
+        /// Whether some answers are right and others wrong; else whatever is answered is taken.
+        is_graded: bool = "graded",
         /// What a right answer counts.
         points: f64 = "points",
+        /// Whether what is right of an answer counts by itself.
+        is_partial: bool = "partial",
+        /// Whether its options are shown in an order by chance.
+        is_shuffled: bool = "shuffle",
         /// How often one may answer.
         tries: u32 = "tries",
         /// What is read after a wrong answer, while there are tries left.
         hint: Option<String> = "hint",
+        /// What is read once it is answered for good.
+        feedback: Option<String> = "feedback",
+        /// What is read in its place after a right answer.
+        feedback_right: Option<String> = "feedbackRight",
+        /// What is read in its place after a wrong answer.
+        feedback_wrong: Option<String> = "feedbackWrong",
         /// How long one may think about it, seconds; none: as long as one likes.
         limit_secs: Option<f64> = "limit",
     }
@@ -75,7 +119,7 @@ record! {
 record! {
     /// After which answers something is performed.
     Reaction = "answer" {
-        /// `right`, `wrong`, or the name of an option.
+        /// `right`, `wrong`, `answered`, or the name of an option.
         to: String = "to",
     }
 }
@@ -103,6 +147,14 @@ record! {
         above: Option<f64> = "above",
         /// It is a smaller number than this.
         below: Option<f64> = "below",
+    }
+}
+
+record! {
+    /// How much is drawn of a pool.
+    Draw = "pool" {
+        /// How many of its clauses each learner has.
+        count: u32 = "count",
     }
 }
 

@@ -135,6 +135,10 @@ pub const CODES: &[(&str, &str)] = &[
         "An end tag differs from its start tag in capital letters.",
     ),
     (
+        "eml::missing-alt",
+        "A picture of a question has no words for those who do not see it.",
+    ),
+    (
         "eml::missing-attribute",
         "An element lacks an attribute that it needs; it is dropped, or does nothing.",
     ),
@@ -178,6 +182,10 @@ pub const CODES: &[(&str, &str)] = &[
     (
         "eml::set-cycle",
         "Sets contain each other; each counts once.",
+    ),
+    (
+        "eml::small-pool",
+        "More is to be drawn of a pool than is in it.",
     ),
     ("eml::stray-end", "An end tag closes nothing."),
     ("eml::stray-text", "Text stands where it means nothing."),

@@ -1,15 +1,25 @@
 //! `ask`, `option` and `answer`: questions.
 
-use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
+use super::{Attribute, CLAUSE_PARENTS, Content, Element, Kind, Role};
 use crate::ClauseKind;
 use crate::clauses::asking::AskKind;
+
+const PICTURE: Attribute = Attribute::new(
+    "picture",
+    Kind::Path,
+    "A picture beside the story that is shown with it.",
+);
+const ALT: Attribute = Attribute::text(
+    "alt",
+    "What the picture shows, for those who do not see it; empty where the text says it already.",
+);
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown(
         "Asks something: the story rests until it is answered, then performs the answer that fits and goes on.",
     ),
     decision: super::shown(
-        "What the storyteller says to ask it comes before, in a voice-text; the prompt is what is read. Its answers lie one after another in the timeline, a second apart, so that a story may be sought and baked; the player passes over those that do not fit. A film shows them all.",
+        "What the storyteller says to ask it comes before, in a voice-text; the prompt is what is read. A number and a text that are not graded need no options. Its answers lie one after another in the timeline, a second apart, so that a story may be sought and baked; the player passes over those that do not fit. A film shows them all.",
     ),
     source: super::shown("Extension"),
     example: super::shown(
@@ -17,7 +27,6 @@ pub(super) static ELEMENT: Element = Element {
     ),
     extension: true,
     content: Content::Elements,
-    required_children: &["option"],
     attributes: &[
         Attribute::identifier(
             "name",
@@ -31,11 +40,40 @@ pub(super) static ELEMENT: Element = Element {
         )
         .default("choice"),
         Attribute::text("prompt", "What is asked, to be read and to be read aloud.").required(),
+        PICTURE,
+        ALT,
+        Attribute::flag(
+            "graded",
+            "Whether answers are right or wrong. A question that is not graded, as in a survey or a reflection, takes whatever is answered, at once and for good, and counts no points.",
+        )
+        .default("true"),
         Attribute::between("points", 0.0, 1000.0, "What a right answer counts.").default("1"),
+        Attribute::flag(
+            "partial",
+            "Whether an answer that is right in part counts in part, with type='several' (what is right less what is wrong, of all that is right), match and gap (the share that is right), and order (the share of neighbours in their order).",
+        )
+        .default("false"),
+        Attribute::flag(
+            "shuffle",
+            "Whether each learner has the options in an order by chance, the same whenever they come back. Those of order, and partners of match, are mixed in any case, else alike for all learners.",
+        )
+        .default("false"),
         Attribute::integer("tries", 1, 100, "How often one may answer.").default("1"),
         Attribute::text(
             "hint",
             "What is read after a wrong answer, while there are tries left.",
+        ),
+        Attribute::text(
+            "feedback",
+            "What is read once it is answered for good. Where no answer is performed, it is by itself whether that was right, and what is right.",
+        ),
+        Attribute::text(
+            "feedbackRight",
+            "What is read in its place after a right answer.",
+        ),
+        Attribute::text(
+            "feedbackWrong",
+            "What is read in its place after a wrong answer.",
         ),
         Attribute::seconds_up_to(
             "limit",
@@ -65,9 +103,11 @@ pub(super) static OPTION: Element = Element {
             .required(),
         Attribute::text(
             "text",
-            "What is read; gaps, numbers and texts may do without.",
+            "What is read; gaps, numbers and texts may do without, and so may what has a picture that says it.",
         )
         .default(""),
+        PICTURE,
+        ALT,
         Attribute::flag(
             "right",
             "Whether it is right; in order, match and gap all are.",
@@ -97,7 +137,7 @@ pub(super) static ANSWER: Element = Element {
     content: Content::Elements,
     attributes: &[Attribute::identifier(
         "to",
-        "right, wrong (when there are no tries left), or the name of an option that was chosen; the first answer that fits is performed.",
+        "right, wrong (when there are no tries left), answered (whatever it was), or the name of an option that was chosen; the first answer that fits is performed.",
     )
     .required()],
     ..Element::new(
@@ -200,6 +240,27 @@ mod tests {
             codes(&script(&format!("{ASK}{ASK}"))),
             ["eml::duplicate-name"]
         );
+    }
+
+    #[test]
+    fn the_option_at_fault_is_marked_and_all_places_are_listed_the_nearest_first() {
+        let option = "<r:option name='b' text='B' at='l_wrst'/>";
+        let text = script(&format!(
+            "<r:ask time='0' name='q' type='point' prompt='?'><r:option name='a' text='A' at='l_elbow' right='true'/>{option}</r:ask>"
+        ));
+        let told = &parse(&text).diagnostics[0];
+        assert_eq!(told.code, "eml::unknown-bone");
+        let (from, to) = (told.span.start as usize, told.span.end as usize);
+        assert_eq!(&text[from..to], option);
+        assert!(
+            told.hints[0].starts_with("it may be, the nearest first: l_wrist, r_wrist"),
+            "{:?}",
+            told.hints
+        );
+        // None of the names is cut, or missing.
+        let words = told.hints.join(", ");
+        let listed = |bone: &&str| words.split([',', ' ']).any(|word| word == *bone);
+        assert!(crate::clauses::sets::BONES.iter().all(listed));
     }
 
     #[test]

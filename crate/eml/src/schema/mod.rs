@@ -274,7 +274,7 @@ impl std::fmt::Debug for Role {
 }
 
 /// Where a clause may stand.
-pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer", "part", "if"];
+pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer", "part", "if", "pool"];
 
 /// Where a part of spoken text may stand: SABLE's containers (GEVH D.4).
 pub(crate) const VOICE_PARENTS: &[&str] = &[
@@ -417,6 +417,7 @@ pub static ELEMENTS: &[&Element] = &[
     &performer::ELEMENT,
     &environment::PIECE,
     &pitch::ELEMENT,
+    &ways::POOL,
     &pron::ELEMENT,
     &rate::ELEMENT,
     &ref_::ELEMENT,

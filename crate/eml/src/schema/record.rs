@@ -102,6 +102,7 @@ impl Visit for Reader<'_, '_, '_> {
             let Some(child) = list.add(element.name) else {
                 return true;
             };
+            child.place(cx.tree.nodes[node].span);
             let fields = cx.fields(node, element);
             if !cx.record(node, &fields, child) {
                 list.remove_last();

@@ -1,4 +1,4 @@
-//! `part`, `if`, `set` and `goto`: ways through a story.
+//! `part`, `if`, `pool`, `set` and `goto`: ways through a story.
 
 use super::{Attribute, CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
@@ -48,6 +48,33 @@ pub(super) static IF: Element = Element {
         "if",
         CLAUSE_PARENTS,
         Role::Scene(|| ClauseKind::If(Box::default())),
+    )
+};
+
+pub(super) static POOL: Element = Element {
+    doc: super::shown(
+        "Performs some of its clauses, which are drawn for each learner, one after another, and passes over the others.",
+    ),
+    decision: super::shown(
+        "What is drawn is the same whenever the learner comes back, and keeps its order. What is to be drawn together, as a question and what is said before it, stands in a seq. The points of questions that are not drawn do not count, nor does what is not drawn belong to the story that has to be seen. The timeline has room for all clauses, and a film shows them all. Let each begin a tenth of a second after the one before, so that they are told apart.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:pool time='0' count='1'><seq time='0.1'><voice-text time='0'>Who sang?</voice-text><r:ask time='0' name='who' prompt='Who sang?'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/></r:ask></seq><r:ask time='0.1' name='where' prompt='Where?'><r:option name='pond' text='In a pond' right='true'/><r:option name='tree' text='On a tree'/></r:ask></r:pool></body></eml>",
+    ),
+    extension: true,
+    content: Content::Elements,
+    attributes: &[Attribute::integer(
+        "count",
+        1,
+        1000,
+        "How many of the clauses in it are performed.",
+    )
+    .required()],
+    ..Element::new(
+        "pool",
+        CLAUSE_PARENTS,
+        Role::Scene(|| ClauseKind::Pool(Box::default())),
     )
 };
 

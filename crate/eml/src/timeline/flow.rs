@@ -88,8 +88,14 @@ fn stretches(document: &Document, timeline: &Timeline) -> Vec<Stretch> {
     let mut optional = vec![false; timeline.clauses.len()];
     for (at, timed) in timeline.clauses.iter().enumerate() {
         let within = timed.container.is_some_and(|c| optional[c as usize]);
+        // Of a pool that is not drawn whole nobody knows what is asked.
+        let is_drawn = timed.container.is_some_and(|c| {
+            let around = document.clause(timeline.clauses[c as usize].clause);
+            matches!(around.kind, ClauseKind::Pool(_))
+        });
         let kind = &document.clause(timed.clause).kind;
-        optional[at] = within || matches!(kind, ClauseKind::If(_) | ClauseKind::Answer(_));
+        optional[at] =
+            within || is_drawn || matches!(kind, ClauseKind::If(_) | ClauseKind::Answer(_));
         if let ClauseKind::Part(part) = kind {
             all.push(Stretch::default());
             parts.entry(&part.heading.name).or_insert(all.len() - 1);

@@ -27,6 +27,10 @@ pub fn normal_form(document: &Document) -> Document {
                 gesture.palms.iter_mut().for_each(forget);
                 gesture.motions.iter_mut().for_each(forget);
             }
+            ClauseKind::Ask(ask) => {
+                let options = &mut ask.question.options;
+                options.iter_mut().for_each(|option| option.span = nowhere);
+            }
             ClauseKind::VoiceSay(say) => say.content_span = nowhere,
             _ => {}
         }

@@ -9,7 +9,7 @@ use crate::lower::script::Script;
 pub struct QuestionCue {
     /// Its place among all that the story comes to, for what lies at one time.
     pub order: u32,
-    /// The place of the answer or condition around it.
+    /// The place of the answer, condition or item of a pool around it.
     pub within: Option<u32>,
     /// Where the story rests until it is answered, seconds.
     pub at_secs: f64,
@@ -21,18 +21,57 @@ pub struct QuestionCue {
     pub kind: AskKind,
     /// What is read.
     pub prompt: String,
-    /// What a right answer counts.
+    /// What is shown with it.
+    pub picture: Option<PictureCue>,
+    /// Whether answers are right or wrong.
+    pub is_graded: bool,
+    /// What a right answer counts; 0 where none is right.
     pub points: f64,
+    /// Whether what is right of an answer counts by itself.
+    pub is_partial: bool,
+    /// Whether its options are shown in an order by chance.
+    pub is_shuffled: bool,
     /// How often one may answer.
     pub tries: u32,
     /// What is read after a wrong answer, while there are tries left.
     pub hint: Option<String>,
+    /// What is read once it is answered for good.
+    pub feedback: FeedbackCue,
     /// How long one may think about it, seconds.
     pub limit_secs: Option<f64>,
     /// What one may answer, in order.
     pub options: Vec<OptionCue>,
     /// What follows, in order.
     pub answers: Vec<AnswerCue>,
+}
+
+/// A picture of a question or an option.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureCue {
+    /// The path of its file, from the story's folder, which it does not leave.
+    pub file: String,
+    /// What it shows, for those who do not see it.
+    pub alt: String,
+}
+
+impl PictureCue {
+    fn new(file: &Option<String>, alt: &Option<String>) -> Option<Self> {
+        Some(Self {
+            file: file.clone()?,
+            alt: alt.clone().unwrap_or_default(),
+        })
+    }
+}
+
+/// What is read once a question is answered for good, where its author says so.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FeedbackCue {
+    /// After any answer.
+    pub any: Option<String>,
+    /// In its place after a right one.
+    pub right: Option<String>,
+    /// In its place after a wrong one.
+    pub wrong: Option<String>,
 }
 
 /// What one may answer, or a rule for what one may.
@@ -42,6 +81,8 @@ pub struct OptionCue {
     pub name: String,
     /// What is read.
     pub text: String,
+    /// What is shown with it.
+    pub picture: Option<PictureCue>,
     /// Whether it is right.
     pub is_right: bool,
     /// Its right partner, of `match`.
@@ -70,6 +111,7 @@ impl OptionCue {
         Self {
             name: option.name.clone(),
             text: option.text.clone(),
+            picture: PictureCue::new(&option.picture, &option.alt),
             is_right: option.is_right,
             partner: option.partner.clone(),
             accepts: texts(&option.accepts),
@@ -86,7 +128,7 @@ impl OptionCue {
 pub struct AnswerCue {
     /// Its place among all that the story comes to.
     pub order: u32,
-    /// `right`, `wrong`, or the name of an option.
+    /// `right`, `wrong`, `answered`, or the name of an option.
     pub to: String,
     /// Where it begins, seconds.
     pub start_secs: f64,
@@ -107,15 +149,28 @@ impl Script {
                     let options = question.options.iter().map(OptionCue::new);
                     let cue = QuestionCue {
                         order: index,
-                        within: self.optional_around(at),
+                        within: self.optional_around(index, at),
                         at_secs: at.start_secs,
                         end_secs: at.end_secs,
                         name: question.name.clone(),
                         kind: question.kind,
                         prompt: question.prompt.clone(),
-                        points: question.points,
+                        picture: PictureCue::new(&question.picture, &question.alt),
+                        is_graded: question.is_graded,
+                        points: if question.is_graded {
+                            question.points
+                        } else {
+                            0.0
+                        },
+                        is_partial: question.is_partial,
+                        is_shuffled: question.is_shuffled,
                         tries: question.tries,
                         hint: question.hint.clone(),
+                        feedback: FeedbackCue {
+                            any: question.feedback.clone(),
+                            right: question.feedback_right.clone(),
+                            wrong: question.feedback_wrong.clone(),
+                        },
                         limit_secs: question.limit_secs,
                         options: options.collect(),
                         answers: Vec::new(),

@@ -9,7 +9,7 @@ use crate::lower::script::Script;
 pub struct WayCue {
     /// Its place among all that the story comes to, for what lies at one time.
     pub order: u32,
-    /// The place of the answer or condition around it.
+    /// The place of the answer, condition or item of a pool around it.
     pub within: Option<u32>,
     /// Where it begins, seconds.
     pub at_secs: f64,
@@ -51,6 +51,16 @@ pub enum WayKind {
         /// What is added to its number.
         by: Option<f64>,
     },
+    /// Some of the items in it are performed.
+    Pool {
+        /// How many.
+        count: u32,
+    },
+    /// A clause of a pool, before what it is itself, at the same place.
+    Item {
+        /// The place of the pool.
+        pool: u32,
+    },
     /// The story goes on at a part.
     Goto {
         /// Its name.
@@ -63,53 +73,83 @@ impl Script {
     #[must_use]
     pub fn ways(&self) -> Vec<WayCue> {
         let timed = (0_u32..).zip(&self.timeline.clauses);
-        let cue = |(order, at): (u32, &TimedClause)| {
-            let kind = match &self.document.clause(at.clause).kind {
-                ClauseKind::Part(part) => WayKind::Part {
-                    name: part.heading.name.clone(),
-                    title: part.heading.title.clone(),
-                },
-                ClauseKind::If(branch) => {
-                    let condition = &branch.condition;
-                    WayKind::If {
-                        name: condition.name.clone(),
-                        is: condition.is.clone(),
-                        not: condition.not.clone(),
-                        above: condition.above,
-                        below: condition.below,
-                    }
-                }
-                ClauseKind::Set(set) => WayKind::Set {
-                    name: set.name.clone(),
-                    value: set.value.clone(),
-                    by: set.by,
-                },
-                ClauseKind::Goto(goto) => WayKind::Goto {
-                    to: goto.to.clone(),
-                },
-                _ => return None,
-            };
-            Some(WayCue {
-                order,
-                within: self.optional_around(at),
-                at_secs: at.start_secs,
-                end_secs: at.end_secs,
-                kind,
+        timed
+            .flat_map(|(order, at)| {
+                let itself = self.way_kind(at).map(|kind| WayCue {
+                    order,
+                    within: self.optional_around(order, at),
+                    at_secs: at.start_secs,
+                    end_secs: at.end_secs,
+                    kind,
+                });
+                self.item(order, at).into_iter().chain(itself)
             })
-        };
-        timed.filter_map(cue).collect()
+            .collect()
     }
 
-    /// The place of the innermost answer or condition around a clause: what is in it may be passed
-    /// over.
-    pub(super) fn optional_around(&self, timed: &TimedClause) -> Option<u32> {
+    fn way_kind(&self, at: &TimedClause) -> Option<WayKind> {
+        Some(match &self.document.clause(at.clause).kind {
+            ClauseKind::Part(part) => WayKind::Part {
+                name: part.heading.name.clone(),
+                title: part.heading.title.clone(),
+            },
+            ClauseKind::If(branch) => {
+                let condition = &branch.condition;
+                WayKind::If {
+                    name: condition.name.clone(),
+                    is: condition.is.clone(),
+                    not: condition.not.clone(),
+                    above: condition.above,
+                    below: condition.below,
+                }
+            }
+            ClauseKind::Set(set) => WayKind::Set {
+                name: set.name.clone(),
+                value: set.value.clone(),
+                by: set.by,
+            },
+            ClauseKind::Goto(goto) => WayKind::Goto {
+                to: goto.to.clone(),
+            },
+            ClauseKind::Pool(pool) => WayKind::Pool {
+                count: pool.draw.count,
+            },
+            _ => return None,
+        })
+    }
+
+    /// What a clause directly in a pool is to that pool.
+    fn item(&self, order: u32, at: &TimedClause) -> Option<WayCue> {
+        let pool = at.container?;
+        let around = self.timeline.clauses.get(pool as usize)?;
+        self.is_pool(around).then(|| WayCue {
+            order,
+            within: self.optional_around(pool, around),
+            at_secs: at.start_secs,
+            end_secs: at.end_secs,
+            kind: WayKind::Item { pool },
+        })
+    }
+
+    fn is_pool(&self, timed: &TimedClause) -> bool {
+        matches!(self.document.clause(timed.clause).kind, ClauseKind::Pool(_))
+    }
+
+    /// The place of the innermost answer, condition or item of a pool that a clause at a place
+    /// stands in, or is: what is in it may be passed over.
+    pub(super) fn optional_around(&self, order: u32, timed: &TimedClause) -> Option<u32> {
+        let mut inner = order;
         let mut container = timed.container;
         while let Some(at) = container {
             let around = self.timeline.clauses.get(at as usize)?;
+            if self.is_pool(around) {
+                return Some(inner);
+            }
             let kind = &self.document.clause(around.clause).kind;
             if matches!(kind, ClauseKind::Answer(_) | ClauseKind::If(_)) {
                 return Some(at);
             }
+            inner = at;
             container = around.container;
         }
         None
@@ -139,5 +179,44 @@ mod tests {
         let within: Vec<_> = ways.iter().map(|w| w.within).collect();
         assert_eq!(within, [None, None, Some(2), None]);
         assert_eq!(ways[2].kind, WayKind::Goto { to: "end".into() });
+    }
+
+    #[test]
+    fn items_of_a_pool_are_what_all_in_them_stands_in() {
+        let ask = "<r:ask time='0.1' name='N' prompt='?'><r:option name='a' text='A' right='true'/></r:ask>";
+        let text = format!(
+            "<eml xmlns:r='urn:raconteur:eml:1'><body><r:pool time='1' count='2'>{}             <seq time='0.1'><null time='2'/>{}</seq><r:if time='0.1' name='one' is='right'><null time='1'/></r:if></r:pool></body></eml>",
+            ask.replace('N', "one"),
+            ask.replace('N', "two"),
+        );
+        let script = Script::read(&text, None);
+        assert_eq!(script.diagnostics, []);
+        let ways: Vec<_> = script
+            .ways()
+            .into_iter()
+            .map(|w| {
+                (
+                    w.order,
+                    w.within,
+                    matches!(w.kind, WayKind::Item { pool: 0 }),
+                )
+            })
+            .collect();
+        assert_eq!(
+            ways,
+            [
+                (0, None, false),
+                (1, None, true),
+                (2, None, true),
+                (5, None, true),
+                (5, Some(5), false)
+            ]
+        );
+        let questions: Vec<_> = script
+            .questions()
+            .into_iter()
+            .map(|q| (q.order, q.within))
+            .collect();
+        assert_eq!(questions, [(1, Some(1)), (4, Some(2))]);
     }
 }
