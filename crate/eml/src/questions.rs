@@ -1,9 +1,9 @@
 //! Checks of one question: that it can be answered, and that its answers answer something.
 
-use crate::asked::{Looks, hinted, twice};
 use crate::clauses::asking::{AskKind, AskOption, Question};
 use crate::clauses::sets::BONES;
 use crate::diagnostic::Sink;
+use crate::hints::{Looks, hinted, twice};
 use crate::suggest::{by_distance, quoted};
 use crate::{Ask, ClauseKind, Diagnostic, Document, Span};
 use std::collections::BTreeSet;
