@@ -6,7 +6,7 @@ import { extname, join } from 'node:path';
 import { validateXML } from 'xmllint-wasm';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
-import { exported, kept, playerIn, root, serve, SYSTEMS, TYPES } from './lms.js';
+import { exported, HELLO, kept, playerIn, root, serve, SYSTEMS, TYPES } from './lms.js';
 import { expect, ready, test } from './stage.js';
 
 /** A story that asks. */
@@ -24,8 +24,10 @@ for (const [standard, first] of [
   ['scorm12', 'imscp_rootv1p1p2.xsd'],
   ['scorm2004', 'imscp_v1p1.xsd'],
 ] as const) {
-  test(`the manifest of ${standard} is one by the schemas of the standard`, async () => {
-    const manifest = new TextDecoder().decode(exported(standard)['imsmanifest.xml']);
+  test(`the manifests of ${standard}, of one lesson and of several, are some by the schemas of the standard`, async () => {
+    const manifestOf = (...more: readonly string[]) => new TextDecoder().decode(exported(standard, HELLO, ...more)['imsmanifest.xml']);
+    const manifest = manifestOf();
+    const several = manifestOf(HELLO, HELLO);
     const all = schemasOf(standard);
     // One schema has the names of all spaces, so that all elements and attributes are looked at.
     const spaces = [...manifest.matchAll(/xmlns(?::\w+)?="([^"]+)"/g)].map(([, space]) => space ?? '');
@@ -38,6 +40,7 @@ for (const [standard, first] of [
     const preload = Object.entries(all).map(([fileName, contents]) => ({ fileName, contents }));
     const check = (contents: string) => validateXML({ xml: [{ fileName: 'imsmanifest.xml', contents }], schema: [{ fileName: 'all.xsd', contents: schema }], preload });
     expect((await check(manifest)).errors).toEqual([]);
+    expect([several.match(/<item /g)?.length, (await check(several)).errors]).toEqual([3, []]);
     // It looks at what it should.
     expect((await check(manifest.replace('<organizations', '<organisations').replace('</organizations', '</organisations'))).valid).toBe(false);
     expect((await check(manifest.replace(/adlcp:scorm[tT]ype="sco"/, (found) => found.replace('"sco"', '"lesson"')))).valid).toBe(false);

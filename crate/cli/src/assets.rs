@@ -20,6 +20,10 @@ static ANIMATIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/anim
 pub(crate) static FIRST_STORY: Dir<'_> =
     include_dir!("$CARGO_MANIFEST_DIR/../../assets/stories/hello-world");
 
+/// The story that `raconteur new --course` makes, with its voice, which `raconteur bake --engine flite` speaks, and a picture
+/// that was drawn for it.
+pub(crate) static FIRST_COURSE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/course");
+
 /// The largest file that is read, bytes.
 const LARGEST: u64 = 512 << 20;
 

@@ -20,6 +20,7 @@ mod document;
 mod durations;
 mod feeling;
 mod gesture;
+mod hints;
 mod limits;
 mod namespaces;
 mod parse;

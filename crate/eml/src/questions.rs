@@ -1,9 +1,9 @@
 //! Checks of one question: that it can be answered, and that its answers answer something.
 
-use crate::asked::{Looks, hinted, twice};
 use crate::clauses::asking::{AskKind, AskOption, Question};
 use crate::clauses::sets::BONES;
 use crate::diagnostic::Sink;
+use crate::hints::{Looks, hinted, twice};
 use crate::suggest::{by_distance, quoted};
 use crate::{Ask, ClauseKind, Diagnostic, Document, Span};
 use std::collections::BTreeSet;
@@ -120,8 +120,8 @@ fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
     let is_graded = asked.is_graded;
     let says = |text: Option<&str>| text.is_some_and(|text| !text.is_empty());
     // A picture says it as well as words do, to those who have its words.
-    let is_mute =
-        !says(Some(&option.text)) && !(option.picture.is_some() && says(option.alt.as_deref()));
+    let is_shown = option.picture.is_some() && says(option.alt.as_deref());
+    let is_mute = option.text.is_empty() && !is_shown;
     match asked.kind {
         AskKind::Choice | AskKind::Several | AskKind::Order if is_mute => Some("needs `text`"),
         AskKind::Match if is_mute || option.partner.as_deref().unwrap_or("").is_empty() => {

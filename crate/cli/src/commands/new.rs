@@ -8,7 +8,7 @@ use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use include_dir::{Dir, DirEntry};
 
-use crate::assets::FIRST_STORY;
+use crate::assets::{FIRST_COURSE, FIRST_STORY};
 use crate::{Outcome, terminal};
 
 /// Make the folder of a new story, one that plays: a greeting with a gesture, and its voice.
@@ -16,6 +16,9 @@ use crate::{Outcome, terminal};
 pub(crate) struct New {
     /// The folder, which must not be there yet.
     name: PathBuf,
+    /// Make a course instead: a story that asks one question of each kind.
+    #[arg(long)]
+    course: bool,
 }
 
 impl New {
@@ -24,7 +27,14 @@ impl New {
         if folder.symlink_metadata().is_ok() {
             bail!("{} is there already", folder.display());
         }
-        write(&FIRST_STORY, folder)?;
+        write(
+            if self.course {
+                &FIRST_COURSE
+            } else {
+                &FIRST_STORY
+            },
+            folder,
+        )?;
         let shown = folder.display();
         writeln!(
             terminal::out(),
@@ -33,6 +43,12 @@ impl New {
              \n  raconteur check {shown}\
              \n  raconteur bake {shown}\n"
         )?;
+        if self.course {
+            writeln!(
+                terminal::out(),
+                "Pack it for a learning management system:\n\n  raconteur export {shown} --scorm12 --output {shown}.zip\n"
+            )?;
+        }
         Ok(Outcome::Fine)
     }
 }

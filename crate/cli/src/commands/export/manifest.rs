@@ -1,8 +1,10 @@
 //! The manifests of packages: what a package has, and what a system opens.
 
+use std::fmt::Write as _;
+
 use quick_xml::escape::escape;
 
-use super::About;
+use super::{About, Lesson};
 
 /// What takes a package.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +50,8 @@ pub(super) fn of(about: &About, paths: &[String]) -> Option<(&'static str, Strin
     }
 }
 
-/// The course structure (cmi5, 13): one unit, done when it is completed, and passed where there is
-/// something to pass.
+/// The course structure (cmi5, 13): a unit for each lesson, done when it is completed, and passed
+/// where there is something to pass.
 fn cmi5(about: &About) -> String {
     let done = match about.pass {
         Some(share) => format!("moveOn=\"CompletedAndPassed\" masteryScore=\"{share}\""),
@@ -57,6 +59,26 @@ fn cmi5(about: &About) -> String {
     };
     let [iri, title, language] =
         [&about.iri, &about.title, &about.language].map(|t| escape(t.as_str()));
+    let unit = |lesson: &Lesson| {
+        // Of the units of a course none may be called as the course is.
+        let part = if lesson.iri == about.iri {
+            "#story"
+        } else {
+            ""
+        };
+        let [iri, title, language, page] =
+            [&lesson.iri, &lesson.title, &lesson.language, &lesson.page]
+                .map(|t| escape(t.as_str()));
+        format!(
+            r#"  <au id="{iri}{part}" {done} launchMethod="AnyWindow">
+    <title><langstring lang="{language}">{title}</langstring></title>
+    <description><langstring lang="{language}">{title}</langstring></description>
+    <url>{page}</url>
+  </au>
+"#
+        )
+    };
+    let units: String = about.lessons.iter().map(unit).collect();
     format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <courseStructure xmlns="https://w3id.org/xapi/profiles/cmi5/v1/CourseStructure.xsd">
@@ -64,84 +86,152 @@ fn cmi5(about: &About) -> String {
     <title><langstring lang="{language}">{title}</langstring></title>
     <description><langstring lang="{language}">{title}</langstring></description>
   </course>
-  <au id="{iri}#story" {done} launchMethod="AnyWindow">
-    <title><langstring lang="{language}">{title}</langstring></title>
-    <description><langstring lang="{language}">{title}</langstring></description>
-    <url>index.html</url>
-  </au>
-</courseStructure>
+{units}</courseStructure>
 "#
     )
 }
 
-/// What is launched with a link that names the store.
+/// What is launched with a link that names the store: an activity for each lesson.
 fn tin_can(about: &About) -> String {
-    let [iri, title, language] =
-        [&about.iri, &about.title, &about.language].map(|t| escape(t.as_str()));
+    let kind = if about.lessons.len() == 1 {
+        "course"
+    } else {
+        "lesson"
+    };
+    let activity = |lesson: &Lesson| {
+        let [iri, title, language, page] =
+            [&lesson.iri, &lesson.title, &lesson.language, &lesson.page]
+                .map(|t| escape(t.as_str()));
+        format!(
+            r#"    <activity id="{iri}" type="http://adlnet.gov/expapi/activities/{kind}">
+      <name lang="{language}">{title}</name>
+      <description lang="{language}">{title}</description>
+      <launch lang="{language}">{page}</launch>
+    </activity>
+"#
+        )
+    };
+    let activities: String = about.lessons.iter().map(activity).collect();
     format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <tincan xmlns="http://projecttincan.com/tincan.xsd">
   <activities>
-    <activity id="{iri}" type="http://adlnet.gov/expapi/activities/course">
-      <name lang="{language}">{title}</name>
-      <description lang="{language}">{title}</description>
-      <launch lang="{language}">index.html</launch>
-    </activity>
-  </activities>
+{activities}  </activities>
 </tincan>
 "#
     )
 }
 
-/// The manifest of a SCORM package.
+/// What the manifests of both versions of SCORM write differently.
+struct Version {
+    names: &'static str,
+    number: &'static str,
+    kind: &'static str,
+    /// Of an item: it is rolled up from what its part tells.
+    item: &'static str,
+    /// Of the whole: one may go from item to item, and choose one.
+    whole: &'static str,
+}
+
+const SCORM_12: Version = Version {
+    names: "xmlns=\"http://www.imsproject.org/xsd/imscp_rootv1p1p2\" xmlns:adlcp=\"http://www.adlnet.org/xsd/adlcp_rootv1p2\"",
+    number: "1.2",
+    kind: "adlcp:scormtype",
+    item: "",
+    whole: "",
+};
+const SCORM_2004: Version = Version {
+    names: "xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" xmlns:adlcp=\"http://www.adlnet.org/xsd/adlcp_v1p3\" \
+         xmlns:imsss=\"http://www.imsglobal.org/xsd/imsss\"",
+    number: "2004 4th Edition",
+    kind: "adlcp:scormType",
+    item: "\n        <imsss:sequencing><imsss:deliveryControls completionSetByContent=\"true\" objectiveSetByContent=\"true\" /></imsss:sequencing>",
+    whole: "      <imsss:sequencing><imsss:controlMode choice=\"true\" flow=\"true\" /></imsss:sequencing>\n",
+};
+
+/// The manifest of a SCORM package: a part for each lesson, and what they have in common.
 fn scorm(about: &About, paths: &[String]) -> String {
-    let (names, version, kind) = match about.standard {
-        Standard::Scorm12 => (
-            "xmlns=\"http://www.imsproject.org/xsd/imscp_rootv1p1p2\" xmlns:adlcp=\"http://www.adlnet.org/xsd/adlcp_rootv1p2\"",
-            "1.2",
-            "adlcp:scormtype",
-        ),
-        _ => (
-            "xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" xmlns:adlcp=\"http://www.adlnet.org/xsd/adlcp_v1p3\" \
-             xmlns:imsss=\"http://www.imsglobal.org/xsd/imsss\"",
-            "2004 4th Edition",
-            "adlcp:scormType",
-        ),
+    let version = match about.standard {
+        Standard::Scorm12 => SCORM_12,
+        _ => SCORM_2004,
     };
-    // A course of one part is rolled up from what that part tells.
-    let sequencing = if about.standard == Standard::Scorm2004 {
-        "\n        <imsss:sequencing><imsss:deliveryControls completionSetByContent=\"true\" objectiveSetByContent=\"true\" /></imsss:sequencing>"
-    } else {
-        ""
-    };
-    let files: String = paths
-        .iter()
-        .map(|path| format!("      <file href=\"{}\" />\n", escape(address(path))))
-        .collect();
+    let several = about.lessons.len() > 1;
+    let mut items = String::new();
+    let mut resources = String::new();
+    for (place, lesson) in about.lessons.iter().enumerate() {
+        // Names of a course of one part are older than those of others.
+        let number = if several {
+            format!("-{}", place + 1)
+        } else {
+            String::new()
+        };
+        let title = escape(lesson.title.as_str());
+        let _ = write!(
+            items,
+            "      <item identifier=\"item{number}\" identifierref=\"resource{number}\">\n        \
+             <title>{title}</title>{}\n      </item>\n",
+            version.item
+        );
+        let _ = writeln!(
+            resources,
+            "    <resource identifier=\"resource{number}\" type=\"webcontent\" {}=\"sco\" href=\"{}\">",
+            version.kind, lesson.page
+        );
+        resources += &files(paths, |path| !several || belongs(path, lesson));
+        if several {
+            resources += "      <dependency identifierref=\"common\" />\n";
+        }
+        resources += "    </resource>\n";
+    }
+    if several {
+        let _ = writeln!(
+            resources,
+            "    <resource identifier=\"common\" type=\"webcontent\" {}=\"asset\">",
+            version.kind
+        );
+        let is_common = |path: &str| !about.lessons.iter().any(|lesson| belongs(path, lesson));
+        resources += &files(paths, is_common);
+        resources += "    </resource>\n";
+    }
     let title = escape(about.title.as_str());
     let identifier = &about.identifier;
+    let whole = if several { version.whole } else { "" };
     format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <manifest identifier="{identifier}" version="1.0" {names}>
   <metadata>
     <schema>ADL SCORM</schema>
-    <schemaversion>{version}</schemaversion>
+    <schemaversion>{number}</schemaversion>
   </metadata>
   <organizations default="organization">
     <organization identifier="organization">
       <title>{title}</title>
-      <item identifier="item" identifierref="resource">
-        <title>{title}</title>{sequencing}
-      </item>
-    </organization>
+{items}{whole}    </organization>
   </organizations>
   <resources>
-    <resource identifier="resource" type="webcontent" {kind}="sco" href="index.html">
-{files}    </resource>
-  </resources>
+{resources}  </resources>
 </manifest>
-"#
+"#,
+        names = version.names,
+        number = version.number,
     )
+}
+
+/// Whether a file is of one lesson alone.
+fn belongs(path: &str, lesson: &Lesson) -> bool {
+    path == lesson.page
+        || path
+            .strip_prefix(&lesson.folder)
+            .is_some_and(|rest| rest.starts_with('/'))
+}
+
+fn files(paths: &[String], is_listed: impl Fn(&str) -> bool) -> String {
+    let listed = paths.iter().filter(|path| is_listed(path));
+    let mut text = String::new();
+    for path in listed {
+        let _ = writeln!(text, "      <file href=\"{}\" />", escape(address(path)));
+    }
+    text
 }
 
 /// A path as an address: what has a meaning there is written by its number.
@@ -171,9 +261,77 @@ mod tests {
             standard,
             watched: 0.9,
             pass: None,
-            story: "story/story.eml".into(),
+            lessons: vec![lesson("index.html", "story", "https://a.example/?a=1&b=2")],
+        }
+    }
+
+    fn lesson(page: &str, folder: &str, iri: &str) -> Lesson {
+        Lesson {
+            title: "Rock & <Roll>".into(),
+            iri: iri.into(),
+            language: "en".into(),
+            page: page.into(),
+            folder: folder.into(),
+            story: format!("{folder}/story.eml"),
             figure: None,
         }
+    }
+
+    fn several(standard: Standard) -> About {
+        About {
+            lessons: vec![
+                lesson("lesson-1.html", "story-1", "urn:a/lessons/one"),
+                lesson("lesson-2.html", "story-2", "urn:a/lessons/two"),
+            ],
+            ..about(standard)
+        }
+    }
+
+    #[test]
+    fn several_lessons_are_several_parts() {
+        let paths = [
+            "course.css",
+            "lesson-1.html",
+            "lesson-2.html",
+            "player/x.js",
+            "story-1/story.eml",
+            "story-2/story.eml",
+        ]
+        .map(str::to_owned);
+        for (standard, kind) in [
+            (Standard::Scorm12, "adlcp:scormtype"),
+            (Standard::Scorm2004, "adlcp:scormType"),
+        ] {
+            let (_, text) = of(&several(standard), &paths).unwrap();
+            assert_xml(&text);
+            assert_eq!(text.matches("<item ").count(), 2);
+            assert_eq!(text.matches(&format!("{kind}=\"sco\"")).count(), 2);
+            assert_eq!(text.matches(&format!("{kind}=\"asset\"")).count(), 1);
+            assert_eq!(
+                text.matches("<dependency identifierref=\"common\" />")
+                    .count(),
+                2
+            );
+            // Each file once, each where it belongs.
+            for path in &paths {
+                assert_eq!(text.matches(&format!("<file href=\"{path}\"")).count(), 1);
+            }
+            let common = &text[text.find("identifier=\"common\"").unwrap()..];
+            assert!(common.contains("player/x.js") && !common.contains("story-1"));
+            assert_eq!(
+                text.contains("controlMode"),
+                standard == Standard::Scorm2004
+            );
+        }
+        let (_, text) = of(&several(Standard::Cmi5), &[]).unwrap();
+        assert_xml(&text);
+        assert!(
+            text.contains("<au id=\"urn:a/lessons/one\"")
+                && text.contains("<url>lesson-2.html</url>")
+        );
+        let (_, text) = of(&several(Standard::Xapi), &[]).unwrap();
+        assert_xml(&text);
+        assert_eq!(text.matches("activities/lesson\"").count(), 2);
     }
 
     /// Reads it as XML, which it has to be.

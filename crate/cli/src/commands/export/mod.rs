@@ -4,11 +4,11 @@ mod manifest;
 mod page;
 mod parts;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::{ArgGroup, Args};
-use raconteur_eml::Severity;
 use raconteur_stage::Shot;
 
 use crate::Outcome;
@@ -22,8 +22,9 @@ use parts::Parts;
 #[derive(Args)]
 #[command(group(ArgGroup::new("standard").required(true).args(["scorm12", "scorm2004", "cmi5", "xapi", "html"])))]
 pub(crate) struct Export {
-    /// A script, or a folder that holds a story.eml.
-    file: PathBuf,
+    /// A script, or a folder that holds a story.eml; several are the lessons of one course.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
     /// For learning management systems with SCORM 1.2.
     #[arg(long)]
     scorm12: bool,
@@ -42,7 +43,7 @@ pub(crate) struct Export {
     /// Where to write the zip.
     #[arg(short, long)]
     output: PathBuf,
-    /// What the course is called; else as the story is, or its folder.
+    /// What the course is called; else as the story is, or its folder. Several lessons need it.
     #[arg(long)]
     title: Option<String>,
     /// What records call the course, an address that is the author's own; else one of its title.
@@ -77,6 +78,21 @@ pub(crate) struct About {
     pub(crate) watched: f64,
     /// 0 to 1.
     pub(crate) pass: Option<f64>,
+    /// At least one, in the order in which they are learnt.
+    pub(crate) lessons: Vec<Lesson>,
+}
+
+/// A story of a course.
+pub(crate) struct Lesson {
+    pub(crate) title: String,
+    /// What records call it: as the course, where that has no other.
+    pub(crate) iri: String,
+    /// A tag of BCP 47.
+    pub(crate) language: String,
+    /// The address of its page in the package.
+    pub(crate) page: String,
+    /// The folder of its files in the package.
+    pub(crate) folder: String,
     /// The script's address in the package.
     pub(crate) story: String,
     /// The figure that the page asks for, where it is not the story's choice.
@@ -85,42 +101,26 @@ pub(crate) struct About {
 
 impl Export {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let files = StoryFiles::read(&self.file)?;
-        let loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
-        let name = files.script.display().to_string();
-        report::print(&name, &files.text, &loaded.diagnostics)?;
-        if loaded
-            .diagnostics
-            .iter()
-            .any(|d| d.severity == Severity::Error)
-        {
-            return Ok(Outcome::Errors);
-        }
-        let document = raconteur_eml::parse(&files.text).document;
-        let title = self.title(&files, document.name.as_deref());
-        let performer = document.performer.unwrap_or_default();
+        ensure!(
+            self.files.len() == 1 || self.title.is_some(),
+            "several lessons are a course of their own, which needs a name: --title"
+        );
         let mut parts = Parts::of_player(self.player.as_deref())?;
-        parts.add_story(&files, &loaded.player)?;
-        parts.add_figure(
-            &files,
-            self.figure.as_deref().or(performer.figure.as_deref()),
-        )?;
-        let about = About {
-            iri: self
-                .id
-                .clone()
-                .unwrap_or_else(|| format!("urn:raconteur:course:{}", slug(&title))),
-            identifier: format!("raconteur.{}", slug(&title)),
-            language: performer.language.unwrap_or_else(|| "en".into()),
-            standard: self.standard(),
-            watched: f64::from(self.watched) / 100.0,
-            pass: self.pass.map(|share| f64::from(share) / 100.0),
-            story: parts.story().to_owned(),
-            figure: self.figure.clone(),
-            title,
-        };
+        let mut lessons = Vec::new();
+        let mut outcome = Outcome::Fine;
+        for file in &self.files {
+            let (lesson, told) = self.lesson(file, lessons.len(), &mut parts)?;
+            if told == Outcome::Errors {
+                outcome = Outcome::Errors;
+            }
+            lessons.push(lesson);
+        }
+        if outcome == Outcome::Errors {
+            return Ok(outcome);
+        }
+        let about = self.about(lessons);
         for (path, text) in page::files(&about) {
-            parts.add(path, text.into_bytes());
+            parts.add(&path, text.into_bytes());
         }
         if let Some((path, text)) = manifest::of(&about, &parts.paths()) {
             parts.add(path, text.into_bytes());
@@ -128,7 +128,65 @@ impl Export {
         parts
             .write(&self.output)
             .with_context(|| format!("cannot write {}", self.output.display()))?;
-        Ok(report::outcome(&loaded.diagnostics))
+        Ok(outcome)
+    }
+
+    /// Adds a story to the package, and tells its problems.
+    fn lesson(&self, file: &Path, place: usize, parts: &mut Parts) -> Result<(Lesson, Outcome)> {
+        let files = StoryFiles::read(file)?;
+        let loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
+        let name = files.script.display().to_string();
+        report::print(&name, &files.text, &loaded.diagnostics)?;
+        let document = raconteur_eml::parse(&files.text).document;
+        let title = story_title(&files, document.name.as_deref());
+        let performer = document.performer.unwrap_or_default();
+        let (page, folder) = if self.files.len() == 1 {
+            ("index.html".to_owned(), "story".to_owned())
+        } else {
+            let number = place + 1;
+            (format!("lesson-{number}.html"), format!("story-{number}"))
+        };
+        let story = parts.add_story(&files, &loaded.player, &folder)?;
+        let figure = self.figure.as_deref().or(performer.figure.as_deref());
+        parts.add_figure(&files, figure, &folder)?;
+        let lesson = Lesson {
+            title,
+            iri: String::new(),
+            language: performer.language.unwrap_or_else(|| "en".into()),
+            page,
+            folder,
+            story,
+            figure: self.figure.clone(),
+        };
+        Ok((lesson, report::outcome(&loaded.diagnostics)))
+    }
+
+    fn about(&self, mut lessons: Vec<Lesson>) -> About {
+        let first = lessons.first();
+        let title = self
+            .title
+            .clone()
+            .or_else(|| first.map(|lesson| lesson.title.clone()))
+            .unwrap_or_default();
+        let language = first.map_or_else(|| "en".into(), |lesson| lesson.language.clone());
+        let own = || format!("urn:raconteur:course:{}", slug(&title));
+        let iri = self.id.clone().unwrap_or_else(own);
+        if let [lesson] = lessons.as_mut_slice() {
+            lesson.iri.clone_from(&iri);
+            lesson.title.clone_from(&title);
+        } else {
+            name_lessons(&mut lessons, &iri);
+        }
+        About {
+            identifier: format!("raconteur.{}", slug(&title)),
+            iri,
+            language,
+            standard: self.standard(),
+            watched: f64::from(self.watched) / 100.0,
+            pass: self.pass.map(|share| f64::from(share) / 100.0),
+            title,
+            lessons,
+        }
     }
 
     const fn standard(&self) -> Standard {
@@ -142,14 +200,37 @@ impl Export {
             _ => Standard::Html,
         }
     }
+}
 
-    fn title(&self, files: &StoryFiles, named: Option<&str>) -> String {
-        let folder = || {
-            let folder = files.folder().canonicalize().ok()?;
-            Some(folder.file_name()?.to_string_lossy().into_owned())
+/// What a story is called: by its own name, else by its folder's.
+fn story_title(files: &StoryFiles, named: Option<&str>) -> String {
+    let folder = || {
+        let folder = files.folder().canonicalize().ok()?;
+        Some(folder.file_name()?.to_string_lossy().into_owned())
+    };
+    let named = named.map(str::to_owned);
+    named.or_else(folder).unwrap_or_else(|| "Story".into())
+}
+
+/// Gives lessons addresses below that of their course, by their titles: those stay where lessons
+/// change places. The second of one title has its number.
+fn name_lessons(lessons: &mut [Lesson], course: &str) {
+    let end = course.find(['?', '#']).unwrap_or(course.len());
+    let (path, rest) = course.split_at(end);
+    let mut names: BTreeMap<String, usize> = BTreeMap::new();
+    for lesson in lessons {
+        let name = slug(&lesson.title);
+        let count = names.entry(name.clone()).or_default();
+        *count += 1;
+        let number = if *count > 1 {
+            format!("-{count}")
+        } else {
+            String::new()
         };
-        let given = self.title.clone().or_else(|| named.map(str::to_owned));
-        given.or_else(folder).unwrap_or_else(|| "Story".into())
+        lesson.iri = format!(
+            "{}/lessons/{name}{number}{rest}",
+            path.trim_end_matches('/')
+        );
     }
 }
 
@@ -176,7 +257,8 @@ fn parse_iri(text: &str) -> Result<String, String> {
     Err("an address such as https://example.org/courses/frog".into())
 }
 
-/// A title as a name without spaces: what XML and systems take for an identifier.
+/// A title as a name without spaces: what XML and systems take for an identifier. What letters of
+/// other scripts say is in a number, so that other titles have other names.
 fn slug(title: &str) -> String {
     let kept = |c: char| {
         if c.is_ascii_alphanumeric() {
@@ -186,11 +268,21 @@ fn slug(title: &str) -> String {
         }
     };
     let words: String = title.chars().map(kept).collect();
-    let words: Vec<&str> = words.split('-').filter(|w| !w.is_empty()).collect();
+    let mut words: Vec<&str> = words.split('-').filter(|w| !w.is_empty()).collect();
     if words.is_empty() {
-        return "story".into();
+        words.push("story");
+    }
+    let number = format!("{:08x}", fnv(title));
+    if title.chars().any(|c| c.is_alphanumeric() && !c.is_ascii()) {
+        words.push(&number);
     }
     words.join("-")
+}
+
+/// FNV-1a of the text's bytes, 32 bits.
+fn fnv(text: &str) -> u32 {
+    let mix = |hash: u32, byte: u8| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    text.bytes().fold(0x811c_9dc5, mix)
 }
 
 /// A file of the folder that the player's build has made.
@@ -213,12 +305,62 @@ fn player_folder(named: Option<&Path>) -> Result<PathBuf> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse_figure, parse_iri, slug};
+    use super::{Lesson, name_lessons, parse_figure, parse_iri, slug};
 
     #[test]
     fn identifiers_are_plain_names() {
         assert_eq!(slug("The White Rabbit!"), "the-white-rabbit");
         assert_eq!(slug("«»"), "story");
+    }
+
+    #[test]
+    fn titles_of_any_script_have_names_of_their_own() {
+        let titles = [
+            "Лягушка",
+            "Сова",
+            "蛙",
+            "梟",
+            "Урок 1",
+            "Тест 1",
+            "Frösche",
+            "Früsche",
+            "ضفدع",
+        ];
+        let names: Vec<_> = titles.iter().map(|title| slug(title)).collect();
+        for (at, name) in names.iter().enumerate() {
+            assert!(!names[..at].contains(name), "{name}");
+            assert!(
+                name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-'),
+                "{name}"
+            );
+        }
+        assert!(names[4].starts_with("1-") && names[6].starts_with("fr-sche-"));
+    }
+
+    fn lesson(title: &str) -> Lesson {
+        Lesson {
+            title: title.into(),
+            iri: String::new(),
+            language: "en".into(),
+            page: "lesson-1.html".into(),
+            folder: "story-1".into(),
+            story: "story-1/story.eml".into(),
+            figure: None,
+        }
+    }
+
+    #[test]
+    fn lessons_have_addresses_below_their_course() {
+        let mut lessons = ["The frog", "The owl", "The frog"].map(lesson);
+        name_lessons(&mut lessons, "https://a.example/course/?v=1#x");
+        assert_eq!(
+            lessons.map(|l| l.iri),
+            [
+                "https://a.example/course/lessons/the-frog?v=1#x",
+                "https://a.example/course/lessons/the-owl?v=1#x",
+                "https://a.example/course/lessons/the-frog-2?v=1#x"
+            ]
+        );
     }
 
     #[test]

@@ -37,7 +37,6 @@ pub(super) struct Parts {
     /// What is added where the page has to speak, with the folder that it lies in.
     speech: Vec<String>,
     built: std::path::PathBuf,
-    story: String,
 }
 
 impl Parts {
@@ -51,7 +50,6 @@ impl Parts {
             files: BTreeMap::new(),
             speech,
             built,
-            story: String::new(),
         };
         parts.add_built(&player)?;
         Ok(parts)
@@ -66,22 +64,28 @@ impl Parts {
         Ok(())
     }
 
-    /// A story with its voice, its own animations and its music, and what it uses of the library.
-    pub(super) fn add_story(&mut self, files: &StoryFiles, player: &Player) -> Result<()> {
+    /// A story with its voice, its own animations, its pictures and its music, and what it uses of the library.
+    /// It lies in this folder of the package; the address of the script there.
+    pub(super) fn add_story(
+        &mut self,
+        files: &StoryFiles,
+        player: &Player,
+        to: &str,
+    ) -> Result<String> {
         let folder = files.folder();
         let script = files
             .script
             .file_name()
             .unwrap_or_default()
             .to_string_lossy();
-        self.story = format!("story/{script}");
-        self.add(&self.story.clone(), files.text.clone().into_bytes());
+        let story = format!("{to}/{script}");
+        self.add(&story, files.text.clone().into_bytes());
         let mut own = Vec::new();
         if let Some(json) = files.bundle() {
             let bundle = Bundle::from_json(&json).context("the speech bundle")?;
             let sounds = bundle.utterances.iter().flat_map(|u| &u.audio);
             own.extend(sounds.map(|sound| format!("voice/{}", sound.file)));
-            self.add("story/voice/speech.json", json);
+            self.add(&format!("{to}/voice/speech.json"), json);
         }
         for name in player.needed_animations() {
             if name.contains(['/', '.']) {
@@ -98,10 +102,12 @@ impl Parts {
                 own.push(cue.file);
             }
         }
+        let document = raconteur_eml::parse(&files.text).document;
+        own.extend(document.pictures().map(|(path, _)| path.to_owned()));
         for path in own {
             // What is not there was told as a problem of the story.
             if let Some(bytes) = beside(folder, &path)? {
-                self.add(&format!("story/{path}"), bytes);
+                self.add(&format!("{to}/{path}"), bytes);
             }
         }
         if player
@@ -112,7 +118,7 @@ impl Parts {
             let speech = std::mem::take(&mut self.speech);
             self.add_built(&speech)?;
         }
-        Ok(())
+        Ok(story)
     }
 
     /// A piece of the library, with the encoding that other browsers play.
@@ -127,14 +133,19 @@ impl Parts {
         Ok(())
     }
 
-    /// Who performs: a figure of the library, or a file beside the story.
-    pub(super) fn add_figure(&mut self, files: &StoryFiles, name: Option<&str>) -> Result<()> {
+    /// Who performs: a figure of the library, or a file beside the story, which comes into this folder.
+    pub(super) fn add_figure(
+        &mut self,
+        files: &StoryFiles,
+        name: Option<&str>,
+        to: &str,
+    ) -> Result<()> {
         let name = name.unwrap_or(USUAL_FIGURE);
         if let Some(bytes) = Path::new(name)
             .extension()
             .map_or(Ok(None), |_| beside(files.folder(), name))?
         {
-            self.add(&format!("story/{name}"), bytes);
+            self.add(&format!("{to}/{name}"), bytes);
         }
         // A figure of the library is there in any case: it performs where the other cannot.
         let usual = if Path::new(name).extension().is_some() {
@@ -157,11 +168,6 @@ impl Parts {
     /// A file at a path of the package.
     pub(super) fn add(&mut self, path: &str, bytes: Vec<u8>) {
         self.files.insert(plain(path), bytes);
-    }
-
-    /// Where the script is.
-    pub(super) fn story(&self) -> &str {
-        &self.story
     }
 
     /// The paths of all files, in order.

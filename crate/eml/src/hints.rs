@@ -1,0 +1,45 @@
+//! What names in a lesson may have meant, and what is there twice.
+
+use crate::suggest::{MOST_HINTS, nearest, quoted};
+use crate::{Diagnostic, Span};
+
+/// Hints that are looked for in one document, which bounds their cost.
+const MOST_LOOKS: usize = 64;
+
+/// Looks for what may have been meant, so often and no oftener.
+#[derive(Default)]
+pub(crate) struct Looks(usize);
+
+impl Looks {
+    /// What may have been meant by a name.
+    pub(crate) fn near<'n>(
+        &mut self,
+        name: &str,
+        known: impl IntoIterator<Item = &'n &'n str>,
+    ) -> Option<String> {
+        if !self.may_look() {
+            return None;
+        }
+        nearest(name, known.into_iter().copied().take(MOST_HINTS)).map(str::to_owned)
+    }
+
+    /// Whether another hint is worth its cost; counts it.
+    pub(crate) fn may_look(&mut self) -> bool {
+        self.0 += 1;
+        self.0 <= MOST_LOOKS
+    }
+}
+
+/// The problem with what may have been meant.
+pub(crate) fn hinted(diagnostic: Diagnostic, near: Option<String>) -> Diagnostic {
+    match near {
+        Some(near) => diagnostic.hint(format!("did you mean `{near}`?")),
+        None => diagnostic,
+    }
+}
+
+/// A second thing of one name.
+pub(crate) fn twice(what: &str, name: &str, span: Span) -> Diagnostic {
+    let message = format!("a second {what} with the name {}", quoted(name));
+    Diagnostic::error("eml::duplicate-name", span, message)
+}
