@@ -172,6 +172,7 @@ export default defineConfig(({ mode }) => {
       },
     },
     preview: { headers },
-    test: { include: ['web/test/**/*.test.ts'] },
+    // Random cases take seconds where compilers have the cores; what takes a minute hangs.
+    test: { include: ['web/test/**/*.test.ts'], testTimeout: 60_000 },
   };
 });

@@ -4,21 +4,22 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { runInNewContext } from 'node:vm';
 import { expect, it } from 'vitest';
-import type { Report } from '../course/report.js';
 import { BrowserRecord } from '../course/storage.js';
+import { report, shelf } from './course-store.js';
 
 const SCRIPT = readFileSync(join(import.meta.dirname, '../../crate/cli/src/commands/export/list.js'), 'utf8');
 
 it('shows what the pages of the lessons keep', () => {
   const kept = new Map<string, string>();
-  const storage = { getItem: (key: string) => kept.get(key) ?? null, setItem: (key: string, value: string) => void kept.set(key, value) };
-  const report: Report = { placeSecs: 1, durationSecs: 10, progress: 0.428, seen: [], isComplete: false, score: undefined, isPassed: undefined, memory: '' };
+  const storage = shelf(kept);
+  const at = { ...report(1), progress: 0.428 };
   for (const [course, more] of [
     ['urn:a', {}],
     ['urn:b', { isComplete: true, progress: 0.95 }],
   ] as const) {
     const record = new BrowserRecord(course, storage);
-    record.tell({ ...report, ...more });
+    void record.open();
+    record.tell({ ...at, ...more });
     record.keep();
   }
   kept.set('raconteur-course:urn:d', 'no JSON');

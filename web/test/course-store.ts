@@ -83,8 +83,7 @@ export const prepare = (store: FakeStore, launchMode: string, more: object = {})
   store.states.set([COURSE.activityId, ACTOR, REGISTRATION, 'LMS.LaunchData'].join(' '), JSON.stringify(data));
 };
 
-export const shelf = (): Shelf & { readonly values: Map<string, string> } => {
-  const values = new Map<string, string>();
+export const shelf = (values = new Map<string, string>()): Shelf & { readonly values: Map<string, string> } => {
   return { values, getItem: (key) => values.get(key) ?? null, setItem: (key, value) => void values.set(key, value), removeItem: (key) => void values.delete(key) };
 };
 
