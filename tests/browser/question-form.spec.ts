@@ -25,7 +25,8 @@ const focused = (stage: Stage) =>
   stage.player.evaluate((p: RaconteurPlayer) => {
     if (document.activeElement !== p) return 'elsewhere';
     const inner = p.shadowRoot?.activeElement;
-    if (inner === null || inner === undefined) return 'player';
+    // Its frame takes the keys.
+    if (inner === null || inner === undefined || inner.classList.contains('frame')) return 'player';
     return inner instanceof HTMLInputElement ? inner.value : (inner.textContent ?? '').trim();
   });
 

@@ -460,7 +460,10 @@ export class RaconteurPlayer extends MediaElement {
   override focus(options?: FocusOptions): void {
     // What takes it is drawn a moment after the element was put into the page.
     if (this.isConnected && !this.hasUpdated) this.performUpdate();
-    super.focus(options);
+    // The browser leaves the focus where it is in the player, as on a button that goes.
+    const frame = this.renderRoot.querySelector<HTMLElement>('.frame');
+    if (this.shadowRoot?.activeElement != null && frame !== null) frame.focus(options);
+    else super.focus(options);
   }
 
   // --- life ---
