@@ -90,6 +90,11 @@ impl Headless {
         self.renderer.set_options(options);
     }
 
+    /// As [`Self::set_options`], with one program for each picture until all is there.
+    pub fn set_options_soon(&mut self, options: RenderOptions) {
+        self.renderer.set_options_soon(options);
+    }
+
     /// Draws a frame; returns sRGB bytes, RGBA, rows from the top without padding.
     ///
     /// # Errors

@@ -46,7 +46,7 @@ impl SharedResources {
     }
 }
 
-/// Every pipeline of one tier of quality.
+/// Every pipeline of one tier of quality, as far as they were needed.
 pub(crate) struct Pipelines {
     /// What draws the places that were wanted.
     theatres: Vec<Theatre>,
@@ -54,7 +54,7 @@ pub(crate) struct Pipelines {
     theatre: usize,
     /// What lays down the backdrop as a still, where that is done.
     pub(crate) laid: Option<RenderPipeline>,
-    pub(crate) tone_map: RenderPipeline,
+    pub(crate) tone_map: Option<RenderPipeline>,
     target: TargetKind,
     /// Surfaces are drawn by the shaders of the lowest quality.
     simple: bool,
@@ -84,6 +84,11 @@ fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 3] {
         Some(FixedVertex::LAYOUT),
         Some(TissueVertex::LAYOUT),
     ]
+}
+
+/// A switch of the shaders.
+fn flag(on: bool) -> f64 {
+    f64::from(u8::from(on))
 }
 
 /// How many of the streams there are.
@@ -204,89 +209,99 @@ fn pipeline_layout(
 }
 
 impl Pipelines {
-    pub(crate) fn new(
-        device: &Device,
-        shared: &SharedResources,
-        target: TargetKind,
-        quality: Quality,
-    ) -> Self {
-        let flag = |b: bool| f64::from(u8::from(b));
-        let early = ("EARLY_ENCODE", flag(!target.is_float()));
-        let constants = vec![
-            early,
-            ("FINE_DETAIL", flag(quality.fine_detail())),
-            ("SHADOW_REACH", f64::from(quality.shadow_reach())),
-            ("SHADOWS", f64::from(quality.shadows())),
-            ("COVERAGE", flag(target.samples > 1)),
-            ("SIMPLE", flag(target.is_direct)),
-        ];
-        let tone_map_layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
-        let laid = target.is_direct.then(|| {
-            PipelineDescription {
-                label: "backdrop",
-                vertex: "vs_still",
-                fragment: Some("fs_still"),
-                samples: target.samples,
-                depth: BEHIND,
-                ..full_screen(&shared.tone_map, &tone_map_layout, target.format)
-            }
-            .build(device)
-        });
-        let tone_map_constants = [
-            early,
-            ("SMOOTH_EDGES", flag(target.samples == 1)),
-            ("TARGET_ENCODES", flag(shared.output.is_srgb())),
-        ];
-        let tone_map = PipelineDescription {
-            label: "tone map",
-            constants: &tone_map_constants,
-            vertex: "vs_tone_map",
-            fragment: Some("fs_tone_map"),
-            ..full_screen(&shared.tone_map, &tone_map_layout, shared.output)
-        }
-        .build(device);
-        let mut pipelines = Self {
+    /// None is compiled yet.
+    pub(crate) fn new(target: TargetKind, quality: Quality) -> Self {
+        Self {
             theatres: Vec::new(),
             theatre: 0,
-            laid,
-            tone_map,
+            laid: None,
+            tone_map: None,
             target,
             simple: target.is_direct,
-            constants,
+            constants: vec![
+                ("EARLY_ENCODE", flag(!target.is_float())),
+                ("FINE_DETAIL", flag(quality.fine_detail())),
+                ("SHADOW_REACH", f64::from(quality.shadow_reach())),
+                ("SHADOWS", f64::from(quality.shadows())),
+                ("COVERAGE", flag(target.samples > 1)),
+                ("SIMPLE", flag(target.is_direct)),
+            ],
             materials: Vec::new(),
             shadows: Vec::new(),
             bare: Vec::new(),
             overlay: None,
             lines: None,
-        };
-        // Most stories begin here.
-        pipelines.prepare_theatre(device, shared, SetKind::Curtain);
-        pipelines
+        }
     }
 
-    /// Compiles what a key needs, with its shadow from `lights` lamps, if no figure has
-    /// used it yet.
-    pub(crate) fn prepare(
+    /// Compiles the first that is missing of what a place and the `keys` of a figure need, with shadows
+    /// from `lights` lamps; whether one was. One takes tens of milliseconds where a processor draws.
+    pub(crate) fn make_next(
         &mut self,
         device: &Device,
         shared: &SharedResources,
-        key: PipelineKey,
+        set: SetKind,
+        keys: impl Iterator<Item = PipelineKey>,
         lights: u32,
-    ) {
-        if self.material(key).is_none() {
-            let pipeline = self.make_material(device, shared, key);
-            self.materials.push((key, pipeline));
+    ) -> bool {
+        if self.tone_map.is_none() {
+            self.tone_map = Some(self.make_tone_map(device, shared));
+            return true;
         }
-        let shadow = key.shadow();
-        if shadow == Shadow::Nothing {
-            return;
+        if self.target.is_direct && self.laid.is_none() {
+            self.laid = Some(self.make_laid(device, shared));
+            return true;
         }
-        for light in 0..lights {
-            if self.shadow(light, shadow, key.bound).is_none() {
+        if self.make_theatre(device, shared, set) {
+            return true;
+        }
+        for key in keys {
+            if self.material(key).is_none() {
+                let pipeline = self.make_material(device, shared, key);
+                self.materials.push((key, pipeline));
+                return true;
+            }
+            let shadow = key.shadow();
+            let lights = if shadow == Shadow::Nothing { 0 } else { lights };
+            let mut lit = 0..lights;
+            if let Some(light) = lit.find(|light| self.shadow(*light, shadow, key.bound).is_none())
+            {
                 let pipeline = make_shadow(device, shared, light, shadow, key.bound);
                 self.shadows.push((light, shadow, key.bound, pipeline));
+                return true;
             }
         }
+        false
+    }
+
+    fn make_tone_map(&self, device: &Device, shared: &SharedResources) -> RenderPipeline {
+        let constants = [
+            ("EARLY_ENCODE", flag(!self.target.is_float())),
+            ("SMOOTH_EDGES", flag(self.target.samples == 1)),
+            ("TARGET_ENCODES", flag(shared.output.is_srgb())),
+        ];
+        let layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
+        PipelineDescription {
+            label: "tone map",
+            constants: &constants,
+            vertex: "vs_tone_map",
+            fragment: Some("fs_tone_map"),
+            ..full_screen(&shared.tone_map, &layout, shared.output)
+        }
+        .build(device)
+    }
+
+    fn make_laid(&self, device: &Device, shared: &SharedResources) -> RenderPipeline {
+        let layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
+        PipelineDescription {
+            label: "backdrop",
+            vertex: "vs_still",
+            fragment: Some("fs_still"),
+            samples: self.target.samples,
+            depth: BEHIND,
+            ..full_screen(&shared.tone_map, &layout, self.target.format)
+        }
+        .build(device)
     }
 
     fn make_material(
@@ -373,7 +388,6 @@ impl Pipelines {
             lit, figure, maps, ..
         } = &shared.layouts;
         let mut constants = self.constants.clone();
-        let flag = |b: bool| f64::from(u8::from(b));
         constants.push(("CLAY", flag(!shown.materials)));
         constants.push(("THIN", flag(shown.fill != Fill::Solid)));
         PipelineDescription {

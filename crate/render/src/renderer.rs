@@ -1,7 +1,9 @@
 //! Draws frames of one figure to any target of the chosen format.
 
+mod change;
+
 use raconteur_body::{Figure, MaterialKind};
-use raconteur_stage::{Fill, Frame, Shown};
+use raconteur_stage::{Fill, Frame, SetKind, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
 use crate::backdrop::{Backdrop, Drawn};
@@ -34,6 +36,8 @@ pub struct Renderer {
     /// What the adapter draws at each quality.
     target_kinds: [TargetKind; Quality::NAMES.len()],
     tier: Tier,
+    /// The next quality, while its programs are being compiled.
+    coming: Option<Tier>,
     targets: Option<Targets>,
     /// What the tone-map pass reads, where there is one.
     tone_map_group: Option<wgpu::BindGroup>,
@@ -98,6 +102,7 @@ impl Renderer {
             shared,
             target_kinds,
             tier,
+            coming: None,
             frame_buffer,
             frame_group,
             targets: None,
@@ -126,6 +131,8 @@ impl Renderer {
             queue,
             refused,
         };
+        // Most stories begin before a curtain.
+        renderer.compile(SetKind::Curtain);
         renderer.tell_tier();
         renderer
     }
@@ -136,42 +143,6 @@ impl Renderer {
         &self.info
     }
 
-    /// Draws as `options` say from the next picture on; the figure and its pictures stay.
-    pub fn set_options(&mut self, options: RenderOptions) {
-        let old = self.tier.options;
-        if old.quality != options.quality {
-            let kind = self.target_kinds[options.quality as usize];
-            self.tier = Tier::new(
-                &self.device,
-                &self.shared,
-                kind,
-                &self.frame_buffer,
-                options,
-            );
-            self.targets = None;
-            self.prepare();
-        }
-        self.tell_tier();
-    }
-
-    fn tell_tier(&mut self) {
-        let samples = self.tier.target.samples;
-        self.info.options = self.tier.options;
-        self.info.samples = samples;
-        self.info.smooths_edges = samples == 1 && !self.tier.target.is_direct;
-        self.info.shadow_texels = self.tier.shadow_texels;
-    }
-
-    /// Compiles what the figure needs.
-    fn prepare(&mut self) {
-        let Some(figure) = &self.figure else { return };
-        let tier = &mut self.tier;
-        for key in figure.pipeline_keys() {
-            tier.pipelines
-                .prepare(&self.device, &self.shared, key, tier.lights);
-        }
-    }
-
     /// Sends a figure to the device, in place of the one before. Its pictures are white
     /// and flat until [`Self::set_image`].
     ///
@@ -180,7 +151,7 @@ impl Renderer {
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         let layouts = &self.shared.layouts;
         self.figure = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;
-        self.prepare();
+        self.compile(SetKind::Curtain);
         Ok(())
     }
 
@@ -204,7 +175,7 @@ impl Renderer {
             sent.take_pictures(before, &self.device, layouts, &self.fallback);
         }
         self.figure = sent;
-        self.prepare();
+        self.compile(SetKind::Curtain);
         Ok(())
     }
 
@@ -246,6 +217,7 @@ impl Renderer {
         view: &TextureView,
         size: (u32, u32),
     ) -> Result<(), RenderError> {
+        self.go_on(frame.set.kind);
         self.fit(size)?;
         self.send(frame, size);
         self.send_shown(frame);
@@ -299,7 +271,7 @@ impl Renderer {
                 ],
             )
         });
-        self.backdrop = self.tier.pipelines.laid.as_ref().map(|_| {
+        self.backdrop = self.tier.target.is_direct.then(|| {
             Backdrop::new(
                 &self.device,
                 &self.shared.layouts,
@@ -572,7 +544,8 @@ impl Renderer {
         view: &TextureView,
         counts: &mut Counts,
     ) {
-        let Some(group) = &self.tone_map_group else {
+        let (Some(group), Some(pipeline)) = (&self.tone_map_group, &self.tier.pipelines.tone_map)
+        else {
             return;
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -588,7 +561,7 @@ impl Renderer {
             })],
             ..Default::default()
         });
-        pass.set_pipeline(&self.tier.pipelines.tone_map);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);
         counts.add(1);

@@ -160,8 +160,10 @@ impl CanvasTarget {
 
     /// Takes the time between two shown frames, milliseconds; the quality follows it.
     pub fn report_frame(&mut self, ms: f64) {
-        if self.pace.report(ms) {
-            self.follow_pace();
+        // What is drawn as before tells nothing of the quality that comes.
+        if !self.renderer.is_changing() && self.pace.report(ms) {
+            self.renderer.set_options_soon(self.pace.options());
+            self.fit();
         }
     }
 

@@ -21,7 +21,7 @@ pub(crate) struct Tier {
 }
 
 impl Tier {
-    /// Makes what `options` ask for, as far as the device can.
+    /// Makes what `options` ask for, as far as the device can; no program is compiled yet.
     pub(crate) fn new(
         device: &Device,
         shared: &SharedResources,
@@ -73,7 +73,7 @@ impl Tier {
         Self {
             options,
             target,
-            pipelines: Pipelines::new(device, shared, target, quality),
+            pipelines: Pipelines::new(target, quality),
             lights,
             shadow_texels,
             shadow_map,

@@ -88,6 +88,39 @@ fn qualities_change_on_one_device() {
     }
 }
 
+/// While another quality is on its way pictures are drawn as before; it comes in some pictures' time, whole.
+#[test]
+fn another_quality_comes_when_it_is_whole() {
+    let figure = common::figure();
+    let frame = medium(&figure, &Pose::zero());
+    let mut changing = headless(Quality::High);
+    changing.set_figure(&figure).expect("a sound figure");
+    let mut before = draw(&mut changing, &frame);
+    for quality in [Quality::Lowest, Quality::Medium] {
+        changing.set_options_soon(RenderOptions { quality });
+        let mut alone = headless(quality);
+        alone.set_figure(&figure).expect("a sound figure");
+        let after = draw(&mut alone, &frame);
+        let mut pictures = 0;
+        while changing.info().options.quality != quality {
+            let drawn = draw(&mut changing, &frame);
+            pictures += 1;
+            let is_there = changing.info().options.quality == quality;
+            assert!(
+                drawn
+                    == if is_there {
+                        after.clone()
+                    } else {
+                        before.clone()
+                    }
+            );
+            assert!(pictures < 60, "{quality:?}");
+        }
+        assert!(pictures > 4, "{quality:?}: one program for each");
+        before = after;
+    }
+}
+
 #[test]
 fn two_devices_draw_the_same_bytes() {
     let figure = common::figure();

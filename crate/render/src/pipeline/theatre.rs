@@ -36,31 +36,53 @@ impl Pipelines {
         shared: &SharedResources,
         kind: SetKind,
     ) {
+        while self.make_theatre(device, shared, kind) {}
         let entry = theatre_entry(kind);
-        if let Some(known) = self.theatres.iter().position(|t| t.entry == entry) {
-            self.theatre = known;
-            return;
+        let known = self.theatres.iter().position(|t| t.entry == entry);
+        self.theatre = known.unwrap_or_default();
+    }
+
+    /// Compiles the first that a place lacks; whether something was missing.
+    pub(super) fn make_theatre(
+        &mut self,
+        device: &Device,
+        shared: &SharedResources,
+        kind: SetKind,
+    ) -> bool {
+        let entry = theatre_entry(kind);
+        let target = self.target;
+        let known = self.theatres.iter_mut().find(|t| t.entry == entry);
+        if known
+            .as_ref()
+            .is_some_and(|t| t.still.is_some() || !target.is_direct)
+        {
+            return false;
         }
         let layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
-        let make = |samples, depth| {
+        let make = |constants: &[(&str, f64)], samples, depth| {
             PipelineDescription {
                 label: "theatre",
-                constants: &self.constants,
+                constants,
                 vertex: "vs_theatre",
                 fragment: Some(entry),
                 samples,
                 depth,
-                ..full_screen(&shared.stage, &layout, self.target.format)
+                ..full_screen(&shared.stage, &layout, target.format)
             }
             .build(device)
         };
-        let theatre = Theatre {
-            entry,
-            behind: make(self.target.samples, BEHIND),
-            still: self.target.is_direct.then(|| make(1, None)),
-        };
-        self.theatre = self.theatres.len();
-        self.theatres.push(theatre);
+        match known {
+            Some(theatre) => theatre.still = Some(make(&self.constants, 1, None)),
+            None => {
+                let behind = make(&self.constants, target.samples, BEHIND);
+                self.theatres.push(Theatre {
+                    entry,
+                    behind,
+                    still: None,
+                });
+            }
+        }
+        true
     }
 
     /// What draws the stage.
