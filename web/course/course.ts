@@ -67,16 +67,14 @@ export class Course {
     this.#pass = pass ?? this.#pass;
     this.#isComplete = isComplete;
     this.#isReview = isReview;
-    await this.#story();
-    this.#return(memory);
-    this.#tell();
+    const go = () => {
+      this.#return(memory);
+      this.#tell();
+    };
+    // A story that cannot be had leaves the way out.
+    if (this.#player.readyState > 0) go();
+    else this.#player.addEventListener('loadedmetadata', go, { once: true, signal: this.#end.signal });
     return known;
-  }
-
-  /** Resolves when the story is there. */
-  #story(): Promise<unknown> | undefined {
-    if (this.#player.readyState > 0) return undefined;
-    return new Promise((ready) => this.#player.addEventListener('loadedmetadata', ready, { once: true }));
   }
 
   /** What the learner has done before: nobody who is at work is brought elsewhere. */
