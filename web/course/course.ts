@@ -24,6 +24,9 @@ const BARELY_SECS = 3;
 const SOON_SECS = 1;
 const NEARLY_SECS = 0.05;
 
+/** Who leaves waits no longer for a system. */
+const LEAVE_MS = 5000;
+
 const NO_POINTS: Score = { points: 0, most: 0 };
 
 export class Course {
@@ -43,6 +46,8 @@ export class Course {
   #pass: number | undefined;
   /** Where the learner was when that was told last. */
   #placeSecs = 0;
+  /** Where the learner was when they began to seek. */
+  #fromSecs: number | undefined;
   /** To where the course itself has brought the story: nobody has sought. */
   readonly #leaps: number[] = [];
   #keptMs = -Infinity;
@@ -102,6 +107,8 @@ export class Course {
     this.#player.addEventListener('playing', note('played'), { signal });
     this.#player.addEventListener('pause', note('paused'), { signal });
     this.#player.addEventListener('leap', ({ detail: { toSecs } }) => this.#leaps.push(toSecs), { signal });
+    // What is told while it is sought is of the place to which it goes.
+    this.#player.addEventListener('seeking', () => (this.#fromSecs ??= this.#placeSecs), { signal });
     this.#player.addEventListener('seeked', () => this.#sought(), { signal });
     let askedMs = performance.now();
     this.#player.addEventListener('question', () => (askedMs = performance.now()), { signal });
@@ -109,6 +116,28 @@ export class Course {
     // A tab that is hidden may be closed without a word.
     document.addEventListener('visibilitychange', () => document.hidden && this.#keep(), { signal });
     addEventListener('pagehide', () => this.close(), { signal });
+    addEventListener('storage', ({ key, newValue }) => this.#hear(this.#record.others?.(key, newValue)), { signal });
+  }
+
+  /** What the learner does in another page of the course counts here, too. */
+  #hear(memory: Memory | undefined): void {
+    if (memory === undefined || this.#player.readyState === 0 || this.#isReview) return;
+    const isLater = memory.attempt > this.#memory.attempt;
+    if (memory.attempt < this.#memory.attempt) return;
+    if (isLater) this.#memory = { ...memory, session: this.#memory.session };
+    this.#seen = united([...this.#seen, ...memory.seen]);
+    this.#player.restore({ ...memory.more, answered: memory.answered, placeSecs: isLater ? this.#player.currentTime : NaN });
+    this.#tell();
+  }
+
+  /** Tells the system all that it can be told now, and ends the session; resolves when that is done, or has taken too long. */
+  async leave(): Promise<void> {
+    const isLate = () => new Promise<void>((done) => setTimeout(done, LEAVE_MS));
+    this.#tell();
+    this.#keep();
+    await Promise.race([this.#record.settle?.(), isLate()]);
+    this.close();
+    await Promise.race([this.#record.settle?.(), isLate()]);
   }
 
   /** Ends the session. */
@@ -132,9 +161,15 @@ export class Course {
     void this.#player.play().catch(() => undefined);
   }
 
-  /** Points of this attempt, and what is enough; undefined where there is nothing to win, or nothing that is enough. */
-  get outcome(): { readonly score: Score; readonly isPassed: boolean | undefined } {
-    return { score: this.#player.score, isPassed: this.#verdict() };
+  /** Points of this attempt and of the best one, and whether those are enough; undefined where there is no such rule. */
+  get outcome(): { readonly score: Score; readonly best: Score; readonly isPassed: boolean | undefined } {
+    const { score } = this.#player;
+    return { score, best: bestOf(this.#memory.best, score) ?? score, isPassed: this.#verdict() };
+  }
+
+  /** Nothing is left to answer in this attempt. */
+  get isSettled(): boolean {
+    return this.#player.readyState > 0 && this.#player.questions.length > 0 && this.#isSettled();
   }
 
   #played(): readonly Span[] {
@@ -199,6 +234,8 @@ export class Course {
   /** The story stands elsewhere: by what the learner has done, unless it was brought there by its own ways. */
   #sought(): void {
     const { currentTime } = this.#player;
+    const fromSecs = this.#fromSecs ?? this.#placeSecs;
+    this.#fromSecs = undefined;
     const at = this.#leaps.findIndex((secs) => secs < currentTime + NEARLY_SECS && currentTime < secs + SOON_SECS);
     if (at >= 0) {
       this.#leaps.splice(0, at + 1);
@@ -206,7 +243,7 @@ export class Course {
       return;
     }
     this.#isAtWork = true;
-    this.#note({ kind: 'seeked', fromSecs: this.#placeSecs });
+    this.#note({ kind: 'seeked', fromSecs });
   }
 
   #note(what: Happening): void {

@@ -5,8 +5,6 @@ import { RecordError } from './report.js';
 import { RecordStore, type Access, type Outcome, type Owner } from './store.js';
 import type { Trouble } from './trouble.js';
 
-const NOT_FOUND = 'Nothing is recorded.';
-
 /** What the address of the page says. */
 export interface Link {
   readonly endpoint: string;
@@ -35,7 +33,7 @@ export interface Launch {
 export function linkOf(address: string, courseId: string): Link {
   const asked = new URL(address).searchParams;
   const [endpoint, actor, fetch] = ['endpoint', 'actor', 'fetch'].map((name) => asked.get(name));
-  if (endpoint == null || actor == null) throw new RecordError(`This course was opened without a record store. ${NOT_FOUND}`);
+  if (endpoint == null || actor == null) throw new RecordError('no-store', 'The address of the page names no record store.');
   const activityId = asked.get('activityId') ?? asked.get('activity_id') ?? courseId;
   return {
     endpoint: endpoint.endsWith('/') ? endpoint : `${endpoint}/`,
@@ -50,7 +48,15 @@ function parsed(json: string): unknown {
   try {
     return JSON.parse(json) as unknown;
   } catch {
-    throw new RecordError(`The address of this course names no learner. ${NOT_FOUND}`);
+    throw new RecordError('no-learner', 'The address of the page names no learner.');
+  }
+}
+
+function launchIn(text: string): unknown {
+  try {
+    return JSON.parse(text) as unknown;
+  } catch {
+    return undefined;
   }
 }
 
@@ -78,7 +84,7 @@ function tokenOf(address: string, { trouble, isClosed }: Waiting): Promise<strin
     const answer = (await response.json().catch(() => undefined)) as { 'auth-token'?: unknown } | undefined;
     const token = response.ok ? answer?.['auth-token'] : undefined;
     if (typeof token === 'string') return token;
-    throw new RecordError('The system that has opened this course did not let it in: what you do is kept in this browser. Open the course there anew to have it recorded.');
+    throw new RecordError('not-let-in', 'The system gave no token.');
   }, isClosed);
 }
 
@@ -100,8 +106,8 @@ export async function launchOf(link: Link, waiting: Waiting): Promise<Launch | u
   const store = new RecordStore(access);
   const text = await textOf(() => store.state(link.owner, 'LMS.LaunchData'), waiting);
   if (text === undefined) return undefined;
-  const data = text === '' ? undefined : parsed(text);
-  if (typeof data !== 'object' || data === null) throw new RecordError(`The record store does not say how this course is to be opened. ${NOT_FOUND}`);
+  const data = launchIn(text);
+  if (typeof data !== 'object' || data === null) throw new RecordError('no-launch', 'The record store has no launch data.');
   const { contextTemplate, launchMode = 'Normal', masteryScore, returnURL } = data as { [name: string]: unknown };
   return {
     access,

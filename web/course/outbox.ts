@@ -22,6 +22,9 @@ export class Outbox {
   /** In order; those that were refused are behind all others, and wait for the next session. */
   #waiting: readonly Statement[];
   readonly #refused = new Set<Statement>();
+  /** The ids of those that the store has: another page may have them on the shelf still. */
+  readonly #gone = new Set<string>();
+  #running: Promise<void> | undefined;
   /** How many of the first are on their way. */
   #sending = 0;
   /** A batch was refused: its statements go one by one, so that those that are right come through. */
@@ -59,9 +62,14 @@ export class Outbox {
   }
 
   /** Sends what waits, batch after batch; settles when all was taken or the store is away. */
-  async flush(): Promise<void> {
+  flush(): Promise<void> {
     clearTimeout(this.#timer);
     this.#timer = undefined;
+    this.#running ??= this.#run().finally(() => (this.#running = undefined));
+    return this.#running;
+  }
+
+  async #run(): Promise<void> {
     while (this.#isOpen && this.#sending === 0) {
       const batch = this.#next();
       if (batch.length === 0) return;
@@ -77,7 +85,20 @@ export class Outbox {
     if (!this.#isOpen) return;
     const late = this.#waiting.slice(this.#sending, this.#waiting.length - this.#refused.size);
     const batch = together(late, MOST_KEPT_BYTES - bytesOf(JSON.stringify(this.#waiting.slice(0, this.#sending))));
-    if (batch.length > 0) void this.#listener.send(batch).then((outcome) => outcome === 'taken' && this.#drop(batch));
+    const before = this.#running;
+    const last = batch.length > 0 ? this.#listener.send(batch).then((outcome) => this.#tookLast(batch, outcome)) : undefined;
+    this.#running = Promise.all([before, last]).then(() => undefined);
+  }
+
+  /** What has become of what was sent as the page goes, for a page that stays after all. */
+  #tookLast(batch: readonly Statement[], outcome: Outcome): void {
+    if (outcome === 'taken') this.#drop(batch);
+    this.#listener.trouble('statements', outcome === 'taken' ? undefined : outcome);
+  }
+
+  /** Settles when nothing is on its way. */
+  async settle(): Promise<void> {
+    await this.#running;
   }
 
   #next(): readonly Statement[] {
@@ -119,6 +140,7 @@ export class Outbox {
   #drop(batch: readonly Statement[]): void {
     const taken = new Set(batch);
     this.#waiting = this.#waiting.filter((statement) => !taken.has(statement));
+    for (const { id } of batch) this.#gone.add(id);
     this.#keep();
   }
 
@@ -129,9 +151,13 @@ export class Outbox {
     this.#keep();
   }
 
+  /** Keeps what waits, with what other pages of the course have on the shelf. */
   #keep(): void {
-    if (this.#waiting.length === 0) this.#slot.clear();
-    else if (!this.#slot.set(JSON.stringify(this.#waiting))) this.#listener.trouble('the browser', 'unkept');
+    const own = new Set(this.#waiting.map(({ id }) => id));
+    const others = statementsIn(this.#slot.get()).filter(({ id }) => !own.has(id) && !this.#gone.has(id));
+    const all = [...others, ...this.#waiting];
+    if (all.length === 0) this.#slot.clear();
+    else if (!this.#slot.set(JSON.stringify(all))) this.#listener.trouble('the browser', 'unkept');
   }
 }
 

@@ -6,7 +6,7 @@ import type { Answered } from '../element/lesson.js';
 import type { Course } from './course.js';
 import { RecordError, type Known, type Record } from './report.js';
 import { showResult } from './result.js';
-import type { Trouble } from './trouble.js';
+import type { Trouble, Troubles } from './trouble.js';
 import { wordsOf } from './words.js';
 
 /** Elements that the page of `raconteur export` has. */
@@ -26,8 +26,10 @@ export class CoursePage {
   readonly #words = wordsOf(document.documentElement.lang);
   /** The way out; none on a plain site, where a page is left by the browser. */
   readonly #hasExit: boolean;
+  readonly #troubles: Troubles;
   #returnAddress: string | undefined;
-  #hasLeft = false;
+  /** The learner is on their way out, has been told that not all is saved, or is out. */
+  #exit: 'here' | 'leaving' | 'warned' | 'left' = 'here';
   #savedTimer: ReturnType<typeof setTimeout> | undefined;
   /** Nobody keeps anything: a sentence that stays. */
   #failure = '';
@@ -37,6 +39,7 @@ export class CoursePage {
     this.#course = course;
     this.#places = places;
     this.#hasExit = hasExit;
+    this.#troubles = record.troubles;
     for (const type of ['loadedmetadata', 'emptied', 'durationchange', 'timeupdate'] as const) player.addEventListener(type, () => this.#drawBar());
     player.addEventListener('ended', () => this.#showResult());
     player.addEventListener('playing', () => (places.result.hidden = true));
@@ -53,7 +56,7 @@ export class CoursePage {
       this.#drawBar();
     } catch (error) {
       if (!(error instanceof RecordError)) throw error;
-      this.#failure = error.message;
+      this.#failure = this.#words.absences[error.why];
       this.#tell(undefined);
     }
   }
@@ -63,10 +66,17 @@ export class CoursePage {
     clearTimeout(this.#savedTimer);
     const wasTold = status.value !== '' && status.value !== this.#failure;
     status.classList.toggle('trouble', trouble !== undefined || this.#failure !== '');
-    status.value = trouble === undefined ? this.#failure : this.#words.troubles[trouble];
+    status.value = trouble === undefined ? this.#failure : this.#sentence(trouble);
     if (trouble !== undefined || this.#failure !== '' || !wasTold) return;
     status.value = this.#words.saved;
     this.#savedTimer = setTimeout(() => (status.value = ''), SAVED_MS);
+  }
+
+  /** What a trouble means, and what is to be done. */
+  #sentence(trouble: Trouble): string {
+    const { troubles, unsaved } = this.#words;
+    const told = this.#troubles.isKept ? troubles[trouble] : troubles.unkept;
+    return this.#exit === 'warned' ? `${told} ${unsaved}` : told;
   }
 
   #drawBar(): void {
@@ -82,8 +92,11 @@ export class CoursePage {
         )}
       </ol>
     </details>`;
-    const exit = html`<button type="button" class="exit" ?disabled=${this.#hasLeft} @click=${() => this.#leave()}>${words.exit}</button>`;
-    render(html`${chapters.length > 1 ? list : nothing}${this.#hasExit ? exit : nothing}`, this.#places.bar);
+    const isGone = this.#exit === 'leaving' || this.#exit === 'left';
+    const exit = html`<button type="button" class="exit" ?disabled=${isGone} @click=${() => void this.#leave()}>${words.exit}</button>`;
+    const result = html`<button type="button" @click=${() => this.#showResult(true)}>${words.result}</button>`;
+    const hasResult = this.#course.isSettled && this.#places.result.hidden;
+    render(html`${chapters.length > 1 ? list : nothing}${hasResult ? result : nothing}${this.#hasExit ? exit : nothing}`, this.#places.bar);
   }
 
   #goTo(secs: number): void {
@@ -94,11 +107,26 @@ export class CoursePage {
     void this.#player.play().catch(() => undefined);
   }
 
-  /** Ends the session, and goes where the system wants the learner to be. */
-  #leave(): void {
+  /** Ends the session, and goes where the system wants the learner to be; what is not saved then is said first. */
+  async #leave(): Promise<void> {
+    const { status } = this.#places;
+    const isWarned = this.#exit === 'warned';
     this.#player.pause();
-    this.#course.close();
-    this.#hasLeft = true;
+    // What would be done now is told to nobody.
+    this.#player.inert = true;
+    if (!isWarned) {
+      this.#exit = 'leaving';
+      this.#drawBar();
+      status.value = this.#words.leaving;
+      await this.#course.leave();
+      if (this.#troubles.now !== undefined) {
+        this.#exit = 'warned';
+        this.#tell(this.#troubles.now);
+        this.#drawBar();
+        return;
+      }
+    }
+    this.#exit = 'left';
     this.#drawBar();
     if (this.#returnAddress !== undefined) {
       location.href = this.#returnAddress;
@@ -106,16 +134,16 @@ export class CoursePage {
     }
     // A window that a script has opened goes; others stay.
     window.close();
-    this.#places.status.value = this.#words.left;
+    if (this.#troubles.now === undefined) status.value = this.#words.left;
   }
 
-  #showResult(): void {
+  #showResult(isAsked = false): void {
     const { questions } = this.#player;
     if (questions.length === 0) return;
     const { result } = this.#places;
-    const { score, isPassed } = this.#course.outcome;
+    const outcome = this.#course.outcome;
     const answered = this.#player.state().answered as readonly Answered[];
-    showResult(result, { questions, answered, score, isPassed }, this.#words, document.documentElement.lang, {
+    showResult(result, { questions, answered, ...outcome }, this.#words, document.documentElement.lang, {
       again: () => {
         result.hidden = true;
         this.#player.focus();
@@ -128,7 +156,8 @@ export class CoursePage {
       },
     });
     result.hidden = false;
+    this.#drawBar();
     // Who was in the player is where something is to be read.
-    if (document.activeElement === this.#player || document.activeElement === document.body) result.querySelector('h2')?.focus();
+    if (isAsked || document.activeElement === this.#player || document.activeElement === document.body) result.querySelector('h2')?.focus();
   }
 }

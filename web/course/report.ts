@@ -72,11 +72,24 @@ export interface Record {
   reply?(reply: Reply): void;
   /** Has what was told kept for good, as far as that can be said now. */
   keep(): void;
+  /** What another page of the course in this browser keeps, by the browser's event of it (`storage`). */
+  others?(key: string | null, text: string | null): Memory | undefined;
+  /** Settles when nothing is on its way to the system, before `close` or after it. */
+  settle?(): Promise<void>;
   /** Ends the session with what was told; the learner comes back to it. Safe to call in `pagehide`. */
   close(): void;
 }
 
-/** There is nobody who keeps what the learner does; the message is a sentence for people. */
+/** Why nobody keeps what a learner does. */
+export type Absence = 'no-store' | 'no-learner' | 'no-launch' | 'not-let-in' | 'no-system';
+
+/** There is nobody who keeps what the learner does. */
 export class RecordError extends Error {
   override readonly name = 'RecordError';
+  readonly why: Absence;
+
+  constructor(why: Absence, message: string) {
+    super(message);
+    this.why = why;
+  }
 }

@@ -13,6 +13,8 @@ export interface Attempt {
   readonly questions: readonly Question[];
   readonly answered: readonly Answered[];
   readonly score: Score;
+  /** Of the best attempt. */
+  readonly best: Score;
   /** Undefined where there is no rule. */
   readonly isPassed: boolean | undefined;
 }
@@ -46,11 +48,12 @@ function row(question: Question, answered: Answered | undefined, words: CourseWo
 const promptOf = ({ kind, prompt }: Question): string => (kind === 'gap' ? prompt.replaceAll(/\[[^[\]]*\]/g, '___') : prompt);
 
 /** Draws the result into a section of the page. */
-export function showResult(into: HTMLElement, { questions, answered, score, isPassed }: Attempt, words: CourseWords, language: string, actions: ResultActions): void {
+export function showResult(into: HTMLElement, { questions, answered, score, best, isPassed }: Attempt, words: CourseWords, language: string, actions: ResultActions): void {
   const verdict = isPassed === undefined ? nothing : html`<p class="verdict">${isPassed ? words.passed : words.failed}</p>`;
   render(
     html`<h2 id="result" tabindex="-1">${words.result}</h2>
       ${verdict} ${score.most > 0 ? html`<p class="score">${words.points(score.points, score.most)}</p>` : nothing}
+      ${best.points > score.points ? html`<p class="score">${words.best(best.points, best.most)}</p>` : nothing}
       <ol>
         ${questions.map((question) =>
           row(

@@ -4,6 +4,7 @@
  */
 
 import { interaction12, interaction2004, type Elements } from './interactions.js';
+import { until } from './again.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import { RecordError, type Known, type Record, type Reply, type Report } from './report.js';
 import { LocalCopy, Slot, type Shelf } from './shelf.js';
@@ -152,8 +153,12 @@ export class Scorm implements Record {
   #waitingSlot: Slot | undefined;
   /** Says that the system has not confirmed all that was told. */
   #openSlot: Slot | undefined;
+  /** Says that the attempt is complete. */
+  #doneSlot: Slot | undefined;
   #copy: LocalCopy | undefined;
   #last: Memory = NOTHING;
+  #isClosed = false;
+  #isComplete = false;
 
   /** `course`: its address; `from`: the window in and around which the system is looked for; `shelf`: what keeps a copy where the system loses something. */
   constructor(version: Version, course: string, shelf: Shelf | undefined, from: Window = window) {
@@ -163,15 +168,18 @@ export class Scorm implements Record {
     this.#from = from;
   }
 
-  open(): Promise<Known> {
+  async open(): Promise<Known> {
     const { title, object, begin, names } = this.#version;
-    this.#api = find(object, this.#from);
-    if (this.#api === undefined) return Promise.reject(new RecordError(`No learning management system with ${title} was found around this page; nothing is recorded.`));
-    if (this.#call(begin, '') !== 'true') {
-      const fault = this.#fault();
-      this.#api = undefined;
-      return Promise.reject(new RecordError(`The learning management system did not begin a session (${fault}); nothing is recorded.`));
-    }
+    const api = find(object, this.#from);
+    if (api === undefined) return Promise.reject(new RecordError('no-system', `No system with ${title} was found around the page.`));
+    // Until it is begun nobody knows whose copy it would be.
+    this.troubles.isKept = false;
+    const begun = await until(
+      () => Promise.resolve(this.#began(api, begin)),
+      () => this.#isClosed,
+    );
+    if (begun === undefined) return new Promise(() => undefined);
+    this.#api = api;
     const mode = this.#get(names.mode);
     this.#isReview = mode === 'review' || mode === 'browse';
     // A session that is never closed is one that goes on.
@@ -183,7 +191,16 @@ export class Scorm implements Record {
     const memory = this.#isReview ? readMemory(this.#get(names.memory)) : this.#memory();
     const isComplete = STATUSES.indexOf(this.#had.get(names.status) ?? '') >= STATUSES.indexOf('completed');
     this.#last = memory;
-    return Promise.resolve({ memory, isComplete, isReview: this.#isReview });
+    return { memory, isComplete, isReview: this.#isReview };
+  }
+
+  /** Begins the session; undefined where the system does not, now. */
+  #began(api: Api, begin: string): true | undefined {
+    this.#api = api;
+    const isBegun = this.#call(begin, '') === 'true';
+    this.#api = undefined;
+    this.troubles.set('opening', isBegun ? undefined : 'away');
+    return isBegun || undefined;
   }
 
   /** What the system knows, with what this browser has beside it. */
@@ -192,17 +209,21 @@ export class Scorm implements Record {
     const learner = this.#get(names.learner);
     // Who has no name may be anybody.
     const shelf = learner === '' ? undefined : this.#shelf;
+    this.troubles.isKept = shelf !== undefined;
     const slot = (what: string) => `raconteur-scorm-${what}:${this.#course}:${learner}`;
     this.#copy = new LocalCopy(shelf, slot('state'));
     this.#openSlot = new Slot(shelf, slot('open'));
+    this.#doneSlot = new Slot(shelf, slot('done'));
     this.#waitingSlot = new Slot(shelf, slot('answers'));
     const text = this.#get(names.memory);
     const theirs = readMemory(text);
-    // A new attempt of the system's begins anew, unless the system has lost what was never confirmed.
-    const isNew = text === '' && this.#get(names.entry) === 'ab-initio' && this.#openSlot.get() === undefined;
+    // A system that begins a new attempt after one that was completed means it; one that has lost an attempt says the same, and is not
+    // believed.
+    const isNew = text === '' && this.#get(names.entry) === 'ab-initio' && this.#doneSlot.get() !== undefined && this.#openSlot.get() === undefined;
     if (isNew) {
       this.#copy.clear();
       this.#waitingSlot.clear();
+      this.#doneSlot.clear();
       return theirs;
     }
     this.#recall(this.#copy.get().session >= theirs.session);
@@ -228,6 +249,7 @@ export class Scorm implements Record {
     if (this.#api === undefined) return;
     const { names } = this.#version;
     this.#last = memory;
+    this.#isComplete ||= isComplete;
     if (!this.#isReview) this.#copy?.follow(memory);
     this.#put(names.exit, 'suspend');
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
@@ -298,9 +320,15 @@ export class Scorm implements Record {
     if (this.#late.length === 0) this.#taken = [];
     this.#keepReplies();
     this.#openSlot?.clear();
+    if (this.#isComplete) this.#doneSlot?.set('1');
+  }
+
+  others(key: string | null, text: string | null): Memory | undefined {
+    return this.#copy?.others(key, text);
   }
 
   close(): void {
+    this.#isClosed = true;
     if (this.#api === undefined) return;
     this.#isKept = false;
     this.keep();
@@ -331,10 +359,6 @@ export class Scorm implements Record {
       // The system is another's code: what it does wrong must not end the story.
       return '';
     }
-  }
-
-  #fault(): string {
-    return `error ${this.#call('GetLastError')}`;
   }
 }
 

@@ -52,10 +52,15 @@ export class Slot {
  */
 export class LocalCopy {
   readonly #slot: Slot;
+  readonly #name: string;
   #putMs = -Infinity;
+  /** What was written last: else another page of the course has. */
+  #written: string | undefined;
 
   constructor(shelf: Shelf | undefined, name: string) {
     this.#slot = new Slot(shelf, name);
+    this.#name = name;
+    this.#written = this.#slot.get();
   }
 
   get(): Memory {
@@ -65,7 +70,15 @@ export class LocalCopy {
   /** Keeps a memory; whether that went. */
   put(memory: Memory): boolean {
     this.#putMs = performance.now();
-    return this.#slot.set(writeMemory(memory));
+    const stored = this.#slot.get();
+    const text = writeMemory(stored === undefined || stored === this.#written ? memory : joined(memory, readMemory(stored)));
+    this.#written = text;
+    return this.#slot.set(text);
+  }
+
+  /** What another page of the course has written, by the browser's event of it. */
+  others(key: string | null, text: string | null): Memory | undefined {
+    return key === this.#name && text !== null ? readMemory(text) : undefined;
   }
 
   /** Keeps a memory that is told all the time, once a second: a page may go without a word. */
@@ -75,10 +88,5 @@ export class LocalCopy {
 
   clear(): void {
     this.#slot.clear();
-  }
-
-  /** The system's memory, with what this one has of the same attempt, or of a later one. */
-  join(theirs: string): Memory {
-    return joined(this.get(), readMemory(theirs));
   }
 }

@@ -1,6 +1,7 @@
 /** A course on a plain site: the browser itself keeps what the learner did. */
 
-import { NOTHING, readMemory, writeMemory } from './memory.js';
+import type { Score } from '../element/lesson.js';
+import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import type { Known, Record, Report } from './report.js';
 import { FOLLOW_MS, Slot, type Shelf } from './shelf.js';
 import { Troubles } from './trouble.js';
@@ -8,6 +9,9 @@ import { Troubles } from './trouble.js';
 export class BrowserRecord implements Record {
   readonly troubles = new Troubles();
   readonly #slot: Slot;
+  readonly #name: string;
+  /** What was written last: else another page of the course has. */
+  #written: string | undefined;
   #last: Report | undefined;
   #wasComplete = false;
   /** What was kept before is known: it must not be written over. */
@@ -16,18 +20,21 @@ export class BrowserRecord implements Record {
 
   /** `course` names the course among those of a site. Without a `shelf`, as in a frame that may keep nothing, each visit is the first. */
   constructor(course: string, shelf: Shelf | undefined) {
-    this.#slot = new Slot(shelf, `raconteur-course:${course}`);
+    this.#name = `raconteur-course:${course}`;
+    this.#slot = new Slot(shelf, this.#name);
+    this.#written = this.#slot.get();
+    this.troubles.isKept = false;
   }
 
   open(): Promise<Known> {
     this.#isOpen = true;
-    try {
-      const kept = JSON.parse(this.#slot.get() ?? 'null') as { memory?: unknown; isComplete?: unknown } | null;
-      this.#wasComplete = kept?.isComplete === true;
-      return Promise.resolve({ memory: readMemory(typeof kept?.memory === 'string' ? kept.memory : ''), isComplete: this.#wasComplete });
-    } catch {
-      return Promise.resolve({ memory: NOTHING, isComplete: false });
-    }
+    const { memory, isComplete } = keptIn(this.#slot.get());
+    this.#wasComplete = isComplete;
+    return Promise.resolve({ memory, isComplete });
+  }
+
+  others(key: string | null, text: string | null): Memory | undefined {
+    return key === this.#name && text !== null ? keptIn(text).memory : undefined;
   }
 
   tell(report: Report): void {
@@ -39,13 +46,27 @@ export class BrowserRecord implements Record {
   keep(): void {
     if (this.#last === undefined || !this.#isOpen) return;
     this.#keptMs = performance.now();
-    const { memory, placeSecs, progress, score, isPassed, isComplete } = this.#last;
+    const { placeSecs, progress, score, isPassed, isComplete } = this.#last;
+    const stored = this.#slot.get();
+    const other = stored === this.#written ? undefined : keptIn(stored);
+    this.#wasComplete ||= other?.isComplete === true;
+    const memory = writeMemory(other === undefined ? this.#last.memory : joined(this.#last.memory, other.memory));
     // What the page that lists several lessons reads is beside the memory.
-    const kept = { memory: writeMemory(memory), placeSecs, progress, score, isPassed, isComplete: isComplete || this.#wasComplete };
-    this.troubles.set('the browser', this.#slot.set(JSON.stringify(kept)) ? undefined : 'unkept');
+    const kept = { memory, placeSecs, progress, score: bestOf(score, other?.score), isPassed, isComplete: isComplete || this.#wasComplete };
+    this.#written = JSON.stringify(kept);
+    this.troubles.set('the browser', this.#slot.set(this.#written) ? undefined : 'unkept');
   }
 
   close(): void {
     this.keep();
+  }
+}
+
+function keptIn(text: string | undefined): { readonly memory: Memory; readonly isComplete: boolean; readonly score?: Score | undefined } {
+  try {
+    const kept = JSON.parse(text ?? 'null') as { memory?: unknown; isComplete?: unknown; score?: Score } | null;
+    return { memory: readMemory(typeof kept?.memory === 'string' ? kept.memory : ''), isComplete: kept?.isComplete === true, score: kept?.score };
+  } catch {
+    return { memory: NOTHING, isComplete: false };
   }
 }

@@ -9,8 +9,15 @@ export type Trouble = 'away' | 'denied' | 'refused' | 'unkept';
 /** Troubles of a record, each by what has it; tells its listener of the worst, and when there is none any more. */
 export class Troubles {
   readonly #all = new Map<string, Trouble>();
+  /** What is not saved is kept in this browser meanwhile. */
+  isKept = true;
   #told: Trouble | undefined;
   #listener: (trouble: Trouble | undefined) => void = () => undefined;
+
+  /** What there is now. */
+  get now(): Trouble | undefined {
+    return this.#told;
+  }
 
   /** There is one listener: the page of the course. It is told at once of what there is. */
   listen(listener: (trouble: Trouble | undefined) => void): void {

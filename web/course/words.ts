@@ -1,5 +1,6 @@
 /** What the page of a course says, in the language of the course. */
 
+import type { Absence } from './report.js';
 import type { Trouble } from './trouble.js';
 
 export interface CourseWords {
@@ -19,6 +20,10 @@ export interface CourseWords {
   readonly again: string;
   readonly review: string;
   readonly saved: string;
+  readonly best: (points: number, most: number) => string;
+  readonly leaving: string;
+  readonly unsaved: string;
+  readonly absences: { readonly [why in Absence]: string };
   readonly troubles: { readonly [trouble in Trouble]: string };
 }
 
@@ -39,6 +44,16 @@ const EN: CourseWords = {
   again: 'Try again',
   review: 'Watch again',
   saved: 'Everything is saved.',
+  best: (points, most) => `Your best attempt: ${points} of ${most} points`,
+  leaving: 'Saving…',
+  unsaved: 'Press once more to leave all the same.',
+  absences: {
+    'no-store': 'This course was opened without a record store. Nothing is recorded.',
+    'no-learner': 'The address of this course names no learner. Nothing is recorded.',
+    'no-launch': 'The record store does not say how this course is to be opened. Nothing is recorded.',
+    'not-let-in': 'The system that has opened this course did not let it in: what you do is kept in this browser. Open the course there anew to have it recorded.',
+    'no-system': 'No learning management system was found around this page; nothing is recorded.',
+  },
   troubles: {
     away: 'Not saved yet: the system cannot be reached. What you do is kept in this browser, and saved as soon as it can be.',
     denied: 'Not saved: the system does not let this course in any more. What you do is kept in this browser; open the course there anew.',
@@ -64,6 +79,16 @@ const PT: CourseWords = {
   again: 'Tentar outra vez',
   review: 'Ver outra vez',
   saved: 'Está tudo guardado.',
+  best: (points, most) => `A sua melhor tentativa: ${points} de ${most} pontos`,
+  leaving: 'A guardar…',
+  unsaved: 'Carregue outra vez para sair mesmo assim.',
+  absences: {
+    'no-store': 'Este curso foi aberto sem um sistema de registo. Nada fica registado.',
+    'no-learner': 'O endereço deste curso não diz quem aprende. Nada fica registado.',
+    'no-launch': 'O sistema de registo não diz como se abre este curso. Nada fica registado.',
+    'not-let-in': 'O sistema que abriu este curso não o deixou entrar: o que faz fica neste navegador. Abra lá o curso de novo para ficar registado.',
+    'no-system': 'Não há um sistema de aprendizagem à volta desta página; nada fica registado.',
+  },
   troubles: {
     away: 'Ainda não guardado: o sistema não responde. O que faz fica neste navegador e é guardado logo que possível.',
     denied: 'Não guardado: o sistema já não aceita este curso. O que faz fica neste navegador; abra lá o curso de novo.',
@@ -89,6 +114,16 @@ const DE: CourseWords = {
   again: 'Noch einmal versuchen',
   review: 'Noch einmal ansehen',
   saved: 'Alles ist gespeichert.',
+  best: (points, most) => `Ihr bester Versuch: ${points} von ${most} Punkten`,
+  leaving: 'Wird gespeichert…',
+  unsaved: 'Drücken Sie noch einmal, um trotzdem zu gehen.',
+  absences: {
+    'no-store': 'Dieser Kurs wurde ohne Aufzeichnung geöffnet. Es wird nichts festgehalten.',
+    'no-learner': 'Die Adresse dieses Kurses nennt niemanden, der lernt. Es wird nichts festgehalten.',
+    'no-launch': 'Die Aufzeichnung sagt nicht, wie dieser Kurs zu öffnen ist. Es wird nichts festgehalten.',
+    'not-let-in': 'Das System, das diesen Kurs geöffnet hat, lässt ihn nicht ein: Was Sie tun, bleibt in diesem Browser. Öffnen Sie den Kurs dort neu, damit es festgehalten wird.',
+    'no-system': 'Um diese Seite ist kein Lernsystem; es wird nichts festgehalten.',
+  },
   troubles: {
     away: 'Noch nicht gespeichert: Das System ist nicht erreichbar. Was Sie tun, bleibt in diesem Browser und wird gespeichert, sobald es geht.',
     denied: 'Nicht gespeichert: Das System lässt diesen Kurs nicht mehr ein. Was Sie tun, bleibt in diesem Browser; öffnen Sie den Kurs dort neu.',

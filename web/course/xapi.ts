@@ -95,6 +95,7 @@ export class XapiRecord implements Record {
     const name = `${registration ?? ''}:${activityId}:${agent}`;
     this.#copy = new LocalCopy(this.#shelf, `raconteur-state:${name}`);
     this.#earlier = this.#copy.get();
+    this.troubles.isKept = this.#shelf !== undefined;
     this.#saidSlot = new Slot(this.#shelf, `raconteur-said:${name}`);
     this.#outbox = new Outbox(`raconteur-statements:${name}`, this.#shelf, {
       send: (batch) => this.#send(batch),
@@ -197,7 +198,7 @@ export class XapiRecord implements Record {
       this.#isJudged = true;
       this.#say(verdict, { verdict, score });
       this.keep();
-    } else if (score !== undefined && (isEnd || isSettled) && score.points !== (this.#said.score?.points ?? 0)) {
+    } else if (score !== undefined && (isEnd || (isSettled && this.#said.verdict !== undefined)) && score.points !== (this.#said.score?.points ?? 0)) {
       this.#say('scored', { score });
     }
   }
@@ -220,6 +221,15 @@ export class XapiRecord implements Record {
     const { memory } = this.#last;
     if (this.#copy?.put(this.#known(memory)) === false) this.troubles.set('the browser', 'unkept');
     if (this.#launch !== undefined) this.#keeper?.keep(JSON.stringify({ memory: writeMemory(memory), ...this.#said }));
+  }
+
+  others(key: string | null, text: string | null): Memory | undefined {
+    return this.#copy?.others(key, text);
+  }
+
+  async settle(): Promise<void> {
+    if (this.#isClosed) await this.#outbox?.settle();
+    else await this.#outbox?.flush();
   }
 
   close(): void {

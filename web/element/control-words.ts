@@ -1,6 +1,7 @@
 /** What the controls of a player say, in the language of the page around it. */
 
 export interface ControlWords {
+  readonly player: string;
   readonly play: string;
   readonly pause: string;
   readonly playAgain: string;
@@ -37,6 +38,7 @@ export interface ControlWords {
 }
 
 const EN: ControlWords = {
+  player: 'Player',
   play: 'Play',
   pause: 'Pause',
   playAgain: 'Play again',
@@ -72,6 +74,7 @@ const EN: ControlWords = {
 };
 
 const PT: ControlWords = {
+  player: 'Leitor',
   play: 'Reproduzir',
   pause: 'Pausa',
   playAgain: 'Reproduzir outra vez',
@@ -107,6 +110,7 @@ const PT: ControlWords = {
 };
 
 const DE: ControlWords = {
+  player: 'Player',
   play: 'Abspielen',
   pause: 'Pause',
   playAgain: 'Noch einmal abspielen',

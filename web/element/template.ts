@@ -36,7 +36,7 @@ export function template(state: TemplateState, actions: controls.BarActions): Te
   // What a film stands in for is told where it is not watched.
   const told = film === undefined || player.paused || !idle.is;
   const poster = !started || (stories.lost === 'yes' && film === undefined);
-  return html`<div class="frame" tabindex="0" role="group" aria-label="Player">
+  return html`<div class="frame" tabindex="0" role="group" aria-label=${words.player}>
       <div class=${classMap({ stage: true, shown, 'hide-cursor': idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => idle.tap(event, player.paused)} @click=${() => (show ?? stories.waits) && !idle.tapWoke && actions.toggle()}>
         ${film ?? stories.canvas}
       </div>

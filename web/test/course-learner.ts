@@ -1,9 +1,13 @@
 /** A player without pictures, whose time passes when a test says so, with the questions of a story; and who uses it. */
 
+import { setMaxListeners } from 'node:events';
 import type { RaconteurPlayer } from '../element/element.js';
 import { Lesson, type Answered, type Score } from '../element/lesson.js';
 import { Ranges, united, type Span } from '../element/ranges.js';
 import type { PlayerState, Question } from '../element/types.js';
+
+// Node takes more listeners of one signal for a leak; browsers do not.
+setMaxListeners(50);
 
 export class FakePlayer extends EventTarget {
   readyState = 4;

@@ -231,7 +231,8 @@ it('what a system loses is there in the browser: of the same learner, and not in
       ]),
     ),
   ).toEqual([5, 1]);
-  expect(await placeIn(new Map([['cmi.core.entry', 'ab-initio']]))).toEqual([0, 0]);
+  // One that has lost an attempt begins a new one; after a course that was completed it is meant.
+  expect(await placeIn(new Map([['cmi.core.entry', 'ab-initio']]))).toEqual([5, 1]);
   expect(await placeIn(new Map([['cmi.core.entry', 'resume']]), '8')).toEqual([0, 0]);
   // Another browser has brought the learner further.
   const further = writeMemory({ ...memoryAt(40), session: 9 });
@@ -323,4 +324,155 @@ it('a browser that keeps nothing says so', async () => {
   await new Course(player.real, record, { watched: 0.9 }).begin();
   player.answer(3, ['yes']);
   expect(troubles).toEqual(['unkept']);
+});
+
+it('a new attempt that a system begins after a course was completed is one', async () => {
+  const kept = shelf();
+  const player = playerWith();
+  const course = new Course(player.real, new Scorm(SCORM_12, 'x', kept, system().window), { watched: 0 });
+  await course.begin();
+  player.answer(3, ['yes']);
+  course.close();
+  const again = playerWith();
+  await new Course(again.real, new Scorm(SCORM_12, 'x', kept, system(new Map([['cmi.core.entry', 'ab-initio']])).window), { watched: 0 }).begin();
+  expect([again.currentTime, again.score.points]).toEqual([0, 0]);
+});
+
+it('a system that begins its session late has all that was done before', async () => {
+  const { api, window, values } = system();
+  let isThere = false;
+  api.LMSInitialize = () => String(isThere);
+  const player = playerWith();
+  const record = new Scorm(SCORM_12, 'x', shelf(), window);
+  const troubles: unknown[] = [];
+  record.troubles.listen((trouble) => troubles.push(trouble));
+  const begun = new Course(player.real, record, { watched: 0.9 }).begin();
+  await settled();
+  player.answer(3, ['yes']);
+  expect([troubles, record.troubles.isKept]).toEqual([['away'], false]);
+  isThere = true;
+  await vi.advanceTimersByTimeAsync(30_000);
+  await begun;
+  expect([troubles.at(-1), record.troubles.isKept, values.get('cmi.core.score.raw'), values.get('cmi.interactions.0.result')]).toEqual([undefined, true, '1', 'correct']);
+});
+
+/** Two pages of one browser: each hears what the other keeps. */
+function tabs() {
+  const values = new Map<string, string>();
+  const pages: EventTarget[] = [];
+  const open = (): { readonly shelf: ReturnType<typeof shelf>; readonly page: EventTarget } => {
+    const own = new EventTarget();
+    pages.push(own);
+    vi.stubGlobal('addEventListener', own.addEventListener.bind(own));
+    const tell = (key: string, newValue: string | null) => {
+      for (const other of pages) if (other !== own) other.dispatchEvent(Object.assign(new Event('storage'), { key, newValue }));
+    };
+    const all = shelf(values);
+    return {
+      page: own,
+      shelf: {
+        ...all,
+        setItem: (key, value) => {
+          if (values.get(key) === value) return;
+          values.set(key, value);
+          tell(key, value);
+        },
+        removeItem: (key) => {
+          if (values.delete(key)) tell(key, null);
+        },
+      },
+    };
+  };
+  return { open, values };
+}
+
+it('two tabs of a course lose nothing to each other', async () => {
+  for (const kind of ['html', 'xapi', 'scorm'] as const) {
+    const { open } = tabs();
+    const lms = system();
+    store = new FakeStore();
+    vi.stubGlobal('fetch', store.fetch);
+    const begin = async () => {
+      const tab = open();
+      const player = playerWith();
+      const record = {
+        html: () => new BrowserRecord('x', tab.shelf),
+        xapi: () => new XapiRecord(launchOf(false), COURSE, tab.shelf),
+        scorm: () => new Scorm(SCORM_12, 'x', tab.shelf, lms.window),
+      }[kind]();
+      const course = new Course(player.real, record, { watched: 0.9, pass: 0.5 });
+      await course.begin();
+      return { player, course };
+    };
+    const [a, b] = [await begin(), await begin()];
+    a.player.answer(3, ['yes']);
+    b.player.answer(8, ['yes']);
+    a.player.pass(1);
+    a.course.close();
+    b.player.pass(2);
+    b.course.close();
+    await settled();
+    const later = await begin();
+    expect([kind, later.player.score.points]).toEqual([kind, 2]);
+    if (kind === 'xapi') expect(scores().at(-1)).toEqual(['terminated', 2]);
+  }
+});
+
+it('two tabs with a store that is away tell all in the end, and a review in between takes nothing away', async () => {
+  const { open } = tabs();
+  store.status = (_, resource) => (resource.endsWith('statements') ? 503 : undefined);
+  const begin = async (mode = 'Normal') => {
+    prepare(store, mode);
+    store.tokens = 0;
+    const tab = open();
+    const player = playerWith();
+    const course = new Course(player.real, new XapiRecord(launchOf(true), COURSE, tab.shelf), { watched: 0.9 });
+    await course.begin();
+    return { player, course };
+  };
+  const [a, b] = [await begin(), await begin()];
+  a.player.answer(3, ['yes']);
+  b.player.answer(8, ['no']);
+  a.course.close();
+  b.course.close();
+  await settled();
+  store.status = () => undefined;
+  for (const mode of ['Review', 'Normal']) {
+    const { course } = await begin(mode);
+    await settled();
+    course.close();
+    await settled();
+  }
+  expect(verbs(store).filter((verb) => verb === 'answered')).toHaveLength(2);
+});
+
+it('who leaves waits until all is told, in its order', async () => {
+  const slow = store.fetch;
+  vi.stubGlobal('fetch', async (address: string, init: RequestInit) => {
+    if (address.includes('statements')) await new Promise((done) => setTimeout(done, 2000));
+    return slow(address, init);
+  });
+  const player = playerWith();
+  const course = new Course(player.real, new XapiRecord(launchOf(true), COURSE, shelf()), { watched: 0.9 });
+  await course.begin();
+  player.answer(3, ['yes']);
+  await vi.advanceTimersByTimeAsync(2500);
+  player.answer(8, ['yes']);
+  const left = course.leave();
+  await vi.advanceTimersByTimeAsync(12_000);
+  await left;
+  expect(verbs(store)).toEqual(['initialized', 'answered', 'answered', 'scored', 'terminated']);
+});
+
+it('a seek is told from where it began', async () => {
+  const player = playerWith();
+  const course = new Course(player.real, new XapiRecord(launchOf(false), COURSE, shelf()), { watched: 0.9 });
+  await course.begin();
+  player.pass(20);
+  player.currentTime = 40;
+  for (const type of ['seeking', 'timeupdate', 'seeked']) player.dispatchEvent(new Event(type));
+  course.close();
+  await settled();
+  const times = 'https://w3id.org/xapi/video/extensions/time-';
+  expect(store.statements.find(({ verb }) => verb.id.endsWith('seeked'))?.['result']).toEqual({ extensions: { [`${times}from`]: 20, [`${times}to`]: 40 } });
 });

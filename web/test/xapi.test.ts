@@ -234,9 +234,9 @@ describe('A launch', () => {
     for (const address of ['https://a.example/', 'https://a.example/?endpoint=https://x/', 'https://a.example/?endpoint=https://x/&actor={']) {
       await expect(new XapiRecord(address, COURSE, undefined).open()).rejects.toThrow(RecordError);
     }
-    await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toThrow('does not say how');
+    await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toMatchObject({ why: 'no-launch' });
     // The token is given once.
-    await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toThrow('Open the course there anew');
+    await expect(new XapiRecord(launchOf(true), COURSE, undefined).open()).rejects.toMatchObject({ why: 'not-let-in' });
   });
 
   it('for a review completes nothing', async () => {
