@@ -1,10 +1,10 @@
 // Does what a new user does with the packed files: lays them into an empty folder, builds a page with a bundler's
 // defaults and plays a story in a browser. `npm run package` has packed them.
 
-import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { importBare, importInWorker } from './package-bare.mjs';
-import { openBrowser, PARTS, play, serve, STORY } from './package-play.mjs';
+import { openBrowser, PARTS, play, playWithoutVoice, serve, STORY } from './package-play.mjs';
 import { main, root, run, start, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
@@ -15,6 +15,15 @@ const page = (script, library = '/') => `<!doctype html>
   <head><meta charset="utf-8" /><title>An application</title><script type="module" src="${script}"></script></head>
   <body><raconteur-player src="${library}${STORY}" assets="${library}raconteur/" loading="eager" label="Hello world"></raconteur-player></body>
 </html>
+`;
+
+/** A page with voices of packages: one that speaks, and one whose folder is not there. */
+const MAIN = `import { addSpeechSource } from '@raconteur/player';
+import { espeak } from '@raconteur/voice-espeak';
+import { naturalVoice } from '@raconteur/voice-kokoro';
+
+addSpeechSource(espeak);
+if (await naturalVoice(new URL('/raconteur/voices/kokoro/', document.baseURI))) throw new Error('There is no natural voice.');
 `;
 
 /** Bundlers by what they build an application with, and the folder that is served then. */
@@ -36,11 +45,13 @@ function install(app, name) {
 function lay(name, script) {
   const app = join(folder, name);
   install(app, 'player');
+  install(app, 'voice-kokoro');
   const assets = install(app, 'assets');
   writeFileSync(join(app, 'package.json'), '{ "type": "module" }\n');
-  writeFileSync(join(app, 'main.js'), "import '@raconteur/player';\n");
+  writeFileSync(join(app, 'main.js'), MAIN);
   writeFileSync(join(app, 'index.html'), page(script));
   run(process.execPath, [join(assets, 'copy.mjs'), join(app, 'public/raconteur'), '--only', PARTS], { stdio: 'ignore', why: 'Copying the library' });
+  for (const voice of ['flite', 'espeak']) cpSync(join(install(app, `voice-${voice}`), 'dist'), join(app, 'public/raconteur/voices', voice), { recursive: true });
   return app;
 }
 
@@ -70,14 +81,18 @@ await main(async () => {
       const app = lay(name, script);
       if (served === '.') symlinkSync(join(app, 'public/raconteur'), join(app, 'raconteur'), 'junction');
       await build(app);
-      const server = await serve(join(app, served));
+      const server = await serve(join(app, served), { strict: true });
       try {
-        const { words } = await play(browser, `A page that ${name} builds`, server.address);
+        const { words } = await play(browser, `A page that ${name} builds`, server.address, { languages: ['en', 'de'] });
         console.log(`  ${name}: says ${words.join(' ')}`);
       } finally {
         server.close();
       }
     }
+    rmSync(join(folder, 'vite/dist/raconteur/voices'), { recursive: true });
+    const mute = await serve(join(folder, 'vite/dist'), { strict: true });
+    console.log(`  no voice: ${await playWithoutVoice(browser, mute.address)}`);
+    mute.close();
     const app = join(folder, 'rolldown');
     await checkScriptTag(browser, app);
     importBare(app);
