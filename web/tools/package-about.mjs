@@ -37,9 +37,9 @@ export const player = () =>
     dependencies: { lit: dependencies.lit },
   });
 
-export const assets = () =>
-  about('assets', 'Figures, animations and stories for @raconteur/player.', {
-    bin: { 'raconteur-assets': './copy.mjs' },
+export const library = () =>
+  about('library', 'Figures, animations, music and stories for @raconteur/player, and the command that copies what a page uses.', {
+    bin: { 'raconteur-library': './command.mjs' },
     exports: { './library/*': './library/*', './package.json': './package.json' },
     // What a page's build leaves behind of the player is copied with the library.
     peerDependencies: { '@raconteur/player': version },

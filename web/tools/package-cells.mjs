@@ -8,8 +8,8 @@ import { delimiter, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { IMPORTED, IMPORTS } from './package-bare.mjs';
 import { CELLS, DENO } from './package-bundlers.mjs';
-import { openBrowser, PARTS, play, serve } from './package-play.mjs';
-import { ask, main, root, run, Stop } from './steps.mjs';
+import { copyLibrary, openBrowser, play, serve } from './package-play.mjs';
+import { ask, main, root, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
 const folder = join(root, '.setup/package-cells');
@@ -37,13 +37,13 @@ function lay(name, { example, packages = {}, files = {} }) {
   rmSync(app, { recursive: true, force: true });
   cpSync(join(root, 'examples', example), app, { recursive: true, filter: (path) => !MADE.has(path.split(/[\\/]/).at(-1)) });
   const manifest = JSON.parse(readFileSync(join(app, 'package.json'), 'utf8'));
-  for (const part of ['assets', 'player']) manifest.dependencies[`@raconteur/${part}`] = packedFile(part);
+  for (const part of ['library', 'player', 'voice-flite']) manifest.dependencies[`@raconteur/${part}`] = packedFile(part);
   Object.assign(manifest.devDependencies, packages);
   if (Object.keys(packages).length > 0) delete manifest.devDependencies.vite;
   writeFileSync(join(app, 'package.json'), JSON.stringify(manifest, undefined, 2));
   for (const [file, text] of Object.entries(files)) writeFileSync(join(app, file), text);
   program(app, INSTALL, `Installing ${name}`);
-  run(process.execPath, [join(app, 'node_modules/@raconteur/assets/copy.mjs'), 'public/raconteur', '--only', PARTS], { cwd: app, stdio: 'ignore', why: 'Copying the library' });
+  copyLibrary(app, join(app, 'node_modules/@raconteur/library'), ['--stories', 'hello-world', '--voices', 'flite']);
   return app;
 }
 

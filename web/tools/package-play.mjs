@@ -6,11 +6,9 @@ import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { chromiumArgs } from './chromium.mjs';
-import { Stop } from './steps.mjs';
+import { run, Stop } from './steps.mjs';
 
 export const STORY = 'raconteur/stories/hello-world/story.eml';
-/** The parts of the library that the story needs. */
-export const PARTS = 'figures,animations,stories,player';
 const SAID = 'Hello world!';
 /** What says what has no recording, by languages. */
 const VOICES = { en: 'flite', de: 'espeak-ng' };
@@ -35,6 +33,11 @@ export async function serve(served, { cors = false, strict = false } = {}) {
   });
   await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+/** Runs the command of the package of the library, as an application's folder has it. */
+export function copyLibrary(app, library, choices) {
+  run(process.execPath, [join(library, 'command.mjs'), 'public/raconteur', ...choices], { cwd: app, stdio: 'ignore', why: 'Copying the library' });
 }
 
 export async function openBrowser() {

@@ -1,12 +1,13 @@
-// Packs the player for npm: `node web/tools/package.mjs [quick]` writes `.setup/package/*.tgz`, the player, its library of assets and
-// the engines of voices. `quick` packs the build of the tests.
+// Packs the player for npm: `node web/tools/package.mjs [quick]` writes `.setup/package/*.tgz`, the player, its library and the
+// engines of voices. `quick` packs the build of the tests.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { runnerImport } from 'vite';
 import { manifest } from './elements.mjs';
-import { assets, FRAMEWORKS, player, voice } from './package-about.mjs';
+import { FRAMEWORKS, library, player, version, voice } from './package-about.mjs';
 import { besideFlite, copyTypes, declareTypes, LIT, litAnywhere, looksForVoices, script } from './package-build.mjs';
+import { uses } from './package-uses.mjs';
 import { main, root, run } from './steps.mjs';
 import { buildWasm, kinds } from './wasm.mjs';
 
@@ -24,8 +25,8 @@ const ESPEAK_ENGINE = 'node_modules/@echogarden/espeak-ng-emscripten';
 /** Engines of voices: each a package, with a script that exports its source. */
 const VOICES = [
   { name: 'voice-flite', description: 'Lets @raconteur/player speak English, by flite.', script: 'flite', source: 'web/package/voice-flite/flite.ts', readme: 'web/package/voice-flite/README.md' },
-  { name: 'voice-kokoro', description: 'Lets @raconteur/player speak English with a natural voice, by Kokoro.', script: 'kokoro', source: 'web/package/voice-kokoro/kokoro.ts', readme: 'web/package/voice-kokoro/README.md', using: [besideFlite] },
-  { name: 'voice-espeak', description: readAbout(ESPEAK).description, script: 'espeak', source: `${ESPEAK}/src/index.ts`, readme: `${ESPEAK}/README.md`, license: readAbout(ESPEAK).license, licenses: [`${ESPEAK_ENGINE}/COPYING`] },
+  { name: 'voice-kokoro', description: 'Lets @raconteur/player speak English with a natural voice, by Kokoro.', script: 'kokoro', source: 'web/package/voice-kokoro/kokoro.ts', readme: 'web/package/voice-kokoro/README.md', using: [besideFlite], rest: { dependencies: { '@raconteur/voice-flite': version } } },
+  { name: 'voice-espeak', description: readAbout(ESPEAK).description, script: 'espeak', source: `${ESPEAK}/src/index.ts`, readme: `${ESPEAK}/README.md`, rest: { license: readAbout(ESPEAK).license }, licenses: [`${ESPEAK_ENGINE}/COPYING`] },
 ];
 
 function readAbout(path) {
@@ -63,20 +64,22 @@ async function packPlayer(kind) {
   pack('player', player(), 'web/package/player/README.md');
 }
 
-async function packVoice(kind, { name, script: module, source, readme, using, license, licenses, description }) {
+async function packVoice(kind, { name, script: module, source, readme, using, rest, licenses, description }) {
   const own = join(folder, name);
   const packages = await script(kind, join(own, 'dist'), module, source, { using });
   const types = source.replace(/\.ts$/, '');
   copyTypes(declared, `${types}.d.ts`, join(own, 'types'));
   await writeNotices(name, [SAY], packages);
-  pack(name, voice({ name, description, script: module, types, rest: license && { license } }), readme, licenses && [...LICENSES, ...licenses]);
+  pack(name, voice({ name, description, script: module, types, rest }), readme, licenses && [...LICENSES, ...licenses]);
 }
 
-function packLibrary() {
-  mkdirSync(join(folder, 'assets/library'), { recursive: true });
-  for (const part of LIBRARY) cpSync(join(root, 'assets', part), join(folder, 'assets/library', part), { recursive: true });
-  cpSync(join(root, 'web/package/assets/copy.mjs'), join(folder, 'assets/copy.mjs'));
-  pack('assets', assets(), 'web/package/assets/README.md');
+async function packLibrary(kind) {
+  const own = join(folder, 'library');
+  mkdirSync(join(own, 'library'), { recursive: true });
+  for (const part of LIBRARY) cpSync(join(root, 'assets', part), join(own, 'library', part), { recursive: true });
+  writeFileSync(join(own, 'uses.json'), `${JSON.stringify(await uses(kind), undefined, 2)}\n`);
+  cpSync(join(root, 'web/package/library/command.mjs'), join(own, 'command.mjs'));
+  pack('library', library(), 'web/package/library/README.md');
 }
 
 await main(async () => {
@@ -86,6 +89,6 @@ await main(async () => {
   declareTypes(declared);
   await packPlayer(kind);
   for (const engine of VOICES) await packVoice(kind, engine);
-  packLibrary();
+  await packLibrary(kind);
   console.log(`Packed in ${folder}`);
 });
