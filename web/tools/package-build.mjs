@@ -1,6 +1,6 @@
 // Builds the scripts of the packages for npm, and declares their types.
 
-import { cpSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { cpSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
@@ -39,8 +39,12 @@ export const besideFlite = {
 /** Bundlers take an address from `import.meta.url` for a file of theirs, and copy a worker without what it loads; its plain name they leave alone. */
 const plainWorkers = (file) => (/worker-[\w-]+\.js$/.test(file) ? { runtime: JSON.stringify(file) } : { relative: true });
 
-/** Names tell contents, so what several scripts have in common is there once; other voices find flite by its plain name. */
-const assetFileNames = ({ names }) => (names.includes(FLITE) ? '[name][extname]' : '[name]-[hash][extname]');
+/** Names tell contents, so what several scripts have in common is there once; other voices find flite by its plain name. All builds of ours call their file the same; the folder tells them apart. */
+function assetFileNames({ names, originalFileNames }) {
+  if (names.includes(FLITE)) return '[name][extname]';
+  const [, build = '[name]'] = /pkg\/(?:quick\/)?(\w+)\/raconteur_bg/.exec(originalFileNames[0] ?? '') ?? [];
+  return `${build}-[hash][extname]`;
+}
 
 /** Notes of which packages of npm a build has something. */
 const packagesInto = (names) => ({
@@ -100,13 +104,3 @@ export function copyTypes(from, entry, to) {
     cpSync(path, join(to, relative(from, path)));
   }
 }
-
-/** The files of a folder and their sizes, bytes. */
-export function filesIn(folder) {
-  return readdirSync(folder, { recursive: true })
-    .map((name) => ({ name, bytes: statSync(join(folder, name)) }))
-    .filter(({ bytes }) => bytes.isFile())
-    .map(({ name, bytes }) => ({ name, bytes: bytes.size }))
-    .sort((a, b) => b.bytes - a.bytes);
-}
-

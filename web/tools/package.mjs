@@ -7,6 +7,7 @@ import { runnerImport } from 'vite';
 import { manifest } from './elements.mjs';
 import { FRAMEWORKS, library, player, version, voice } from './package-about.mjs';
 import { besideFlite, copyTypes, declareTypes, LIT, litAnywhere, looksForVoices, script } from './package-build.mjs';
+import { checkContents, checkSize, printSizes } from './package-size.mjs';
 import { uses } from './package-uses.mjs';
 import { main, root, run } from './steps.mjs';
 import { buildWasm, kinds } from './wasm.mjs';
@@ -60,7 +61,9 @@ async function packPlayer(kind) {
   for (const name of ['player', 'standalone']) copyTypes(declared, `web/package/player/${name}.d.ts`, join(own, 'types'));
   for (const name of ['attributes', ...FRAMEWORKS]) cpSync(join(root, `web/package/player/${name}.d.ts`), join(own, `types/web/package/player/${name}.d.ts`));
   writeFileSync(join(own, 'custom-elements.json'), `${JSON.stringify(await manifest('dist/player.js'), undefined, 2)}\n`);
-  await writeNotices('player', PLAYER, new Set([...bundled, ...alone]));
+  const contents = new Set([...bundled, ...alone]);
+  checkContents(contents);
+  await writeNotices('player', PLAYER, contents);
   pack('player', player(), 'web/package/player/README.md');
 }
 
@@ -90,5 +93,7 @@ await main(async () => {
   await packPlayer(kind);
   for (const engine of VOICES) await packVoice(kind, engine);
   await packLibrary(kind);
+  printSizes(folder, ['player', 'library', ...VOICES.map(({ name }) => name)]);
+  if (kind === kinds.shipped) checkSize(join(folder, 'player'));
   console.log(`Packed in ${folder}`);
 });
