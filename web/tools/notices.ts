@@ -78,16 +78,27 @@ function crates(root: string, builds: readonly Build[]): Component[] {
   return [...found.values()];
 }
 
+/** The licence of a package that comes without its text: that of MIT, under the copyright that its script begins with. */
+function plainMit(root: string, folder: string, script: string): string[] {
+  const [copyright] = /Copyright .*/.exec(readFileSync(join(folder, script), 'utf8').slice(0, 1000)) ?? [];
+  if (copyright === undefined) return [];
+  const own = readFileSync(join(root, 'LICENSE-MIT'), 'utf8');
+  return [`MIT License\n\n${copyright}\n\n${own.slice(own.indexOf('Permission is')).trim()}`];
+}
+
 /** The package of npm in a folder. */
-function packageAt(folder: string): Component {
-  const { name, version, license, repository } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as {
+function packageAt(root: string, folder: string): Component {
+  const { name, version, license, repository, main } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as {
     name: string;
     version: string;
     license?: string;
     repository?: string | { url: string };
+    main?: string;
   };
   const source = typeof repository === 'string' ? repository : (repository?.url ?? 'https://www.npmjs.com');
-  return { name, version, license: license ?? 'see below', source, texts: textsIn(folder) };
+  const texts = textsIn(folder);
+  const isPlain = texts.length === 0 && license === 'MIT' && main !== undefined;
+  return { name, version, license: license ?? 'see below', source, texts: isPlain ? plainMit(root, folder, main) : texts };
 }
 
 /** Packages that are bundled into the scripts: the project's dependencies and theirs. */
@@ -101,7 +112,7 @@ function packages(root: string): Component[] {
       if (found.has(place)) continue;
       // Types are no part of what runs.
       if (name.startsWith('@types/')) continue;
-      found.set(place, packageAt(place));
+      found.set(place, packageAt(root, place));
       visit(place);
     }
   };
@@ -111,7 +122,7 @@ function packages(root: string): Component[] {
 
 /** The notices of what the site, or `contents`, has of others, as one text. Equal licence texts stand once, under all that they are of. */
 export function notices(root: string, contents: Contents = SITE): string {
-  const named = contents.packages && [...contents.packages].map((name) => packageAt(join(root, 'node_modules', name)));
+  const named = contents.packages && [...contents.packages].map((name) => packageAt(root, join(root, 'node_modules', name)));
   const all = [...rustLibrary(root), ...crates(root, contents.builds), ...(named ?? packages(root))].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
   const list = all.map(({ name, version, license, source }) => `${name} ${version}: ${license} (${source})`);
   const owners = new Map<string, string[]>();

@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { root } from './steps.mjs';
+import { ask, root } from './steps.mjs';
 
 const { version, license, dependencies } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
 export { version };
@@ -10,7 +10,33 @@ export { version };
 /** Types of the element in templates, and the packages whose they are. */
 export const FRAMEWORKS = ['react', 'vue', 'svelte', 'solid', 'jsx'];
 
-const about = (name, description, rest) => ({ name: `@raconteur/${name}`, version, description, license, type: 'module', ...rest });
+/**
+ * Where the source is, from the address that git fetches it from; undefined where that is none of a server. npm says of a package where it
+ * was built (`provenance`) if this is the place.
+ */
+export function placeOf(remote = '') {
+  const [, host, path] = /^(?:https:\/\/(?:[^@/]+@)?|ssh:\/\/git@|git@)([\w.-]+)[:/](.+?)(?:\.git)?\/?$/.exec(remote.trim()) ?? [];
+  if (host === undefined) return undefined;
+  const page = `https://${host}/${path}`;
+  return { repository: { type: 'git', url: `git+${page}.git` }, homepage: `${page}#readme`, bugs: `${page}/issues` };
+}
+
+export const place = placeOf(ask('git', ['remote', 'get-url', 'origin']));
+
+/** Licences and notices; npm packs READMEs by itself. */
+const LEGAL = ['LICENSE-*', 'COPYING', 'THIRD-PARTY-NOTICES.txt'];
+
+const about = (name, description, { files, ...rest }) => ({
+  name: `@raconteur/${name}`,
+  version,
+  description,
+  license,
+  type: 'module',
+  ...place,
+  publishConfig: { access: 'public', provenance: true },
+  files: [...files, ...LEGAL],
+  ...rest,
+});
 
 /** A script of a package with its types, for `exports`. */
 const exported = (script, types) => ({ types: `./types/${types}.d.ts`, default: `./dist/${script}.js` });
@@ -19,6 +45,7 @@ const playerTypes = 'web/package/player';
 
 export const player = () =>
   about('player', 'A virtual storyteller as a custom element: a text in, a speaking and gesturing human figure out.', {
+    files: ['dist', 'types', 'custom-elements.json'],
     keywords: ['custom-element', 'storytelling', 'virtual-human', 'lip-sync', 'webgpu', 'wasm'],
     exports: {
       '.': exported('player', `${playerTypes}/player`),
@@ -39,7 +66,9 @@ export const player = () =>
 
 export const library = () =>
   about('library', 'Figures, animations, music and stories for @raconteur/player, and the command that copies what a page uses.', {
-    bin: { 'raconteur-library': './command.mjs' },
+    files: ['library', 'command.mjs', 'uses.json'],
+    keywords: ['raconteur', 'virtual-human', 'assets'],
+    bin: { 'raconteur-library': 'command.mjs' },
     exports: { './library/*': './library/*', './package.json': './package.json' },
     // What a page's build leaves behind of the player is copied with the library.
     peerDependencies: { '@raconteur/player': version },
@@ -48,6 +77,7 @@ export const library = () =>
 /** A voice: `script` is its module, `types` where that is declared. */
 export const voice = ({ name, description, script, types, rest = {} }) =>
   about(name, description, {
+    files: ['dist', 'types'],
     keywords: ['raconteur', 'text-to-speech', 'wasm'],
     exports: { '.': exported(script, types), './package.json': './package.json' },
     sideEffects: false,

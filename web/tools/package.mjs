@@ -1,15 +1,16 @@
 // Packs the player for npm: `node web/tools/package.mjs [quick]` writes `.setup/package/*.tgz`, the player, its library and the
 // engines of voices. `quick` packs the build of the tests.
 
+import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { runnerImport } from 'vite';
 import { manifest } from './elements.mjs';
-import { FRAMEWORKS, library, player, version, voice } from './package-about.mjs';
+import { FRAMEWORKS, library, place, player, version, voice } from './package-about.mjs';
 import { besideFlite, copyTypes, declareTypes, LIT, litAnywhere, looksForVoices, script } from './package-build.mjs';
 import { checkContents, checkSize, printSizes } from './package-size.mjs';
 import { uses } from './package-uses.mjs';
-import { main, root, run } from './steps.mjs';
+import { main, root, run, Stop } from './steps.mjs';
 import { buildWasm, kinds } from './wasm.mjs';
 
 const folder = join(root, '.setup/package');
@@ -34,6 +35,8 @@ function readAbout(path) {
   return JSON.parse(readFileSync(join(root, path, 'package.json'), 'utf8'));
 }
 
+const NPM = process.platform === 'win32' ? 'npm.cmd' : 'npm';
+const inPackage = (cwd) => ({ cwd, shell: process.platform === 'win32' });
 const LICENSES = ['LICENSE-MIT', 'LICENSE-APACHE'];
 
 /** Packs a folder that has its files. */
@@ -42,7 +45,16 @@ function pack(name, about, readme, licenses = LICENSES) {
   writeFileSync(join(own, 'package.json'), `${JSON.stringify(about, undefined, 2)}\n`);
   for (const file of licenses) cpSync(join(root, file), join(own, file.split('/').at(-1)));
   cpSync(join(root, readme), join(own, 'README.md'));
-  run(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['pack', '--silent', '--pack-destination', folder], { cwd: own, shell: process.platform === 'win32', why: `Packing ${name}` });
+  run(NPM, ['pack', '--silent', '--pack-destination', folder], { ...inPackage(own), why: `Packing ${name}` });
+  checkPublishing(own, name);
+}
+
+/** npm takes the package as it is; neither a network nor a login is needed to ask. */
+function checkPublishing(own, name) {
+  const { status, stderr } = spawnSync(NPM, ['publish', '--dry-run', '--offline'], { ...inPackage(own), encoding: 'utf8' });
+  if (status === 0 && !stderr.includes('auto-corrected')) return;
+  console.error(stderr);
+  throw new Stop(`npm would not publish ${name} as it is.`);
 }
 
 /** Whose work a package has in it besides ours. */
@@ -95,5 +107,6 @@ await main(async () => {
   await packLibrary(kind);
   printSizes(folder, ['player', 'library', ...VOICES.map(({ name }) => name)]);
   if (kind === kinds.shipped) checkSize(join(folder, 'player'));
+  if (place === undefined) console.log('The packages name no repository: git has no server called origin. npm tells of no provenance of such a package; say "npm publish --no-provenance".');
   console.log(`Packed in ${folder}`);
 });
