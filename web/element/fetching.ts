@@ -146,6 +146,11 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
 
+// Older kinds of scripts have no such address.
+if ((import.meta.url as string | undefined) === undefined) {
+  throw new PlayerError('The player was built as a script that does not know where it is: build it as a module (esbuild: --format=esm).');
+}
+
 /** Some bundlers write here where the file was on their own machine, and addresses from the page's. */
 const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.location?.protocol ?? 'file:').startsWith('file:');
 

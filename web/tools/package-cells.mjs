@@ -8,7 +8,7 @@ import { delimiter, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { IMPORTED, IMPORTS } from './package-bare.mjs';
 import { CELLS, DENO } from './package-bundlers.mjs';
-import { copyLibrary, openBrowser, play, serve } from './package-play.mjs';
+import { copyLibrary, openBrowser, play, refuse, serve } from './package-play.mjs';
 import { ask, main, root, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
@@ -84,11 +84,12 @@ async function tryCell(browser, name, cell, pictures) {
   if (cell.served !== undefined && !existsSync(join(app, cell.served, 'raconteur'))) cpSync(join(app, 'public/raconteur'), join(app, cell.served, 'raconteur'), { recursive: true });
   const server = cell.serve ? await cell.serve(app) : await serve(join(app, cell.served));
   try {
-    await play(browser, name, server.address, { button: PLAY, ...(pictures ? { picture: join(pictures, `${name}.png`) } : {}) });
+    if (cell.refused !== undefined) await refuse(browser, server.address, cell.refused);
+    else await play(browser, name, server.address, { button: PLAY, ...(pictures ? { picture: join(pictures, `${name}.png`) } : {}) });
   } finally {
     server.close();
   }
-  return { cell: name, bundler: cell.bundler, outcome: 'plays', types: cell.types === undefined ? '' : 'checked', secs: Math.round((performance.now() - began) / 1000) };
+  return { cell: name, bundler: cell.bundler, outcome: cell.refused === undefined ? 'plays' : 'refuses', types: cell.types === undefined ? '' : 'checked', secs: Math.round((performance.now() - began) / 1000) };
 }
 
 await main(async () => {

@@ -105,6 +105,19 @@ export async function play(browser, name, address, { button, picture, languages 
   }
 }
 
+/** Stops where a page that cannot play does not say why. */
+export async function refuse(browser, address, sentence) {
+  const tab = await browser.newPage();
+  try {
+    const fault = tab.waitForEvent('pageerror', { timeout: PLAYED_MS });
+    await tab.goto(address);
+    const { message } = await fault;
+    if (!message.includes(sentence)) throw new Stop(`A page that cannot play says: ${message}`);
+  } finally {
+    await tab.close();
+  }
+}
+
 /** In the page: what is told of a text that nothing speaks, twice. */
 async function miss(most) {
   await customElements.whenDefined('raconteur-player');
