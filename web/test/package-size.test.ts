@@ -31,6 +31,6 @@ test('the player that ships has a bound, and what one page plays with has anothe
   lay('player.js', 1.5);
   expect(() => checkSize(own)).toThrow(/page.*4\.50 MB of 4/);
   lay('player.js', 0.5);
-  lay('say-1.wasm', 4);
-  expect(() => checkSize(own)).toThrow(/all.*10\.00 MB of 9/);
+  lay('say-1.wasm', 6);
+  expect(() => checkSize(own)).toThrow(/all.*12\.00 MB of 10/);
 });

@@ -13,7 +13,7 @@ const SMALL_BYTES = 100_000;
  * The builds that ship, MB of 1,000,000 bytes, unpacked. A page fetches one of the two back ends; importer of avatars, model of faces and
  * the baker's code are fetched by pages that use them. `size.mjs` bounds each by what is downloaded.
  */
-const BOUNDS_MB = { all: 9, page: 4 };
+const BOUNDS_MB = { all: 10, page: 4 };
 
 const inMb = (bytes) => `${(bytes / 1e6).toFixed(2).padStart(6)} MB`;
 
