@@ -5,7 +5,7 @@ import type { Diagnostic } from './types.js';
 /** A mind that sends garbage does not fill the page with complaints. */
 const MOST_DIAGNOSTICS = 200;
 /** What stays true when another figure performs. */
-const OF_SOUND: readonly string[] = ['voice-missing', 'sound-missing'];
+const OF_SOUND: readonly string[] = ['voice-missing', 'voice-not-installed', 'sound-missing'];
 
 export class Diagnostics {
   #list: readonly Diagnostic[] = [];

@@ -3,6 +3,7 @@
  * counted as it comes, whatever a server tells of it; patience is with silence, so that a slow network is none.
  */
 
+import { common } from './common.js';
 import { PlayerError } from './types.js';
 
 /** Receives how much of the work is done, 0 to 1. */
@@ -145,6 +146,11 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
   return new TextDecoder().decode(await fetchBytes(url, fetching));
 }
 
+// Older kinds of scripts have no such address.
+if ((import.meta.url as string | undefined) === undefined) {
+  throw new PlayerError('The player was built as a script that does not know where it is: build it as a module (esbuild: --format=esm).');
+}
+
 /** Some bundlers write here where the file was on their own machine, and addresses from the page's. */
 const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.location?.protocol ?? 'file:').startsWith('file:');
 
@@ -154,11 +160,14 @@ const isPlaceOfBuild = import.meta.url.startsWith('file:') && !(globalThis.locat
  */
 export const SCRIPT = isPlaceOfBuild ? globalThis.location.href : import.meta.url;
 
-/** Where modules are that do not lie beside the script: `player/` of the library. A page's own build may have left them behind. */
-export const spare: { library?: URL } = {};
+/** Where files are that do not lie beside the script: folders of the library. A page's own build may have left them behind. */
+export const spare = common<{ library?: URL }>('spare', () => ({}));
 
-/** Where a module of the player is in the library. */
-const spareOf = ({ pathname }: URL, library: URL): URL => new URL(`player/${pathname.split('/').at(-1) ?? ''}`, library);
+/** The player's files, in the library. */
+const PLAYER = 'player/';
+
+/** Where a file of a folder is in the library. */
+const spareOf = ({ pathname }: URL, library: URL, folder: string): URL => new URL(`${folder}${pathname.split('/').at(-1) ?? ''}`, library);
 
 /** As `fetchBytes`; compiled as it comes, where the server tells that it is wasm. */
 export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {
@@ -166,14 +175,14 @@ export async function fetchModule(url: URL, fetching: Fetching): Promise<WebAsse
     return await compiled(url, fetching);
   } catch (error) {
     if (!(error instanceof MissingError) || spare.library === undefined) throw error;
-    return await compiled(spareOf(url, spare.library), fetching).catch(() => {
+    return await compiled(spareOf(url, spare.library, PLAYER), fetching).catch(() => {
       throw error;
     });
   }
 }
 
-/** Where a script of the player is that the browser itself fetches: beside this one, else in the library. */
-export async function placeOf(url: URL): Promise<URL> {
+/** Where a script is that the browser itself fetches: beside this one, else in a folder of the library. */
+export async function placeOf(url: URL, folder = PLAYER): Promise<URL> {
   const { library } = spare;
   if (library === undefined) return url;
   // Servers of applications answer with their page what they do not have.
@@ -181,7 +190,7 @@ export async function placeOf(url: URL): Promise<URL> {
     ({ status, headers }) => status !== 404 && !headers.get('content-type')?.startsWith('text/html'),
     () => true,
   );
-  return isThere ? url : spareOf(url, library);
+  return isThere ? url : spareOf(url, library, folder);
 }
 
 async function compiled(url: URL, fetching: Fetching): Promise<WebAssembly.Module> {

@@ -2,7 +2,8 @@
 
 import { register } from './register.js';
 
-export { addSpeechSource, naturalVoice, speechServer } from '../speech/added.js';
+export { addSpeechSource, speechServer } from '../speech/added.js';
+export { naturalVoice } from '../speech/natural.js';
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';

@@ -186,8 +186,7 @@ export class Music {
     if (!playing.settled || playing.missing) return;
     const now = this.audio.currentTime;
     const story = run.position + run.rate * (now - run.at);
-    let place = story - piece.startSecs;
-    if (piece.loops && sound.duration > 0) place = ((place % sound.duration) + sound.duration) % sound.duration;
+    const place = placeIn(story - piece.startSecs, sound.duration, piece.loops);
     const over = !piece.loops && place >= sound.duration;
     if (now < run.at || place < 0 || over || story >= piece.endSecs) {
       if (!sound.paused) sound.pause();
@@ -220,6 +219,12 @@ export class Music {
     playing.setMs = now;
     playing.sound.currentTime = secs;
   }
+}
+
+/** Where a piece is, so many seconds after its begin: a loop begins again, once its length is known. A server that answers without ranges tells of none (Infinity). */
+export function placeIn(secs: number, durationSecs: number, loops: boolean): number {
+  if (!loops || !Number.isFinite(durationSecs) || durationSecs <= 0) return secs;
+  return ((secs % durationSecs) + durationSecs) % durationSecs;
 }
 
 /** What makes two pieces the same: a level that changes is no reason to fetch anew. */

@@ -4,7 +4,7 @@ import { voiceMissing } from './voice.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
 import type { Said, SpeechRequest, SpeechSource } from '../speech/source.js';
 import type { Show, Telling } from './show.js';
-import type { Story } from './types.js';
+import type { Diagnostic, Story } from './types.js';
 
 /** Plays the music of the present performance. */
 export function updateMusic({ player }: PlayerContext, { voice, picture }: Show): void {
@@ -63,7 +63,12 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
 
 async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSource | undefined> {
   if (context.player.speech === 'browser') return undefined;
-  return (await import('../speech/here.js')).sourceFor(languageOf(context.player, show.story));
+  const { diagnostics, player } = context;
+  // Each fragment looks for it.
+  const report = (problem: Diagnostic) => {
+    if (context.show === show && diagnostics.list.every(({ code }) => code !== problem.code)) diagnostics.report(problem);
+  };
+  return await (await import('../speech/here.js')).sourceFor(languageOf(player, show.story), { library: libraryOf(player), report });
 }
 
 /** What a source is told besides the text. */

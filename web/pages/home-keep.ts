@@ -11,7 +11,7 @@ const FOLDER = 'my-story';
 export async function pack(script: string, figure: string, language: string): Promise<Blob> {
   const text = new TextEncoder();
   const files: Record<string, Uint8Array> = { [`${FOLDER}/story.eml`]: text.encode(script) };
-  const source = sourceFor(language);
+  const source = await sourceFor(language, { library: new URL('assets/', document.baseURI), report: () => undefined });
   const take = ({ bundle, sounds }: Said) => {
     files[`${FOLDER}/voice/speech.json`] = text.encode(bundle);
     for (const [name, wave] of sounds) files[`${FOLDER}/voice/${name}`] = wave;

@@ -1,7 +1,8 @@
 /** Who says the visitor's words: what speaks a language, what it is, and what better voice there is. */
 
 import type { RaconteurPlayer } from '../element/index.js';
-import { addSpeechSource, naturalVoice } from '../speech/added.js';
+import { addSpeechSource } from '../speech/added.js';
+import { naturalVoice } from '../speech/natural.js';
 import type { SpeechSource } from '../speech/source.js';
 
 /** Where `npm run voice` puts the natural voice. */

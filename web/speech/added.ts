@@ -13,8 +13,5 @@ export function addSpeechSource(source: SpeechSource): void {
 /** The added sources, the last first. */
 export const addedSources = (): readonly SpeechSource[] => added;
 
-/** The natural voice that `npm run voice` has put into a folder, whose address ends with a slash; undefined where none lies there. */
-export const naturalVoice = async (folder: URL): Promise<SpeechSource | undefined> => (await import('./kokoro.js')).kokoro(folder);
-
 /** A server that speaks. */
 export const speechServer = async (about: SpeechServer): Promise<SpeechSource> => (await import('./server.js')).server(about);

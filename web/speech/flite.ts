@@ -1,5 +1,6 @@
 /** flite, a small engine of American English, in a worker of the page. */
 
+import { isEnglish } from './english.js';
 import type { SpeechSource } from './source.js';
 import workerUrl from './flite-worker.ts?worker&url';
 import { openWorker } from './trusted.js';
@@ -14,7 +15,7 @@ export const flite: SpeechSource = new WorkerSource({
   name: 'flite',
   about: 'A small American voice that sounds like a machine.',
   license: 'MIT-Festival',
-  speaks: (language) => /^en\b/i.test(language),
+  speaks: isEnglish,
   voiceOf: (figure) => VOICES[figure] ?? USUAL,
-  worker: () => openWorker(workerUrl),
+  worker: () => openWorker(workerUrl, { folder: 'voices/flite/' }),
 });

@@ -1,6 +1,7 @@
 /** Kokoro, a natural voice of English, in a worker of the page. */
 
 import { fetchText } from '../element/fetching.js';
+import { isEnglish } from './english.js';
 import type { SpeechSource } from './source.js';
 import workerUrl from './kokoro-worker.ts?worker&url';
 import { openWorker } from './trusted.js';
@@ -20,11 +21,11 @@ export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
     name: 'Kokoro',
     about: 'A natural voice.',
     license: 'Apache-2.0',
-    speaks: (language) => /^en\b/i.test(language),
+    speaks: isEnglish,
     voiceOf(figure) {
       const own = VOICES[figure] ?? USUAL;
       return voices.includes(own) ? own : (voices[0] ?? USUAL);
     },
-    worker: () => openWorker(workerUrl, folder.href),
+    worker: () => openWorker(workerUrl, { name: folder.href, folder: 'voices/kokoro/' }),
   });
 }

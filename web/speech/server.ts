@@ -39,6 +39,6 @@ export function server({ url, voices, figures = {}, ...about }: SpeechServer): S
       const able = of(language);
       return (able.find((voice) => voice.name === figures[figure]) ?? able[0])?.name ?? '';
     },
-    worker: () => openWorker(workerUrl, name),
+    worker: () => openWorker(workerUrl, { name }),
   });
 }

@@ -1,5 +1,6 @@
 /** What a page with trusted types lets become a script: files beside this one. */
 
+import { common } from '../element/common.js';
 import { placeOf, SCRIPT, spare } from '../element/fetching.js';
 
 interface Rules {
@@ -10,22 +11,30 @@ interface TrustedTypes {
   createPolicy(name: string, rules: Rules): { createScriptURL(address: string): unknown };
 }
 
+/** Where the files of the player and of packages of voices come from. */
+const origins = common('origins', () => new Set<string>());
+
 const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
 const rules: Rules = {
   createScriptURL(address) {
     // A worker that imports one is the page's own.
-    const own = [new URL(SCRIPT).origin, spare.library?.origin, globalThis.location?.origin];
+    const own = [...origins, new URL(SCRIPT).origin, spare.library?.origin, globalThis.location?.origin];
     if (!own.includes(new URL(address, SCRIPT).origin)) throw new TypeError('A worker is a file of the player.');
     return address;
   },
 };
 
-let policy: ReturnType<TrustedTypes['createPolicy']> | undefined;
+/** A worker's name, and the folder of the library where its file may lie. */
+interface Opening {
+  readonly name?: string;
+  readonly folder?: string;
+}
 
-/** Starts a worker from a file of the player. */
-export async function openWorker(address: string, name = ''): Promise<Worker> {
-  policy ??= trustedTypes?.createPolicy('raconteur', rules);
-  const href = startOf(await placeOf(new URL(address, SCRIPT)));
+/** Starts a worker from a file of the player, or of a package of a voice. */
+export async function openWorker(address: string, { name = '', folder }: Opening = {}): Promise<Worker> {
+  origins.add(new URL(SCRIPT).origin);
+  const policy = common('policy', () => trustedTypes?.createPolicy('raconteur', rules));
+  const href = startOf(await placeOf(new URL(address, SCRIPT), folder));
   // The type of workers' constructors does not know trusted addresses.
   return new Worker((policy?.createScriptURL(href) ?? href) as string, { type: 'module', name });
 }

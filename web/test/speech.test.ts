@@ -117,3 +117,23 @@ test('English alone is spoken, and figures have voices', () => {
   expect(['en', 'en-GB', 'EN-us', 'pt', 'de', 'enx', ''].map((tag) => flite.speaks(tag))).toEqual([true, true, true, false, false, false, false]);
   expect(flite.voiceOf('papous', 'en')).not.toBe(flite.voiceOf('sofia', 'en'));
 });
+
+test('packages of voices, which are built apart, make the policy of trusted types once', async () => {
+  const made: string[] = [];
+  vi.stubGlobal('trustedTypes', {
+    createPolicy(name: string, rules: object) {
+      if (made.includes(name)) throw new TypeError(`There is a policy ${name}.`);
+      made.push(name);
+      return rules;
+    },
+  });
+  for (const text of ['one', 'two']) {
+    vi.resetModules();
+    ({ flite } = await import('../speech/flite.js'));
+    const saying = speak(text);
+    await asked();
+    last().say(0);
+    await saying;
+  }
+  expect([made, FakeWorker.all.length]).toEqual([['raconteur'], 2]);
+});

@@ -29,10 +29,21 @@ interface Metadata {
   readonly resolve: { readonly nodes: readonly { id: string; deps: readonly { pkg: string; dep_kinds: readonly { kind: string | null }[] }[] }[] };
 }
 
-/** Crates that are compiled into the wasm files. */
-function crates(root: string): Component[] {
+/** A crate of the project with a build of its own, and the features of that. */
+type Build = readonly [crate: string, ...features: readonly string[]];
+
+/** What is built: wasm files, and of npm's packages all that the project depends on, or some by their names. */
+export interface Contents {
+  readonly builds: readonly Build[];
+  readonly packages?: Iterable<string>;
+}
+
+const SITE: Contents = { builds: [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['faces'], ['say']] };
+
+/** Crates that are compiled into wasm files. */
+function crates(root: string, builds: readonly Build[]): Component[] {
   const found = new Map<string, Component>();
-  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['faces'], ['say']]) {
+  for (const [crate, ...features] of builds) {
     const { status, stdout, stderr } = spawnSync(
       'cargo',
       [
@@ -67,6 +78,29 @@ function crates(root: string): Component[] {
   return [...found.values()];
 }
 
+/** The licence of a package that comes without its text: that of MIT, under the copyright that its script begins with. */
+function plainMit(root: string, folder: string, script: string): string[] {
+  const [copyright] = /Copyright .*/.exec(readFileSync(join(folder, script), 'utf8').slice(0, 1000)) ?? [];
+  if (copyright === undefined) return [];
+  const own = readFileSync(join(root, 'LICENSE-MIT'), 'utf8');
+  return [`MIT License\n\n${copyright}\n\n${own.slice(own.indexOf('Permission is')).trim()}`];
+}
+
+/** The package of npm in a folder. */
+function packageAt(root: string, folder: string): Component {
+  const { name, version, license, repository, main } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as {
+    name: string;
+    version: string;
+    license?: string;
+    repository?: string | { url: string };
+    main?: string;
+  };
+  const source = typeof repository === 'string' ? repository : (repository?.url ?? 'https://www.npmjs.com');
+  const texts = textsIn(folder);
+  const isPlain = texts.length === 0 && license === 'MIT' && main !== undefined;
+  return { name, version, license: license ?? 'see below', source, texts: isPlain ? plainMit(root, folder, main) : texts };
+}
+
 /** Packages that are bundled into the scripts: the project's dependencies and theirs. */
 function packages(root: string): Component[] {
   const found = new Map<string, Component>();
@@ -78,13 +112,7 @@ function packages(root: string): Component[] {
       if (found.has(place)) continue;
       // Types are no part of what runs.
       if (name.startsWith('@types/')) continue;
-      const { version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8')) as {
-        version: string;
-        license?: string;
-        repository?: string | { url: string };
-      };
-      const source = typeof repository === 'string' ? repository : (repository?.url ?? 'https://www.npmjs.com');
-      found.set(place, { name, version, license: license ?? 'see below', source, texts: textsIn(place) });
+      found.set(place, packageAt(root, place));
       visit(place);
     }
   };
@@ -92,9 +120,10 @@ function packages(root: string): Component[] {
   return [...found.values()];
 }
 
-/** The notices as one text. Equal licence texts stand once, under all that they are of. */
-export function notices(root: string): string {
-  const all = [...rustLibrary(root), ...crates(root), ...packages(root)].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
+/** The notices of what the site, or `contents`, has of others, as one text. Equal licence texts stand once, under all that they are of. */
+export function notices(root: string, contents: Contents = SITE): string {
+  const named = contents.packages && [...contents.packages].map((name) => packageAt(root, join(root, 'node_modules', name)));
+  const all = [...rustLibrary(root), ...crates(root, contents.builds), ...(named ?? packages(root))].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
   const list = all.map(({ name, version, license, source }) => `${name} ${version}: ${license} (${source})`);
   const owners = new Map<string, string[]>();
   for (const { name, texts } of all) for (const text of texts) owners.set(text, [...(owners.get(text) ?? []), name]);

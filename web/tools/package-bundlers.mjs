@@ -31,7 +31,7 @@ async function serveNext(app) {
   return { address, close: () => child.kill() };
 }
 
-/** What is tried. `packages`: what is installed beside the example's own; `script`: the tag of the page, where the bundler writes none. */
+/** What is tried. `packages`: what is installed beside the example's own; `script`: the tag of the page, where the bundler writes none; `refused`: what the page says, where it cannot play. */
 export const CELLS = {
   'vite-plain': { ...vite, example: 'plain', types: tsc },
   'vite-react': { ...vite, example: 'react', types: tsc },
@@ -58,10 +58,19 @@ export const CELLS = {
     bundler: 'esbuild 0.28.2',
     example: 'plain',
     packages: { esbuild: '0.28.2' },
-    // The older kind of script does not know where it is.
     build: [['esbuild', 'main.js', '--bundle', '--format=esm', '--outdir=dist']],
     served: 'dist',
     script: MAIN,
+  },
+  'esbuild-script': {
+    bundler: 'esbuild 0.28.2, iife',
+    example: 'plain',
+    packages: { esbuild: '0.28.2' },
+    // Its default, the older kind of script, does not know where it is.
+    build: [['esbuild', 'main.js', '--bundle', '--outdir=dist']],
+    served: 'dist',
+    script: MAIN,
+    refused: 'was built as a script that does not know where it is: build it as a module (esbuild: --format=esm)',
   },
   'rollup-plain': {
     bundler: 'rollup 4.68.8',

@@ -8,8 +8,8 @@ import { delimiter, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { IMPORTED, IMPORTS } from './package-bare.mjs';
 import { CELLS, DENO } from './package-bundlers.mjs';
-import { openBrowser, PARTS, play, serve } from './package-play.mjs';
-import { ask, main, root, run, Stop } from './steps.mjs';
+import { copyLibrary, openBrowser, play, refuse, serve } from './package-play.mjs';
+import { ask, main, root, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
 const folder = join(root, '.setup/package-cells');
@@ -37,13 +37,13 @@ function lay(name, { example, packages = {}, files = {} }) {
   rmSync(app, { recursive: true, force: true });
   cpSync(join(root, 'examples', example), app, { recursive: true, filter: (path) => !MADE.has(path.split(/[\\/]/).at(-1)) });
   const manifest = JSON.parse(readFileSync(join(app, 'package.json'), 'utf8'));
-  for (const part of ['assets', 'player']) manifest.dependencies[`@raconteur/${part}`] = packedFile(part);
+  for (const part of ['library', 'player', 'voice-flite']) manifest.dependencies[`@raconteur/${part}`] = packedFile(part);
   Object.assign(manifest.devDependencies, packages);
   if (Object.keys(packages).length > 0) delete manifest.devDependencies.vite;
   writeFileSync(join(app, 'package.json'), JSON.stringify(manifest, undefined, 2));
   for (const [file, text] of Object.entries(files)) writeFileSync(join(app, file), text);
   program(app, INSTALL, `Installing ${name}`);
-  run(process.execPath, [join(app, 'node_modules/@raconteur/assets/copy.mjs'), 'public/raconteur', '--only', PARTS], { cwd: app, stdio: 'ignore', why: 'Copying the library' });
+  copyLibrary(app, join(app, 'node_modules/@raconteur/library'), ['--stories', 'hello-world', '--voices', 'flite']);
   return app;
 }
 
@@ -84,11 +84,12 @@ async function tryCell(browser, name, cell, pictures) {
   if (cell.served !== undefined && !existsSync(join(app, cell.served, 'raconteur'))) cpSync(join(app, 'public/raconteur'), join(app, cell.served, 'raconteur'), { recursive: true });
   const server = cell.serve ? await cell.serve(app) : await serve(join(app, cell.served));
   try {
-    await play(browser, name, server.address, { button: PLAY, ...(pictures ? { picture: join(pictures, `${name}.png`) } : {}) });
+    if (cell.refused !== undefined) await refuse(browser, server.address, cell.refused);
+    else await play(browser, name, server.address, { button: PLAY, ...(pictures ? { picture: join(pictures, `${name}.png`) } : {}) });
   } finally {
     server.close();
   }
-  return { cell: name, bundler: cell.bundler, outcome: 'plays', types: cell.types === undefined ? '' : 'checked', secs: Math.round((performance.now() - began) / 1000) };
+  return { cell: name, bundler: cell.bundler, outcome: cell.refused === undefined ? 'plays' : 'refuses', types: cell.types === undefined ? '' : 'checked', secs: Math.round((performance.now() - began) / 1000) };
 }
 
 await main(async () => {

@@ -1,10 +1,11 @@
 // Does what a new user does with the packed files: lays them into an empty folder, builds a page with a bundler's
 // defaults and plays a story in a browser. `npm run package` has packed them.
 
+import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { importBare, importInWorker } from './package-bare.mjs';
-import { openBrowser, PARTS, play, serve, STORY } from './package-play.mjs';
+import { copyLibrary, openBrowser, play, playWithoutVoice, serve, STORY } from './package-play.mjs';
 import { main, root, run, start, Stop } from './steps.mjs';
 
 const packed = join(root, '.setup/package');
@@ -15,6 +16,15 @@ const page = (script, library = '/') => `<!doctype html>
   <head><meta charset="utf-8" /><title>An application</title><script type="module" src="${script}"></script></head>
   <body><raconteur-player src="${library}${STORY}" assets="${library}raconteur/" loading="eager" label="Hello world"></raconteur-player></body>
 </html>
+`;
+
+/** A page with voices of packages: one that speaks, and one whose folder is not there. */
+const MAIN = `import { addSpeechSource } from '@raconteur/player';
+import { espeak } from '@raconteur/voice-espeak';
+import { naturalVoice } from '@raconteur/voice-kokoro';
+
+addSpeechSource(espeak);
+if (await naturalVoice(new URL('/raconteur/voices/kokoro/', document.baseURI))) throw new Error('There is no natural voice.');
 `;
 
 /** Bundlers by what they build an application with, and the folder that is served then. */
@@ -32,16 +42,34 @@ function install(app, name) {
   return to;
 }
 
+/** The story of the page, and all voices; that of kokoro brings flite's. */
+const CHOICES = ['--stories', 'hello-world', '--voices', 'espeak,kokoro'];
+
 /** An application's folder with the packed files and a page. */
 function lay(name, script) {
   const app = join(folder, name);
-  install(app, 'player');
-  const assets = install(app, 'assets');
+  for (const part of ['player', 'voice-flite', 'voice-espeak', 'voice-kokoro']) install(app, part);
   writeFileSync(join(app, 'package.json'), '{ "type": "module" }\n');
-  writeFileSync(join(app, 'main.js'), "import '@raconteur/player';\n");
+  writeFileSync(join(app, 'main.js'), MAIN);
   writeFileSync(join(app, 'index.html'), page(script));
-  run(process.execPath, [join(assets, 'copy.mjs'), join(app, 'public/raconteur'), '--only', PARTS], { stdio: 'ignore', why: 'Copying the library' });
+  copyLibrary(app, install(app, 'library'), CHOICES);
   return app;
+}
+
+/** That the command copies what is in use, and no more; says what there is not. */
+function checkCommand(app) {
+  const library = join(app, 'public/raconteur');
+  for (const used of ['stories/hello-world/story.eml', 'figures/sofia.glb', 'music/neutral.mp3', 'animations/stand.json', 'player/player.js', 'voices/flite/flite.js', 'voices/kokoro/kokoro.js']) {
+    if (!existsSync(join(library, used))) throw new Stop(`The command does not copy ${used}.`);
+  }
+  for (const unused of ['stories/white-rabbit', 'figures/papous.glb', 'music/positive-lively.mp3', 'faces']) {
+    if (existsSync(join(library, unused))) throw new Stop(`The command copies ${unused}.`);
+  }
+  for (const wrong of [['--stories', 'nonesuch'], ['--voices', 'nonesuch'], ['--everything']]) {
+    const { status, stderr } = spawnSync(process.execPath, [join(app, 'node_modules/@raconteur/library/command.mjs'), 'elsewhere', ...wrong], { cwd: app, encoding: 'utf8' });
+    if (status !== 1 || !stderr.includes('raconteur-library: ')) throw new Stop(`The command takes ${wrong.join(' ')}: ${stderr}`);
+  }
+  if (existsSync(join(app, 'elsewhere'))) throw new Stop('The command copies before it knows what.');
 }
 
 /** A script tag that names a file on another server, which has the package and the library, as servers of packages have. */
@@ -70,14 +98,19 @@ await main(async () => {
       const app = lay(name, script);
       if (served === '.') symlinkSync(join(app, 'public/raconteur'), join(app, 'raconteur'), 'junction');
       await build(app);
-      const server = await serve(join(app, served));
+      const server = await serve(join(app, served), { strict: true });
       try {
-        const { words } = await play(browser, `A page that ${name} builds`, server.address);
+        const { words } = await play(browser, `A page that ${name} builds`, server.address, { languages: ['en', 'de'] });
         console.log(`  ${name}: says ${words.join(' ')}`);
       } finally {
         server.close();
       }
     }
+    checkCommand(join(folder, 'vite'));
+    rmSync(join(folder, 'vite/dist/raconteur/voices'), { recursive: true });
+    const mute = await serve(join(folder, 'vite/dist'), { strict: true });
+    console.log(`  no voice: ${await playWithoutVoice(browser, mute.address)}`);
+    mute.close();
     const app = join(folder, 'rolldown');
     await checkScriptTag(browser, app);
     importBare(app);

@@ -27,7 +27,7 @@ const pages = { gestures: 150, viewer: 13, face: 10, expression: 8, composite: 3
  * What only some players fetch: the importer of foreign avatars, what speaks in the page and its engines, texts that are told,
  * what connects to a mind, music, the browser's own voice, the pitch at other speeds, and a film.
  */
-const apart = 'added avatar faces film flite here kokoro marks mind music say server spoken src stretch tell told worker'.split(' ');
+const apart = 'added avatar faces film flite here kokoro marks mind music natural say server spoken src stretch tell told worker'.split(' ');
 
 /** Node's own deflate gives up 2 % of size for speed, so the `gzip` program is used where it is installed. */
 function gzip9(part) {

@@ -107,7 +107,7 @@ const checks = {
   // Two bundlers of an empty folder, and plain Node.
   package: async () => {
     await buildWasm(kind, await program('raconteur-bindgen'));
-    await unlessPassed('package', [...PLAYED, 'web/package', 'web/tools/elements.mjs', ...['', '-check', '-play', '-bare'].map((part) => `web/tools/package${part}.mjs`)], async () => {
+    await unlessPassed('package', [...PLAYED, 'web/package', 'web/tools/elements.mjs', ...['', '-about', '-build', '-check', '-play', '-bare', '-size', '-uses'].map((part) => `web/tools/package${part}.mjs`)], async () => {
       await node('web/tools/package.mjs', isLong ? [] : ['quick']);
       await node('web/tools/package-check.mjs');
       if (isLong) await node('web/tools/package-cells.mjs');

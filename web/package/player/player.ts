@@ -2,7 +2,7 @@
 
 import { register } from '../../element/register.js';
 
-export { addSpeechSource, naturalVoice, speechServer } from '../../speech/added.js';
+export { addSpeechSource, speechServer } from '../../speech/added.js';
 export type { ServerVoice, SpeechServer } from '../../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../../speech/source.js';
 export { RaconteurPlayer } from '../../element/element.js';

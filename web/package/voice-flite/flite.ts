@@ -1,0 +1,3 @@
+/** What `@raconteur/voice-flite` gives. */
+
+export { flite } from '../../speech/flite.js';

@@ -1,0 +1,3 @@
+export function printSizes(folder: string, packages: readonly string[]): void;
+export function checkContents(contents: ReadonlySet<string>): void;
+export function checkSize(own: string): void;

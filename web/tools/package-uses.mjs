@@ -1,0 +1,44 @@
+// What the stories of the library use of it: figures, and pieces of music. The engine tells, as it does in a page.
+
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { root } from './steps.mjs';
+
+const assets = join(root, 'assets');
+/** Who performs where a story leaves that to others; `web/element/cast.ts` has the same. */
+const USUAL_FIGURE = 'sofia';
+
+/** The engine of a kind of build, without a picture. */
+async function openEngine(kind) {
+  const folder = join(root, kind.folder, 'webgl');
+  const { default: instantiate } = await import(join(folder, 'raconteur.js'));
+  const engine = instantiate();
+  await engine({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });
+  return engine;
+}
+
+/** The stories, by the paths of their folders. */
+function stories() {
+  return readdirSync(join(assets, 'stories'), { recursive: true })
+    .filter((path) => path.endsWith('story.eml'))
+    .map((path) => dirname(path).replaceAll('\\', '/'))
+    .sort();
+}
+
+/** What each story uses: `figures` by their names, `music` by the names of files without their endings. */
+export async function uses(kind) {
+  const engine = await openEngine(kind);
+  const used = {};
+  for (const story of stories()) {
+    const folder = join(assets, 'stories', story);
+    const eml = readFileSync(join(folder, 'story.eml'), 'utf8');
+    const voice = join(folder, 'voice/speech.json');
+    const figure = engine.performerOf(eml).figure ?? USUAL_FIGURE;
+    const player = await engine.Player.create();
+    player.load(eml, existsSync(voice) ? readFileSync(voice) : undefined, figure, readFileSync(join(assets, `figures/${figure}.glb`)), 1);
+    const pieces = player.music().filter(({ library }) => library);
+    used[story] = { figures: [figure], music: [...new Set(pieces.map(({ file }) => file.replace(/\.\w+$/, '')))].sort() };
+    player.free();
+  }
+  return used;
+}
