@@ -115,27 +115,30 @@ test(`it is taken out and put back ${TIMES} times, in play and at rest`, { tag: 
   await stage.ready();
   const told = await stage.player.evaluate(async (p: RaconteurPlayer, times) => {
     const main = p.parentElement;
-    const all: { paused: boolean; error: unknown; ready: number; moved: number }[] = [];
+    const all: { paused: boolean; error: unknown; ready: number; moved: number; awaySecs: number }[] = [];
     for (let i = 0; i < times; i++) {
       if (i % 2 === 0) await p.play();
       else p.currentTime = 0.2 + (i % 7) * 0.1;
       const before = p.currentTime;
+      const beganMs = performance.now();
       p.remove();
       // Some return within the same script, as when a list is sorted, some much later.
       if (i % 3 > 0) await new Promise((done) => setTimeout(done, 20 * (i % 3)));
       const { readyState } = p;
       const moved = Math.abs(p.currentTime - before);
+      const awaySecs = (performance.now() - beganMs) / 1000;
       main?.append(p);
       if (p.readyState < 4) await new Promise((done) => p.addEventListener('canplaythrough', done, { once: true }));
-      all.push({ paused: p.paused, error: p.error, ready: readyState, moved });
+      all.push({ paused: p.paused, error: p.error, ready: readyState, moved, awaySecs });
     }
     return all;
   }, TIMES);
   expect(told.filter(({ error }) => error !== null)).toEqual([]);
   // As a video it keeps its story and its place, and rests once it was out for longer than a script.
-  for (const [i, { ready, moved, paused }] of told.entries()) {
+  for (const [i, { ready, moved, paused, awaySecs }] of told.entries()) {
     expect(ready, `${i}`).toBe(4);
-    expect(moved, `${i}`).toBeLessThan(0.3);
+    // It goes on for a moment, which is longer where pictures take long.
+    expect(moved, `${i}`).toBeLessThan(awaySecs + 0.1);
     if (i % 3 > 0) expect(paused, `${i}`).toBe(true);
   }
   await stage.play();
