@@ -93,7 +93,7 @@ function shortest(memory: Memory, most: number): string {
 const worth = ({ given: _, ...answer }: Remembered): Remembered => answer;
 
 /** The longest answers, as many as have to be, without their texts. */
-function cut(memory: Memory, count: number): Memory {
+function withoutTexts(memory: Memory, count: number): Memory {
   const lengths = memory.answered.map(({ given }) => JSON.stringify(given ?? []).length);
   const order = lengths.map((_, i) => i).sort((a, b) => (lengths[b] ?? 0) - (lengths[a] ?? 0));
   const isCut = new Set(order.slice(0, count));
@@ -101,7 +101,7 @@ function cut(memory: Memory, count: number): Memory {
 }
 
 /** Without answers, as many as have to be: those that brought the least first. */
-function without(memory: Memory, count: number): Memory {
+function withoutAnswers(memory: Memory, count: number): Memory {
   const order = memory.answered.map((_, i) => i).sort((a, b) => (memory.answered[a]?.points ?? 0) - (memory.answered[b]?.points ?? 0));
   const isLeft = new Set(order.slice(count));
   return { ...memory, answered: memory.answered.filter((_, i) => isLeft.has(i)) };
@@ -128,12 +128,12 @@ export function writeMemory(memory: Memory, most = Infinity): string {
   const text = shortest(whole, most);
   if (text.length <= most) return text;
   const { length } = whole.answered;
-  const bare = cut(whole, length);
+  const bare = withoutTexts(whole, length);
   const unseen = { ...bare, seen: [] };
   const forms: readonly (readonly [form: (step: number) => Memory, steps: number])[] = [
-    [(step) => cut(whole, step), length],
+    [(step) => withoutTexts(whole, step), length],
     [(step) => ({ ...bare, seen: longest(memory.seen, MOST_SPANS - step) }), MOST_SPANS],
-    [(step) => without({ ...unseen, more: step === 0 ? unseen.more : {} }, step), length],
+    [(step) => withoutAnswers({ ...unseen, more: step === 0 ? unseen.more : {} }, step), length],
   ];
   for (const [form, steps] of forms) {
     const found = firstFitting(form, steps, most);

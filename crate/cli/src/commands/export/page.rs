@@ -49,7 +49,7 @@ fn page(about: &About, lesson: &Lesson) -> String {
         .map_or(String::new(), |share| format!(" data-pass=\"{share}\""));
     let back = if has_list(about) {
         let course = escape(about.title.as_str());
-        format!("\n      <nav><a href=\"index.html\">{course}</a></nav>")
+        format!("<a href=\"index.html\">{course}</a>")
     } else {
         String::new()
     };
@@ -67,9 +67,9 @@ fn page(about: &About, lesson: &Lesson) -> String {
     <script type="module" src="player/raconteur-course.js"></script>
   </head>
   <body data-record="{record}" data-course="{iri}" data-watched="{watched}"{pass}>
-    <main>{back}
+    <main>
       <h1>{title}</h1>
-      <nav></nav>
+      <nav>{back}</nav>
       <raconteur-player src="{story}" label="{title}"{figure} loading="eager" controls captions></raconteur-player>
       <output></output>
       <section aria-labelledby="result" hidden></section>
