@@ -172,10 +172,14 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
       await page.goto('about:blank');
       const again = await opened(context, world, truth);
       await expect.poll(async () => (await world.record(again.page)).answers.length, { timeout: 90_000 }).toBe(truth.told.length);
-      const { score, optional, duration } = await again.frame.evaluate(() => {
-        const { score, optional, duration } = document.querySelector('raconteur-player') as RaconteurPlayer;
-        return { score, optional, duration };
+      const { optional, duration } = await again.frame.evaluate(() => {
+        const { optional, duration } = document.querySelector('raconteur-player') as RaconteurPlayer;
+        return { optional, duration };
       });
+      // The story plays before the system has told what was answered.
+      const score = () => again.frame.evaluate(() => (document.querySelector('raconteur-player') as RaconteurPlayer).score.points);
+      await expect.poll(async () => (await score()) - (await world.record(again.page)).points, { timeout: 60_000 }).toBe(0);
+      const scored = await score();
       await again.page.goto('about:blank');
       await again.page.waitForTimeout(500);
       // What a system keeps here is read from a page of its own place.
@@ -183,7 +187,7 @@ async function learn(context: BrowserContext, world: World, next: Next): Promise
       await again.page.goto('/nothing');
       const { answers, points, isComplete } = await world.record(again.page);
       expect(answers).toEqual(truth.told.map(({ isRight }) => isRight));
-      expect(points).toBe(score.points);
+      expect(points).toBe(scored);
       const wanted = Array.from({ length: Math.floor(10 * duration) }, (_, i) => i).filter((i) => !optional.some(([from, to]) => from <= i / 10 && i / 10 < to));
       const share = wanted.filter((i) => truth.seen.has(i)).length / wanted.length;
       if (isComplete) expect(share).toBeGreaterThan(WATCHED - 0.05);
