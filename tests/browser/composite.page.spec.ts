@@ -240,6 +240,26 @@ test.describe('in one visit', () => {
     await expect(value(page, 'freckles')).toBeVisible();
   });
 
+  test('plain words in three languages lead to what is meant, also beside the features', async () => {
+    const search = page.getByLabel('Search');
+    await search.fill('eyes wider apart');
+    await expect(page.locator('.feature .name').first()).toHaveText('distance of the eyes');
+    await search.fill('Schnurrbart');
+    await page.getByRole('button', { name: 'Moustache Style, beard' }).click();
+    await expect(page.getByRole('tab', { name: 'Style' })).toHaveAttribute('aria-selected', 'true');
+    await expect(page.getByRole('region', { name: 'Beard' }).getByLabel('Style')).toBeFocused();
+    await page.getByRole('tab', { name: 'Features' }).click();
+    await search.fill('scar');
+    await expect(value(page, 'scared')).toHaveCount(0);
+    await page.getByRole('button', { name: 'Scar Marks' }).click();
+    await expect(page.getByRole('button', { name: 'Scar', exact: true })).toHaveAttribute('aria-pressed', 'true');
+    await page.getByRole('tab', { name: 'Features' }).click();
+    await search.fill('freqles');
+    await page.getByRole('button', { name: 'freckles', exact: true }).click();
+    await expect(value(page, 'freckles')).toBeVisible();
+    await search.fill('');
+  });
+
   test('a description chooses faces, and parts of them are taken over', async () => {
     await page.getByRole('tab', { name: 'Parts' }).click();
     await page.getByRole('checkbox', { name: 'nose', exact: true }).check();

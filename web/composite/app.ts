@@ -44,8 +44,10 @@ export class App {
   group = 'overall';
   /** The age that a value of its attribute stands for. */
   readonly yearsOf: (value: number) => number;
-  /** A word that attributes are searched by. */
+  /** What is looked for, as it was typed. */
   search = '';
+  /** The section of the panel that is brought into sight when the panel is drawn next. */
+  sought: string | undefined;
   /** What goes with a feature in people changes with it. */
   withAll = false;
   /** Segments that are changed; all of the head where none is. */
@@ -287,11 +289,12 @@ export class App {
     return { faces, vertices };
   }
 
-  /** Shows another panel. */
-  turnTo(tab: Tab): void {
+  /** Shows another panel, and a section of it by its title. */
+  turnTo(tab: Tab, section?: string): void {
     // What is chosen is lit beside its panel alone.
     const isLit = this.segments.size > 0 && (tab === 'parts') !== (this.tab === 'parts');
     this.tab = tab;
+    this.sought = section;
     this.placing = undefined;
     if (isLit) this.chosen();
     else this.redraw();

@@ -2,6 +2,7 @@
 
 import type { TemplateResult } from 'lit';
 import type { App, Tab } from './app.js';
+import { finderOf } from './finder.js';
 import { HistoryPanel } from './history-panel.js';
 import { LookPanel } from './look-panel.js';
 import { marks } from './marks-panel.js';
@@ -26,10 +27,11 @@ export class Desk {
     const looks = new LookPanel(app);
     const past = new HistoryPanel(app, thumbnails);
     const pictures = new Pictures(app, place, tell);
+    const index = finderOf(app.faces.pack.attributes);
     const segments = new SegmentPictures(app.faces);
     this.#panels = {
       start: () => start(app, portraits),
-      features: () => features(app),
+      features: () => features(app, index),
       parts: () => parts(app, segments),
       look: () => looks.draw(),
       marks: () => marks(app),

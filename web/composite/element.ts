@@ -225,6 +225,7 @@ export class RaconteurComposite extends LitElement {
   protected override updated(): void {
     const panel = this.#find('#panel');
     if (panel !== undefined) this.#tabs?.mark(this.#app?.tab ?? 'features', panel);
+    this.#reveal();
     // A button that has nothing more to do would take the focus with it, out of the editor and its keys.
     const focused = this.shadowRoot?.activeElement;
     if (focused instanceof HTMLButtonElement && focused.disabled) focused.parentElement?.querySelector<HTMLElement>('button:enabled')?.focus();
@@ -373,6 +374,16 @@ export class RaconteurComposite extends LitElement {
     player.addEventListener('loadedmetadata', () => {
       if (this.#app !== undefined) void rest(player).then(() => this.#dress());
     });
+  }
+
+  /** Brings the section of the panel that somebody looks for into sight, and the focus to it. */
+  #reveal(): void {
+    const sought = this.#app?.sought;
+    if (this.#app === undefined || sought === undefined) return;
+    this.#app.sought = undefined;
+    const section = this.#find(`#panel section[aria-label="${CSS.escape(sought)}"]`);
+    section?.scrollIntoView({ block: 'nearest' });
+    section?.querySelector<HTMLElement>('select, button, input')?.focus({ preventScroll: true });
   }
 
   /** Puts the face on who came on stage. */

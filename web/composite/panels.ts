@@ -1,10 +1,13 @@
 /** The controls of the composite editor, tab by tab. */
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
 import type { FacePack, FacePart } from '../element/faces.js';
 import { check, numberField } from '../pages/fields.js';
 import type { App } from './app.js';
-import { alsoCalled, isCalled } from './words.js';
+import type { Index } from './find.js';
+import { found } from './finder.js';
+import { alsoCalled } from './words.js';
 
 type Attribute = FacePack['attributes'][number];
 
@@ -34,7 +37,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   const hold = (): void => {
     app.do({ kind: 'hold', held: held === undefined ? [...app.held, { part, name, value, ...app.region }] : app.held.filter((h) => h !== held) });
   };
-  const also = name === 'age' ? `about ${app.yearsOf(value)} years by ${part === 'shape' ? 'its form' : 'its skin'}` : (alsoCalled(a) ?? '');
+  const also = name === 'age' ? `about ${app.yearsOf(value)} years by ${part === 'shape' ? 'its form' : 'its skin'}` : alsoCalled(a);
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
     <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
     ${also === '' ? nothing : html`<small class="also">${also}</small>`}
@@ -53,11 +56,15 @@ export function told(value: number, [less, more]: Attribute['terms']): string {
   return percent === 0 ? 'average' : `${percent} percent ${value < 0 ? less : more}`;
 }
 
-export function features(app: App): TemplateResult {
+export function features(app: App, index: Index): TemplateResult {
   const { attributes } = app.faces.pack;
   const groups = [...new Set(attributes.map((a) => a.group))];
   const word = app.search.trim();
-  const found = attributes.filter((a) => (word === '' ? a.group === app.group : isCalled(a, word)));
+  const {
+    features: shown,
+    ways,
+    isElsewhere,
+  } = word === '' ? { features: attributes.filter((a) => a.group === app.group), ways: nothing, isElsewhere: false } : found(app, index, word);
   const search = (event: Event): void => {
     app.search = (event.target as HTMLInputElement).value;
     app.redraw();
@@ -69,18 +76,25 @@ export function features(app: App): TemplateResult {
   };
   return html`<div class="row bar">
       <label class="select side"><span>Group</span><select @change=${choose}>${groups.map((group) => html`<option value=${group} .selected=${group === app.group}>${group}</option>`)}</select></label>
-      <label class="select side"><span>Search</span><input type="search" .value=${app.search} placeholder="nose, friendly …" autocomplete="off" @input=${search} /></label>
+      <label class="select side"><span>Search</span><input type="search" .value=${app.search} placeholder="moustache, friendly …" autocomplete="off" @input=${search} /></label>
     </div>
     ${check('With what goes with it in people', app.withAll, (on) => {
       app.withAll = on;
       app.redraw();
     })}
     <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>
-    ${found.length === 0 ? html`<p class="none">No feature is called so.</p>` : nothing}
+    ${isElsewhere || shown.length === 0 ? ways : nothing}
     ${(Object.keys(PARTS) as FacePart[]).map((part) => {
-      const own = found.filter((a) => a.part === part);
-      return own.length === 0 ? nothing : html`<section class="region" aria-label=${PARTS[part]}><h3>${PARTS[part]}</h3>${own.map((a) => feature(app, a))}</section>`;
-    })}`;
+      const own = shown.filter((a) => a.part === part);
+      return own.length === 0
+        ? nothing
+        : html`<section class="region" aria-label=${PARTS[part]}><h3>${PARTS[part]}</h3>${repeat(
+            own,
+            ({ name }) => name,
+            (a) => feature(app, a),
+          )}</section>`;
+    })}
+    ${isElsewhere || shown.length === 0 ? nothing : ways}`;
 }
 
 /** What is changed now. */

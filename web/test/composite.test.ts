@@ -8,7 +8,6 @@ import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
 import { toggled } from '../composite/look.js';
 import { chosen, describe } from '../composite/people.js';
-import { isCalled } from '../composite/words.js';
 import type { FaceLook } from '../element/types.js';
 
 const pack = { faces: 10, vertices: 5 };
@@ -177,12 +176,6 @@ test('a drag moves in the plane of the picture, and turns and scales within boun
   close(changeOf('move', 1e6, -1e6, 0, 1e-4).way, [0.02, -0.02, 0]);
   close(changeOf('scale', 0, 1e6, 0, 1).scale, [1, 1.6, 1]);
   close(changeOf('turn', 100, 0, 0, 1).turn, [0, 0, -0.6]);
-});
-
-test('a feature is found by all of the words that were typed, and by everyday ones', () => {
-  const nose = { part: 'shape', name: 'length of the nose', group: 'nose', terms: ['short', 'long'] } as unknown as Parameters<typeof isCalled>[0];
-  for (const typed of ['nose', 'LONG nose', 'length', '']) expect(isCalled(nose, typed), typed).toBe(true);
-  for (const typed of ['long mouth', 'nose wide', 'ear']) expect(isCalled(nose, typed), typed).toBe(false);
 });
 
 test('who goes to a step and back to the beginning comes to it again by redo', () => {

@@ -1,0 +1,187 @@
+/**
+ * What of the editor is meant by plain words, in English, Portuguese and German: features, hair, beards, things worn,
+ * marks and panels, by whole words and their beginnings, accents folded.
+ */
+
+import type { FacePack } from '../element/faces.js';
+import table from './words.tsv?raw';
+
+type Attribute = FacePack['attributes'][number];
+
+/** A kind of thing and its name there: `feature lips`, `beard full`, `style Hair`, `tab history`. */
+export type Thing = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab'} ${string}`;
+
+/** A line of the table. */
+export interface Row {
+  readonly thing: Thing;
+  /** What is shown below a feature's name; mostly nothing. */
+  readonly shown: string;
+  /** What people call it, in all languages. */
+  readonly called: readonly string[];
+}
+
+/** What was found, the best first. */
+export interface Finding {
+  readonly thing: Thing;
+  /** How well it fits, to 1. */
+  readonly score: number;
+}
+
+interface Phrase {
+  readonly words: readonly string[];
+  /** What a group is called says less of each of its features. */
+  readonly worth: number;
+}
+
+/** What is searched: the phrases of each thing, and all of their words. */
+export interface Index {
+  readonly things: ReadonlyMap<Thing, readonly Phrase[]>;
+  readonly words: ReadonlySet<string>;
+}
+
+/** Words that say in which direction, how much, or nothing at all: they rank what is found, and keep nothing from being found. */
+const LIGHT = new Set(
+  `a an and at be for from has have he her his i in is it its like looks make more less much of on or she slightly so some that the their them they to too under very was were
+  with without no not not bit little wide wider narrow narrower big bigger large larger small smaller long longer short shorter high higher low lower great old older
+  young younger thick thicker thin thinner dark darker light lighter full fuller bright brighter deep deeper broad broader strong stronger
+  o os as um uma e de do da dos das no na nos nas em com sem mais menos muito pouco maior menor grande pequeno largo estreito comprido curto alto baixo grosso fino
+  der die das den dem ein eine einen einer und im in am mit ohne sehr mehr weniger zu etwas weit weiter eng enger gross grosse grosser grosses groesser grossere klein kleine kleiner breit breite breiter
+  schmal schmale schmaler lang lange langer kurz kurze kurzer hoch hoher tief tiefer dick dicke dicker dunn dunne dunner hell heller dunkel dunkler`.split(/\s+/),
+);
+const LIGHT_WEIGHT = 0.3;
+/** Endings by which forms of a word differ: `scared` is none of `scar`; and those of plurals. */
+const PLURALS = new Set(['', 's', 'es', 'n', 'en']);
+const ENDINGS = new Set(['', 's', 'es', 'e', 'n', 'en', 'er', 'em', 'o', 'a', 'os', 'as']);
+/** Forms of a word have so many letters in common at least. */
+const STEM = 3;
+/** Worth of a form of a word, and of a beginning of one. */
+const OF_FORM = 0.9;
+const OF_BEGINNING = 0.6;
+const OF_GROUP = 0.5;
+
+/** The lines of the table. */
+export function tableOf(text: string): Row[] {
+  const lines = text.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
+  return lines.map((line) => {
+    const [thing = '', shown = '', ...called] = line.split('\t');
+    return {
+      thing: thing as Thing,
+      shown,
+      called: called
+        .join(',')
+        .split(',')
+        .flatMap((phrase) => phrase.trim() || []),
+    };
+  });
+}
+
+export const TABLE: readonly Row[] = tableOf(table);
+
+/** The words of a text: small letters without accents. */
+export function wordsOf(text: string): string[] {
+  const plain = text.normalize('NFKD').replace(/\p{M}/gu, '').toLowerCase().replace(/ß/g, 'ss').replace(/['’]/g, '');
+  return plain.match(/[\p{L}\p{N}]+/gu) ?? [];
+}
+
+const weightOf = (word: string): number => (LIGHT.has(word) ? LIGHT_WEIGHT : 1);
+
+/** What a pack and the editor have, to be searched. */
+export function indexOf(attributes: readonly Attribute[], rows: readonly Row[] = TABLE): Index {
+  const things = new Map<Thing, Phrase[]>();
+  const add = (thing: Thing, texts: readonly string[], worth = 1): void => {
+    const phrases = texts.map((text) => ({ words: wordsOf(text), worth }));
+    things.set(thing, [...(things.get(thing) ?? []), ...phrases]);
+  };
+  // A feature of the pack that the table does not know is still found by its name.
+  for (const { name, group, terms } of attributes) {
+    add(`feature ${name}`, [name, ...terms.map((term) => `${term} ${name}`)]);
+    add(`feature ${name}`, [group, ...terms], OF_GROUP);
+  }
+  for (const { thing, shown, called } of rows) if (!thing.startsWith('feature ') || things.has(thing)) add(thing, [...called, ...shown.split(', ')]);
+  const words = new Set([...things.values()].flat().flatMap((phrase) => phrase.words));
+  return { things, words };
+}
+
+const isForm = (a: string, b: string, endings: ReadonlySet<string>): boolean => {
+  let same = 0;
+  while (same < a.length && a[same] === b[same]) same += 1;
+  return same >= STEM && endings.has(a.slice(same)) && endings.has(b.slice(same));
+};
+
+/** The words of the index that a typed word may be, with their worth: itself and its plural where there is such a word, else its forms, else those that begin with it. */
+function meant(typed: string, words: ReadonlySet<string>): ReadonlyMap<string, number> {
+  const isKnown = words.has(typed);
+  const forms = [...words].filter((word) => isForm(typed, word, isKnown ? PLURALS : ENDINGS));
+  if (isKnown) return new Map([...forms.map((word) => [word, OF_FORM] as const), [typed, 1]]);
+  if (forms.length > 0) return new Map(forms.map((word) => [word, OF_FORM]));
+  const begun = typed.length < 2 ? [] : [...words].filter((word) => word.startsWith(typed));
+  return new Map(begun.map((word) => [word, OF_BEGINNING + ((OF_FORM - OF_BEGINNING) * typed.length) / word.length]));
+}
+
+/** How well a phrase is what was typed: shares of each that are in the other, as one number to 1. */
+function fit({ words, worth }: Phrase, typed: readonly ReadonlyMap<string, number>[], weights: readonly number[]): { score: number; isContained: boolean } {
+  const used = new Set<string>();
+  let [ofTyped, all] = [0, 0];
+  typed.forEach((may, i) => {
+    const weight = weights[i] ?? 0;
+    all += weight;
+    const best = words.filter((word) => may.has(word)).sort((a, b) => (may.get(b) ?? 0) - (may.get(a) ?? 0))[0];
+    if (best === undefined) return;
+    used.add(best);
+    ofTyped += weight * (may.get(best) ?? 0);
+  });
+  const total = words.reduce((sum, word) => sum + weightOf(word), 0);
+  const ofPhrase = words.reduce((sum, word) => sum + (used.has(word) ? weightOf(word) : 0), 0);
+  const [a, b] = [ofTyped / Math.max(all, 1e-9), ofPhrase / Math.max(total, 1e-9)];
+  const heavy = words.filter((word) => weightOf(word) === 1);
+  const needed = heavy.length > 0 ? heavy : words;
+  return { score: a + b === 0 ? 0 : (worth * 2 * a * b) / (a + b), isContained: needed.length > 0 && needed.every((word) => used.has(word)) };
+}
+
+/** What is meant by words. All that have all of them; where nothing has, all that are called by some of them. */
+export function search({ things, words }: Index, typed: string): Finding[] {
+  const all = wordsOf(typed);
+  if (all.length === 0) return [];
+  const may = all.map((word) => meant(word, words));
+  const weights = all.map(weightOf);
+  const needed = weights.includes(1) ? may.filter((_, i) => weights[i] === 1) : may;
+  const found = [...things].map(([thing, phrases]) => {
+    const fits = phrases.map((phrase) => fit(phrase, may, weights));
+    const own = new Set(phrases.flatMap((phrase) => phrase.words));
+    return {
+      thing,
+      score: Math.max(...fits.map(({ score }) => score)),
+      hasAll: needed.every((one) => [...one.keys()].some((word) => own.has(word))),
+      isNamed: fits.some(({ score, isContained }) => isContained && score > 0),
+    };
+  });
+  const whole = found.filter(({ hasAll }) => hasAll);
+  const best = (whole.length > 0 ? whole : found.filter(({ isNamed }) => isNamed)).sort((a, b) => b.score - a.score);
+  return best.map(({ thing, score }) => ({ thing, score }));
+}
+
+/** How many letters are to be changed, left out, put in or swapped to make one word of another. */
+function distance(a: string, b: string): number {
+  const rows: number[][] = [Array.from({ length: b.length + 1 }, (_, j) => j)];
+  for (let i = 1; i <= a.length; i += 1) {
+    const [before, above] = [rows[i - 2], rows[i - 1] ?? []];
+    const row = [i];
+    for (let j = 1; j <= b.length; j += 1) {
+      const isSame = a[i - 1] === b[j - 1];
+      row[j] = Math.min((above[j] ?? 0) + 1, (row[j - 1] ?? 0) + 1, (above[j - 1] ?? 0) + (isSame ? 0 : 1));
+      if (before !== undefined && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1]) row[j] = Math.min(row[j] ?? 0, (before[j - 2] ?? 0) + 1);
+    }
+    rows.push(row);
+  }
+  return rows[a.length]?.[b.length] ?? a.length;
+}
+
+/** What else could be typed, the nearest first: words that are unknown give way to those that are written most like them. */
+export function nearest(index: Index, typed: string, most = 3): string[] {
+  const all = wordsOf(typed);
+  const unknown = all.find((word) => !LIGHT.has(word) && meant(word, index.words).size === 0) ?? all.find((word) => !LIGHT.has(word));
+  if (unknown === undefined) return [];
+  const known = [...index.words].filter((word) => word.length >= STEM && !LIGHT.has(word) && word !== unknown);
+  const near = known.map((word) => ({ word, far: distance(unknown, word) / Math.max(unknown.length, word.length) })).sort((a, b) => a.far - b.far);
+  return near.slice(0, most).map(({ word }) => word);
+}

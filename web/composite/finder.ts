@@ -1,0 +1,88 @@
+/** What is shown where somebody has typed what is looked for: the features that are meant, and ways to all else. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { FacePack } from '../element/faces.js';
+import type { FaceMark } from '../element/types.js';
+import type { App, Tab } from './app.js';
+import { indexOf, nearest, search, TABLE, type Index, type Row, type Thing } from './find.js';
+import { BEARDS, HAIR, MARKS, WEAR } from './look.js';
+import { TABS } from './template.js';
+
+type Attribute = FacePack['attributes'][number];
+
+/** Things that are offered beside features, at most. */
+const MOST = 8;
+
+const named = (kind: string, names: Readonly<Record<string, string>>): Row[] =>
+  Object.entries(names).map(([key, name]) => ({ thing: `${kind} ${key}` as Thing, shown: '', called: [name] }));
+const namesOf = (things: Readonly<Record<string, { readonly name: string }>>): Record<string, string> =>
+  Object.fromEntries(Object.entries(things).map(([key, { name }]) => [key, name]));
+
+const NAMES = { hair: HAIR, beard: BEARDS, worn: namesOf(WEAR), mark: namesOf(MARKS), tab: TABS } as const;
+type Kind = keyof typeof NAMES;
+/** Panel, and section of it, of a kind of thing. */
+const PLACES: Readonly<Record<Exclude<Kind, 'tab'>, readonly [tab: Tab, section?: string]>> = {
+  hair: ['look', 'Hair'],
+  beard: ['look', 'Beard'],
+  worn: ['look', 'Worn'],
+  mark: ['marks'],
+};
+
+/** What the features of a pack, and the editor's own things, are found by. */
+export function finderOf(attributes: readonly Attribute[]): Index {
+  return indexOf(attributes, [...TABLE, ...Object.entries(NAMES).flatMap(([kind, names]) => named(kind, names))]);
+}
+
+export interface Found {
+  /** The features that are meant, the best first. */
+  readonly features: readonly Attribute[];
+  /** The ways to all else. */
+  readonly ways: TemplateResult | typeof nothing;
+  /** The best is no feature. */
+  readonly isElsewhere: boolean;
+}
+
+/** What is meant by what was typed. */
+export function found(app: App, index: Index, typed: string): Found {
+  const things = search(index, typed).map(({ thing }) => thing);
+  const features = things.flatMap((thing) => app.faces.pack.attributes.filter(({ name }) => thing === `feature ${name}`));
+  const others = things.filter((thing) => !thing.startsWith('feature '));
+  return {
+    features,
+    ways: things.length === 0 ? proposals(app, index, typed) : waysTo(app, others.slice(0, MOST)),
+    isElsewhere: things[0]?.startsWith('feature ') === false,
+  };
+}
+
+/** Buttons that lead to the panels of things. */
+function waysTo(app: App, things: readonly Thing[]): TemplateResult | typeof nothing {
+  if (things.length === 0) return nothing;
+  return html`<div class="ways" role="group" aria-label="Found elsewhere">${things.map((thing) => {
+    const { name, panel, go } = wayTo(app, thing);
+    return html`<button type="button" class="plain" @click=${go}><b>${name}</b> <small>${panel}</small></button>`;
+  })}</div>`;
+}
+
+/** What a thing is called, where it is, and how one comes there. */
+function wayTo(app: App, thing: Thing): { readonly name: string; readonly panel: string; readonly go: () => void } {
+  const [, kind = '', key = ''] = /^(\w+) (.*)$/.exec(thing) ?? [];
+  if (kind === 'style') return { name: key, panel: TABS.look, go: () => app.turnTo('look', key) };
+  const name = NAMES[kind as Kind]?.[key as never] ?? key;
+  if (kind === 'tab') return { name, panel: 'Panel', go: () => app.turnTo(key as Tab) };
+  const [tab, section] = PLACES[kind as keyof typeof PLACES];
+  const go = (): void => {
+    app.turnTo(tab, section);
+    if (kind === 'mark') app.placing = key as FaceMark['kind'];
+  };
+  return { name, panel: section === undefined ? TABS[tab] : `${TABS[tab]}, ${section.toLowerCase()}`, go };
+}
+
+/** What is written most like what was typed. */
+function proposals(app: App, index: Index, typed: string): TemplateResult {
+  const take = (word: string) => (): void => {
+    app.search = word;
+    app.redraw();
+  };
+  return html`<p class="none">Nothing is called so. Do you mean one of these?</p>
+    <div class="ways" role="group" aria-label="Written alike">${nearest(index, typed).map((word) => html`<button type="button" class="plain" @click=${take(word)}>${word}</button>`)}</div>`;
+}
