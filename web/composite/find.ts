@@ -9,7 +9,7 @@ import table from './words.tsv?raw';
 type Attribute = FacePack['attributes'][number];
 
 /** A kind of thing and its name there: `feature lips`, `beard full`, `style Hair`, `tab history`. */
-export type Thing = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab'} ${string}`;
+export type Thing = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab' | 'light'} ${string}`;
 
 /** A line of the table. */
 export interface Row {
@@ -39,15 +39,8 @@ export interface Index {
   readonly words: ReadonlySet<string>;
 }
 
-/** Words that say in which direction, how much, or nothing at all: they rank what is found, and keep nothing from being found. */
-const LIGHT = new Set(
-  `a an and at be for from has have he her his i in is it its like looks make more less much of on or she slightly so some that the their them they to too under very was were
-  with without no not not bit little wide wider narrow narrower big bigger large larger small smaller long longer short shorter high higher low lower great old older
-  young younger thick thicker thin thinner dark darker light lighter full fuller bright brighter deep deeper broad broader strong stronger
-  o os as um uma e de do da dos das no na nos nas em com sem mais menos muito pouco maior menor grande pequeno largo estreito comprido curto alto baixo grosso fino
-  der die das den dem ein eine einen einer und im in am mit ohne sehr mehr weniger zu etwas weit weiter eng enger gross grosse grosser grosses groesser grossere klein kleine kleiner breit breite breiter
-  schmal schmale schmaler lang lange langer kurz kurze kurzer hoch hoher tief tiefer dick dicke dicker dunn dunne dunner hell heller dunkel dunkler`.split(/\s+/),
-);
+/** The line of words that are of no thing. */
+const LIGHT_LINE = 'light words';
 const LIGHT_WEIGHT = 0.3;
 /** Endings by which forms of a word differ: `scared` is none of `scar`; and those of plurals. */
 const PLURALS = new Set(['', 's', 'es', 'n', 'en']);
@@ -75,7 +68,11 @@ export function tableOf(text: string): Row[] {
   });
 }
 
-export const TABLE: readonly Row[] = tableOf(table);
+const LINES = tableOf(table);
+/** Words that say in which direction, how much, or nothing at all: they rank what is found, and keep nothing from being found. */
+const LIGHT: ReadonlySet<string> = new Set(LINES.find(({ thing }) => thing === LIGHT_LINE)?.called.flatMap(wordsOf));
+/** What there is to be found. */
+export const TABLE: readonly Row[] = LINES.filter(({ thing }) => thing !== LIGHT_LINE);
 
 /** The words of a text: small letters without accents. */
 export function wordsOf(text: string): string[] {

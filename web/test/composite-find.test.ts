@@ -136,7 +136,7 @@ test('words of direction do not keep from finding, and a whole description finds
 test('where nothing is found, what is written most like it is proposed', () => {
   for (const [typed, meant] of [
     ['mustosh', 'mustache'],
-    ['freckels', 'freckles'],
+    ['freqkles', 'freckles'],
     ['cheakbones', 'cheekbones'],
     ['wrinckle', 'wrinkled'],
     ['bigod', 'bigode'],
@@ -163,7 +163,7 @@ test('every feature, style, thing worn, mark and panel has words in three langua
   expect(new Set(known).size).toBe(known.length);
   // Hair has no words of its own where its name says all.
   for (const thing of there.filter((one) => !/^(hair|beard) /.test(one))) expect(known).toContain(thing);
-  for (const thing of known.filter((one) => !/^(style|tab) /.test(one))) expect(there).toContain(thing);
+  for (const thing of known.filter((one) => !/^(style|tab|light) /.test(one))) expect(there).toContain(thing);
   for (const line of table.split('\n').slice(1, -1)) expect(line.split('\t'), line).toHaveLength(5);
   expect(rows.flatMap(({ called }) => called).length).toBeGreaterThan(900);
 });
