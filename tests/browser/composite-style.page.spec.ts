@@ -46,7 +46,6 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   await expect(page.getByRole('button', { name: 'Round glasses' })).toHaveAttribute('aria-pressed', 'true');
   const dressed = await picture(page);
   expect(dressed).not.toBe(bare);
-  await page.waitForTimeout(800);
   await page.reload();
   await expect(page.locator('raconteur-composite[data-ready]')).toBeAttached({ timeout: 60_000 });
   await tab(page, 'Style');

@@ -27,7 +27,6 @@ test('what the browser kept is there again, and a hostile file loses nothing', a
   await page.getByRole('tab', { name: 'History' }).click();
   const present = page.locator('.steps-list [aria-current="step"]');
   await expect(present).toContainText('weight');
-  await page.waitForTimeout(800);
   await page.reload();
   await ready(page);
   await page.getByRole('tab', { name: 'Features' }).click();
@@ -170,7 +169,6 @@ test('two editors come back with their work: where they are moved, taken away, a
 
   // The browser keeps the work of each under its own name.
   await one.editor.evaluate((e: RaconteurComposite) => e.undo());
-  await page.waitForTimeout(800);
   await page.reload();
   await Promise.all([one.ready(), two.ready()]);
   expect(await one.editor.evaluate((e: RaconteurComposite) => e.save()?.here)).toBe(0);

@@ -8,6 +8,7 @@ import { AGEING, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
 import { lookOf, type Person } from './people.js';
+import { isLibraryName, readScene, type Scene } from './scene.js';
 import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
@@ -35,6 +36,8 @@ interface Page {
   shown(): void;
   /** The stage is to show something else. */
   moved(): void;
+  /** Somebody else of the library is to show the face. */
+  cast(figure: string): void;
 }
 
 export class App {
@@ -270,6 +273,19 @@ export class App {
       this.faces.restore(kept);
       throw error;
     }
+    this.#setScene(readScene(saved));
+  }
+
+  /** How the face is shown. */
+  get scene(): Scene {
+    const { figure } = this.player;
+    return { ...(isLibraryName(figure) ? { figure } : {}), light: this.light, view: this.view.from };
+  }
+
+  #setScene({ figure, light, view }: Scene): void {
+    if (figure !== undefined && figure !== this.player.figure) this.page.cast(figure);
+    if (light !== undefined) this.relight(light);
+    if (view !== undefined) this.view.look(view);
   }
 
   /** Names the face that is shown. */
@@ -280,7 +296,7 @@ export class App {
   }
 
   save(): Saved {
-    return this.history.save(this.size);
+    return { ...this.history.save(this.size), scene: this.scene };
   }
 
   /** What a session remembers of its pack. */

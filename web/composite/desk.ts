@@ -4,6 +4,7 @@ import type { TemplateResult } from 'lit';
 import type { App, Tab } from './app.js';
 import { finderOf } from './finder.js';
 import { HistoryPanel } from './history-panel.js';
+import { KeptPanel, type Sessions } from './kept-panel.js';
 import { LookPanel } from './look-panel.js';
 import { marks } from './marks-panel.js';
 import { features, heldList } from './panels.js';
@@ -20,12 +21,15 @@ export class Desk {
   readonly #thumbnails: Thumbnails;
   readonly #panels: Readonly<Record<Tab, () => TemplateResult>>;
 
-  /** `place` is where players for pictures go, unseen. */
-  constructor(app: App, place: HTMLElement, tell: Tell) {
+  /** `place` is where players for pictures go, unseen; `sessions` are those that the browser keeps, if it does. */
+  constructor(app: App, place: HTMLElement, tell: Tell, sessions?: Sessions) {
     const portraits = (this.#portraits = new Portraits(app, place));
-    const thumbnails = (this.#thumbnails = new Thumbnails(app, () => app.redraw()));
+    const thumbnails = (this.#thumbnails = new Thumbnails(app, (picture) => {
+      sessions?.session.pictured(picture, () => app.save());
+      app.redraw();
+    }));
     const looks = new LookPanel(app);
-    const past = new HistoryPanel(app, thumbnails);
+    const past = new HistoryPanel(app, thumbnails, sessions && new KeptPanel(app, sessions));
     const pictures = new Pictures(app, place, tell);
     const index = finderOf(app.faces.pack.attributes);
     const segments = new SegmentPictures(app.faces);

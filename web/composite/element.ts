@@ -19,10 +19,11 @@ import look from './composite.css?inline';
 import { Desk } from './desk.js';
 import { Fine } from './fine.js';
 import { handle } from './hands.js';
-import type { Saved } from './history.js';
+import { History, type Saved } from './history.js';
 import pictures from './pictures.css?inline';
 import { fetchSaved } from './saved.js';
-import { Session } from './session.js';
+import { readScene } from './scene.js';
+import { Session, type Opened } from './session.js';
 import { rest, speaking, views } from './stage.js';
 import { reason, type Tell } from './tell.js';
 import { TABS, template } from './template.js';
@@ -135,6 +136,8 @@ export class RaconteurComposite extends LitElement {
   async open(saved: unknown): Promise<void> {
     await this.#ready;
     this.#app?.open(saved);
+    // What was open before is still kept.
+    this.#session?.begin();
     this.#changed();
     await this.#app?.shownAsItIs;
   }
@@ -279,7 +282,11 @@ export class RaconteurComposite extends LitElement {
       this.#share = share;
       this.requestUpdate();
     };
-    const [faces, kept] = await Promise.all([openFaces(pack('people.faces'), pack('people.skins'), { progress }), this.#session?.open(), rest(player)]);
+    const kept = await this.#session?.open();
+    const { figure } = readScene(kept?.saved);
+    // Who showed the face shows it again: nobody else need come first.
+    if (figure !== undefined) player.figure = this.figure = figure;
+    const [faces] = await Promise.all([openFaces(pack('people.faces'), pack('people.skins'), { progress }), rest(player)]);
     const app = new App(player, faces, {
       draw: () => this.requestUpdate(),
       say: (message) => {
@@ -288,13 +295,21 @@ export class RaconteurComposite extends LitElement {
       },
       changed: () => this.#changed(),
       shown: () => this.#desk?.shown(),
-      moved: () => this.#fine?.changed(),
+      moved: () => {
+        this.#fine?.changed();
+        if (this.#app !== undefined) this.#session?.keepSoon(() => app.save());
+      },
+      cast: (name) => {
+        this.figure = name;
+      },
     });
-    if (kept !== undefined) this.#reopen(app, kept);
+    if (kept !== undefined) this.#goOn(app, kept);
     else if (this.src) this.#reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))));
     handle(app, pad);
     this.#fine = new Fine(app, place, over);
-    this.#desk = new Desk(app, place, this.#tell);
+    const session = this.#session;
+    const sessions = session && { session, open: (id: string) => this.#openKept(app, session, id), begin: () => this.#beginAnew(app, session) };
+    this.#desk = new Desk(app, place, this.#tell, sessions);
     await app.show();
     this.#app = app;
     app.view.look({});
@@ -303,14 +318,46 @@ export class RaconteurComposite extends LitElement {
     await this.updateComplete;
   }
 
-  /** Begins with a session; without one where it cannot be read. */
-  #reopen(app: App, saved: unknown): void {
-    if (saved === undefined) return;
+  /** Begins with a session; without one where it cannot be read. Whether it could be. */
+  #reopen(app: App, saved: unknown): boolean {
+    if (saved === undefined) return false;
     try {
       app.open(saved);
+      return true;
     } catch (error) {
       this.#tell.trouble(`The last session could not be opened: ${reason(error)}`);
+      return false;
     }
+  }
+
+  /** Begins with what the browser has kept; what cannot be read stays there as it is. */
+  #goOn(app: App, { saved, isCopy }: Opened): void {
+    if (!this.#reopen(app, saved)) this.#session?.begin();
+    else if (isCopy) this.#tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Kept sessions.');
+    else this.#session?.adopt(app.save());
+  }
+
+  /** Opens a session that the browser has kept; the one before is kept, too. */
+  async #openKept(app: App, session: Session, id: string): Promise<void> {
+    try {
+      const saved = await session.read(id);
+      if (saved === undefined) throw new Error('It is not there any more.');
+      app.open(saved);
+      const isOwn = await session.goOn(id, undefined);
+      if (isOwn) session.adopt(app.save());
+      this.#told();
+      if (!isOwn) this.#tell.trouble('Another tab has this session open: this is a copy of it.');
+      await app.shownAsItIs;
+    } catch (error) {
+      this.#tell.trouble(`The session could not be opened: ${reason(error)}`);
+    }
+  }
+
+  /** Leaves the session as it is kept, and begins another. */
+  #beginAnew(app: App, session: Session): void {
+    session.begin();
+    app.open(new History().save(app.size));
+    this.#told();
   }
 
   async #openSource(src: string): Promise<void> {
@@ -324,8 +371,15 @@ export class RaconteurComposite extends LitElement {
   #changed(): void {
     const app = this.#app;
     if (app === undefined) return;
+    this.#session?.keep(app.save());
+    this.#told();
+  }
+
+  /** Tells the page where the history is. */
+  #told(): void {
+    const app = this.#app;
+    if (app === undefined) return;
     this.#tell.trouble('');
-    this.#session?.keep(() => app.save());
     const { steps, here } = app.history;
     const step = steps[here];
     this.#fire('change', { label: step === undefined ? '' : (step.name ?? label(step.act)), steps: steps.length - 1 });

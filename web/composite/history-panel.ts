@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { label } from './acts.js';
 import type { App } from './app.js';
 import type { Step } from './history.js';
+import type { KeptPanel } from './kept-panel.js';
 import type { Thumbnails } from './thumbnails.js';
 
 /** Steps that are listed at once. */
@@ -22,6 +23,7 @@ export class HistoryPanel {
   constructor(
     private readonly app: App,
     private readonly thumbnails: Thumbnails,
+    private readonly kept: KeptPanel | undefined,
   ) {}
 
   draw(): TemplateResult {
@@ -39,6 +41,7 @@ export class HistoryPanel {
     return html`<form class="line" @submit=${name}>
         <label class="select"><span>Name this face</span><input type="text" maxlength="60" .value=${steps[here]?.name ?? ''} autocomplete="off" /></label><button type="submit" class="plain">Name</button>
       </form>
+      ${this.kept?.draw() ?? nothing}
       ${named.length === 0 ? nothing : html`<h3>Named</h3><ul class="steps-list" aria-label="Named faces">${named.map(({ i, step }) => entry(i, step))}</ul>`}
       <h3>${steps.length === 1 ? 'Nothing was changed' : steps.length === 2 ? '1 step' : `${steps.length - 1} steps`}</h3>
       ${this.#leaves(first)}

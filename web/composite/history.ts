@@ -1,6 +1,7 @@
 /** The history of a face: a tree, because who goes back and does something else keeps what was there. */
 
 import { isAct, type Act } from './acts.js';
+import type { Scene } from './scene.js';
 
 /** One step. */
 export interface Step {
@@ -14,11 +15,14 @@ export interface Step {
 /** A history as it is saved; the format of files and of what the browser keeps. */
 export interface Saved {
   readonly format: 'raconteur-composite';
-  readonly version: 1;
+  /** The first version had no scene. */
+  readonly version: 1 | 2;
   /** How many faces and vertices the pack has that its numbers are of. */
   readonly pack: { readonly faces: number; readonly vertices: number };
   readonly steps: readonly Step[];
   readonly here: number;
+  /** How the face is shown. */
+  readonly scene?: Scene;
 }
 
 /** A file with more is not read: nobody makes so many by hand. */
@@ -127,14 +131,14 @@ export class History {
   }
 
   save(pack: Saved['pack']): Saved {
-    return { format: 'raconteur-composite', version: 1, pack, steps: this.#steps, here: this.#here };
+    return { format: 'raconteur-composite', version: 2, pack, steps: this.#steps, here: this.#here };
   }
 
   /** The history that was saved; throws an `Error` that says what is wrong with it. */
   static read(saved: unknown, pack: Saved['pack']): History {
     const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof Saved, unknown>>;
     if (format !== 'raconteur-composite') throw new Error('This is no session of the composite editor.');
-    if (version !== 1) throw new Error('This session was saved by a newer version of the composite editor.');
+    if (version !== 1 && version !== 2) throw new Error('This session was saved by a newer version of the composite editor.');
     const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<Saved['pack']>;
     if (faces !== pack.faces || vertices !== pack.vertices) throw new Error('This session was made with another pack of faces.');
     if (!Array.isArray(steps) || steps.length === 0 || steps.length > MOST_STEPS) throw new Error('This session has no steps that can be read.');

@@ -1,17 +1,10 @@
 /** Sessions that the browser keeps, each of one editor at a time. */
 
-import { createStore, del, entries, set } from 'idb-keyval';
-import type { Saved } from './history.js';
+import type { Saved, Step } from './history.js';
+import { Shelf, type Change, type Head, type Listed } from './shelf.js';
 
-/** How long a change waits for others before it is kept. */
-const SOON_MS = 400;
-/** Sessions of one name that are kept; the oldest go. */
-const MOST_SESSIONS = 20;
-
-interface Kept {
-  readonly at: number;
-  readonly saved: Saved;
-}
+/** Views that change are kept so soon after they rest; steps at once. */
+const SOON_MS = 250;
 
 const lockOf = (id: string): string => `raconteur-composite-${id}`;
 
@@ -27,76 +20,230 @@ async function hold(id: string, end: AbortSignal): Promise<boolean> {
   });
 }
 
+/** The session that an editor begins with. */
+export interface Opened {
+  readonly saved: Saved;
+  /** Another editor has it: this is a copy. */
+  readonly isCopy: boolean;
+}
+
 export class Session {
-  readonly #store = createStore('raconteur-composite', 'sessions');
-  #id = '';
+  readonly #shelf: Shelf;
+  /** Under this the tab remembers its session. */
+  readonly #tabKey: string;
+  #id = crypto.randomUUID() as string;
+  /** Ends when this editor lets others have its session. */
+  #held = new AbortController();
+  /** Ends what listens to the page. */
+  #open = new AbortController();
+  /** The steps as they were given to be kept, and the scene. */
+  #given: Step[] = [];
+  #scene = '';
+  #picture: string | undefined;
+  /** What IndexedDB has not confirmed: steps by their number, each with the number of the change that it came with. */
+  readonly #pending = new Map<number, { readonly step: Step; readonly change: number }>();
+  #changes = 0;
+  /** The last change of each session that this editor has had. */
+  readonly #last = new Map<string, number>();
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  #latest: (() => Saved) | undefined;
-  #end = new AbortController();
+  #soon: (() => Saved) | undefined;
 
   /** `name` tells the sessions of one page from those of another; `trouble` hears when the browser cannot keep the session. */
   constructor(
-    private readonly name: string,
+    name: string,
     private readonly trouble: (reason: string) => void,
-  ) {}
+  ) {
+    this.#shelf = new Shelf(name);
+    this.#tabKey = `raconteur-composite ${name}`;
+  }
 
-  /**
-   * The session that was worked on last, where no other editor has it; else a copy of it, which is this editor's own.
-   * Nothing where there is none.
-   */
-  async open(): Promise<unknown> {
+  get id(): string {
+    return this.#id;
+  }
+
+  /** The session that was worked on last, where no other editor has it; else a copy of it, which is this editor's own. Nothing where there is none. */
+  async open(): Promise<Opened | undefined> {
     this.#listen();
     try {
-      this.#id = crypto.randomUUID();
-      const all = (await entries<[name: string, id: string], Kept>(this.#store)).filter(([[name]]) => name === this.name);
-      all.sort(([, a], [, b]) => b.at - a.at);
-      const [latest] = all;
-      for (const [old] of all.slice(MOST_SESSIONS)) await del(old, this.#store);
-      if (latest !== undefined && (await hold(latest[0][1], this.#end.signal))) this.#id = latest[0][1];
-      else await hold(this.#id, this.#end.signal);
-      return latest?.[1].saved;
+      await this.#recover();
+      const listed = await this.#shelf.list();
+      // A tab that is loaded again goes on with its own work.
+      const own = this.#ofTab();
+      const latest = listed.find(({ id }) => id === own) ?? listed[0];
+      const saved = latest && (await this.#shelf.read(latest.id));
+      if (latest === undefined || saved === undefined) {
+        await hold(this.#id, this.#held.signal);
+        return undefined;
+      }
+      const isOwn = await hold(latest.id, this.#held.signal);
+      if (isOwn) this.#take(latest.id, latest.picture);
+      else await hold(this.#id, this.#held.signal);
+      return { saved, isCopy: !isOwn && 'locks' in navigator };
     } catch (error) {
       this.#fail(error);
       return undefined;
     }
   }
 
+  #ofTab(): string | undefined {
+    try {
+      return sessionStorage.getItem(this.#tabKey) ?? undefined;
+    } catch {
+      return undefined;
+    }
+  }
+
+  /** What killed tabs have left in their journals goes to where it belongs. */
+  async #recover(): Promise<void> {
+    for (const id of this.#shelf.journals()) {
+      const end = new AbortController();
+      const isFree = (await hold(id, end.signal)) || !('locks' in navigator);
+      const journal = this.#shelf.journal(id);
+      const change = journal.read();
+      if (isFree && change !== undefined) await this.#shelf.put(id, change);
+      if (isFree) journal.write(undefined);
+      end.abort();
+    }
+  }
+
+  /** What is open now is what is kept, where it was read from there. */
+  adopt({ steps, scene }: Saved): void {
+    this.#given = [...steps];
+    this.#scene = JSON.stringify(scene);
+  }
+
+  /** From now on it is another session, which is kept as a whole with its first step; the one before stays. */
+  begin(): void {
+    this.#now();
+    this.#held.abort();
+    this.#held = new AbortController();
+    this.#take(crypto.randomUUID(), undefined);
+    void hold(this.#id, this.#held.signal);
+  }
+
+  #take(id: string, picture: string | undefined): void {
+    this.#id = id;
+    try {
+      sessionStorage.setItem(this.#tabKey, id);
+    } catch {
+      // Then the latest session of all tabs is opened next time.
+    }
+    this.#picture = picture;
+    this.#given = [];
+    this.#scene = '';
+    this.#pending.clear();
+  }
+
+  /** Keeps what is new of a session, now; a face that nobody has changed is kept only `always`. */
+  keep(saved: Saved, always = false): void {
+    clearTimeout(this.#waiting);
+    this.#soon = undefined;
+    const { steps } = saved;
+    if (!always && this.#given.length === 0 && steps.length === 1) return;
+    const change = ++this.#changes;
+    steps.forEach((step, i) => {
+      if (this.#given[i] !== step) this.#pending.set(i, { step, change });
+    });
+    this.adopt(saved);
+    const id = this.#id;
+    this.#last.set(id, change);
+    const head = this.#head(saved);
+    const whole: Change = { head, steps: [...this.#pending].map(([i, { step }]) => [i, step]) };
+    const journal = this.#shelf.journal(id);
+    journal.write(whole);
+    this.#shelf.put(id, whole).then(
+      () => {
+        if (id === this.#id) for (const [i, pending] of this.#pending) if (pending.change <= change) this.#pending.delete(i);
+        // A later change has written all that was pending by then.
+        if (change === this.#last.get(id)) journal.write(undefined);
+      },
+      (error: unknown) => this.#fail(error),
+    );
+  }
+
+  #head({ pack, here, steps, scene }: Saved): Head {
+    const title = steps[here]?.name;
+    return { at: Date.now(), pack, here, count: steps.length, scene, title, picture: this.#picture };
+  }
+
+  /** Keeps how the face is shown once that rests, where it is another way than it was. */
+  keepSoon(latest: () => Saved): void {
+    this.#soon = latest;
+    clearTimeout(this.#waiting);
+    this.#waiting = setTimeout(() => this.#now(), SOON_MS);
+  }
+
+  /** The face as a small picture, which goes with what is kept next. */
+  pictured(picture: string, latest: () => Saved): void {
+    this.#picture = picture;
+    if (this.#given.length > 0) this.keep(latest());
+  }
+
+  #now(): void {
+    clearTimeout(this.#waiting);
+    const saved = this.#soon?.();
+    this.#soon = undefined;
+    if (saved === undefined) return;
+    const scene = JSON.stringify(saved.scene);
+    // What the editor began with is no change.
+    if (this.#scene === '') this.#scene = scene;
+    if (scene !== this.#scene) this.keep(saved, true);
+  }
+
+  // --- the list ---
+
+  /** All kept sessions, the latest first, and which of them other editors have. */
+  async list(): Promise<{ readonly listed: readonly Listed[]; readonly taken: ReadonlySet<string> }> {
+    const [listed, locks] = await Promise.all([this.#shelf.list(), 'locks' in navigator ? navigator.locks.query() : undefined]);
+    const names = new Set(locks?.held?.map(({ name }) => name));
+    return { listed, taken: new Set(listed.map(({ id }) => id).filter((id) => id !== this.#id && names.has(lockOf(id)))) };
+  }
+
+  /** A kept session, to be opened. */
+  read(id: string): Promise<Saved | undefined> {
+    return this.#shelf.read(id);
+  }
+
+  /** Goes on with a kept session; false where another editor has it: then what is kept is a copy. */
+  async goOn(id: string, picture: string | undefined): Promise<boolean> {
+    const end = new AbortController();
+    if (!(await hold(id, end.signal))) {
+      this.begin();
+      return false;
+    }
+    this.#now();
+    this.#held.abort();
+    this.#held = end;
+    this.#take(id, picture);
+    return true;
+  }
+
+  async delete(id: string): Promise<void> {
+    await this.#shelf.delete(id);
+  }
+
+  // --- life ---
+
   /** Lets others have the session; what waits is kept. */
   close(): void {
-    this.#keepNow();
-    this.#end.abort();
+    this.#now();
+    this.#open.abort();
+    this.#held.abort();
   }
 
   /** Goes on after `close`, with a copy where another editor has taken the session. */
   async resume(): Promise<void> {
-    this.#end = new AbortController();
+    this.#open = new AbortController();
+    this.#held = new AbortController();
     this.#listen();
-    if (await hold(this.#id, this.#end.signal)) return;
-    this.#id = crypto.randomUUID();
-    await hold(this.#id, this.#end.signal);
-  }
-
-  /** Keeps a session soon. */
-  keep(latest: () => Saved): void {
-    this.#latest = latest;
-    this.#waiting ??= setTimeout(() => this.#keepNow(), SOON_MS);
+    if (!(await hold(this.#id, this.#held.signal))) this.begin();
   }
 
   /** What waits is kept before the tab goes. */
   #listen(): void {
-    const { signal } = this.#end;
-    document.addEventListener('visibilitychange', () => document.hidden && this.#keepNow(), { signal });
-    addEventListener('pagehide', () => this.#keepNow(), { signal });
-  }
-
-  #keepNow(): void {
-    clearTimeout(this.#waiting);
-    this.#waiting = undefined;
-    const latest = this.#latest;
-    this.#latest = undefined;
-    if (latest === undefined) return;
-    const kept: Kept = { at: Date.now(), saved: latest() };
-    set([this.name, this.#id], kept, this.#store).catch((error: unknown) => this.#fail(error));
+    const { signal } = this.#open;
+    document.addEventListener('visibilitychange', () => document.hidden && this.#now(), { signal });
+    addEventListener('pagehide', () => this.#now(), { signal });
   }
 
   #fail(error: unknown): void {

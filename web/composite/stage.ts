@@ -6,6 +6,7 @@ import type { Light } from '../element/types.js';
 import { lookFrom } from '../pages/head-view.js';
 import { SETTLED_SECS } from '../pages/page-state.js';
 import type { App } from './app.js';
+import { LIGHTS } from './scene.js';
 import { saying, still } from './script.js';
 import { reason, type Tell } from './tell.js';
 
@@ -20,7 +21,6 @@ export async function rest(player: RaconteurPlayer): Promise<void> {
   player.currentTime = SETTLED_SECS;
 }
 
-const LIGHTS: Readonly<Record<Light, string>> = { stage: 'Stage', daylight: 'Window', evening: 'Lamp', studio: 'Studio' };
 /** One press turns the lamps by so much, radians. */
 const LIGHT_TURN = Math.PI / 6;
 

@@ -23,7 +23,7 @@ export class Thumbnails {
   /** `drawn` hears of each new picture. */
   constructor(
     private readonly app: Pick<App, 'history' | 'player' | 'resting'> & { readonly view: Pick<App['view'], 'zoom'> },
-    private readonly drawn: () => void,
+    private readonly drawn: (picture: string) => void,
   ) {}
 
   /** The picture of a step, as a data URL; undefined where there is none. */
@@ -49,8 +49,9 @@ export class Thumbnails {
     if (!resting || !player.paused || this.of(history.here) !== undefined) return;
     const picture = player.snapshot();
     if (picture === undefined) return;
-    this.keep(history.here, cropped(picture, SIZE, Math.min(1, view.zoom / NEAR)).toDataURL('image/webp', 0.8));
-    this.drawn();
+    const small = cropped(picture, SIZE, Math.min(1, view.zoom / NEAR)).toDataURL('image/webp', 0.8);
+    this.keep(history.here, small);
+    this.drawn(small);
   }
 }
 

@@ -59,7 +59,7 @@ test('sessions that cannot be used are refused by their fault', () => {
     [undefined, /no session/],
     ['text', /no session/],
     [{ ...good, format: 'other' }, /no session/],
-    [{ ...good, version: 2 }, /newer/],
+    [{ ...good, version: 3 }, /newer/],
     [{ ...good, pack: { faces: 9, vertices: 5 } }, /another pack/],
     [{ ...good, steps: [] }, /no steps/],
     [{ ...good, steps: [...good.steps, { ...step, parent: 1 }] }, /Step 2/],

@@ -1,0 +1,146 @@
+/**
+ * Where the browser keeps sessions: IndexedDB, step by step, so that a step costs the same however many there are;
+ * and what IndexedDB has not confirmed, in a journal that is written at once, since a tab that is killed takes what is on its way with it.
+ */
+
+import { createStore, promisifyRequest } from 'idb-keyval';
+import type { Saved, Step } from './history.js';
+
+/** What is known of a kept session without its steps. */
+export interface Head {
+  /** When it was changed last, milliseconds since 1970. */
+  readonly at: number;
+  readonly pack: Saved['pack'];
+  readonly here: number;
+  readonly count: number;
+  readonly scene?: Saved['scene'];
+  /** The name of its face. */
+  readonly title?: string | undefined;
+  /** Its face, as a data URL. */
+  readonly picture?: string | undefined;
+}
+
+/** A kept session in a list. */
+export interface Listed extends Head {
+  readonly id: string;
+}
+
+/** What of a session is new. */
+export interface Change {
+  readonly head: Head;
+  readonly steps: readonly (readonly [step: number, Step])[];
+}
+
+const JOURNAL = 'raconteur-composite ';
+
+/** Keys of heads and steps; those of the old form, which held a session in one piece, are a name and an identifier. */
+const headKey = (name: string, id: string) => ['head', name, id];
+const stepKey = (name: string, id: string, step: number) => ['step', name, id, step];
+const below = (key: readonly string[]): IDBKeyRange => IDBKeyRange.bound([...key], [...key, []]);
+
+/** The sessions of one name. */
+export class Shelf {
+  readonly #store = createStore('raconteur-composite', 'sessions');
+
+  constructor(private readonly name: string) {}
+
+  /** Puts what is new of a session, all or nothing. */
+  async put(id: string, { head, steps }: Change): Promise<void> {
+    await this.#store('readwrite', (store) => {
+      for (const [i, step] of steps) store.put(step, stepKey(this.name, id, i));
+      store.put(head, headKey(this.name, id));
+      // Nothing else comes: without this the browser waits for the next turn of a page that may be gone by then.
+      store.transaction.commit();
+      return promisifyRequest(store.transaction);
+    });
+  }
+
+  /** All sessions, the latest first. */
+  async list(): Promise<Listed[]> {
+    await this.#renew();
+    const [keys, heads] = await this.#all<Head>(below(['head', this.name]));
+    const listed = heads.map((head, i) => ({ ...head, id: String((keys[i] as string[])[2]) }));
+    return listed.sort((a, b) => b.at - a.at);
+  }
+
+  /** A session as it was saved; undefined where there is none. */
+  async read(id: string): Promise<Saved | undefined> {
+    const head = await this.#store('readonly', (store) => promisifyRequest<Head | undefined>(store.get(headKey(this.name, id))));
+    if (head === undefined) return undefined;
+    const [, steps] = await this.#all<Step>(below(['step', this.name, id]));
+    const { pack, here, scene } = head;
+    return { format: 'raconteur-composite', version: 2, pack, steps, here, ...(scene === undefined ? {} : { scene }) };
+  }
+
+  async delete(id: string): Promise<void> {
+    this.journal(id).write(undefined);
+    await this.#store('readwrite', (store) => {
+      store.delete(headKey(this.name, id));
+      store.delete(below(['step', this.name, id]));
+      return promisifyRequest(store.transaction);
+    });
+  }
+
+  /** The journal of a session. */
+  journal(id: string): Journal {
+    return new Journal(JOURNAL + JSON.stringify([this.name, id]));
+  }
+
+  /** The sessions of this name that have a journal. */
+  journals(): string[] {
+    return keysOfStorage().flatMap((key) => {
+      const [name, id] = key.startsWith(JOURNAL) ? (JSON.parse(key.slice(JOURNAL.length)) as [string, string]) : [];
+      return name === this.name && id !== undefined ? [id] : [];
+    });
+  }
+
+  async #all<T>(range: IDBKeyRange): Promise<[keys: IDBValidKey[], values: T[]]> {
+    return await this.#store('readonly', (store) => Promise.all([promisifyRequest(store.getAllKeys(range)), promisifyRequest<T[]>(store.getAll(range))]));
+  }
+
+  /** Brings sessions of the old form into this one. */
+  async #renew(): Promise<void> {
+    const [keys, old] = await this.#all<{ readonly at: number; readonly saved: Saved }>(below([this.name]));
+    for (const [i, kept] of old.entries()) {
+      const key = keys[i] as string[];
+      const { at, saved } = kept ?? {};
+      if (key.length !== 2 || !Array.isArray(saved?.steps)) continue;
+      const { pack, here, steps } = saved;
+      await this.put(String(key[1]), { head: { at: at ?? 0, pack, here, count: steps.length }, steps: [...steps.entries()] });
+      await this.#store('readwrite', (store) => promisifyRequest(store.delete(key)));
+    }
+  }
+}
+
+/** What of a session is on its way; written before anything else happens. */
+export class Journal {
+  constructor(private readonly key: string) {}
+
+  /** Whether it is written; where a page may not store anything so, IndexedDB alone keeps what there is. */
+  write(change: Change | undefined): boolean {
+    try {
+      if (change === undefined) localStorage.removeItem(this.key);
+      else localStorage.setItem(this.key, JSON.stringify(change));
+      return true;
+    } catch {
+      return false;
+    }
+  }
+
+  read(): Change | undefined {
+    try {
+      const { head, steps } = JSON.parse(localStorage.getItem(this.key) ?? '') as Partial<Change>;
+      return head !== undefined && Array.isArray(steps) ? { head, steps } : undefined;
+    } catch {
+      return undefined;
+    }
+  }
+}
+
+function keysOfStorage(): string[] {
+  try {
+    return Object.keys(localStorage);
+  } catch {
+    return [];
+  }
+}
