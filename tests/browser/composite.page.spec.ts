@@ -258,6 +258,38 @@ test.describe('in one visit', () => {
     await search.fill('');
   });
 
+  test('sessions out of all bounds are refused by what is wrong with them, and nothing changes', async () => {
+    await group(page, 'overall');
+    await set(page, 'weight', '0.5');
+    const refused = await page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite) => {
+      const good = e.save();
+      const region = { segments: ['nose'] };
+      const scaled = { kind: 'transform', scale: [1, 1, 1e9], turn: [0, 0, 0], way: [0, 0, 0], region };
+      const grown = { kind: 'transform', scale: [4, 4, 4], turn: [0, 0, 0], way: [0, 0, 0], region };
+      const tried = async (acts: readonly unknown[]): Promise<string> => {
+        const steps = [...(good?.steps.slice(0, 1) ?? []), ...acts.map((act, i) => ({ parent: i, act }))];
+        return await e.open({ ...good, steps, here: acts.length }).then(
+          () => 'opened',
+          (error: Error) => error.message,
+        );
+      };
+      return [
+        await tried([scaled]),
+        await tried([{ kind: 'add', part: 'shape', name: 'weight', amount: 1e308, region: {} }]),
+        await tried(Array.from({ length: 1_000_000 }, () => ({ kind: 'average' }))),
+        // Each step is within its limits, all of them together are not.
+        await tried(Array.from({ length: 40 }, () => grown)),
+      ];
+    });
+    expect(refused.slice(0, 3)).toEqual([
+      'This session cannot be read. Step 1: scale 1000000000 is more than 4.',
+      'This session cannot be read. Step 1: amount 1e+308 is more than 20.',
+      'This session has 1000001 steps, more than 10000.',
+    ]);
+    expect(refused[3]).not.toBe('opened');
+    await expect(value(page, 'weight')).toHaveValue('0.5');
+  });
+
   test('a description chooses faces, and parts of them are taken over', async () => {
     await page.getByRole('tab', { name: 'Parts' }).click();
     await page.getByRole('checkbox', { name: 'nose', exact: true }).check();

@@ -2,7 +2,6 @@
 
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
 import type { FaceLook, FaceMark } from '../element/types.js';
-import { isLook, isMark, MOST_MARKS } from './look.js';
 import { keptWith } from './words.js';
 
 type Three = readonly [number, number, number];
@@ -24,6 +23,8 @@ export type Act =
       /** Sex, weight, age and the other features of its group keep their values. */
       readonly alone?: boolean;
     }
+  /** So much more of an attribute on the left half, and less on the right. */
+  | { readonly kind: 'asymmetry'; readonly part: FacePart; readonly name: string; readonly amount: number; readonly region: FaceRegion }
   /** More or less of the course of a life, in shape and texture. */
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
   | { readonly kind: 'caricature'; readonly part: FacePart; readonly level: number; readonly region: FaceRegion }
@@ -45,7 +46,37 @@ export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[])
   const now = act.kind === 'hold' ? act.held : held;
   const reached = now.length > 0 && act.kind === 'add' && isWhole(act.region) ? reaches(faces, act) : undefined;
   alter(faces, act);
-  if (now.length > 0) faces.constrain(reached === undefined ? now : [...now, reached]);
+  if (now.length > 0) hold(faces, reached === undefined ? now : [...now, reached]);
+}
+
+/** Brings the face to what is held; what cannot be says which two values contradict each other. */
+function hold(faces: Faces, all: readonly FaceConstraint[]): void {
+  try {
+    faces.constrain(all);
+  } catch (error) {
+    const both = contradiction(faces, all);
+    if (both === undefined) throw error;
+    const [one, other] = both.map((h) => `${h.name} ${signed(h.value)}${h.part === 'texture' ? ', texture' : ''}${where(h)}`);
+    throw new Error(`No face has both: ${one}, and ${other}. Let go of one of them.`, { cause: error });
+  }
+}
+
+/** Two values that no face has both; undefined where it takes more than two to contradict each other. */
+function contradiction(faces: Faces, all: readonly FaceConstraint[]): readonly [FaceConstraint, FaceConstraint] | undefined {
+  const from = faces.keep();
+  const meets = (some: readonly FaceConstraint[]): boolean => {
+    try {
+      faces.constrain(some);
+      return true;
+    } catch {
+      return false;
+    } finally {
+      faces.restore(from);
+    }
+  };
+  const last = all.find((_, i) => !meets(all.slice(0, i + 1)));
+  const other = last && all.slice(0, all.indexOf(last)).find((h) => h.part === last.part && !meets([h, last]));
+  return last === undefined || other === undefined ? undefined : [other, last];
 }
 
 const isWhole = ({ segments = [], half }: FaceRegion): boolean => segments.length === 0 && half === undefined;
@@ -78,6 +109,10 @@ function alter(faces: Faces, act: Act): void {
       break;
     case 'add':
       add(faces, act);
+      break;
+    case 'asymmetry':
+      faces.add(act.part, act.name, act.amount, { ...act.region, half: 'left' });
+      faces.add(act.part, act.name, -act.amount, { ...act.region, half: 'right' });
       break;
     case 'age':
       for (const { part, name } of faces.pack.attributes) if (name === AGEING) faces.add(part, name, act.amount, act.region);
@@ -126,10 +161,12 @@ export function label(act: Act): string {
       return `Face ${act.index + 1} of the database`;
     case 'add':
       return `${act.name} ${signed(act.amount)}${act.part === 'texture' ? ', texture' : ''}${where(act.region)}`;
+    case 'asymmetry':
+      return `${act.name} ${signed(act.amount)} left, ${signed(-act.amount)} right${act.part === 'texture' ? ', texture' : ''}${where(act.region)}`;
     case 'age':
-      return `${act.amount > 0 ? 'older' : 'younger'}${where(act.region)}`;
+      return `${act.amount > 0 ? 'older' : 'younger'} ${signed(act.amount)}${where(act.region)}`;
     case 'caricature':
-      return `${act.level > 1 ? 'more' : 'less'} of itself, ${act.part}${where(act.region)}`;
+      return `${act.level > 1 ? 'more' : 'less'} of itself ${signed(100 * (act.level - 1), 0)} %, ${act.part}${where(act.region)}`;
     case 'import':
       return `from face ${act.index + 1}, ${act.part}${where(act.region)}`;
     case 'transform':
@@ -141,58 +178,5 @@ export function label(act: Act): string {
     case 'look':
     case 'marks':
       return act.what;
-  }
-}
-
-const PARTS: readonly string[] = ['shape', 'texture'];
-const isNumber = (x: unknown): x is number => typeof x === 'number' && Number.isFinite(x);
-const isThree = (x: unknown): boolean => Array.isArray(x) && x.length === 3 && x.every(isNumber);
-const isText = (x: unknown): boolean => typeof x === 'string' && x.length < 200;
-const isCount = (x: unknown): boolean => Number.isSafeInteger(x) && (x as number) >= 0;
-const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null;
-
-function isRegion(x: unknown): boolean {
-  if (!isRecord(x)) return false;
-  const { segments = [], half } = x;
-  return Array.isArray(segments) && segments.length < 100 && segments.every(isText) && (half === undefined || half === 'left' || half === 'right');
-}
-
-const isFlag = (x: unknown): boolean => x === undefined || typeof x === 'boolean';
-const isPart = (x: unknown): boolean => PARTS.includes(x as string);
-
-/** Whether what a file holds is an act; names and numbers of faces are the model's to refuse. */
-export function isAct(x: unknown): x is Act {
-  if (!isRecord(x)) return false;
-  switch (x['kind']) {
-    case 'average':
-      return true;
-    case 'random':
-      return isCount(x['seed']) && (x['seed'] as number) < 2 ** 32;
-    case 'example':
-      return isCount(x['index']);
-    case 'add':
-      return isPart(x['part']) && isText(x['name']) && isNumber(x['amount']) && isRegion(x['region']) && isFlag(x['withAll']) && isFlag(x['alone']);
-    case 'age':
-      return isNumber(x['amount']) && isRegion(x['region']);
-    case 'caricature':
-      return isPart(x['part']) && isNumber(x['level']) && isRegion(x['region']);
-    case 'import':
-      return isCount(x['index']) && (x['part'] === 'both' || isPart(x['part'])) && isRegion(x['region']);
-    case 'transform':
-      return isThree(x['scale']) && isThree(x['turn']) && isThree(x['way']) && isRegion(x['region']);
-    case 'detail':
-      return isNumber(x['strength']);
-    case 'hold':
-      return (
-        Array.isArray(x['held']) &&
-        x['held'].length < 200 &&
-        x['held'].every((h: unknown) => isRegion(h) && isRecord(h) && isPart(h['part']) && isText(h['name']) && isNumber(h['value']))
-      );
-    case 'look':
-      return isText(x['what']) && isLook(x['look']);
-    case 'marks':
-      return isText(x['what']) && Array.isArray(x['marks']) && x['marks'].length <= MOST_MARKS && x['marks'].every(isMark);
-    default:
-      return false;
   }
 }

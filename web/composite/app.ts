@@ -7,6 +7,7 @@ import { HeadView, SIDES } from '../pages/head-view.js';
 import { AGEING, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
+import { LIMITS } from './limits.js';
 import { lookOf, type Person } from './people.js';
 import { isLibraryName, readScene, type Scene } from './scene.js';
 import { yearsOf } from './words.js';
@@ -53,6 +54,10 @@ export class App {
   sought: string | undefined;
   /** What goes with a feature in people changes with it. */
   withAll = false;
+  /** Features have sliders for their left and right apart. */
+  apart = false;
+  /** What is taken over of a face of the database. */
+  taken: FacePart | 'both' = 'both';
   /** Segments that are changed; all of the head where none is. */
   readonly segments = new Set<string>();
   half: 'left' | 'right' | undefined;
@@ -253,9 +258,16 @@ export class App {
     for (const step of path.slice(from + 1)) {
       const { act, parent } = this.history.steps[step] ?? { act: { kind: 'average' }, parent: 0 };
       perform(this.faces, act, this.history.heldAt(parent));
+      // Steps that each are within their limits grow beyond all bounds together.
+      if (act.kind === 'transform' || act.kind === 'caricature') this.#measure();
       this.#kept.keep(step, this.faces.keep());
     }
     this.#changed();
+  }
+
+  /** Throws where the face is larger than anybody's. */
+  #measure(): void {
+    if (!this.faces.skin().every((x) => Math.abs(x) < LIMITS.reach)) throw new Error(`The face of this session is larger than ${LIMITS.reach} m.`);
   }
 
   /** Opens a history that was saved; the one before stays where it cannot be read or made again. */
@@ -266,6 +278,7 @@ export class App {
       this.history = History.read(saved, this.size);
       this.#kept.clear();
       this.#arrive();
+      this.#measure();
     } catch (error) {
       this.history = before;
       this.#kept.clear();

@@ -35,8 +35,7 @@ const SHOWN_MS = 250;
 const TYPED: readonly string[] = ['number', 'text', 'search'];
 const KEYS: Readonly<Record<string, number>> = { f: SIDES.Front, t: SIDES['Three-quarter'], p: SIDES.Left };
 
-const text = { reflect: true };
-const attributes: PropertyDeclarations = { assets: text, figure: text, src: text, label: text, session: text, backend: text, quality: text };
+const attributes: PropertyDeclarations = { assets: {}, figure: {}, src: {}, label: {}, session: {}, backend: {}, quality: {} };
 
 /** Events of the editor's own; as those of a media element they do not bubble. */
 export interface CompositeEventMap {
@@ -53,7 +52,10 @@ export interface CompositeEventMap {
   error: CustomEvent<{ readonly message: string }>;
 }
 
-/** The custom element. Attributes mirror properties. */
+/**
+ * The custom element. Properties follow its attributes; it writes none on itself. Its role and name are told by
+ * `ElementInternals`, which an author's `role` and `aria-label` override.
+ */
 export class RaconteurComposite extends LitElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
@@ -76,6 +78,8 @@ export class RaconteurComposite extends LitElement {
   /** How much work goes into the picture, as of a player. With `auto`, the default, a stage that is drawn simply is drawn with everything as soon as the face rests. */
   declare quality: Quality;
 
+  // Browsers without it have no role and name for the region, and all else.
+  readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #player: RaconteurPlayer | undefined;
   #app: App | undefined;
   #desk: Desk | undefined;
@@ -105,6 +109,7 @@ export class RaconteurComposite extends LitElement {
 
   constructor() {
     super();
+    if (this.#internals !== undefined) this.#internals.role = 'region';
     this.assets = RaconteurComposite.library;
     this.label = 'Composite editor';
     this.quality = 'auto';
@@ -172,7 +177,6 @@ export class RaconteurComposite extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
     if (this.#player === undefined) return;
     this.#resized.observe(this.#player);
     if (!this.#begun) void this.#begin();
@@ -216,7 +220,7 @@ export class RaconteurComposite extends LitElement {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('label')) this.setAttribute('aria-label', this.label);
+    if (changed.has('label') && this.#internals !== undefined) this.#internals.ariaLabel = this.label;
     if (this.#player === undefined) return;
     this.#player.quality = this.quality;
     // A picture with everything is not what was asked for any longer, or is now.

@@ -31,7 +31,12 @@ export function turnsOf(frames: number): number[] {
 export async function turntable(studio: Studio, watch: Watch): Promise<{ file: Blob; extension: FilmWriter['extension'] }> {
   const { writer, plan } = await open();
   try {
-    for await (const picture of studio.shots(turnsOf(plan.frames), plan, watch)) await writer.add(picture);
+    for await (const picture of studio.shots(
+      turnsOf(plan.frames).map((turn) => ({ turn })),
+      plan,
+      watch,
+    ))
+      await writer.add(picture);
   } catch (error) {
     await writer.cancel();
     throw error;

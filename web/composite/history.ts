@@ -1,6 +1,9 @@
 /** The history of a face: a tree, because who goes back and does something else keeps what was there. */
 
-import { isAct, type Act } from './acts.js';
+import type { FacePart } from '../element/faces.js';
+import type { Act } from './acts.js';
+import { faultOf } from './checks.js';
+import { LIMITS } from './limits.js';
 import type { Scene } from './scene.js';
 
 /** One step. */
@@ -24,9 +27,6 @@ export interface Saved {
   /** How the face is shown. */
   readonly scene?: Scene;
 }
-
-/** A file with more is not read: nobody makes so many by hand. */
-const MOST_STEPS = 1_000_000;
 
 export class History {
   #steps: Step[] = [{ parent: -1, act: { kind: 'average' } }];
@@ -116,6 +116,17 @@ export class History {
     return undefined;
   }
 
+  /** How much of an attribute the left half was given and the right half was taken since the face was begun. */
+  asymmetryAt(index: number, part: FacePart, name: string): number {
+    let sum = 0;
+    for (let at = index; at >= 0; at = this.#step(at).parent) {
+      const { act } = this.#step(at);
+      if (act.kind === 'example' || act.kind === 'average' || act.kind === 'random') break;
+      if (act.kind === 'asymmetry' && act.part === part && act.name === name) sum += act.amount;
+    }
+    return sum;
+  }
+
   /** What is painted on the skin after a step. */
   marksAt(index: number): Extract<Act, { kind: 'marks' }>['marks'] {
     return this.#latest(index, 'marks')?.marks ?? [];
@@ -141,12 +152,14 @@ export class History {
     if (version !== 1 && version !== 2) throw new Error('This session was saved by a newer version of the composite editor.');
     const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<Saved['pack']>;
     if (faces !== pack.faces || vertices !== pack.vertices) throw new Error('This session was made with another pack of faces.');
-    if (!Array.isArray(steps) || steps.length === 0 || steps.length > MOST_STEPS) throw new Error('This session has no steps that can be read.');
+    if (!Array.isArray(steps) || steps.length === 0) throw new Error('This session has no steps that can be read.');
+    if (steps.length > LIMITS.steps) throw new Error(`This session has ${steps.length} steps, more than ${LIMITS.steps}.`);
     const read = steps.map((step: unknown, i): Step => {
       const { parent, act, name } = (typeof step === 'object' && step !== null ? step : {}) as Partial<Step>;
       const follows = i === 0 ? parent === -1 : Number.isSafeInteger(parent) && (parent as number) >= 0 && (parent as number) < i;
-      if (!follows || !isAct(act)) throw new Error(`Step ${i + 1} of this session cannot be read.`);
-      return { parent: parent as number, act, ...(typeof name === 'string' && name !== '' ? { name: name.slice(0, 100) } : {}) };
+      const fault = follows ? faultOf(act) : 'it follows none of the steps before it';
+      if (fault !== undefined) throw new Error(`This session cannot be read. Step ${i}: ${fault}.`);
+      return { parent: parent as number, act: act as Act, ...(typeof name === 'string' && name !== '' ? { name: name.slice(0, 100) } : {}) };
     });
     if (!Number.isSafeInteger(here) || (here as number) < 0 || (here as number) >= read.length) throw new Error('This session does not say which face it shows.');
     const history = new History();

@@ -15,6 +15,8 @@ type Attribute = FacePack['attributes'][number];
 const STEP = 0.1;
 /** Attributes go somewhat farther than people do. */
 const FARTHEST = 1.5;
+/** A slider that is nearer to its middle is in it. */
+const LEAST = 0.005;
 export const PARTS: Readonly<Record<FacePart, string>> = { shape: 'Shape', texture: 'Colour' };
 
 // --- features ---
@@ -47,13 +49,42 @@ function feature(app: App, a: Attribute): TemplateResult {
       <button type="button" class="plain" aria-label="${of}: more" title=${terms[1]} @click=${() => step(STEP)}>+</button>
       <button type="button" class="plain" aria-label="Hold ${of}" aria-pressed=${held !== undefined} @click=${hold}>Hold</button>
     </div>
+    ${app.apart ? asymmetry(app, a, of) : nothing}
   </div>`;
 }
 
-/** A value of an attribute in words. */
+/** The left of a feature more, and the right less; the slider's middle is where both halves are as the feature has them. */
+function asymmetry(app: App, { part, name }: Attribute, of: string): TemplateResult {
+  const { history, sliding } = app;
+  const slider = `asymmetry of ${part} ${name}`;
+  const before = history.asymmetryAt(history.here, part, name);
+  const value = sliding?.name === slider ? sliding.amount : before;
+  return html`<div class="apart">${numberField({
+    label: 'Left − right',
+    of,
+    value,
+    min: -1,
+    max: 1,
+    step: 0.01,
+    text: Math.abs(value) < LEAST ? 'both alike' : `${Math.round(100 * Math.abs(value))} percent more ${value > 0 ? 'left' : 'right'}`,
+    set: (amount) => {
+      app.sliding = { name: slider, amount };
+      app.move({ kind: 'asymmetry', part, name, amount: amount - before, region: { segments: [...app.segments] } });
+    },
+    done: () => {
+      app.sliding = undefined;
+      app.done();
+    },
+  })}</div>`;
+}
+
+/** A value of an attribute in words. Between the average and none of something there is less of it. */
 export function told(value: number, [less, more]: Attribute['terms']): string {
   const percent = Math.round(100 * Math.abs(value));
-  return percent === 0 ? 'average' : `${percent} percent ${value < 0 ? less : more}`;
+  if (percent === 0) return 'average';
+  if (value > 0) return `${percent} percent ${more}`;
+  if (less !== 'none') return `${percent} percent ${less}`;
+  return percent >= 100 ? 'none' : `${percent} percent less than average`;
 }
 
 export function features(app: App, index: Index): TemplateResult {
@@ -80,6 +111,10 @@ export function features(app: App, index: Index): TemplateResult {
     </div>
     ${check('With what goes with it in people', app.withAll, (on) => {
       app.withAll = on;
+      app.redraw();
+    })}
+    ${check('Left and right apart', app.apart, (on) => {
+      app.apart = on;
       app.redraw();
     })}
     <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>

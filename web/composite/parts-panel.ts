@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { FacePart } from '../element/faces.js';
 import { check, choice, numberField } from '../pages/fields.js';
+import type { Act } from './acts.js';
 import type { App } from './app.js';
 import { PARTS } from './panels.js';
 import type { SegmentPictures } from './segment-pictures.js';
@@ -53,32 +54,18 @@ function tile(name: string, picture: string | undefined, on: boolean, toggle: (o
 
 /** Moves of what is chosen: each slider is back in its middle when it rests. */
 function moves(app: App): TemplateResult {
+  const slider = resting(app);
   const none = { scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 0, 0] } as const;
-  const slider = (name: string, most: number, unit: string, change: (amount: number) => Partial<Record<keyof typeof none, readonly [number, number, number]>>): TemplateResult =>
-    numberField({
-      label: name,
-      value: app.sliding?.name === name ? app.sliding.amount : 0,
-      min: -most,
-      max: most,
-      step: most / 50,
-      unit,
-      set: (amount) => {
-        app.sliding = { name, amount };
-        app.move({ kind: 'transform', ...none, ...change(amount), region: app.region });
-      },
-      done: () => {
-        app.sliding = undefined;
-        app.done();
-      },
-    });
+  const move = (name: string, most: number, unit: string, change: (amount: number) => Partial<Record<keyof typeof none, readonly [number, number, number]>>): TemplateResult =>
+    slider({ name, most, unit, act: (amount) => ({ kind: 'transform', ...none, ...change(amount), region: app.region }) });
   const mm = 1e-3;
   const degree = Math.PI / 180;
   return html`<section class="region" aria-label="Moves"><h3>Move, turn, scale</h3>
     <div class="numbers">
-      ${slider('Sideways', 8, 'mm', (x) => ({ way: [x * mm, 0, 0] }))} ${slider('Up', 8, 'mm', (y) => ({ way: [0, y * mm, 0] }))}
-      ${slider('Forwards', 8, 'mm', (z) => ({ way: [0, 0, z * mm] }))} ${slider('Tilt', 15, '°', (a) => ({ turn: [0, 0, a * degree] }))}
-      ${slider('Size', 30, '%', (s) => ({ scale: [1 + s / 100, 1 + s / 100, 1 + s / 100] }))} ${slider('Breadth', 30, '%', (s) => ({ scale: [1 + s / 100, 1, 1] }))}
-      ${slider('Height', 30, '%', (s) => ({ scale: [1, 1 + s / 100, 1] }))}
+      ${move('Sideways', 8, 'mm', (x) => ({ way: [x * mm, 0, 0] }))} ${move('Up', 8, 'mm', (y) => ({ way: [0, y * mm, 0] }))}
+      ${move('Forwards', 8, 'mm', (z) => ({ way: [0, 0, z * mm] }))} ${move('Tilt', 15, '°', (a) => ({ turn: [0, 0, a * degree] }))}
+      ${move('Size', 30, '%', (s) => ({ scale: [1 + s / 100, 1 + s / 100, 1 + s / 100] }))} ${move('Breadth', 30, '%', (s) => ({ scale: [1 + s / 100, 1, 1] }))}
+      ${move('Height', 30, '%', (s) => ({ scale: [1, 1 + s / 100, 1] }))}
     </div>
   </section>`;
 }
@@ -86,13 +73,55 @@ function moves(app: App): TemplateResult {
 /** What is done to all that is chosen at once. */
 function wholes(app: App): TemplateResult {
   const { region } = app;
-  const button = (name: string, act: Parameters<App['do']>[0]): TemplateResult => html`<button type="button" class="plain" @click=${() => app.do(act)}>${name}</button>`;
+  const slider = resting(app);
+  const told = (less: string, more: string) => (percent: number) => (percent === 0 ? 'as it is' : `${Math.abs(percent)} percent ${percent < 0 ? less : more}`);
   return html`<section class="region" aria-label="Age and caricature"><h3>Age and caricature</h3>
-    <div class="group" role="group" aria-label="Age">${button('Younger', { kind: 'age', amount: -0.2, region })} ${button('Older', { kind: 'age', amount: 0.2, region })}</div>
-    ${(Object.entries(PARTS) as [FacePart, string][]).map(
-      ([part, name]) => html`<div class="group" role="group" aria-label="Caricature of ${name.toLowerCase()}"><span class="what">${name}</span>
-        ${button('More of itself', { kind: 'caricature', part, level: 1.15, region })} ${button('More like everybody', { kind: 'caricature', part, level: 0.85, region })}</div>`,
-    )}
-    <div class="group" role="group" aria-label="Detail">${button('Sharper skin', { kind: 'detail', strength: 0.7 })} ${button('Softer skin', { kind: 'detail', strength: -0.4 })}</div>
+    <div class="numbers">
+      ${slider({ name: 'Age', most: 100, unit: '%', text: told('younger', 'older'), act: (s) => ({ kind: 'age', amount: s / 100, region }) })}
+      ${(Object.entries(PARTS) as [FacePart, string][]).map(([part, name]) =>
+        slider({
+          name: `Caricature, ${name.toLowerCase()}`,
+          most: 100,
+          unit: '%',
+          text: told('more like everybody', 'more of itself'),
+          act: (s) => ({ kind: 'caricature', part, level: 1 + s / 100, region }),
+        }),
+      )}
+      ${slider({ name: 'Detail of the skin', most: 150, unit: '%', text: told('softer', 'sharper'), act: (s) => ({ kind: 'detail', strength: s / 100 }) })}
+    </div>
+    <p class="about">Dragging shows what would be; letting go is one step. Detail is that of the whole head.</p>
   </section>`;
+}
+
+/** A slider whose middle is the face as it is. */
+interface Resting {
+  readonly name: string;
+  readonly most: number;
+  readonly unit: string;
+  readonly text?: (amount: number) => string;
+  readonly act: (amount: number) => Act;
+}
+
+/** Sliders that show what would be while they are dragged, make it a step when they are let go, and are back in the middle then. */
+function resting(app: App): (slider: Resting) => TemplateResult {
+  return ({ name, most, unit, text, act }) => {
+    const value = app.sliding?.name === name ? app.sliding.amount : 0;
+    return numberField({
+      label: name,
+      value,
+      min: -most,
+      max: most,
+      step: most / 50,
+      unit,
+      ...(text === undefined ? {} : { text: text(value) }),
+      set: (amount) => {
+        app.sliding = { name, amount };
+        app.move(act(amount));
+      },
+      done: () => {
+        app.sliding = undefined;
+        app.done();
+      },
+    });
+  };
 }

@@ -6,14 +6,20 @@ import { SIDES } from '../pages/head-view.js';
 import { save } from '../pages/workbench.js';
 import type { App } from './app.js';
 import { turntable } from './film.js';
-import { printPicture } from './print.js';
+import { printPictures } from './print.js';
 import { reportOf } from './report.js';
 import { printReport, reportFile, type ReportPicture } from './report-page.js';
-import { Studio, type Watch } from './shots.js';
+import { FRAMES, HEAD, Studio, type Framing, type Watch } from './shots.js';
 
 const SIDE_NAMES = { front: 'Front', quarter: 'Three-quarter', profile: 'Profile' } as const;
 type Side = keyof typeof SIDE_NAMES;
 const TURNS: Readonly<Record<Side, number>> = { front: SIDES.Front, quarter: SIDES['Three-quarter'], profile: SIDES.Left };
+/** From where a picture for paper is taken: also from where the stage shows the face, and from all of the sides. */
+const FROM_NAMES = { stage: 'As on the stage', ...SIDE_NAMES, all: 'All three' } as const;
+type From = keyof typeof FROM_NAMES;
+const ALL = Object.keys(SIDE_NAMES) as Side[];
+const FRAME_NAMES = { head: FRAMES.head.name, shoulders: FRAMES.shoulders.name } as const;
+const GROUNDS = { stage: 'As on the stage', plain: 'Plain, in studio light' } as const;
 /** Sharp on paper at a third of its width, in pixels. */
 const REPORT_SIZE = { width: 640, height: 800 };
 
@@ -27,7 +33,8 @@ interface Job {
 
 export class Pictures {
   readonly #studio: Studio;
-  #side: Side = 'front';
+  #from: From = 'front';
+  #framing: Framing = HEAD;
   #name = 'face';
   #job: Job | undefined;
 
@@ -44,14 +51,21 @@ export class Pictures {
   draw(): TemplateResult {
     const button = (name: string, work: () => void): TemplateResult =>
       html`<button type="button" class="plain" ?disabled=${this.#job !== undefined} @click=${work}>${name}</button>`;
-    const choose = (side: Side): void => {
-      this.#side = side;
+    const choose = (from: From): void => {
+      this.#from = from;
       this.app.redraw();
     };
+    const framed = (change: Partial<Framing>): void => {
+      this.#framing = { ...this.#framing, ...change };
+      this.app.redraw();
+    };
+    const { frame, plain } = this.#framing;
     return html`<section class="region" aria-label="Picture for paper"><h3>Picture for paper</h3>
-        ${choice('side', 'From', this.#side, SIDE_NAMES, choose)}
+        ${choice('side', 'From', this.#from, FROM_NAMES, choose)}
+        ${choice('frame', 'Of', frame, FRAME_NAMES, (to) => framed({ frame: to }))}
+        ${choice('ground', 'Before', plain ? 'plain' : 'stage', GROUNDS, (to) => framed({ plain: to === 'plain' }))}
         <div class="group">${button('Save picture', () => void this.#print())}</div>
-        <p class="about">PNG, 10 × 12.5 cm at 300 dots per inch.</p>
+        <p class="about">PNG, 10 × 12.5 cm at 300 dots per inch, drawn with everything however simply the stage is: without a graphics card that takes some seconds.</p>
       </section>
       <section class="region" aria-label="Film"><h3>Film</h3>
         <div class="group">${button('Save film', () => void this.#film())}</div>
@@ -59,7 +73,7 @@ export class Pictures {
       </section>
       <section class="region" aria-label="Report"><h3>Report</h3>
         <div class="group">${button('Print report', () => void this.#printReport())} ${button('Save report', () => void this.#saveReport())}</div>
-        <p class="about">Three pictures, all features that differ from the average, what is held, and every step. The file is a web page that needs nothing else.</p>
+        <p class="about">Three pictures, framed as above, hair, marks and light, all features that differ from the average, what is held, and every step. The file is a web page that needs nothing else.</p>
       </section>
       <section class="region" aria-label="Figure file"><h3>Figure file</h3>
         <div class="line"><label class="select"><span>Name of the figure</span><input type="text" maxlength="40" .value=${this.#name} autocomplete="off" @input=${(
@@ -118,8 +132,18 @@ export class Pictures {
   }
 
   #print(): Promise<void> {
-    const side = this.#side;
-    return this.#run('Picture', async (watch, file) => saved(await printPicture(this.#studio, TURNS[side], watch), `${file}-${side}.png`));
+    const from = this.#from;
+    const { turn, tilt } = this.app.view.from;
+    const sides = from === 'stage' ? [{ name: 'view', side: { turn, tilt } }] : (from === 'all' ? ALL : [from]).map((name) => ({ name, side: { turn: TURNS[name] } }));
+    return this.#run('Picture', async (watch, file) => {
+      const pictures = await printPictures(
+        this.#studio,
+        sides.map(({ side }) => side),
+        watch,
+        this.#framing,
+      );
+      return pictures.map((picture, i) => saved(picture, `${file}-${sides[i]?.name ?? ''}.png`)).join(' ');
+    });
   }
 
   #film(): Promise<void> {
@@ -145,10 +169,9 @@ export class Pictures {
 
   /** The pictures of the report. */
   async #sides(watch: Watch): Promise<ReportPicture[]> {
-    const sides = Object.keys(SIDE_NAMES) as Side[];
-    const turns = sides.map((side) => TURNS[side]);
-    const pictures = await this.#studio.all(turns, REPORT_SIZE, watch);
-    return pictures.map((picture, i) => ({ name: SIDE_NAMES[sides[i] ?? 'front'], src: picture.toDataURL('image/jpeg', 0.9) }));
+    const sides = ALL.map((side) => ({ turn: TURNS[side] }));
+    const pictures = await this.#studio.all(sides, REPORT_SIZE, watch, this.#framing);
+    return pictures.map((picture, i) => ({ name: SIDE_NAMES[ALL[i] ?? 'front'], src: picture.toDataURL('image/jpeg', 0.9) }));
   }
 }
 

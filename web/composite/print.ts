@@ -1,6 +1,6 @@
 /** A picture of the face for paper: a PNG file that says how large it is. */
 
-import type { Studio, Watch } from './shots.js';
+import type { Framing, Side, Studio, Watch } from './shots.js';
 
 /** 10 × 12.5 cm. */
 export const PRINT_SIZE = { width: 1181, height: 1476 };
@@ -9,12 +9,15 @@ const PER_METRE = 11811;
 /** Signature and header of a PNG, which come first. */
 const HEAD_BYTES = 33;
 
-/** The picture from one side, to be printed. */
-export async function printPicture(studio: Studio, turn: number, watch: Watch): Promise<Blob> {
-  const [picture] = await studio.all([turn], PRINT_SIZE, watch);
-  const png = await new Promise<Blob | null>((resolve) => (picture === undefined ? resolve(null) : picture.toBlob(resolve, 'image/png')));
-  if (png === null) throw new Error('The browser could not write the picture.');
-  return new Blob([withDensity(new Uint8Array(await png.arrayBuffer()))], { type: 'image/png' });
+/** The pictures from some sides, to be printed. */
+export async function printPictures(studio: Studio, sides: readonly Side[], watch: Watch, framing: Framing): Promise<Blob[]> {
+  const files: Blob[] = [];
+  for await (const picture of studio.shots(sides, PRINT_SIZE, watch, framing)) {
+    const png = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
+    if (png === null) throw new Error('The browser could not write the picture.');
+    files.push(new Blob([withDensity(new Uint8Array(await png.arrayBuffer()))], { type: 'image/png' }));
+  }
+  return files;
 }
 
 /** A PNG with a chunk that says how dense its pixels are (pHYs; PNG 11.3.4.3). Browsers write none. */

@@ -3,6 +3,7 @@
 import type { FacePart, Faces } from '../element/faces.js';
 import { label, signed, where } from './acts.js';
 import type { App } from './app.js';
+import { lookFacts } from './look-words.js';
 import { PARTS, told } from './panels.js';
 import { AGES, ANCESTRIES, SEXES } from './people.js';
 
@@ -23,7 +24,10 @@ export interface Report {
 }
 
 /** What a report is made of. */
-export type Reported = Pick<App, 'history' | 'values' | 'held' | 'person'> & { readonly faces: Pick<Faces, 'pack'> };
+export type Reported = Pick<App, 'history' | 'values' | 'held' | 'person' | 'look' | 'marks' | 'light'> & {
+  readonly faces: Pick<Faces, 'pack'>;
+  readonly player: Pick<App['player'], 'naturalHair'>;
+};
 
 /** The report of the face that is shown. */
 export function reportOf(app: Reported, date: Date): Report {
@@ -39,6 +43,7 @@ export function reportOf(app: Reported, date: Date): Report {
       ['Step', `${history.here} of ${history.steps.length - 1}`],
       ['Faces were chosen by', [SEXES[person.sex], AGES[person.age].toLowerCase(), person.ancestry === 'any' ? 'any ancestry' : ANCESTRIES[person.ancestry]].join(', ')],
       ['Changed', [...changed].join(', ') || 'no part by itself'],
+      ...lookFacts(app, app.player.naturalHair()),
       ['Face model', `${pack.faces} faces with ${pack.vertices} points each`],
     ],
     groups: groupsOf(app),

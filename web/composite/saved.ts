@@ -1,9 +1,7 @@
 /** Saved sessions as text, from a file or an address. */
 
 import { fetchText } from '../element/fetching.js';
-
-/** A saved session is not larger. */
-export const MOST_BYTES = 64e6;
+import { LIMITS } from './limits.js';
 
 /** What a text holds; throws an `Error` for people. */
 export function parse(text: string): unknown {
@@ -16,5 +14,5 @@ export function parse(text: string): unknown {
 
 /** The session at an address, relative to the page. */
 export async function fetchSaved(src: string): Promise<unknown> {
-  return parse(await fetchText(new URL(src, document.baseURI), { what: 'The saved session', most: MOST_BYTES }));
+  return parse(await fetchText(new URL(src, document.baseURI), { what: 'The saved session', most: LIMITS.bytes }));
 }

@@ -2,19 +2,37 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { App } from './app.js';
+import { LEVEL } from '../pages/head-view.js';
 import { openHidden, wait } from './hidden-player.js';
 
-/** The eyes of who looks are as high as those of the face, and the whole head with its hair is in the picture. */
-const TILT = 0.02;
-const NEAR = 5.4;
+/** How much of somebody is in a picture: how near one looks, and how far below the middle of the head the picture's is, metres. */
+export const FRAMES = {
+  head: { name: 'Head', zoom: 5.4, lower: 0 },
+  shoulders: { name: 'Head and shoulders', zoom: 3.3, lower: 0.1 },
+} as const;
 /** The player draws no more pixels for a CSS pixel. */
 const MOST_DPR = 2;
+
+/** From where a face is looked at, radians; at the height of its eyes where no tilt is given. */
+export interface Side {
+  readonly turn: number;
+  readonly tilt?: number;
+}
 
 /** In pixels. */
 export interface Size {
   readonly width: number;
   readonly height: number;
 }
+
+/** How pictures are taken. */
+export interface Framing {
+  readonly frame: keyof typeof FRAMES;
+  /** Before a plain wall in the light of a studio. */
+  readonly plain: boolean;
+}
+
+export const HEAD: Framing = { frame: 'head', plain: false };
 
 /** Who waits for pictures: hears how many there are, and may not want them any more. */
 export interface Watch {
@@ -30,28 +48,29 @@ export class Studio {
     private readonly place: HTMLElement,
   ) {}
 
-  /** Pictures of the face as it is now, one for each turn about the head (radians). Throws the signal's reason once that is aborted. */
-  async *shots(turns: readonly number[], size: Size, { signal, progress }: Watch): AsyncGenerator<HTMLCanvasElement, void> {
+  /** Pictures of the face as it is now, one for each side that it is looked at from. Throws the signal's reason once that is aborted. */
+  async *shots(sides: readonly Side[], size: Size, { signal, progress }: Watch, { frame, plain }: Framing = HEAD): AsyncGenerator<HTMLCanvasElement, void> {
     const { face, light, player: like } = this.app;
-    progress(0, turns.length);
+    const { zoom, lower } = FRAMES[frame];
+    progress(0, sides.length);
     const { player, view, close } = await openHidden(this.place, {
       label: 'Pictures of the face',
       like,
-      // Where the stage can be drawn but simply, so can this.
-      quality: like.statistics?.quality === 'lowest' ? 'lowest' : 'high',
-      look: { turn: turns[0] ?? 0, tilt: TILT, zoom: NEAR },
+      // A stage that is drawn simply is so to be quick; a picture takes its time, unless the page has asked for less.
+      quality: like.quality === 'auto' ? 'high' : like.quality,
+      look: { turn: 0, tilt: LEVEL, ...sides[0], zoom },
     });
     try {
       signal.throwIfAborted();
-      player.light(light.name, light.turn);
+      player.light(plain ? 'studio' : light.name, light.turn);
       await player.setFace(face);
       // Large only now, so that what is drawn until here costs little.
       await enlarge(player, size);
-      for (const [i, turn] of turns.entries()) {
-        const picture = view.picture({ turn });
+      for (const [i, side] of sides.entries()) {
+        const picture = view.picture({ tilt: LEVEL, ...side }, lower);
         if (picture === undefined) throw new Error('There is no picture of the face.');
         yield cropped(picture, size);
-        progress(i + 1, turns.length);
+        progress(i + 1, sides.length);
         // The page goes on between two pictures.
         await wait(0);
         signal.throwIfAborted();
@@ -61,10 +80,10 @@ export class Studio {
     }
   }
 
-  /** All pictures of some turns. */
-  async all(turns: readonly number[], size: Size, watch: Watch): Promise<HTMLCanvasElement[]> {
+  /** All pictures of some sides. */
+  async all(sides: readonly Side[], size: Size, watch: Watch, framing?: Framing): Promise<HTMLCanvasElement[]> {
     const pictures: HTMLCanvasElement[] = [];
-    for await (const picture of this.shots(turns, size, watch)) pictures.push(picture);
+    for await (const picture of this.shots(sides, size, watch, framing)) pictures.push(picture);
     return pictures;
   }
 }

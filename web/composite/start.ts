@@ -3,9 +3,12 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../pages/fields.js';
 import type { App } from './app.js';
+import { PARTS } from './panels.js';
 import { AGES, ANCESTRIES, chosen, describe, SEXES, type Person } from './people.js';
 import type { Portraits } from './portraits.js';
 
+/** What of a face is taken over. */
+const TAKEN = { both: 'Shape and colour', ...PARTS } as const;
 /** Faces of the database that are shown at once. */
 const SHOWN = 12;
 
@@ -25,9 +28,10 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   };
   const whole = app.segments.size === 0 && app.half === undefined;
   const take = (index: number): void => {
-    if (whole) app.do({ kind: 'example', index });
-    else app.do({ kind: 'import', index, part: 'both', region: app.region });
+    if (whole && app.taken === 'both') app.do({ kind: 'example', index });
+    else app.do({ kind: 'import', index, part: app.taken, region: app.region });
   };
+  const of = app.taken === 'both' ? '' : `the ${TAKEN[app.taken].toLowerCase()} of `;
   return html`<div class="row bar">
       <div class="group" role="group" aria-label="Begin with">
         <button type="button" class="plain" @click=${() => app.do({ kind: 'average' })}>Average face</button>
@@ -37,8 +41,12 @@ export function start(app: App, portraits: Portraits): TemplateResult {
     <div class="whom">
       ${choice('sex', 'Who', app.person.sex, SEXES, (sex) => set('sex', sex))} ${choice('age', 'Age', app.person.age, AGES, (age) => set('age', age))}
       ${choice('ancestry', 'From', app.person.ancestry, ANCESTRIES, (ancestry) => set('ancestry', ancestry))}
+      ${choice('taken', 'Take', app.taken, TAKEN, (taken) => {
+        app.taken = taken;
+        app.redraw();
+      })}
     </div>
-    <p class="about">${like.length} of ${people.length} faces. ${whole ? 'A press begins with that face.' : `A press takes over ${[...app.segments].join(', ') || 'the face'}${app.half === undefined ? '' : `, ${app.half} half`}.`}</p>
+    <p class="about">${like.length} of ${people.length} faces. ${whole && app.taken === 'both' ? 'A press begins with that face.' : `A press takes over ${of}${[...app.segments].join(', ') || 'the face'}${app.half === undefined ? '' : `, ${app.half} half`}.`}</p>
     <ul class="sheet">
       ${shown.map((index) => {
         const person = people[index];

@@ -4,7 +4,8 @@ import { html, type TemplateResult } from 'lit';
 import { save } from '../pages/workbench.js';
 import type { App } from './app.js';
 import type { RaconteurComposite } from './element.js';
-import { MOST_BYTES, parse } from './saved.js';
+import { LIMITS } from './limits.js';
+import { parse } from './saved.js';
 import { reason, type Tell } from './tell.js';
 
 export function tools(app: App, editor: RaconteurComposite, tell: Tell): TemplateResult {
@@ -16,7 +17,7 @@ export function tools(app: App, editor: RaconteurComposite, tell: Tell): Templat
     input.value = '';
     if (file === undefined) return;
     try {
-      if (file.size > MOST_BYTES) throw new Error('It is too large for a session.');
+      if (file.size > LIMITS.bytes) throw new Error(`It is larger than ${LIMITS.bytes / 1e6} MB.`);
       await editor.open(parse(await file.text()));
       app.tab = 'history';
       tell.say(`${file.name} is open.`);

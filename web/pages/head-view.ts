@@ -43,10 +43,10 @@ export class HeadView {
     this.changed();
   }
 
-  /** Looks from elsewhere for a picture, which is drawn once; undefined where there is none. */
-  picture(look: Partial<Look>): HTMLCanvasElement | undefined {
+  /** Looks from elsewhere for a picture, which is drawn once, its middle so many metres lower; undefined where there is none. */
+  picture(look: Partial<Look>, lower = 0): HTMLCanvasElement | undefined {
     this.#turn(look);
-    return this.player.snapshot(this.#view);
+    return this.player.snapshot({ ...this.#view, up: this.#view.up - lower });
   }
 
   #turn(look: Partial<Look>): void {

@@ -6,12 +6,15 @@ import type { Act } from '../composite/acts.js';
 import { turnsOf } from '../composite/film.js';
 import { History } from '../composite/history.js';
 import { branch } from '../composite/history-panel.js';
+import { told } from '../composite/panels.js';
 import { fileName } from '../composite/pictures-panel.js';
 import { PRINT_SIZE, withDensity } from '../composite/print.js';
 import { reportOf } from '../composite/report.js';
 import { MOST, Thumbnails } from '../composite/thumbnails.js';
 
 const add = (name: string, segments: readonly string[] = []): Act => ({ kind: 'add', part: 'shape', name, amount: 0.6, region: { segments } });
+
+const hair = (name: string, eumelanin: number, pheomelanin: number) => ({ name, colour: { eumelanin, pheomelanin, grey: 0 }, rgb: [0, 0, 0] as const });
 
 const pack = {
   vertices: 5,
@@ -38,6 +41,18 @@ test('a report has what differs from the average, what is held, and the way to t
       faces: { pack },
       held: [{ part: 'shape', name: 'length', value: 0.6, segments: ['nose'], half: 'left' }],
       person: { sex: 'woman', age: 'young', ancestry: 'any' },
+      look: {
+        hair: { from: 'lia', colour: { eumelanin: 0.1, pheomelanin: 0.8, grey: 0.6 } },
+        cut: 'moustache',
+        beard: { from: 'papous' },
+        wear: [{ kind: 'hat', colour: [0, 0, 0] }],
+      },
+      marks: [
+        { kind: 'scar', corners: [0, 1, 2], shares: [1, 0, 0], size: 0.035, turn: 0 },
+        { kind: 'tattoo', corners: [0, 1, 2], shares: [1, 0, 0], size: 0.02, turn: 0, shape: 'anchor' },
+      ],
+      light: { name: 'evening', turn: -Math.PI / 6 },
+      player: { naturalHair: () => [hair('black', 1, 0), hair('red', 0.1, 0.7)] },
       values: {
         shape: new Map([
           ['breadth', 0.004],
@@ -61,8 +76,20 @@ test('a report has what differs from the average, what is held, and the way to t
   const facts = new Map(report.facts);
   expect(facts.get('Step')).toBe('2 of 2');
   expect(facts.get('Changed')).toBe('chin');
+  expect(facts.get('Hair')).toBe('Long, red, 60 percent grey');
+  expect(facts.get('Beard')).toBe('Moustache');
+  expect(facts.get('Worn')).toBe('hat');
+  expect(facts.get('Marks')).toBe('scar, 35 mm; tattoo anchor, 20 mm');
+  expect(facts.get('Light')).toBe('Lamp, turned by 30° to the right');
   expect(facts.get('Faces were chosen by')).toBe('A woman, 18 to 35, any ancestry');
   expect(facts.get('Face model')).toBe('10 faces with 5 points each');
+});
+
+test('between the average and none there is less, not a share of none', () => {
+  expect(told(-0.54, ['none', 'many'])).toBe('54 percent less than average');
+  expect(told(-1.2, ['none', 'many'])).toBe('none');
+  expect(told(0.54, ['none', 'many'])).toBe('54 percent many');
+  expect(told(-0.54, ['short', 'long'])).toBe('54 percent short');
 });
 
 test('a film turns once around, in equal steps, and does not end where it began', () => {

@@ -1,11 +1,13 @@
 /** The composite editor's history: what was done is never lost, and what is read is checked. */
 
 import { expect, test } from 'vitest';
-import { isAct, type Act } from '../composite/acts.js';
+import type { Act } from '../composite/acts.js';
 import { Cache } from '../composite/cache.js';
+import { isAct } from '../composite/checks.js';
 import { hexOf, linearOf } from '../element/colour.js';
 import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
+import { LIMITS } from '../composite/limits.js';
 import { toggled } from '../composite/look.js';
 import { chosen, describe } from '../composite/people.js';
 import type { FaceLook } from '../element/types.js';
@@ -22,7 +24,7 @@ test('undo, redo and branches of random walks', () => {
   for (let i = 0; i < 10_000; i += 1) {
     const what = draw(5);
     if (what < 3) {
-      path.push(history.add(add(i)));
+      path.push(history.add(add(i % 20)));
       undone.length = 0;
     } else if (what === 3 && path.length > 1) {
       undone.push(path.pop() ?? 0);
@@ -62,9 +64,9 @@ test('sessions that cannot be used are refused by their fault', () => {
     [{ ...good, version: 3 }, /newer/],
     [{ ...good, pack: { faces: 9, vertices: 5 } }, /another pack/],
     [{ ...good, steps: [] }, /no steps/],
-    [{ ...good, steps: [...good.steps, { ...step, parent: 1 }] }, /Step 2/],
-    [{ ...good, steps: [...good.steps, { ...step, act: add(Number.NaN) }] }, /Step 2/],
-    [{ ...good, steps: [...good.steps, { parent: 0, act: { kind: 'eval' } }] }, /Step 2/],
+    [{ ...good, steps: [...good.steps, { ...step, parent: 1 }] }, /Step 1:/],
+    [{ ...good, steps: [...good.steps, { ...step, act: add(Number.NaN) }] }, /Step 1:/],
+    [{ ...good, steps: [...good.steps, { parent: 0, act: { kind: 'eval' } }] }, /Step 1:/],
     [{ ...good, here: 5 }, /which face/],
   ];
   for (const [saved, fault] of faults) expect(() => History.read(saved, pack)).toThrow(fault);
@@ -89,6 +91,32 @@ test('acts of every kind are told from others', () => {
   }
   expect(isAct({ kind: 'age', amount: 1, region: { half: 'upper' } })).toBe(false);
   expect(isAct({ kind: 'random', seed: 2 ** 33 })).toBe(false);
+});
+
+test('what nobody does by hand is refused by its name', () => {
+  const good = new History().save(pack);
+  const region = {};
+  const deep = (depth: number): unknown => JSON.parse(`${'['.repeat(depth)}${']'.repeat(depth)}`);
+  const hostile: [act: unknown, fault: string][] = [
+    [{ kind: 'transform', scale: [1, 1e9, 1], turn: [0, 0, 0], way: [0, 0, 0], region }, 'Step 1: scale 1000000000 is more than 4.'],
+    [{ kind: 'transform', scale: [1, -1, 1], turn: [0, 0, 0], way: [0, 0, 0], region }, 'Step 1: scale -1 is less than 0.25.'],
+    [{ kind: 'transform', scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 1e3, 0], region }, 'Step 1: way 1000 is more than 0.1.'],
+    [add(1e308), 'Step 1: amount 1e+308 is more than 20.'],
+    [add(Number.NEGATIVE_INFINITY), 'Step 1: amount -Infinity is less than -20.'],
+    [{ kind: 'caricature', part: 'shape', level: 1e9, region }, 'Step 1: level 1000000000 is more than 4.'],
+    [{ kind: 'hold', held: [{ part: 'shape', name: 'lips', value: 1e9 }] }, 'Step 1: value 1000000000 is more than 20.'],
+    [{ kind: 'hold', held: Array.from({ length: 300 }, () => ({ part: 'shape', name: 'lips', value: 0 })) }, 'Step 1: what is held has 300 entries, more than 200.'],
+    [{ kind: 'average', more: deep(100_000) }, 'Step 1: it is nested more than 8 deep.'],
+    [{ kind: 'average', more: Array.from({ length: 1_000_000 }, () => 0) }, 'Step 1: it has more than 5000 values.'],
+    [{ kind: 'detail', strength: '1' }, 'Step 1: detail is no number.'],
+    [{ kind: '__proto__' }, 'Step 1: it is nothing that can be done to a face.'],
+  ];
+  for (const [act, fault] of hostile) expect(() => History.read({ ...good, steps: [...good.steps, { parent: 0, act }] }, pack)).toThrow(fault);
+  const many = [...good.steps, ...Array.from({ length: 1_000_000 }, (_, i) => ({ parent: i, act: add(0) }))];
+  expect(() => History.read({ ...good, steps: many }, pack)).toThrow('This session has 1000001 steps, more than 10000.');
+  // What is made by hand is within the limits.
+  const most = Array.from({ length: LIMITS.steps - 1 }, (_, i) => ({ parent: i, act: add(i % 2 === 0 ? 3 : -3) }));
+  expect(History.read({ ...good, steps: [...good.steps, ...most] }, pack).steps).toHaveLength(LIMITS.steps);
 });
 
 test('the latest faces are kept, and some of the others', () => {

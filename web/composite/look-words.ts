@@ -1,0 +1,46 @@
+/** Hair, beard, what is worn, marks and light in words, for reports. */
+
+import type { FaceLook, FaceMark, HairColour, NaturalHair } from '../element/types.js';
+import type { App } from './app.js';
+import { BEARDS, HAIR, MARKS, SHAPES, WEAR } from './look.js';
+import { LIGHTS } from './scene.js';
+
+const DEGREE = Math.PI / 180;
+/** Hair with so little grey has none. */
+const LEAST_GREY = 0.005;
+
+/** A colour by the nearest natural one, and its grey. */
+export function colourWords(colour: HairColour | undefined, natural: readonly NaturalHair[]): string | undefined {
+  if (colour === undefined) return undefined;
+  const far = (n: NaturalHair): number => Math.hypot(n.colour.eumelanin - colour.eumelanin, n.colour.pheomelanin - colour.pheomelanin);
+  const nearest = [...natural].sort((a, b) => far(a) - far(b))[0];
+  const grey = colour.grey < LEAST_GREY ? undefined : colour.grey === 1 ? 'white' : `${Math.round(100 * colour.grey)} percent grey`;
+  return [colour.grey === 1 ? undefined : nearest?.name, grey].filter((word) => word !== undefined).join(', ') || undefined;
+}
+
+const joined = (...words: readonly (string | undefined)[]): string => words.filter((word) => word !== undefined).join(', ');
+
+function beardOf({ beard, cut }: FaceLook): string {
+  const from = beard?.from ?? 'own';
+  return BEARDS[(from === 'own' || from === 'none' ? from : (cut ?? 'full')) as keyof typeof BEARDS] ?? from;
+}
+
+function markOf({ kind, size, shape, text }: FaceMark): string {
+  const motif = kind !== 'tattoo' ? '' : shape === 'text' ? ` “${text ?? ''}”` : ` ${SHAPES[shape ?? 'star'].toLowerCase()}`;
+  return `${MARKS[kind].name.toLowerCase()}${motif}, ${Math.round(1000 * size)} mm`;
+}
+
+/** What a head has besides its features, and in which light it is. */
+export function lookFacts({ look, marks, light }: Pick<App, 'look' | 'marks' | 'light'>, natural: readonly NaturalHair[]): [name: string, text: string][] {
+  const from = look.hair?.from ?? 'own';
+  const turned = Math.round(light.turn / DEGREE);
+  const worn = (look.wear ?? []).map(({ kind }) => WEAR[kind].name.toLowerCase());
+  return [
+    ['Hair', joined(HAIR[from] ?? from, colourWords(look.hair?.colour, natural))],
+    ['Beard', joined(beardOf(look), colourWords(look.beard?.colour, natural))],
+    ['Brows and lashes', colourWords(look.brows, natural) ?? 'as they are'],
+    ['Worn', worn.join(', ') || 'nothing'],
+    ['Marks', marks.map(markOf).join('; ') || 'none'],
+    ['Light', joined(LIGHTS[light.name], turned === 0 ? undefined : `turned by ${Math.abs(turned)}° to the ${turned > 0 ? 'left' : 'right'}`)],
+  ];
+}
