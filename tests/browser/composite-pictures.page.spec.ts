@@ -74,6 +74,41 @@ test.describe('in one visit', () => {
     await expect(page.locator('#status')).toHaveText('face-profile.png is saved.');
   });
 
+  test('pictures are framed as asked, from where the stage shows the face and from all sides, before a plain wall', async () => {
+    const shades = async (bytes: Buffer) =>
+      await page.evaluate(
+        async (url) => {
+          const image = await createImageBitmap(await (await fetch(url)).blob());
+          const canvas = new OffscreenCanvas(image.width, image.height);
+          const context = canvas.getContext('2d');
+          context?.drawImage(image, 0, 0);
+          const [r = 0, g = 0, b = 0] = context?.getImageData(20, 20, 1, 1).data ?? [];
+          return [r, g, b];
+        },
+        `data:image/png;base64,${bytes.toString('base64')}`,
+      );
+    await tab(page, 'Export');
+    await page.getByRole('radio', { name: 'As on the stage' }).first().check({ force: true });
+    const stage = await saved(page, 'Save picture');
+    expect(stage.name).toBe('face-view.png');
+    await page.getByText('Head and shoulders', { exact: true }).click();
+    await page.getByText('Plain, in studio light', { exact: true }).click();
+    const plain = await saved(page, 'Save picture');
+    const [r = 0, g = 0, b = 0] = await shades(plain.bytes);
+    // A wall has no colour, a curtain has.
+    expect(Math.max(r, g, b) - Math.min(r, g, b)).toBeLessThan(25);
+    expect(plain.bytes.equals(stage.bytes)).toBe(false);
+    await page.getByText('All three', { exact: true }).click();
+    const names: string[] = [];
+    page.on('download', (file) => names.push(file.suggestedFilename()));
+    await page.getByRole('button', { name: 'Save picture' }).click();
+    await expect.poll(() => names.sort().join(' '), { timeout: DRAWN_MS }).toBe('face-front.png face-profile.png face-quarter.png');
+    page.removeAllListeners('download');
+    await page.locator('.choice').getByText('Front', { exact: true }).click();
+    await page.getByText('Head', { exact: true }).click();
+    await page.getByRole('radio', { name: 'As on the stage' }).last().check({ force: true });
+  });
+
   test('a report has all values, and what somebody typed is text in it', async ({ context }) => {
     await set(page, 'weight', '0.5');
     await tab(page, 'History');
@@ -93,6 +128,8 @@ test.describe('in one visit', () => {
     await reader.setContent(text);
     await expect(reader.locator('h1')).toHaveText('<img src=x> & </title>');
     await expect(reader.locator('tr', { hasText: 'weight' }).first()).toContainText('+0.50');
+    await expect(reader.locator('dl div', { hasText: 'Hair' }).first()).toContainText('As it is');
+    expect(text).not.toMatch(/\d percent none/);
     await expect(reader.locator('img')).toHaveCount(3);
     await expect(reader.locator('.steps li')).toHaveCount(2);
     await expectNoBarriers(reader, 'the report');

@@ -258,6 +258,68 @@ test.describe('in one visit', () => {
     await search.fill('');
   });
 
+  test('the editor writes nothing on itself, and is a region by its label', async () => {
+    const editor = page.locator('raconteur-composite');
+    // The page itself marks an editor that is ready.
+    expect(await editor.evaluate((e) => e.getAttributeNames().filter((name) => name !== 'data-ready'))).toEqual(['id', 'session', 'label']);
+    // What an element tells of itself by ElementInternals is in the tree of the browser alone.
+    const devtools = await page.context().newCDPSession(page);
+    const { nodes } = await devtools.send('Accessibility.getFullAXTree');
+    expect(nodes.some(({ role, name }) => role?.value === 'region' && name?.value === 'Build a face')).toBe(true);
+    await devtools.detach();
+  });
+
+  /** Drags a slider to some places, one after another, and lets it go. */
+  const drag = (name: string, to: readonly number[]) =>
+    page.getByRole('slider', { name, exact: true }).evaluate((slider, places) => {
+      for (const place of places) {
+        (slider as HTMLInputElement).value = String(place);
+        slider.dispatchEvent(new Event('input', { bubbles: true }));
+      }
+      slider.dispatchEvent(new Event('change', { bubbles: true }));
+    }, to);
+  const acts = () => page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => e.save()?.steps.map(({ act }) => act) ?? []);
+
+  test('age, caricature and detail are sliders: one step each, however far they were dragged', async () => {
+    await page.getByRole('tab', { name: 'Parts' }).click();
+    await drag('Age', [10, 40, 60]);
+    await drag('Caricature, shape', [20, 50]);
+    await drag('Detail of the skin', [30]);
+    expect(await acts()).toMatchObject([{ kind: 'average' }, { kind: 'age', amount: 0.6 }, { kind: 'caricature', part: 'shape', level: 1.5 }, { kind: 'detail', strength: 0.3 }]);
+    await expect(page.getByRole('slider', { name: 'Age', exact: true })).toHaveValue('0');
+  });
+
+  test('a feature is made more on the left than on the right, and back again', async () => {
+    await group(page, 'mouth');
+    await page.getByText('Left and right apart', { exact: true }).click();
+    const skin = () => page.locator('raconteur-composite').evaluate((e: RaconteurComposite) => [...(e.faces?.skin() ?? [])]);
+    const before = await skin();
+    const name = 'Left − right, width of the mouth';
+    await drag(name, [0.2, 0.4]);
+    await expect(page.getByRole('slider', { name, exact: true })).toHaveValue('0.4');
+    expect(await acts()).toMatchObject([{ kind: 'average' }, { kind: 'asymmetry', name: 'width of the mouth', amount: 0.4 }]);
+    const far = (after: readonly number[]) => Math.max(...after.map((x, i) => Math.abs(x - (before[i] ?? 0))));
+    expect(far(await skin())).toBeGreaterThan(2e-4);
+    await drag(name, [0]);
+    expect(far(await skin())).toBeLessThan(1e-9);
+    await page.getByText('Left and right apart', { exact: true }).click();
+  });
+
+  test('a face gives its colour alone, and what contradicts is told with both values', async () => {
+    await page.getByRole('tab', { name: 'Faces' }).click();
+    await page.locator('.choice').getByText('Colour', { exact: true }).click();
+    await page.locator('.sheet button').nth(2).click();
+    await page.locator('.choice').getByText('Shape and colour', { exact: true }).click();
+    expect((await acts())[1]).toMatchObject({ kind: 'import', part: 'texture' });
+    const held = [0.2, 0.9].map((value) => ({ part: 'shape', name: 'weight', value }));
+    const told = await page.locator('raconteur-composite').evaluate(async (e: RaconteurComposite, both) => {
+      const good = e.save();
+      const steps = [...(good?.steps ?? []), { parent: 0, act: { kind: 'hold', held: both } }];
+      return await e.open({ ...good, steps, here: steps.length - 1 }).catch((error: Error) => error.message);
+    }, held);
+    expect(told).toBe('No face has both: weight +0.20, and weight +0.90. Let go of one of them.');
+  });
+
   test('sessions out of all bounds are refused by what is wrong with them, and nothing changes', async () => {
     await group(page, 'overall');
     await set(page, 'weight', '0.5');
