@@ -75,18 +75,13 @@ test.describe('in one visit', () => {
   });
 
   test('pictures are framed as asked, from where the stage shows the face and from all sides, before a plain wall', async () => {
-    const shades = async (bytes: Buffer) =>
-      await page.evaluate(
-        async (url) => {
-          const image = await createImageBitmap(await (await fetch(url)).blob());
-          const canvas = new OffscreenCanvas(image.width, image.height);
-          const context = canvas.getContext('2d');
-          context?.drawImage(image, 0, 0);
-          const [r = 0, g = 0, b = 0] = context?.getImageData(20, 20, 1, 1).data ?? [];
-          return [r, g, b];
-        },
-        `data:image/png;base64,${bytes.toString('base64')}`,
-      );
+    const corner = (bytes: Buffer) =>
+      page.evaluate(async (text) => {
+        const image = await createImageBitmap(new Blob([Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))]));
+        const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+        context?.drawImage(image, 0, 0);
+        return [...(context?.getImageData(20, 20, 1, 1).data ?? [])].slice(0, 3);
+      }, bytes.toString('base64'));
     await tab(page, 'Export');
     await page.getByRole('radio', { name: 'As on the stage' }).first().check({ force: true });
     const stage = await saved(page, 'Save picture');
@@ -94,7 +89,7 @@ test.describe('in one visit', () => {
     await page.getByText('Head and shoulders', { exact: true }).click();
     await page.getByText('Plain, in studio light', { exact: true }).click();
     const plain = await saved(page, 'Save picture');
-    const [r = 0, g = 0, b = 0] = await shades(plain.bytes);
+    const [r = 0, g = 0, b = 0] = await corner(plain.bytes);
     // A wall has no colour, a curtain has.
     expect(Math.max(r, g, b) - Math.min(r, g, b)).toBeLessThan(25);
     expect(plain.bytes.equals(stage.bytes)).toBe(false);

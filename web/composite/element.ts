@@ -140,9 +140,10 @@ export class RaconteurComposite extends LitElement {
   /** Opens a session that `save` gave or a file holds, and resolves when its face is shown; rejects where it cannot be read, and what was there stays. */
   async open(saved: unknown): Promise<void> {
     await this.#ready;
+    this.#session?.settle();
     this.#app?.open(saved);
     // What was open before is still kept.
-    this.#session?.begin();
+    void this.#session?.begin();
     this.#changed();
     await this.#app?.shownAsItIs;
   }
@@ -336,7 +337,7 @@ export class RaconteurComposite extends LitElement {
 
   /** Begins with what the browser has kept; what cannot be read stays there as it is. */
   #goOn(app: App, { saved, isCopy }: Opened): void {
-    if (!this.#reopen(app, saved)) this.#session?.begin();
+    if (!this.#reopen(app, saved)) void this.#session?.begin();
     else if (isCopy) this.#tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Kept sessions.');
     else this.#session?.adopt(app.save());
   }
@@ -346,6 +347,7 @@ export class RaconteurComposite extends LitElement {
     try {
       const saved = await session.read(id);
       if (saved === undefined) throw new Error('It is not there any more.');
+      session.settle();
       app.open(saved);
       const isOwn = await session.goOn(id, undefined);
       if (isOwn) session.adopt(app.save());
@@ -358,10 +360,12 @@ export class RaconteurComposite extends LitElement {
   }
 
   /** Leaves the session as it is kept, and begins another. */
-  #beginAnew(app: App, session: Session): void {
-    session.begin();
+  async #beginAnew(app: App, session: Session): Promise<void> {
+    session.settle();
+    const begun = session.begin();
     app.open(new History().save(app.size));
     this.#told();
+    await begun;
   }
 
   async #openSource(src: string): Promise<void> {

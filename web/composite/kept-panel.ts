@@ -10,7 +10,7 @@ export interface Sessions {
   readonly session: Session;
   open(id: string): Promise<void>;
   /** Begins another session. */
-  begin(): void;
+  begin(): Promise<void>;
 }
 
 export class KeptPanel {
@@ -32,7 +32,7 @@ export class KeptPanel {
       <p class="about">The browser keeps every step as you do it, on this machine alone.</p>
       ${this.#listed.length === 0 ? html`<p class="none">None yet.</p>` : nothing}
       <ul class="kept-list" aria-label="Kept sessions">${this.#listed.map((one) => this.#entry(one))}</ul>
-      <button type="button" class="plain" @click=${() => this.#do(async () => this.sessions.begin())}>New session</button>
+      <button type="button" class="plain" @click=${() => this.#do(() => this.sessions.begin())}>New session</button>
     </details>`;
   }
 

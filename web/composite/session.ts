@@ -113,15 +113,18 @@ export class Session {
   }
 
   /** From now on it is another session, which is kept as a whole with its first step; the one before stays. */
-  begin(): void {
-    this.#now();
+  async begin(): Promise<void> {
     this.#held.abort();
     this.#held = new AbortController();
     this.#take(crypto.randomUUID(), undefined);
-    void hold(this.#id, this.#held.signal);
+    // By then others can have the one before.
+    await hold(this.#id, this.#held.signal);
   }
 
   #take(id: string, picture: string | undefined): void {
+    // What waits is of the session that comes.
+    clearTimeout(this.#waiting);
+    this.#soon = undefined;
     this.#id = id;
     try {
       sessionStorage.setItem(this.#tabKey, id);
@@ -173,6 +176,11 @@ export class Session {
     this.#waiting = setTimeout(() => this.#now(), SOON_MS);
   }
 
+  /** Keeps what waits, before another session is opened. */
+  settle(): void {
+    this.#now();
+  }
+
   /** The face as a small picture, which goes with what is kept next. */
   pictured(picture: string, latest: () => Saved): void {
     this.#picture = picture;
@@ -208,10 +216,9 @@ export class Session {
   async goOn(id: string, picture: string | undefined): Promise<boolean> {
     const end = new AbortController();
     if (!(await hold(id, end.signal))) {
-      this.begin();
+      await this.begin();
       return false;
     }
-    this.#now();
     this.#held.abort();
     this.#held = end;
     this.#take(id, picture);
@@ -236,7 +243,7 @@ export class Session {
     this.#open = new AbortController();
     this.#held = new AbortController();
     this.#listen();
-    if (!(await hold(this.#id, this.#held.signal))) this.begin();
+    if (!(await hold(this.#id, this.#held.signal))) await this.begin();
   }
 
   /** What waits is kept before the tab goes. */
