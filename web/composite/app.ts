@@ -8,6 +8,7 @@ import { AGEING, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
 import { lookOf, type Person } from './people.js';
+import { skinOf } from './skin.js';
 import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
@@ -123,7 +124,11 @@ export class App {
   /** The face as it is shown. */
   get face(): FigureFace {
     const { look, marks } = this;
-    return { ...this.faces.face(this.player.currentFigure ?? ''), look: { ...look, lines: this.#lines() }, marks };
+    return {
+      ...this.faces.face(this.player.currentFigure ?? ''),
+      look: { ...look, ...(this.faces.pack.attributes.some((a) => a.part === 'texture') && skinOf(this.values.texture)), lines: this.#lines() },
+      marks,
+    };
   }
 
   /** How far lines of age show at rest. */

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../pages/fields.js';
 import type { App } from './app.js';
-import { AGES, ANCESTRIES, chosen, describe, SEXES, type Person } from './people.js';
+import { AGES, ANCESTRIES, chosen, describe, figureOf, FIGURES, SEXES, type Person } from './people.js';
 import type { Portraits } from './portraits.js';
 
 /** Faces of the database that are shown at once. */
@@ -25,8 +25,12 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   };
   const whole = app.segments.size === 0 && app.half === undefined;
   const take = (index: number): void => {
-    if (whole) app.do({ kind: 'example', index });
-    else app.do({ kind: 'import', index, part: 'both', region: app.region });
+    if (whole) {
+      const person = people[index];
+      // Body and clothes suit who it is; a file of the user's own stays.
+      if (person !== undefined && FIGURES.has(app.player.figure ?? '')) app.player.figure = figureOf(person);
+      app.do({ kind: 'example', index });
+    } else app.do({ kind: 'import', index, part: 'both', region: app.region });
   };
   return html`<div class="row bar">
       <div class="group" role="group" aria-label="Begin with">

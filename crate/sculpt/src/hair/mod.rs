@@ -12,9 +12,11 @@ mod chains;
 mod coil;
 mod colour;
 mod comb;
+mod cut;
 mod grid;
 mod grow;
 mod layers;
+pub mod library;
 mod light;
 mod line;
 mod locks;
@@ -30,6 +32,7 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::springs::HairChain;
 pub use beard::BeardParams;
+pub use cut::BeardCut;
 pub(crate) use cap::Cap;
 pub use raconteur_body::HairColour;
 
