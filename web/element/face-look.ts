@@ -70,9 +70,9 @@ export function paintOf(look: FaceLook | undefined): SkinPaint {
 }
 
 const textOf = ({ marks = [], look }: Partial<FigureFace>): string => {
-  const { hair } = plainLook(look) ?? {};
+  const { hair, beard } = plainLook(look) ?? {};
   const { freckles, stubble, grey } = paintOf(look);
-  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, freckles, stubble, stubble > 0 ? grey : 0]);
+  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, beard?.from ?? 'own', freckles, stubble, stubble > 0 ? grey : 0]);
 };
 
 /** The text of no marks, and of the figure's own hair and skin. */

@@ -8,7 +8,7 @@ type Kind = 'freckles' | 'stubble';
 /** Numbers of one spot, as an engine tells it. */
 const NUMBERS = 7;
 /** Radius of a freckle, least and most, and of a shaved hair, metres. */
-const FRECKLE_M = [0.0007, 0.0018] as const;
+const FRECKLE_M = [0.0004, 0.0011] as const;
 const HAIR_M = 0.00036;
 /** The fewest of all freckles that a face with some has. */
 const FEWEST = 0.12;
@@ -28,7 +28,7 @@ export class Speckles {
     // Paint is what is left of each colour.
     context.globalCompositeOperation = 'multiply';
     if (freckles > 0) {
-      context.fillStyle = 'rgb(176 120 86)';
+      context.fillStyle = 'rgb(190 136 100)';
       const share = FEWEST + (1 - FEWEST) * freckles;
       this.#each(context, this.#of(engine, 'freckles'), share, (strength) => {
         context.globalAlpha = (0.25 + 0.55 * strength) * (0.45 + 0.55 * freckles);

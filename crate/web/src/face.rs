@@ -56,7 +56,7 @@ impl Player {
         // Kept whatever came of it: preparing takes longer than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
-        self.hair = look.hair;
+        self.hair = [look.hair, look.beard];
         if let Some(picture) = &mut self.picture {
             picture.set_shape(&figure)?;
         }
@@ -125,7 +125,8 @@ impl Player {
     #[must_use]
     pub fn scalp(&self) -> Option<Vec<f32>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
-        let paint = reshaper.scalp_paint(performer.figure(), &self.hair);
+        let [hair, beard] = &self.hair;
+        let paint = reshaper.scalp_paint(performer.figure(), hair, beard);
         let count = paint.corners.len();
         if count == 0 && paint.bare.is_empty() {
             return None;

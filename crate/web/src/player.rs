@@ -60,8 +60,8 @@ pub struct Player {
     pub(crate) reshaper: Option<Reshaper>,
     /// Who lends hair.
     pub(crate) lenders: Lenders,
-    /// The hair that the figure has.
-    pub(crate) hair: Hair,
+    /// Hair and beard that the figure has.
+    pub(crate) hair: [Hair; 2],
 }
 
 #[wasm_bindgen]
@@ -93,7 +93,7 @@ impl Player {
             sized: false,
             reshaper: None,
             lenders: Lenders::new(),
-            hair: Hair::default(),
+            hair: Default::default(),
         })
     }
 

@@ -4,6 +4,7 @@ use raconteur_base::DVec3;
 
 use super::hairs::{self, Strands};
 use super::look::Hair;
+use super::speckle::Places;
 use super::wear::landmark;
 use super::{Reshaper, wide};
 use crate::figure::{Figure, MaterialKind, Mesh};
@@ -34,9 +35,37 @@ pub struct ScalpPaint {
 }
 
 impl Reshaper {
-    /// What to paint for the hair of a figure that this one made; nothing where it has its own as it was.
+    /// What to paint for hair and beard of a figure that this one made; nothing where it has its own as they
+    /// were.
     #[must_use]
-    pub fn scalp_paint(&self, figure: &Figure, hair: &Hair) -> ScalpPaint {
+    pub fn scalp_paint(&self, figure: &Figure, hair: &Hair, beard: &Hair) -> ScalpPaint {
+        let mut paint = self.under_hair(figure, hair);
+        if !beard.is_own() {
+            paint.bare.extend(self.shaved());
+        }
+        if !paint.bare.is_empty() {
+            paint.like = self.forehead();
+        }
+        paint
+    }
+
+    /// Texture coordinates of triangles where the figure's own beard is painted.
+    fn shaved(&self) -> Vec<[f32; 2]> {
+        let own = &self.figure.meshes[self.head];
+        let roots = roots(&self.figure, self.origin, Strands::Face);
+        let Some(places) = Places::of(&own.positions, self.origin).filter(|_| !roots.is_empty())
+        else {
+            return Vec::new();
+        };
+        let near = self.about(own, &roots, ABOUT_ROOT_M);
+        let is_skin = |v: u32| {
+            let v = v as usize;
+            near[v] && !places.on_lips(wide(own.positions[v]) - self.origin)
+        };
+        self.charted(|t| t.iter().all(|&v| is_skin(v)))
+    }
+
+    fn under_hair(&self, figure: &Figure, hair: &Hair) -> ScalpPaint {
         let Some(now) = figure.meshes.get(self.head) else {
             return ScalpPaint::default();
         };
@@ -47,7 +76,7 @@ impl Reshaper {
             None => return ScalpPaint::default(),
         };
         let is_hairy = match hair.lender() {
-            Some(_) => self.about(now, &roots(figure, self.origin), ABOUT_ROOT_M),
+            Some(_) => self.about(now, &roots(figure, self.origin, Strands::Scalp), ABOUT_ROOT_M),
             None if hair.from == "bald" => vec![false; self.vertices],
             None => self.scalp().to_vec(),
         };
@@ -58,9 +87,8 @@ impl Reshaper {
         };
         if !hair.is_own() && hair.from != "none" {
             let own = &self.figure.meshes[self.head];
-            let painted = self.about(own, &roots(&self.figure, self.origin), PAINTED_M);
+            let painted = self.about(own, &roots(&self.figure, self.origin, Strands::Scalp), PAINTED_M);
             paint.bare = self.charted(|t| t.iter().any(|&v| painted[v as usize]) && !under(t));
-            paint.like = self.forehead();
         }
         paint.rgb = self.on_picture(now, &is_hairy, rgb);
         paint
@@ -70,7 +98,7 @@ impl Reshaper {
     pub(super) fn scalp(&self) -> &[bool] {
         let own = &self.figure.meshes[self.head];
         self.scalp
-            .get_or_init(|| self.about(own, &roots(&self.figure, self.origin), ABOUT_ROOT_M))
+            .get_or_init(|| self.about(own, &roots(&self.figure, self.origin, Strands::Scalp), ABOUT_ROOT_M))
     }
 
     /// Lights the skin that the figure's own hair has shaded.
@@ -128,12 +156,12 @@ impl Reshaper {
     }
 }
 
-/// Roots of the hair on a scalp, rising in y.
-fn roots(figure: &Figure, origin: DVec3) -> Vec<DVec3> {
+/// Roots of the hair of a figure that grows in one place, rising in y.
+fn roots(figure: &Figure, origin: DVec3, strands: Strands) -> Vec<DVec3> {
     let hair = figure.meshes.iter().filter(is_hair);
     let mut roots: Vec<DVec3> = hair
         .flat_map(hairs::roots_of)
-        .filter(|root| hairs::grows(Strands::Scalp, *root - origin))
+        .filter(|root| hairs::grows(strands, *root - origin))
         .collect();
     roots.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
     roots.dedup();

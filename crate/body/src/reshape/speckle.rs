@@ -31,14 +31,14 @@ impl SpeckleKind {
     /// Places that are tried.
     fn tried(self) -> i64 {
         match self {
-            Self::Freckles => 2_600,
+            Self::Freckles => 9_000,
             Self::Stubble => 26_000,
         }
     }
 }
 
 /// The face that is spotted, in the frame of the head, metres.
-struct Places {
+pub(super) struct Places {
     sellion: DVec3,
     stomion: DVec3,
     gnathion: DVec3,
@@ -47,6 +47,18 @@ struct Places {
 }
 
 impl Places {
+    /// Of a skin whose frame of the head lies at `origin`.
+    pub(super) fn of(skin: &[[f32; 3]], origin: DVec3) -> Option<Self> {
+        let at = |v: usize| skin.get(v).map(|&p| wide(p) - origin);
+        let lobe = at(landmark::SUBAURALE[0])?;
+        Some(Self {
+            sellion: at(landmark::SELLION)?,
+            stomion: at(landmark::STOMION)?,
+            gnathion: at(landmark::GNATHION)?,
+            lobe: lobe.with_x(lobe.x.abs()),
+        })
+    }
+
     /// How likely there is a freckle: most across the nose and the cheekbones, some on forehead and chin.
     fn freckles(&self, p: DVec3) -> f64 {
         let height = self.sellion.y - self.stomion.y;
@@ -57,8 +69,10 @@ impl Places {
         let forehead = smooth(((up - 1.25) / 0.3).clamp(0.0, 1.0)) * 0.26;
         let chin = smooth(((0.1 - up) / 0.5).clamp(0.0, 1.0)) * 0.10;
         let side = 1.0 - smooth(((aside - 0.66) / 0.3).clamp(0.0, 1.0));
-        let on_lips = self.on_lips(p);
-        front * side * (band.max(forehead).max(chin)) * f64::from(u8::from(!on_lips))
+        if self.on_lips(p) || self.on_lids(p) {
+            return 0.0;
+        }
+        front * side * band.max(forehead).max(chin)
     }
 
     /// How dense stubble is.
@@ -82,7 +96,14 @@ impl Places {
         if self.on_lips(p) { 0.0 } else { below * neck * before }
     }
 
-    fn on_lips(&self, p: DVec3) -> bool {
+    /// About the eyes, whose lids have few.
+    fn on_lids(&self, p: DVec3) -> bool {
+        let (x, y) = (p.x.abs() / self.lobe.x.max(0.03), p.y - self.sellion.y);
+        let (x, y) = ((x - 0.44) / 0.27, (y + 0.006) / 0.014);
+        x * x + y * y < 1.0
+    }
+
+    pub(super) fn on_lips(&self, p: DVec3) -> bool {
         let off = p - self.stomion;
         let (x, y) = (off.x / 0.029, off.y / 0.0095);
         x * x + y * y < 1.0 && off.z > -0.03
@@ -97,17 +118,8 @@ impl Reshaper {
         let Some(skin) = figure.meshes.get(self.head) else {
             return Vec::new();
         };
-        let at = |v: usize| skin.positions.get(v).map(|&p| wide(p) - self.origin);
-        let marks = [landmark::SELLION, landmark::STOMION, landmark::GNATHION];
-        let [Some(sellion), Some(stomion), Some(gnathion)] = marks.map(at) else {
+        let Some(places) = Places::of(&skin.positions, self.origin) else {
             return Vec::new();
-        };
-        let lobe = at(landmark::SUBAURALE[0]).unwrap_or(DVec3::X * 0.07);
-        let places = Places {
-            sellion,
-            stomion,
-            gnathion,
-            lobe: DVec3::new(lobe.x.abs(), lobe.y, lobe.z),
         };
         // By area on the figure as it was: on every face the same spots.
         let own = &self.figure.meshes[self.head].positions;

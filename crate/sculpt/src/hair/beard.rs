@@ -228,8 +228,13 @@ impl Field<'_> {
         // No tip hangs over the lips, or it would stand in the open mouth.
         let sag = sag(n, self.cut.rise(q));
         let tip = |length: f64| root + (direction + sag) * length;
-        while length > SHORTEST && self.to_lips(tip(length)) < self.cut.lip_margin() {
-            length *= 0.8;
+        if p.density > 1.0 && on_lip && self.cut != BeardCut::Handlebar {
+            // It stands on its own, and may come to the edge of the lip but not over the mouth.
+            length = length.min(1.1 * self.to_lips(root) + 0.0035);
+        } else {
+            while length > SHORTEST && self.to_lips(tip(length)) < self.cut.lip_margin() {
+                length *= 0.8;
+            }
         }
         (length > SHORTEST).then_some(Tuft {
             root,

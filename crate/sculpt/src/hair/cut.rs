@@ -128,7 +128,6 @@ impl BeardCut {
     /// How clear of the lips tips stay, metres.
     pub(super) fn lip_margin(self) -> f64 {
         match self {
-            Self::Moustache => 0.0028,
             Self::Handlebar => 0.004,
             _ => 0.0055,
         }

@@ -243,14 +243,14 @@ fn coloured_hair_has_a_scalp() {
             colour: Some(colour),
             ..Hair::default()
         };
-        reshaper.scalp_paint(figure, &hair)
+        reshaper.scalp_paint(figure, &hair, &Hair::default())
     });
     assert!(dark.corners.len() > 900 && dark.corners.len().is_multiple_of(3));
     assert_eq!(dark.corners, light.corners);
     assert!(5.0 * dark.rgb[0] <= light.rgb[0] && light.rgb[0] <= 1.0);
     assert!(dark.bare.is_empty());
     assert_eq!(
-        reshaper.scalp_paint(figure, &Hair::default()),
+        reshaper.scalp_paint(figure, &Hair::default(), &Hair::default()),
         ScalpPaint::default()
     );
     let skin = &figure.meshes[reshaper.head];
@@ -272,7 +272,7 @@ fn a_bald_crown_is_skin() {
     };
     let figure = with(&reshaper, &look, [1.0; 3]);
     let [crown, none] =
-        ["balding", "bald"].map(|name| reshaper.scalp_paint(&figure, &lent(name)));
+        ["balding", "bald"].map(|name| reshaper.scalp_paint(&figure, &lent(name), &Hair::default()));
     assert!(crown.bare.len() > 300 && crown.corners.len() > 300);
     assert!(none.bare.len() > crown.bare.len() && none.corners.is_empty());
     let shade = |f: &Figure| {
@@ -284,6 +284,19 @@ fn a_bald_crown_is_skin() {
         ..Look::default()
     };
     assert!(shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure));
+}
+
+/// Where another beard is asked for, the painted one of the figure is gone.
+#[test]
+fn a_painted_beard_is_shaved() {
+    let papous = read_figure("papous", PAPOUS).expect("a figure");
+    let reshaper = Reshaper::new(papous, VERTICES).expect("our head");
+    let paint = |beard: &str| {
+        let own = Hair::default();
+        reshaper.scalp_paint(&reshaper.figure, &own, &lent(beard))
+    };
+    assert!(paint("none").bare.len() > 300);
+    assert!(paint("own").bare.is_empty());
 }
 
 /// A moustache stands on the lip of any face, on both halves of it, and none of its roots is in the skin.
