@@ -9,7 +9,7 @@ type Kind = 'freckles' | 'stubble';
 const NUMBERS = 7;
 /** Radius of a freckle, least and most, and of a shaved hair, metres. */
 const FRECKLE_M = [0.0004, 0.0011] as const;
-const HAIR_M = 0.00036;
+const HAIR_M = 0.00052;
 /** The fewest of all freckles that a face with some has. */
 const FEWEST = 0.12;
 
@@ -36,10 +36,10 @@ export class Speckles {
       });
     }
     if (stubble > 0) {
-      const pale = Math.round(90 + 110 * grey);
+      const pale = Math.round(66 + 134 * grey);
       context.fillStyle = `rgb(${pale} ${pale - 8} ${pale - 12})`;
       this.#each(context, this.#of(engine, 'stubble'), 0.35 + 0.65 * stubble, (strength) => {
-        context.globalAlpha = (0.25 + 0.45 * strength) * stubble;
+        context.globalAlpha = (0.3 + 0.5 * strength) * stubble;
         return HAIR_M;
       });
     }

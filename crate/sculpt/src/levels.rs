@@ -145,7 +145,10 @@ pub(crate) fn lighten(mesh: &mut Mesh) {
     mesh.drop_unused();
     let coarser = cards::coarser(mesh);
     let finest = mesh.indices.len();
-    mesh.coarser = coarser.into_iter().filter(|c| 2 * c.len() < finest).collect();
+    mesh.coarser = coarser
+        .into_iter()
+        .filter(|c| 2 * c.len() < finest)
+        .collect();
 }
 
 /// Sorts triangles so that those that share vertices follow one another: a graphics card computes

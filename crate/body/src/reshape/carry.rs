@@ -71,7 +71,11 @@ impl<'a> Skin<'a> {
     pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> Near {
         let mut found = self.about(p);
         let out = |v: u32| (self.places[v as usize] - p).dot(normal);
-        let most = found.iter().map(|v| out(*v)).fold(f64::MIN, f64::max).min(0.0);
+        let most = found
+            .iter()
+            .map(|v| out(*v))
+            .fold(f64::MIN, f64::max)
+            .min(0.0);
         found.retain(|v| out(*v) > most - BEHIND_M);
         if found.len() < COUNT {
             return self.near(p);

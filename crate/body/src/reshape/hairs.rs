@@ -1,8 +1,8 @@
 //! Hair of one figure on the head of another, its colour, and what of it is beard.
 
-use raconteur_base::DVec3;
 use super::wide;
 use crate::figure::Mesh;
+use raconteur_base::DVec3;
 
 /// The name of a mesh of hair that grows in a face.
 pub(super) const BEARD: &str = "beard";
@@ -141,4 +141,3 @@ pub(super) fn colour(mesh: &mut Mesh, rgb: [f64; 3]) {
     let [r, g, b] = rgb.map(|x| (x * most).min(1.0) as f32);
     mesh.material.base_color = [r, g, b, mesh.material.base_color[3]];
 }
-

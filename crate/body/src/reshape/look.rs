@@ -126,10 +126,7 @@ impl Reshaper {
         figure.meshes = rest;
         let head = figure.meshes.iter().position(|m| m.name == "head");
         let head = head.unwrap_or_default();
-        let places = [
-            (&look.hair, Strands::Scalp),
-            (&look.beard, Strands::Face),
-        ];
+        let places = [(&look.hair, Strands::Scalp), (&look.beard, Strands::Face)];
         for (wanted, strands) in places {
             let mut meshes = match wanted.lender() {
                 _ if wanted.is_none() => Vec::new(),

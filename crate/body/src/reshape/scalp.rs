@@ -76,7 +76,11 @@ impl Reshaper {
             None => return ScalpPaint::default(),
         };
         let is_hairy = match hair.lender() {
-            Some(_) => self.about(now, &roots(figure, self.origin, Strands::Scalp), ABOUT_ROOT_M),
+            Some(_) => self.about(
+                now,
+                &roots(figure, self.origin, Strands::Scalp),
+                ABOUT_ROOT_M,
+            ),
             None if hair.from == "bald" => vec![false; self.vertices],
             None => self.scalp().to_vec(),
         };
@@ -87,7 +91,11 @@ impl Reshaper {
         };
         if !hair.is_own() && hair.from != "none" {
             let own = &self.figure.meshes[self.head];
-            let painted = self.about(own, &roots(&self.figure, self.origin, Strands::Scalp), PAINTED_M);
+            let painted = self.about(
+                own,
+                &roots(&self.figure, self.origin, Strands::Scalp),
+                PAINTED_M,
+            );
             paint.bare = self.charted(|t| t.iter().any(|&v| painted[v as usize]) && !under(t));
         }
         paint.rgb = self.on_picture(now, &is_hairy, rgb);
@@ -97,8 +105,13 @@ impl Reshaper {
     /// Whether the figure's own hair grows about each vertex of the skin.
     pub(super) fn scalp(&self) -> &[bool] {
         let own = &self.figure.meshes[self.head];
-        self.scalp
-            .get_or_init(|| self.about(own, &roots(&self.figure, self.origin, Strands::Scalp), ABOUT_ROOT_M))
+        self.scalp.get_or_init(|| {
+            self.about(
+                own,
+                &roots(&self.figure, self.origin, Strands::Scalp),
+                ABOUT_ROOT_M,
+            )
+        })
     }
 
     /// Lights the skin that the figure's own hair has shaded.

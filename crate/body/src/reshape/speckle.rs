@@ -93,7 +93,11 @@ impl Places {
         let below = smooth(((edge - p.y) / 0.008).clamp(0.0, 1.0));
         let neck = smooth(((p.y - self.gnathion.y + 0.026) / 0.02).clamp(0.0, 1.0));
         let before = smooth(((p.z - 0.002) / 0.012).clamp(0.0, 1.0));
-        if self.on_lips(p) { 0.0 } else { below * neck * before }
+        if self.on_lips(p) {
+            0.0
+        } else {
+            below * neck * before
+        }
     }
 
     /// About the eyes, whose lids have few.

@@ -109,9 +109,7 @@ impl BeardCut {
         let side = if q.x < 0.0 { -1.0 } else { 1.0 };
         let from_middle = slope(0.0, 9.0, q.x.abs());
         match self {
-            Self::Handlebar => {
-                DVec3::new(side * from_middle * 2.4, -0.75 + 0.3 * from_middle, 0.0)
-            }
+            Self::Handlebar => DVec3::new(side * from_middle * 2.4, -0.75 + 0.3 * from_middle, 0.0),
             Self::Moustache => DVec3::new(side * from_middle * 1.25, -0.85, 0.0),
             _ => DVec3::new(side * from_middle * 1.1, -0.85, 0.0),
         }

@@ -11,7 +11,13 @@ pub const HAIR: [&str; 20] = [
 
 /// Names of beards.
 pub const BEARDS: [&str; 7] = [
-    "moustache", "handlebar", "goatee", "circle", "curtain", "boxed", "full",
+    "moustache",
+    "handlebar",
+    "goatee",
+    "circle",
+    "curtain",
+    "boxed",
+    "full",
 ];
 
 /// No skin is painted under a beard that is lent.
@@ -120,11 +126,17 @@ mod tests {
     fn every_name_has_hair_or_a_beard() {
         for name in HAIR {
             let hair = params(name).expect(name).hair;
-            assert!(hair.beard.is_none() && hair.style != HairStyle::Bald, "{name}");
+            assert!(
+                hair.beard.is_none() && hair.style != HairStyle::Bald,
+                "{name}"
+            );
         }
         for name in BEARDS {
             let hair = params(name).expect(name).hair;
-            assert!(hair.beard.is_some() && hair.style == HairStyle::Bald, "{name}");
+            assert!(
+                hair.beard.is_some() && hair.style == HairStyle::Bald,
+                "{name}"
+            );
         }
         assert!(params("wig").is_none());
     }

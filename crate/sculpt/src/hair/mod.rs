@@ -32,8 +32,8 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::springs::HairChain;
 pub use beard::BeardParams;
-pub use cut::BeardCut;
 pub(crate) use cap::Cap;
+pub use cut::BeardCut;
 pub use raconteur_body::HairColour;
 
 use colour::Palette;

@@ -192,7 +192,7 @@ fn beards_leave_the_lips_free() {
             beard: Some(BeardParams {
                 length_m: 0.02,
                 cut: BeardCut::Full,
-            density: 1.0,
+                density: 1.0,
             }),
             ..*own
         };

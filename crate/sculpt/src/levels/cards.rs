@@ -68,7 +68,9 @@ fn spread(mesh: &Mesh, cards: &[Card]) -> Vec<usize> {
 /// The levels after the finest.
 pub(super) fn coarser(mesh: &Mesh) -> Vec<Vec<u32>> {
     let levels = LEVELS.iter();
-    levels.map(|&(share, most)| thinned(mesh, share, most)).collect()
+    levels
+        .map(|&(share, most)| thinned(mesh, share, most))
+        .collect()
 }
 
 /// The triangles of fewer cards: this share of a card's spans, and at most so many triangles.

@@ -72,10 +72,20 @@ pub(super) struct Sheet {
     #[arg(long)]
     bald: bool,
     /// Hair of the library, by name; `own`, `none` or `bald`. With several each face is drawn with each.
-    #[arg(long, value_name = "NAME", value_delimiter = ',', default_value = "own")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_delimiter = ',',
+        default_value = "own"
+    )]
     hair: Vec<String>,
     /// Beards of the library, by name; `own` or `none`. With several each face is drawn with each.
-    #[arg(long, value_name = "NAME", value_delimiter = ',', default_value = "own")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_delimiter = ',',
+        default_value = "own"
+    )]
     beard: Vec<String>,
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(64..=1600))]
@@ -193,9 +203,9 @@ impl Drawing<'_> {
         for name in lent.into_iter().filter(|n| !NOT_LENT.contains(n)) {
             on.lend(editor.model(), name)?;
         }
-        let bar = ProgressBar::new((faces.len() * worn.len()) as u64).with_style(ProgressStyle::with_template(
-            "{bar:30} {pos}/{len} faces, {eta} left",
-        )?);
+        let bar = ProgressBar::new((faces.len() * worn.len()) as u64).with_style(
+            ProgressStyle::with_template("{bar:30} {pos}/{len} faces, {eta} left")?,
+        );
         let aspects = vec![1.0; faces.len() * worn.len() * self.view.len()];
         let mut board = Board::new(&aspects, self.size, self.grid, self.columns);
         for (name, face) in faces {

@@ -33,7 +33,10 @@ impl Hair {
         parallel::each(0..names.len() as u64, |i| {
             let name = names[i as usize];
             let params = library::params(name).with_context(|| {
-                format!("there is no hair named {name}; there are {}", all.join(", "))
+                format!(
+                    "there is no hair named {name}; there are {}",
+                    all.join(", ")
+                )
             })?;
             let lender = raconteur_sculpt::lender(&params);
             let glb = write::to_packed_glb(&lender, &Annotations::default());
