@@ -36,7 +36,7 @@ test('hair, its colour and what is worn are steps, kept with the session', async
   await open(page);
   const bare = await picture(page);
   await tab(page, 'Style');
-  await page.getByRole('region', { name: 'Hair', exact: true }).getByLabel('Style').selectOption('Short, flat');
+  await page.getByRole('region', { name: 'Hair', exact: true }).getByLabel('Style').selectOption('Short, combed forward');
   await press(page, 'red');
   await press(page, 'Round glasses');
   await press(page, 'Hat');
@@ -118,10 +118,11 @@ test.describe('in one visit', () => {
     const style = page.getByRole('region', { name: 'Beard' }).getByLabel('Style');
     const bare = await picture(page);
     for (const [cut, differs] of [
-      ['Full', true],
+      ['Full, long', true],
       ['Moustache', true],
       ['None', false],
       ['Goatee', true],
+      ['Stubble', true],
       ['As it is', false],
     ] as const) {
       await style.selectOption(cut);

@@ -10,6 +10,7 @@ import { History, type Saved } from './history.js';
 import { LIMITS } from './limits.js';
 import { lookOf, type Person } from './people.js';
 import { isLibraryName, readScene, type Scene } from './scene.js';
+import { skinOf } from './skin.js';
 import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
@@ -133,7 +134,11 @@ export class App {
   /** The face as it is shown. */
   get face(): FigureFace {
     const { look, marks } = this;
-    return { ...this.faces.face(this.player.currentFigure ?? ''), look: { ...look, lines: this.#lines() }, marks };
+    return {
+      ...this.faces.face(this.player.currentFigure ?? ''),
+      look: { ...look, ...(this.faces.pack.attributes.some((a) => a.part === 'texture') && skinOf(this.values.texture)), lines: this.#lines() },
+      marks,
+    };
   }
 
   /** How far lines of age show at rest. */

@@ -5,7 +5,8 @@ import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../e
 import { numberField, vars } from '../pages/fields.js';
 import type { App } from './app.js';
 import { hexOf, linearOf } from '../element/colour.js';
-import { BEARDED, BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
+import { plainLook } from '../element/face-look.js';
+import { BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
 
 /** What of a look has a colour of hair. */
 type Part = 'hair' | 'beard' | 'brows';
@@ -38,7 +39,7 @@ export class LookPanel {
   draw(): TemplateResult {
     const { app } = this;
     if (this.#natural.length === 0) this.#natural = app.player.naturalHair();
-    const { look } = app;
+    const look = plainLook(app.look) ?? {};
     return html`<section class="region" aria-label="Hair"><h3>Hair</h3>
         ${this.#select('Style', HAIR, look.hair?.from ?? 'own', (from, name) => this.#do({ ...look, hair: { ...look.hair, from } }, `hair: ${name}`))} ${this.#colour('hair')}
       </section>
@@ -47,7 +48,7 @@ export class LookPanel {
         <div class="worn">${(Object.keys(WEAR) as WearKind[]).map((kind) => this.#worn(kind))}</div>
       </section>
       <section class="region" aria-label="Beard"><h3>Beard</h3>
-        ${this.#select('Style', BEARDS, beardOf(look), (style, name) => this.#do(withBeard(look, style), `beard: ${name}`))} ${this.#colour('beard')}
+        ${this.#select('Style', BEARDS, look.beard?.from ?? 'own', (from, name) => this.#do({ ...look, beard: { ...look.beard, from } }, `beard: ${name}`))} ${this.#colour('beard')}
       </section>`;
   }
 
@@ -138,18 +139,4 @@ function colourOf(look: FaceLook, part: Part): HairColour | undefined {
 
 function withColour(look: FaceLook, part: Part, colour: HairColour | undefined): FaceLook {
   return part === 'brows' ? { ...look, brows: colour } : { ...look, [part]: { ...look[part], colour } satisfies HairLook };
-}
-
-type BeardStyle = keyof typeof BEARDS;
-
-function beardOf({ beard, cut }: FaceLook): BeardStyle {
-  const from = beard?.from ?? 'own';
-  if (from === 'own' || from === 'none') return from;
-  return cut ?? 'full';
-}
-
-function withBeard(look: FaceLook, style: BeardStyle): FaceLook {
-  const beard = look.beard ?? {};
-  if (style === 'own' || style === 'none') return { ...look, beard: { ...beard, from: style }, cut: undefined };
-  return { ...look, beard: { ...beard, from: BEARDED }, cut: style };
 }

@@ -1,7 +1,8 @@
 /** Hair, beard, what is worn, marks and light in words, for reports. */
 
-import type { FaceLook, FaceMark, HairColour, NaturalHair } from '../element/types.js';
+import type { FaceMark, HairColour, NaturalHair } from '../element/types.js';
 import type { App } from './app.js';
+import { plainLook } from '../element/face-look.js';
 import { BEARDS, HAIR, MARKS, SHAPES, WEAR } from './look.js';
 import { LIGHTS } from './scene.js';
 
@@ -20,11 +21,6 @@ export function colourWords(colour: HairColour | undefined, natural: readonly Na
 
 const joined = (...words: readonly (string | undefined)[]): string => words.filter((word) => word !== undefined).join(', ');
 
-function beardOf({ beard, cut }: FaceLook): string {
-  const from = beard?.from ?? 'own';
-  return BEARDS[(from === 'own' || from === 'none' ? from : (cut ?? 'full')) as keyof typeof BEARDS] ?? from;
-}
-
 function markOf({ kind, size, shape, text }: FaceMark): string {
   const motif = kind !== 'tattoo' ? '' : shape === 'text' ? ` “${text ?? ''}”` : ` ${SHAPES[shape ?? 'star'].toLowerCase()}`;
   return `${MARKS[kind].name.toLowerCase()}${motif}, ${Math.round(1000 * size)} mm`;
@@ -32,12 +28,14 @@ function markOf({ kind, size, shape, text }: FaceMark): string {
 
 /** What a head has besides its features, and in which light it is. */
 export function lookFacts({ look, marks, light }: Pick<App, 'look' | 'marks' | 'light'>, natural: readonly NaturalHair[]): [name: string, text: string][] {
-  const from = look.hair?.from ?? 'own';
+  // Sessions of before name hair and beards by the figures that lent them.
+  const { hair, beard } = plainLook(look) ?? {};
+  const styleOf = (names: Readonly<Record<string, string>>, from = 'own'): string => names[from] ?? from;
   const turned = Math.round(light.turn / DEGREE);
   const worn = (look.wear ?? []).map(({ kind }) => WEAR[kind].name.toLowerCase());
   return [
-    ['Hair', joined(HAIR[from] ?? from, colourWords(look.hair?.colour, natural))],
-    ['Beard', joined(beardOf(look), colourWords(look.beard?.colour, natural))],
+    ['Hair', joined(styleOf(HAIR, hair?.from), colourWords(hair?.colour, natural))],
+    ['Beard', joined(styleOf(BEARDS, beard?.from), colourWords(beard?.colour, natural))],
     ['Brows and lashes', colourWords(look.brows, natural) ?? 'as they are'],
     ['Worn', worn.join(', ') || 'nothing'],
     ['Marks', marks.map(markOf).join('; ') || 'none'],

@@ -1,22 +1,47 @@
 /** What hair a head has, what it wears and what is painted on it: the choices there are, and whether a file's are among them. */
 
+import { FORMER_HAIR } from '../element/face-look.js';
 import type { FaceLook, FaceMark, HairColour, TattooShape, Wear, WearKind } from '../element/types.js';
 
-/** The style that each figure of the library lends; where it comes from itself, nothing changes. */
+/** Hair: what is not the figure's own is a file of the library, `hair/NAME.glb`. */
 export const HAIR: Readonly<Record<string, string>> = {
   own: 'As it is',
   none: 'Shaved',
-  sofia: 'Bob',
-  lia: 'Long',
-  amara: 'Tied back in a bun',
-  kenji: 'Short, flat',
-  nuno: 'Short, ruffled',
-  papous: 'Bald on top',
+  bald: 'Bald',
+  buzz: 'Cropped to the skin',
+  crop: 'Short, combed forward',
+  side: 'Short, full on top',
+  swept: 'Short, combed back',
+  tousled: 'Short, ruffled',
+  pixie: 'Short, with a fringe',
+  receding: 'Receding',
+  thinning: 'Thinning',
+  balding: 'Bald on top',
+  coily: 'Tight coils, short',
+  afro: 'Tight coils, long',
+  page: 'To the ears',
+  bob: 'Bob',
+  curly: 'Curls',
+  wavy: 'Waves',
+  long: 'Long',
+  straight: 'Long, parted in the middle',
+  ponytail: 'Ponytail',
+  bun: 'Tied back in a bun',
+  braid: 'Braid',
 };
-/** Beards, by who lends them and how much of it. */
-export const BEARDS = { own: 'As it is', none: 'None', full: 'Full', moustache: 'Moustache', goatee: 'Goatee' } as const;
-/** Who lends beards. */
-export const BEARDED = 'papous';
+/** Beards; stubble is painted, the others are files as hair is. */
+export const BEARDS: Readonly<Record<string, string>> = {
+  own: 'As it is',
+  none: 'None',
+  stubble: 'Stubble',
+  moustache: 'Moustache',
+  handlebar: 'Handlebar moustache',
+  goatee: 'Goatee',
+  circle: 'Moustache and goatee',
+  curtain: 'Chin curtain',
+  boxed: 'Full, short',
+  full: 'Full, long',
+};
 
 export const WEAR: Readonly<Record<WearKind, { readonly name: string; readonly rgb: Wear['colour'] }>> = {
   'round-glasses': { name: 'Round glasses', rgb: [0.03, 0.03, 0.035] },
@@ -77,12 +102,13 @@ const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'obj
 const isWithin = (x: unknown, from: number, to: number): boolean => typeof x === 'number' && x >= from && x <= to;
 const isColour = (x: unknown): boolean => Array.isArray(x) && x.length === 3 && x.every((part) => isWithin(part, 0, 1));
 const isPigment = (x: unknown): boolean => x === undefined || (isRecord(x) && isWithin(x['eumelanin'], 0, 3) && isWithin(x['pheomelanin'], 0, 3) && isWithin(x['grey'], 0, 1));
-const isHair = (x: unknown): boolean => x === undefined || (isRecord(x) && (x['from'] === undefined || Object.hasOwn(HAIR, String(x['from']))) && isPigment(x['colour']));
+const isHair = (x: unknown, names: Readonly<Record<string, string>>): boolean =>
+  x === undefined || (isRecord(x) && (x['from'] === undefined || [names, FORMER_HAIR].some((known) => Object.hasOwn(known, String(x['from'])))) && isPigment(x['colour']));
 const isWear = (x: unknown): boolean => isRecord(x) && Object.hasOwn(WEAR, String(x['kind'])) && isColour(x['colour']);
 
 /** Whether what a file holds is a look. */
 export function isLook(x: unknown): x is FaceLook {
-  if (!isRecord(x) || !isHair(x['hair']) || !isHair(x['beard']) || !isPigment(x['brows'])) return false;
+  if (!isRecord(x) || !isHair(x['hair'], HAIR) || !isHair(x['beard'], BEARDS) || !isPigment(x['brows'])) return false;
   const { wear = [], cut = 'full' } = x;
   return ['full', 'moustache', 'goatee'].includes(cut as string) && Array.isArray(wear) && wear.length <= Object.keys(WEAR).length && wear.every(isWear);
 }

@@ -54,13 +54,68 @@ export function describe({ sex, ageYears, ancestry }: Personal): string {
 /** Hair begins to be grey at this age, and is so many years later, roughly: about half of it is grey at 62. */
 const GREY_FROM_YEARS = 42;
 const GREY_IN_YEARS = 40;
+/** Who is younger has the body of a child; men older than this that of an old man. */
+const GROWN_YEARS = 13;
+const OLD_YEARS = 57;
+const BEARD_FROM_YEARS = 20;
 
-/** The hair that somebody of the database is shown with until its author chooses another: black or as the figure has it, and grey with the years. */
-export function lookOf({ ageYears, ancestry }: Personal, natural: readonly NaturalHair[]): FaceLook {
+/** Groups of people who wear the same hair. */
+type Group = 'girl' | 'woman' | 'lady' | 'boy' | 'youth' | 'man' | 'elder';
+
+/** Hair that is common in a group; a name that stands twice is twice as common. */
+const WORN: Readonly<Record<Group, readonly string[]>> = {
+  girl: ['long', 'straight', 'ponytail', 'braid', 'page', 'bob'],
+  woman: ['bob', 'wavy', 'long', 'straight', 'curly', 'ponytail', 'bun', 'pixie'],
+  lady: ['bob', 'page', 'pixie', 'pixie', 'curly', 'bun'],
+  boy: ['tousled', 'crop', 'tousled', 'page'],
+  youth: ['crop', 'side', 'swept', 'tousled', 'buzz'],
+  man: ['crop', 'side', 'swept', 'receding', 'thinning', 'buzz'],
+  elder: ['receding', 'balding', 'thinning', 'swept', 'balding', 'bald'],
+};
+/** And where hair is tightly coiled. */
+const COILED: Readonly<Record<Group, readonly string[]>> = {
+  girl: ['bun', 'afro', 'braid'],
+  woman: ['afro', 'coily', 'bun', 'braid'],
+  lady: ['coily', 'bun'],
+  boy: ['coily', 'buzz'],
+  youth: ['coily', 'buzz', 'afro'],
+  man: ['buzz', 'coily', 'bald'],
+  elder: ['buzz', 'balding', 'bald'],
+};
+const SHAVED = ['none', 'none', 'none', 'stubble', 'stubble', 'boxed', 'goatee', 'circle'];
+const GROWN = ['none', 'none', 'moustache', 'full', 'boxed', 'circle', 'handlebar', 'curtain'];
+const FAIR = ['dark brown', 'dark brown', 'brown', 'brown', 'light brown', 'dark blond', 'blond', 'auburn', 'red'];
+
+function groupOf({ sex, ageYears }: Personal): Group {
+  if (ageYears < GROWN_YEARS) return sex >= 0.5 ? 'girl' : 'boy';
+  if (sex >= 0.5) return ageYears < 50 ? 'woman' : 'lady';
+  return ageYears < 32 ? 'youth' : ageYears < OLD_YEARS ? 'man' : 'elder';
+}
+
+/** One of some, the same for the same person: what is read of them is as good as chance. */
+function one<T>(of: readonly T[], { ageYears, sex, ancestry }: Personal, salt: number): T {
+  const noise = Math.sin(ageYears * 127.1 + sex * 311.7 + ancestry[0] * 74.7 + ancestry[1] * 269.5 + salt * 53.3) * 43_758.545;
+  return of[Math.floor((noise - Math.floor(noise)) * of.length)] as T;
+}
+
+/** The hair and the beard that somebody of the database is shown with until its author chooses others: what people of that sex, age and ancestry wear, grey with the years. */
+export function lookOf(person: Personal, natural: readonly NaturalHair[]): FaceLook {
+  const { ageYears, ancestry, sex } = person;
   const grey = Math.min(1, Math.max(0, (ageYears - GREY_FROM_YEARS) / GREY_IN_YEARS));
-  const isDark = ancestry[0] < 0.5;
-  const own = natural.find(({ name }) => name === (isDark ? 'black' : 'dark brown'));
-  if (own === undefined || (grey === 0 && !isDark)) return {};
-  const colour = { ...own.colour, grey };
-  return { hair: { colour }, brows: { ...colour, grey: 0.7 * grey } };
+  const wanted = ancestry[0] < 0.5 ? 'black' : one(FAIR, person, 1);
+  const own = natural.find(({ name }) => name === wanted);
+  const colour = own === undefined ? undefined : { ...own.colour, grey };
+  const from = one((ancestry[2] >= 0.5 ? COILED : WORN)[groupOf(person)], person, 2);
+  const beard = sex >= 0.5 || ageYears < BEARD_FROM_YEARS ? 'none' : one(ageYears < 50 ? SHAVED : GROWN, person, 3);
+  return { hair: { from, colour }, beard: { from: beard, colour }, brows: colour && { ...colour, grey: 0.7 * grey } };
+}
+
+/** Figures of the library, and the usual one where none is named. */
+export const FIGURES: ReadonlySet<string> = new Set(['', 'sofia', 'papous', 'nuno', 'amara', 'kenji', 'lia']);
+
+/** The figure of the library whose body and clothes suit somebody of the database. */
+export function figureOf({ sex, ageYears, ancestry }: Personal): string {
+  if (ageYears < GROWN_YEARS) return sex >= 0.5 ? 'lia' : 'nuno';
+  if (sex >= 0.5) return ancestry[2] >= 0.5 ? 'amara' : 'sofia';
+  return ageYears < OLD_YEARS ? 'kenji' : 'papous';
 }

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../pages/fields.js';
 import type { App } from './app.js';
 import { PARTS } from './panels.js';
-import { AGES, ANCESTRIES, chosen, describe, SEXES, type Person } from './people.js';
+import { AGES, ANCESTRIES, chosen, describe, figureOf, FIGURES, SEXES, type Person } from './people.js';
 import type { Portraits } from './portraits.js';
 
 /** What of a face is taken over. */
@@ -28,8 +28,12 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   };
   const whole = app.segments.size === 0 && app.half === undefined;
   const take = (index: number): void => {
-    if (whole && app.taken === 'both') app.do({ kind: 'example', index });
-    else app.do({ kind: 'import', index, part: app.taken, region: app.region });
+    if (whole && app.taken === 'both') {
+      const person = people[index];
+      // Body and clothes suit who it is; a file of the user's own stays.
+      if (person !== undefined && FIGURES.has(app.player.figure ?? '')) app.player.figure = figureOf(person);
+      app.do({ kind: 'example', index });
+    } else app.do({ kind: 'import', index, part: app.taken, region: app.region });
   };
   const of = app.taken === 'both' ? '' : `the ${TAKEN[app.taken].toLowerCase()} of `;
   return html`<div class="row bar">

@@ -2,7 +2,7 @@
 
 import instantiate from '../pkg/avatar/raconteur.js';
 import wasmUrl from '../pkg/avatar/raconteur_bg.wasm?url';
-import { plainLook } from './face-look.js';
+import { toldLook } from './face-look.js';
 import { fetchModule, SCRIPT } from './fetching.js';
 import type { Diagnostic, FaceLook, FigureFace } from './types.js';
 
@@ -76,5 +76,5 @@ export async function convertAnimation(name: string, bytes: Uint8Array): Promise
 /** A figure with a face as a figure file, which any story can use. Throws an `Error` that says what is wrong. */
 export async function faceFile({ name, glb, face, lent, painted }: FaceFile): Promise<Uint8Array> {
   const { skin, organs, factors, look } = face;
-  return await use((instance) => instance.faceFile(name, glb, skin, organs, factors ?? new Float64Array(), plainLook(look), [...lent.keys()], [...lent.values()], painted));
+  return await use((instance) => instance.faceFile(name, glb, skin, organs, factors ?? new Float64Array(), toldLook(look), [...lent.keys()], [...lent.values()], painted));
 }

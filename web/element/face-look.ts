@@ -3,18 +3,38 @@
 import type { PaintedSkin } from './marks.js';
 import type { Engine, FaceLook, FigureFace } from './types.js';
 
-/** Figures that lend hair to a face, by name. */
+/** What is said of hair and is no file: the figure's own, none, none ever, and what is painted. */
+const NOT_LENT: readonly string[] = ['', 'own', 'none', 'bald'];
+
+/** Hair that figures lent themselves, before it had files of its own. */
+export const FORMER_HAIR: Readonly<Record<string, string>> = { sofia: 'bob', lia: 'long', amara: 'bun', kenji: 'crop', nuno: 'tousled', papous: 'swept' };
+/** The beards that one figure lent, by how much of it. */
+const FORMER_BEARDS = { full: 'full', moustache: 'moustache', goatee: 'goatee' } as const;
+/** It is painted on the skin. */
+const STUBBLE = 'stubble';
+
+/** Names of hair and beards of the library that a face needs. */
 export function lendersOf({ look }: FigureFace): string[] {
-  const names = [look?.hair?.from, look?.beard?.from].filter((name) => name !== undefined && !['', 'own', 'none'].includes(name));
+  const { hair, beard } = plainLook(look) ?? {};
+  const names = [hair?.from, beard?.from === STUBBLE ? undefined : beard?.from].filter((name) => name !== undefined && !NOT_LENT.includes(name));
   return [...new Set(names as string[])];
 }
 
-/** A look as engines read it: to them a key whose value is undefined has a value. */
+/** A look with names that hair has now, and without keys that have no value: to engines such a key has one. */
 export function plainLook(look: FaceLook | undefined): FaceLook | undefined {
-  return look === undefined ? undefined : (JSON.parse(JSON.stringify(look)) as FaceLook);
+  if (look === undefined) return undefined;
+  const { cut = 'full', ...plain } = JSON.parse(JSON.stringify(look)) as FaceLook;
+  const [hair, beard] = [FORMER_HAIR[plain.hair?.from ?? ''], Object.hasOwn(FORMER_HAIR, plain.beard?.from ?? '') ? FORMER_BEARDS[cut] : undefined];
+  return { ...plain, ...(hair && { hair: { ...plain.hair, from: hair } }), ...(beard && { beard: { ...plain.beard, from: beard } }) };
 }
 
-/** Files of figures that lend hair, by name. */
+/** A look as engines read it: what is painted is none of their strands. */
+export function toldLook(look: FaceLook | undefined): FaceLook | undefined {
+  const plain = plainLook(look);
+  return plain?.beard?.from === STUBBLE ? { ...plain, beard: { ...plain.beard, from: 'none' } } : plain;
+}
+
+/** Files of hair, by name. */
 export type Lent = ReadonlyMap<string, Uint8Array>;
 
 /** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
@@ -24,11 +44,39 @@ export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
     const glb = lent.get(name);
     if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
   }
-  engine.setFace(skin, organs, factors ?? new Float64Array(), plainLook(look));
+  engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look));
 }
 
-/** The text of no marks and of hair in the figure's own colour. */
-const NOTHING = '[[],null]';
+/** What is painted on a skin besides marks. */
+export interface SkinPaint {
+  /** 0 to 1. */
+  readonly freckles: number;
+  readonly stubble: number;
+  /** How grey stubble is, 0 to 1. */
+  readonly grey: number;
+}
+
+/** Steps of freckles and stubble: what changes less is not painted again. */
+const STEPS = 25;
+/** Under a beard of tufts the skin is as if it were shaved. */
+const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
+const stepped = (x: number): number => Math.round(Math.min(1, Math.max(0, x)) * STEPS) / STEPS;
+
+/** What a look paints. */
+export function paintOf(look: FaceLook | undefined): SkinPaint {
+  const { freckles = 0, stubble = 0, hair, beard } = plainLook(look) ?? {};
+  const grey = (beard?.colour ?? hair?.colour)?.grey ?? 0;
+  return { freckles: stepped(freckles), stubble: stepped(Math.max(stubble, UNDER[beard?.from ?? ''] ?? 0)), grey: stepped(grey) };
+}
+
+const textOf = ({ marks = [], look }: Partial<FigureFace>): string => {
+  const { hair, beard } = plainLook(look) ?? {};
+  const { freckles, stubble, grey } = paintOf(look);
+  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, beard?.from ?? 'own', freckles, stubble, stubble > 0 ? grey : 0]);
+};
+
+/** The text of no marks, and of the figure's own hair and skin. */
+const NOTHING = textOf({});
 
 /** The paint on the skin of one figure. */
 export class Paint {
@@ -36,16 +84,16 @@ export class Paint {
   #painted = NOTHING;
   #skin: PaintedSkin | undefined;
 
-  /** Paints marks, and the scalp of coloured hair, on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
-  async put(engine: Engine, { marks = [], look }: Partial<FigureFace>, current: () => boolean): Promise<void> {
-    const wanted = JSON.stringify([marks, look?.hair?.colour ?? null]);
+  /** Paints marks, freckles, stubble, and the scalp of other hair on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
+  async put(engine: Engine, face: Partial<FigureFace>, current: () => boolean): Promise<void> {
+    const wanted = textOf(face);
     if (wanted === this.#painted) return;
     this.#painted = wanted;
     // Most players never paint.
     const { openSkin } = await import('./marks.js');
     this.#skin ??= await openSkin(engine);
     if (this.#skin === undefined || !current() || wanted !== this.#painted) return;
-    this.#skin.paint(engine, marks);
+    this.#skin.paint(engine, face.marks ?? [], paintOf(face.look));
   }
 
   /** The painted picture as a JPEG; undefined where nothing is painted. */

@@ -37,14 +37,14 @@ export class FigureLoader {
     return await castFigure(wish, eml, backend, { ...wanted, credentials: credentialsOf(player) }, (d) => diagnostics.report(d));
   }
 
-  /** Files of the figures of the library that lend a face hair. */
+  /** Files of the library with the hair that a face has. */
   async lent(face: FigureFace | undefined): Promise<Lent> {
     const names = face === undefined ? [] : lendersOf(face);
     const library = libraryOf(this.#context.player);
     const files = names.map(async (name): Promise<[string, Uint8Array]> => {
       // A look may come from a stranger's file: an address would be asked for.
-      if (!LIBRARY_NAME.test(name)) throw new PlayerError(`“${name}” is no name of a figure of the library.`);
-      const { glb } = await fetchFigure(name, library, { signal: new AbortController().signal, progress: () => undefined });
+      if (!LIBRARY_NAME.test(name)) throw new PlayerError(`“${name}” is no name of hair of the library.`);
+      const { glb } = await fetchFigure(name, library, { signal: new AbortController().signal, progress: () => undefined }, new URL(`hair/${name}.glb`, library));
       return [name, glb];
     });
     return new Map(await Promise.all(files));

@@ -1,6 +1,8 @@
-/** Scars, moles, birthmarks and tattoos, painted into the picture of the skin; fetched only by pages that paint some. */
+/** Scars, moles, birthmarks and tattoos, freckles and stubble, painted into the picture of the skin; fetched only by pages that paint some. */
 
 import { hexOf } from './colour.js';
+import type { SkinPaint } from './face-look.js';
+import { Speckles } from './speckles.js';
 import type { Engine, FaceMark, TattooShape } from './types.js';
 
 /** Two-dimensional, of an `OffscreenCanvas`. */
@@ -10,6 +12,8 @@ type Context = OffscreenCanvasRenderingContext2D;
 const MULTIPLY = 'multiply';
 /** The border of the scalp is so soft, of the picture's width. */
 const SOFT = 0.004;
+/** Half the side of the square of skin whose mean a bare scalp has, of the picture's width. */
+const LIKE = 0.012;
 /** A picture in a figure's file is as good as this. */
 const JPEG_QUALITY = 0.92;
 
@@ -141,6 +145,7 @@ export class PaintedSkin {
   readonly #bare: ImageBitmap;
   readonly #context: Context;
   readonly #index: number;
+  readonly #speckles = new Speckles();
 
   constructor(bare: ImageBitmap, context: Context, index: number) {
     this.#bare = bare;
@@ -148,15 +153,16 @@ export class PaintedSkin {
     this.#index = index;
   }
 
-  /** Paints marks over the bare skin, and shows that. A mark at a place that the skin does not have is left out. */
-  paint(engine: Engine, marks: readonly FaceMark[]): void {
+  /** Paints freckles, stubble and marks over the bare skin, and shows that. A mark at a place that the skin does not have is left out. */
+  paint(engine: Engine, marks: readonly FaceMark[], paint: SkinPaint): void {
     const context = this.#context;
     const { width, height } = context.canvas;
     context.resetTransform();
     context.globalCompositeOperation = 'copy';
     context.drawImage(this.#bare, 0, 0);
     const scalp = engine.scalp();
-    if (scalp !== undefined) this.#tint(scalp);
+    if (scalp !== undefined) this.#scalp(scalp);
+    this.#speckles.draw(context, engine, paint);
     for (const mark of marks) {
       const chart = engine.faceChart(Float64Array.from([...mark.corners, ...mark.shares]));
       if (chart === undefined) continue;
@@ -174,8 +180,24 @@ export class PaintedSkin {
     engine.setImage(this.#index, width, height, context.getImageData(0, 0, width, height).data);
   }
 
-  /** Colours the skin that hair grows on, softly at its border. */
-  #tint([r = 0, g = 0, b = 0, ...corners]: Float32Array): void {
+  /** Colours the skin that hair grows on, softly at its border; what is bare of it is like the forehead. */
+  #scalp([r = 0, g = 0, b = 0, u = 0, v = 0, count = 0, ...places]: Float32Array): void {
+    const { width, height } = this.#context.canvas;
+    const bare = places.slice(2 * count);
+    if (bare.length > 0) {
+      const half = Math.ceil(width * LIKE);
+      const { data } = this.#context.getImageData(Math.round(u * width) - half, Math.round(v * height) - half, 2 * half, 2 * half);
+      const mean = [0, 1, 2].map((i) => {
+        let sum = 0;
+        for (let k = i; k < data.length; k += 4) sum += data[k] ?? 0;
+        return Math.round((4 * sum) / data.length);
+      });
+      this.#fill(bare, `rgb(${mean.join(' ')})`);
+    }
+    this.#fill(places.slice(0, 2 * count), hexOf([r, g, b]));
+  }
+
+  #fill(corners: readonly number[], colour: string): void {
     const context = this.#context;
     const { width, height } = context.canvas;
     context.beginPath();
@@ -187,7 +209,7 @@ export class PaintedSkin {
     });
     context.globalCompositeOperation = 'source-over';
     context.filter = `blur(${width * SOFT}px)`;
-    context.fillStyle = hexOf([r, g, b]);
+    context.fillStyle = colour;
     context.fill();
     context.filter = 'none';
   }

@@ -348,9 +348,9 @@ export interface Engine {
   setLanguage(tag: string): void;
   /** Gives the figure on stage a face of a face model; what is played goes on. Without factors it keeps its colours. */
   setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array, look: FaceLook | undefined): void;
-  /** Whether a figure lends its hair already. */
+  /** Whether hair of a name was taken already. */
   lends(name: string): boolean;
-  /** Takes a figure that lends its hair to faces of so many vertices. */
+  /** Takes hair, on the skin that it grew on, for faces of so many vertices. */
   lend(name: string, glb: Uint8Array, vertices: number): void;
   /** The natural colours of hair, from dark to pale. */
   naturalHair(): NaturalHair[];
@@ -358,8 +358,10 @@ export interface Engine {
   pickFace(x: number, y: number): Float64Array | undefined;
   /** Where such a place lies on the picture of the skin: its texture coordinates, and their change over a metre to the right and upwards. */
   faceChart(spot: Float64Array): Float64Array | undefined;
-  /** What to paint on the picture of the skin under hair of another colour: linear red, green and blue, then the texture coordinates of triangles. */
+  /** What to paint on the picture of the skin for other hair: linear red, green and blue, the place of skin like a bare scalp, how many corners of triangles are under hair, then the texture coordinates of those, and of corners of what is bare. */
   scalp(): Float32Array | undefined;
+  /** Spots of a kind, in an order by chance: of each what `faceChart` tells of its place, then its strength, 0 to 1. */
+  speckles(kind: 'freckles' | 'stubble'): Float32Array | undefined;
   /** Which picture of the figure has the colour of its skin. */
   skinImage(): number | undefined;
   /** Lights the stage, the lamps turned about the figure, radians. */
@@ -491,7 +493,7 @@ export interface NaturalHair {
 
 /** Whose hair a head has, and its colour. */
 export interface HairLook {
-  /** `own`, `none`, or the name of a figure of the library that lends its own. */
+  /** `own`, `none` (shaved), `bald`, or the name of a file of the library in `hair/`; of a beard also `stubble`. */
   readonly from?: string | undefined;
   /** As it is without. */
   readonly colour?: HairColour | undefined;
@@ -510,11 +512,16 @@ export interface Wear {
 export interface FaceLook {
   readonly hair?: HairLook | undefined;
   readonly beard?: HairLook | undefined;
-  /** How much of the beard. */
+  /** How much of a beard that a figure lends, in looks of earlier versions. */
   readonly cut?: 'full' | 'moustache' | 'goatee' | undefined;
   /** Colour of brows and lashes. */
   readonly brows?: HairColour | undefined;
   readonly wear?: readonly Wear[] | undefined;
+  /** How many freckles there are, and how far shaved hair shows, 0 to 1. */
+  readonly freckles?: number | undefined;
+  readonly stubble?: number | undefined;
+  /** Colour of the irises, linear, 0 to 1; that of the face without. */
+  readonly iris?: readonly [number, number, number] | undefined;
   /** How far lines of age show at rest, 0 to 1. */
   readonly lines?: number | undefined;
 }

@@ -8,9 +8,11 @@ import { hexOf, linearOf } from '../element/colour.js';
 import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
 import { LIMITS } from '../composite/limits.js';
-import { toggled } from '../composite/look.js';
-import { chosen, describe } from '../composite/people.js';
-import type { FaceLook } from '../element/types.js';
+import { BEARDS, HAIR, toggled } from '../composite/look.js';
+import { chosen, describe, figureOf, lookOf } from '../composite/people.js';
+import { skinOf } from '../composite/skin.js';
+import { lendersOf, paintOf, plainLook, toldLook } from '../element/face-look.js';
+import type { FaceLook, FigureFace } from '../element/types.js';
 
 const pack = { faces: 10, vertices: 5 };
 const add = (amount: number): Act => ({ kind: 'add', part: 'shape', name: 'weight', amount, region: {} });
@@ -140,6 +142,52 @@ test('faces by a description', () => {
   expect(people.map(describe)).toEqual(['Woman of 60, European', 'Boy of 12, Asian', 'Woman of 30, mixed']);
 });
 
+const NATURAL = ['black', 'dark brown', 'brown', 'auburn', 'red', 'light brown', 'dark blond', 'blond'].map((name) => ({
+  name,
+  colour: { eumelanin: 0.3, pheomelanin: 0.3, grey: 0 },
+  rgb: [0.1, 0.1, 0.1] as const,
+}));
+
+test('who somebody is decides hair, beard, body and clothes', () => {
+  const one = (sex: number, ageYears: number, ancestry: readonly [number, number, number]) => ({ sex, ageYears, ancestry });
+  const [old, girl, boy, woman, african] = [one(0, 82, [1, 0, 0]), one(1, 8, [1, 0, 0]), one(0, 9, [0, 1, 0]), one(1, 30, [1, 0, 0]), one(1, 30, [0, 0, 1])];
+  expect([old, girl, boy, woman, african, one(0, 30, [0, 1, 0])].map(figureOf)).toEqual(['papous', 'lia', 'nuno', 'sofia', 'amara', 'kenji']);
+  const feminine = ['bob', 'page', 'pixie', 'long', 'straight', 'wavy', 'curly', 'ponytail', 'bun', 'braid'];
+  for (let years = 60; years < 90; years += 0.37) {
+    const { hair, beard, brows } = lookOf(one(0, years, [1, 0, 0]), NATURAL);
+    expect(feminine).not.toContain(hair?.from);
+    expect(Object.keys(HAIR)).toContain(hair?.from);
+    expect(Object.keys(BEARDS)).toContain(beard?.from);
+    expect(hair?.colour?.grey).toBeGreaterThan(0.4);
+    expect(brows?.grey).toBeLessThan(hair?.colour?.grey ?? 0);
+  }
+  for (const person of [girl, boy, woman, african, one(0, 16, [1, 0, 0])]) expect(lookOf(person, NATURAL).beard?.from).toBe('none');
+  expect(lookOf(african, NATURAL).hair?.from).toMatch(/afro|coily|bun|braid/);
+  expect(lookOf(boy, NATURAL)).toEqual(lookOf(boy, NATURAL));
+  const beards = new Set(Array.from({ length: 60 }, (_, i) => lookOf(one(0, 55 + i / 3, [1, 0, 0]), NATURAL).beard?.from));
+  expect(beards.size).toBeGreaterThan(5);
+});
+
+test('looks of earlier versions have the hair that figures lent', () => {
+  const face = (look: FaceLook) => ({ look }) as FigureFace;
+  expect(plainLook({ hair: { from: 'sofia' }, beard: { from: 'papous' }, cut: 'moustache' })).toEqual({ hair: { from: 'bob' }, beard: { from: 'moustache' } });
+  expect(lendersOf(face({ hair: { from: 'bald' }, beard: { from: 'stubble' } }))).toEqual([]);
+  expect(lendersOf(face({ hair: { from: 'crop' }, beard: { from: 'goatee' } }))).toEqual(['crop', 'goatee']);
+  expect(toldLook({ beard: { from: 'stubble' } })).toEqual({ beard: { from: 'none' } });
+  expect(paintOf({ beard: { from: 'stubble' } }).stubble).toBe(1);
+});
+
+test('sliders of freckles, shadow and irises change what is painted', () => {
+  const skin = (name: string, value: number) => skinOf(new Map([[name, value]]));
+  expect(paintOf(skin('freckles', 0))).toEqual({ freckles: 0, stubble: 0, grey: 0 });
+  expect(paintOf(skin('freckles', 1)).freckles).toBe(1);
+  expect(paintOf(skin('beard shadow', 1)).stubble).toBe(1);
+  const iris = (value: number) => skin('colour of the iris', value).iris ?? [0, 0, 0];
+  const [brown, blue] = [iris(-1), iris(1)];
+  expect(brown[0]).toBeGreaterThan(2 * brown[2]);
+  expect(blue[2]).toBeGreaterThan(1.5 * blue[0]);
+});
+
 test('looks and marks of a file are those that there are', () => {
   const look = { hair: { from: 'kenji', colour: { eumelanin: 0.1, pheomelanin: 0.2, grey: 0.5 } }, cut: 'goatee', wear: [{ kind: 'hat', colour: [0, 0.5, 1] }] };
   const mark = { kind: 'tattoo', corners: [1, 2, 3], shares: [0.2, 0.3, 0.5], size: 0.02, turn: 0.1, shape: 'text', text: 'Mom' };
@@ -148,6 +196,8 @@ test('looks and marks of a file are those that there are', () => {
   expect(isAct({ kind: 'marks', marks: [mark], what: 'tattoo' })).toBe(true);
   const looks = [
     { hair: { from: 'https://example.com/' } },
+    { hair: { from: 'goatee' } },
+    { beard: { from: 'bob' } },
     { hair: { from: '../sofia' } },
     { hair: { from: '__proto__' } },
     { hair: { colour: { eumelanin: -1, pheomelanin: 0, grey: 0 } } },

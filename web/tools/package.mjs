@@ -17,7 +17,7 @@ const folder = join(root, '.setup/package');
 /** Types of all packages, before each gets its own. */
 const declared = join(root, '.setup/package-types');
 /** Folders of the library that a page needs; what is measured or described beside them is not packed. */
-const LIBRARY = ['figures', 'animations', 'faces', 'music', 'stories', 'hand-shapes'];
+const LIBRARY = ['figures', 'hair', 'animations', 'faces', 'music', 'stories', 'hand-shapes'];
 /** Builds whose code each package has: crates and features, for the notices. */
 const SAY = ['say'];
 const PLAYER = [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['faces'], SAY];

@@ -189,6 +189,50 @@ impl Mesh {
         }
     }
 
+    /// Leaves out the vertices that no triangle has. Morph targets are not moved: a mesh that has some is
+    /// not for this.
+    pub fn drop_unused(&mut self) {
+        const GONE: u32 = u32::MAX;
+        let mut to = vec![GONE; self.positions.len()];
+        for &v in self.indices.iter().chain(self.coarser.iter().flatten()) {
+            to[v as usize] = 0;
+        }
+        let used = to.iter_mut().filter(|t| **t != GONE);
+        for (count, t) in (0..).zip(used) {
+            *t = count;
+        }
+        fn pick<T: Copy>(all: &mut Vec<T>, to: &[u32]) {
+            let mut at = to.iter();
+            all.retain(|_| at.next().is_some_and(|&t| t != GONE));
+        }
+        pick(&mut self.positions, &to);
+        pick(&mut self.normals, &to);
+        pick(&mut self.uvs, &to);
+        pick(&mut self.colors, &to);
+        pick(&mut self.joints, &to);
+        pick(&mut self.weights, &to);
+        for v in std::iter::once(&mut self.indices)
+            .chain(&mut self.coarser)
+            .flatten()
+        {
+            *v = to[*v as usize];
+        }
+        if let Some(binding) = &mut self.binding {
+            let own = std::mem::take(binding);
+            binding.starts.push(0);
+            for (&v, row) in own.vertices.iter().zip(own.starts.windows(2)) {
+                if to[v as usize] == GONE {
+                    continue;
+                }
+                let row = row[0] as usize..row[1] as usize;
+                binding.vertices.push(to[v as usize]);
+                binding.nodes.extend(&own.nodes[row.clone()]);
+                binding.weights.extend(&own.weights[row]);
+                binding.starts.push(binding.nodes.len() as u32);
+            }
+        }
+    }
+
     /// What is wrong with the mesh's binding: `None` when it has none, or one whose
     /// vertices are the mesh's and rise, whose rows are in order, and whose weights are
     /// 0..1. Node indices can only be checked against a tissue.

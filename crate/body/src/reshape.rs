@@ -3,20 +3,25 @@
 
 mod carry;
 mod hairs;
+mod lender;
 mod look;
 mod scalp;
+mod speckle;
 mod spot;
 #[cfg(test)]
 mod tests;
 mod wear;
 
+use std::sync::OnceLock;
+
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DVec3};
 
 use self::carry::{Carried, Near};
-pub use self::hairs::{BeardCut, Lender};
+pub use self::lender::Lender;
 pub use self::look::{Hair, Lenders, Look};
 pub use self::scalp::ScalpPaint;
+pub use self::speckle::{Speckle, SpeckleKind};
 pub use self::spot::{Chart, Spot};
 pub use self::wear::{Wear, WearKind};
 use crate::face::Tissue;
@@ -138,6 +143,8 @@ pub struct Reshaper {
     points: Vec<Near>,
     /// Where the lips meet in the middle: teeth, gums and tongue stand to it.
     lips: Near,
+    /// Whether the figure's own hair grows about each vertex of the skin, once somebody asked.
+    scalp: OnceLock<Vec<bool>>,
 }
 
 fn wide(p: [f32; 3]) -> DVec3 {
@@ -146,6 +153,17 @@ fn wide(p: [f32; 3]) -> DVec3 {
 
 fn narrow(p: DVec3) -> [f32; 3] {
     p.to_array().map(|x| x as f32)
+}
+
+/// Height in the frame of the head from which a face with such a chin goes over into the neck, metres.
+fn neck_from(chin: f64) -> f64 {
+    NECK_FROM_M.min(chin + UNDER_CHIN_M)
+}
+
+/// By how much a vertex moves to its place on a face, metres, frame of the head.
+fn moved(place: DVec3, own: DVec3, neck_from: f64) -> DVec3 {
+    let lower = own.y.min(place.y);
+    (place - own) * (1.0 - smooth((neck_from - lower) / NECK_M))
 }
 
 /// Where the lips meet in the middle, world; the hinge of the jaw where a tissue has no lips.
@@ -202,6 +220,7 @@ impl Reshaper {
                 .map(|p| near.near(wide(p.rest)))
                 .collect(),
             lips: near.near(middle_of_lips(tissue)),
+            scalp: OnceLock::new(),
             origin: skull.inverse().translation - SKULL_IN_HEAD_M,
             first: carry::firsts(&places),
             triangles,
@@ -252,12 +271,10 @@ impl Reshaper {
 
     /// By how much each vertex of the skin moves, metres: nothing where the neck is the body's.
     fn moved(&self, places: &[[f64; 3]], chin: f64) -> Vec<DVec3> {
-        let from = NECK_FROM_M.min(chin + UNDER_CHIN_M);
+        let from = neck_from(chin);
         let skin = &self.figure.meshes[self.head].positions;
         let one = |(place, own): (&[f64; 3], &[f32; 3])| {
-            let (place, own) = (DVec3::from_array(*place), wide(*own) - self.origin);
-            let lower = own.y.min(place.y);
-            (place - own) * (1.0 - smooth((from - lower) / NECK_M))
+            moved(DVec3::from_array(*place), wide(*own) - self.origin, from)
         };
         let moved: Vec<DVec3> = places.iter().zip(skin).map(one).collect();
         // Vertices that a seam of the texture doubles go together.

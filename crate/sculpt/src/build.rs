@@ -114,7 +114,7 @@ pub fn build(params: &FigureParams) -> Built {
 }
 
 /// The surface of clothes about the head, in its frame: what hair lies on.
-fn near(clothes: &[MeshPart], world_from_head: DAffine3) -> Vec<hair::Sample> {
+pub(super) fn near(clothes: &[MeshPart], world_from_head: DAffine3) -> Vec<hair::Sample> {
     let head_from_world = world_from_head.inverse();
     clothes
         .iter()

@@ -135,6 +135,22 @@ pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
     }
 }
 
+/// Share of the spans of a card, and most triangles, of hair that is lent.
+const LENT: (f64, usize) = (0.62, 9_600);
+
+/// Makes hair light enough to be a file of its own: fewer cards with fewer spans, and one coarser level.
+pub(crate) fn lighten(mesh: &mut Mesh) {
+    let (share, most) = LENT;
+    mesh.indices = cards::thinned(mesh, share, most);
+    mesh.drop_unused();
+    let coarser = cards::coarser(mesh);
+    let finest = mesh.indices.len();
+    mesh.coarser = coarser
+        .into_iter()
+        .filter(|c| 2 * c.len() < finest)
+        .collect();
+}
+
 /// Sorts triangles so that those that share vertices follow one another: a graphics card computes
 /// fewer vertices, and a packed file is shorter by a sixteenth. What lets light through keeps its
 /// order: cards of hair are drawn from the scalp outwards.

@@ -17,6 +17,7 @@ pub mod hair;
 pub mod hand;
 pub mod head;
 pub mod labels;
+mod lend;
 mod levels;
 pub mod looks;
 mod mannequin;
@@ -42,5 +43,6 @@ pub mod yardstick;
 
 pub use build::{build, build_face};
 pub use built::Built;
+pub use lend::lender;
 pub use people::FigureParams;
 pub use person::Person;

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use raconteur_player::base::{DVec3, ops};
 use raconteur_player::body::read::read_figure;
-use raconteur_player::body::reshape::{Lender, Look, NewFace, NewOrgans, Reshaper, Spot};
+use raconteur_player::body::reshape::{
+    Lender, Look, NewFace, NewOrgans, Reshaper, SpeckleKind, Spot,
+};
 use raconteur_player::body::{Bone, HairColour};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -54,7 +56,7 @@ impl Player {
         // Kept whatever came of it: preparing takes longer than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
-        self.hair = look.hair.colour.map(|colour| colour.linear_rgb());
+        self.hair = [look.hair, look.beard];
         if let Some(picture) = &mut self.picture {
             picture.set_shape(&figure)?;
         }
@@ -117,18 +119,39 @@ impl Player {
         Some([chart.uv, chart.right, chart.up].concat())
     }
 
-    /// What to paint on that picture under hair of another colour than the figure's own: linear red, green and
-    /// blue, then the texture coordinates of triangles.
+    /// What to paint on that picture for hair that is not the figure's own as it was: linear red, green and
+    /// blue, the place of skin like a bare scalp, how many corners are under hair, then the texture
+    /// coordinates of those, and of corners of what is bare.
     #[must_use]
     pub fn scalp(&self) -> Option<Vec<f32>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
-        let paint = reshaper.scalp_paint(performer.figure(), self.hair?);
-        let rgb = paint.rgb.map(|x| x as f32);
-        Some(
-            rgb.into_iter()
-                .chain(paint.corners.into_iter().flatten())
-                .collect(),
-        )
+        let [hair, beard] = &self.hair;
+        let paint = reshaper.scalp_paint(performer.figure(), hair, beard);
+        let count = paint.corners.len();
+        if count == 0 && paint.bare.is_empty() {
+            return None;
+        }
+        let head = paint.rgb.map(|x| x as f32).into_iter().chain(paint.like);
+        let places = paint.corners.into_iter().chain(paint.bare).flatten();
+        Some(head.chain([count as f32]).chain(places).collect())
+    }
+
+    /// Spots of a kind, `freckles` or `stubble`, in an order by chance: of each what `faceChart` tells of
+    /// its place, then its strength, 0..1.
+    #[must_use]
+    pub fn speckles(&self, kind: &str) -> Option<Vec<f32>> {
+        let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
+        let kind = match kind {
+            "freckles" => SpeckleKind::Freckles,
+            "stubble" => SpeckleKind::Stubble,
+            _ => return None,
+        };
+        let spots = reshaper.speckles(performer.figure(), kind);
+        let numbers = spots.iter().flat_map(|s| {
+            let [uv, right, up] = [s.chart.uv, s.chart.right, s.chart.up];
+            [uv[0], uv[1], right[0], right[1], up[0], up[1], s.strength]
+        });
+        Some(numbers.map(|x| x as f32).collect())
     }
 
     /// Which picture of the figure has the colour of its skin.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_player::base::Side;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::body::reshape::{Lenders, Reshaper};
+use raconteur_player::body::reshape::{Hair, Lenders, Reshaper};
 use raconteur_player::body::{Bone, Figure};
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Lighting, Room, View};
@@ -60,8 +60,8 @@ pub struct Player {
     pub(crate) reshaper: Option<Reshaper>,
     /// Who lends hair.
     pub(crate) lenders: Lenders,
-    /// The colour of the hair, linear, where it is not the figure's own.
-    pub(crate) hair: Option<[f64; 3]>,
+    /// Hair and beard that the figure has.
+    pub(crate) hair: [Hair; 2],
 }
 
 #[wasm_bindgen]
@@ -93,7 +93,7 @@ impl Player {
             sized: false,
             reshaper: None,
             lenders: Lenders::new(),
-            hair: None,
+            hair: Default::default(),
         })
     }
 

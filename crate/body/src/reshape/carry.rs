@@ -11,6 +11,8 @@ use crate::figure::{MaterialKind, Mesh};
 const COUNT: usize = 6;
 /// Vertices that are nearer are at one place, metres.
 const SAME_M: f64 = 1e-6;
+/// What is so far behind a place is not the skin that it stands on, metres.
+const BEHIND_M: f64 = 0.0025;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
 /// Cells about a place that are looked through before all vertices are.
@@ -61,6 +63,28 @@ impl<'a> Skin<'a> {
         if found.len() < COUNT {
             found.clone_from(&self.few);
         }
+        self.weighted(p, found)
+    }
+
+    /// The vertices near a place on the side of the skin that its normal looks to: not those of the mouth
+    /// behind a lip.
+    pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> Near {
+        let mut found = self.about(p);
+        let out = |v: u32| (self.places[v as usize] - p).dot(normal);
+        let most = found
+            .iter()
+            .map(|v| out(*v))
+            .fold(f64::MIN, f64::max)
+            .min(0.0);
+        found.retain(|v| out(*v) > most - BEHIND_M);
+        if found.len() < COUNT {
+            return self.near(p);
+        }
+        self.weighted(p, found)
+    }
+
+    /// The nearest of some vertices.
+    fn weighted(&self, p: DVec3, found: Vec<u32>) -> Near {
         let distance = |v: u32| self.places[v as usize].distance_squared(p);
         let mut far: Vec<(f64, u32)> = found.into_iter().map(|v| (distance(v), v)).collect();
         far.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -182,4 +206,15 @@ pub(super) fn tint(mesh: &mut Mesh, own: &[[f64; 3]], others: [f64; 3]) {
     for (base, most) in mesh.material.base_color.iter_mut().zip(most) {
         *base *= (most / 255.0) as f32;
     }
+}
+
+/// Gives a mesh another mean colour, linear; what differs from it within the mesh still does.
+pub(super) fn recolour(mesh: &mut Mesh, rgb: [f64; 3]) {
+    let count = mesh.colors.len().max(1) as f64;
+    let factors = core::array::from_fn(|i| {
+        let sum: f64 = mesh.colors.iter().map(|c| f64::from(c[i])).sum();
+        let mean = sum / count / 255.0 * f64::from(mesh.material.base_color[i]);
+        rgb[i].clamp(0.0, 1.0) / mean.max(1e-3)
+    });
+    tint(mesh, &[], factors);
 }

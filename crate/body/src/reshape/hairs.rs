@@ -1,31 +1,17 @@
 //! Hair of one figure on the head of another, its colour, and what of it is beard.
 
+use super::wide;
+use crate::figure::Mesh;
 use raconteur_base::DVec3;
-use serde::Deserialize;
 
-use super::{NewFace, ReshapeError, Reshaper, narrow, wide};
-use crate::figure::{Figure, MaterialKind, Mesh};
-use crate::skeleton::{Bone, Drive};
-
-/// How much of a beard there is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum BeardCut {
-    /// All of it.
-    #[default]
-    Full,
-    /// On the upper lip.
-    Moustache,
-    /// On the chin.
-    Goatee,
-}
+/// The name of a mesh of hair that grows in a face.
+pub(super) const BEARD: &str = "beard";
 
 /// Where strands grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Strands {
     Scalp,
-    /// In the face; and where the lips meet, in the frame of the head.
-    Face(BeardCut, DVec3),
+    Face,
 }
 
 /// Roots farther to the front and lower than this grow in the face, metres in the frame of the head.
@@ -34,8 +20,6 @@ const FACE_BELOW_Y_M: f64 = -0.004;
 /// Shares of the brightness of single hairs that they keep in another colour.
 const BRIGHTNESS: std::ops::RangeInclusive<f64> = 0.45..=1.9;
 
-/// Half the breadth of a goatee, and how far below the lips it begins, metres.
-const GOATEE_M: [f64; 2] = [0.021, 0.008];
 /// The skin is darker so far about the root of a hair of a beard, metres: what was shaved, or grows yet.
 const STUBBLE_M: f64 = 0.0065;
 /// How much of the beard's colour the skin there has, at most.
@@ -44,16 +28,7 @@ const STUBBLE: f64 = 0.5;
 /// Whether a strand with its root at a place of the head's frame is one of those.
 pub(super) fn grows(strands: Strands, root: DVec3) -> bool {
     let is_beard = root.z > FACE_FROM_Z_M && root.y < FACE_BELOW_Y_M;
-    let Strands::Face(cut, lips) = strands else {
-        return !is_beard;
-    };
-    let [half, below] = GOATEE_M;
-    is_beard
-        && match cut {
-            BeardCut::Full => true,
-            BeardCut::Moustache => root.y > lips.y && root.x.abs() < 0.034,
-            BeardCut::Goatee => root.x.abs() < half && root.y < lips.y - below,
-        }
+    is_beard == (strands == Strands::Face)
 }
 
 /// The first vertex of the strand that each vertex is of: strands hang together by their triangles.
@@ -97,9 +72,6 @@ pub(super) fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
 pub(super) fn keep(mesh: &mut Mesh, strands: Strands, origin: DVec3) {
     let roots = roots_of(mesh);
     leave(mesh, |v| grows(strands, roots[v as usize] - origin));
-    if strands != Strands::Scalp {
-        "beard".clone_into(&mut mesh.name);
-    }
 }
 
 /// Gives the skin under a beard some of its colour.
@@ -144,49 +116,7 @@ pub(super) fn leave(mesh: &mut Mesh, stays: impl Fn(u32) -> bool) {
     if !shrinks(&mesh.coarser, mesh.indices.len()) {
         mesh.coarser.clear();
     }
-    compact(mesh);
-}
-
-fn compact(mesh: &mut Mesh) {
-    const GONE: u32 = u32::MAX;
-    let mut to = vec![GONE; mesh.positions.len()];
-    for &v in mesh.indices.iter().chain(mesh.coarser.iter().flatten()) {
-        to[v as usize] = 0;
-    }
-    let used = to.iter_mut().filter(|t| **t != GONE);
-    for (count, t) in (0..).zip(used) {
-        *t = count;
-    }
-    fn pick<T: Copy>(all: &mut Vec<T>, to: &[u32]) {
-        let mut at = to.iter();
-        all.retain(|_| at.next().is_some_and(|&t| t != GONE));
-    }
-    pick(&mut mesh.positions, &to);
-    pick(&mut mesh.normals, &to);
-    pick(&mut mesh.uvs, &to);
-    pick(&mut mesh.colors, &to);
-    pick(&mut mesh.joints, &to);
-    pick(&mut mesh.weights, &to);
-    for v in std::iter::once(&mut mesh.indices)
-        .chain(&mut mesh.coarser)
-        .flatten()
-    {
-        *v = to[*v as usize];
-    }
-    if let Some(binding) = &mut mesh.binding {
-        let own = std::mem::take(binding);
-        binding.starts.push(0);
-        for (&v, row) in own.vertices.iter().zip(own.starts.windows(2)) {
-            if to[v as usize] == GONE {
-                continue;
-            }
-            let row = row[0] as usize..row[1] as usize;
-            binding.vertices.push(to[v as usize]);
-            binding.nodes.extend(&own.nodes[row.clone()]);
-            binding.weights.extend(&own.weights[row]);
-            binding.starts.push(binding.nodes.len() as u32);
-        }
-    }
+    mesh.drop_unused();
     // Strands have no morph targets of their own; one that had would lose them here.
     mesh.morphs.clear();
 }
@@ -210,66 +140,4 @@ pub(super) fn colour(mesh: &mut Mesh, rgb: [f64; 3]) {
     }
     let [r, g, b] = rgb.map(|x| (x * most).min(1.0) as f32);
     mesh.material.base_color = [r, g, b, mesh.material.base_color[3]];
-}
-
-/// A figure that lends its hair.
-#[derive(Clone, Debug)]
-pub struct Lender {
-    reshaper: Reshaper,
-}
-
-impl Lender {
-    /// Takes the hair of a figure whose head begins with the skin of a face model of so many vertices.
-    ///
-    /// # Errors
-    /// When its head is another.
-    pub fn new(mut figure: Figure, vertices: usize) -> Result<Self, ReshapeError> {
-        let is_needed = |m: &Mesh| m.name == "head" || m.material.kind == MaterialKind::Hair;
-        figure.meshes.retain(is_needed);
-        figure.images.clear();
-        Ok(Self {
-            reshaper: Reshaper::new(figure, vertices)?,
-        })
-    }
-
-    /// The hair as it lies on a face, on the skeleton of another figure: what swings on the lender is
-    /// stiff there.
-    pub(super) fn lend(
-        &self,
-        to: &Reshaper,
-        face: &NewFace<'_>,
-    ) -> Result<Vec<Mesh>, ReshapeError> {
-        let bare = NewFace { tone: &[], ..*face };
-        let figure = self.reshaper.with_face(&bare)?;
-        let joints = self.joints();
-        let by = to.origin - self.reshaper.origin;
-        let is_hair = |m: &Mesh| m.material.kind == MaterialKind::Hair;
-        let mut meshes: Vec<Mesh> = figure.meshes.into_iter().filter(is_hair).collect();
-        for mesh in &mut meshes {
-            for p in &mut mesh.positions {
-                *p = narrow(wide(*p) + by);
-            }
-            for joint in mesh.joints.iter_mut().flatten() {
-                *joint = joints.get(usize::from(*joint)).copied().unwrap_or(0);
-            }
-        }
-        Ok(meshes)
-    }
-
-    /// The joint of every figure that stands for each of the lender's: the bone that it hangs on.
-    fn joints(&self) -> Vec<u16> {
-        let joints = self.reshaper.figure.skeleton.joints();
-        let skull = Bone::Skull.index();
-        let own = |mut at: usize| loop {
-            match joints[at].drive {
-                Drive::Spring(..) | Drive::Fixed => match joints[at].parent {
-                    Some(parent) => at = parent,
-                    None => return skull as u16,
-                },
-                // Bones and standard helpers are the same in every figure.
-                _ => return at as u16,
-            }
-        };
-        (0..joints.len()).map(own).collect()
-    }
 }

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::hairs::{self, BeardCut, Lender, Strands};
-use super::wear::{self, Fit, Wear, landmark};
-use super::{NewFace, ReshapeError, Reshaper, wide};
+use super::hairs::{self, Strands};
+use super::lender::Lender;
+use super::wear::{self, Fit, Wear};
+use super::{NewFace, ReshapeError, Reshaper, carry};
 use crate::HairColour;
 use crate::figure::{Figure, MaterialKind, Mesh};
 
@@ -14,14 +15,14 @@ use crate::figure::{Figure, MaterialKind, Mesh};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub struct Hair {
-    /// `own` (as an empty text), `none`, or the name of a figure that lends its own.
+    /// `own` (as an empty text), `none` (shaved), `bald` (none ever grew), or the name of a [`Lender`].
     pub from: String,
     /// Its colour; as it is without.
     pub colour: Option<HairColour>,
 }
 
 impl Hair {
-    fn is_own(&self) -> bool {
+    pub(super) fn is_own(&self) -> bool {
         matches!(self.from.as_str(), "" | "own")
     }
 
@@ -30,10 +31,10 @@ impl Hair {
     }
 
     fn is_none(&self) -> bool {
-        self.from == "none"
+        matches!(self.from.as_str(), "none" | "bald")
     }
 
-    /// The figure that lends it.
+    /// Who lends it.
     #[must_use]
     pub fn lender(&self) -> Option<&str> {
         (!self.is_own() && !self.is_none()).then_some(self.from.as_str())
@@ -48,17 +49,17 @@ pub struct Look {
     pub hair: Hair,
     /// On cheeks, chin and upper lip.
     pub beard: Hair,
-    /// How much of the beard.
-    pub cut: BeardCut,
     /// Colour of brows and lashes; that of the face without.
     pub brows: Option<HairColour>,
+    /// Colour of the irises, linear red, green and blue, 0..1; that of the face without.
+    pub iris: Option<[f64; 3]>,
     /// Lines of age: [`Tissue::lines`](crate::face::Tissue::lines).
     pub lines: Option<f32>,
     /// Things worn, each of a kind once.
     pub wear: Vec<Wear>,
 }
 
-/// Figures that lend their hair, by name.
+/// Hair that is lent, by name.
 pub type Lenders = BTreeMap<String, Lender>;
 
 impl Reshaper {
@@ -78,6 +79,13 @@ impl Reshaper {
             for mesh in &mut figure.meshes {
                 if mesh.material.kind == MaterialKind::Lash {
                     hairs::colour(mesh, colour.linear_rgb());
+                }
+            }
+        }
+        if let Some(iris) = look.iris {
+            for mesh in &mut figure.meshes {
+                if mesh.material.kind == MaterialKind::Eye {
+                    carry::recolour(mesh, iris);
                 }
             }
         }
@@ -108,12 +116,9 @@ impl Reshaper {
         look: &Look,
         lenders: &Lenders,
     ) -> Result<(), ReshapeError> {
-        let is_untouched = look.hair.is_untouched() && look.beard.is_untouched();
-        if is_untouched && look.cut == BeardCut::Full {
+        if look.hair.is_untouched() && look.beard.is_untouched() {
             return Ok(());
         }
-        let lips = figure.meshes[self.head].positions[landmark::STOMION];
-        let lips = wide(lips) - self.origin;
         let is_hair = |kind: MaterialKind| kind == MaterialKind::Hair;
         let all = std::mem::take(&mut figure.meshes);
         let (own, rest): (Vec<Mesh>, Vec<Mesh>) =
@@ -121,10 +126,7 @@ impl Reshaper {
         figure.meshes = rest;
         let head = figure.meshes.iter().position(|m| m.name == "head");
         let head = head.unwrap_or_default();
-        let places = [
-            (&look.hair, Strands::Scalp),
-            (&look.beard, Strands::Face(look.cut, lips)),
-        ];
+        let places = [(&look.hair, Strands::Scalp), (&look.beard, Strands::Face)];
         for (wanted, strands) in places {
             let mut meshes = match wanted.lender() {
                 _ if wanted.is_none() => Vec::new(),
@@ -136,17 +138,25 @@ impl Reshaper {
                 }
             };
             for mesh in &mut meshes {
-                hairs::keep(mesh, strands, self.origin);
+                if wanted.is_own() {
+                    hairs::keep(mesh, strands, self.origin);
+                }
+                if strands == Strands::Face {
+                    hairs::BEARD.clone_into(&mut mesh.name);
+                }
                 if let Some(colour) = &wanted.colour {
                     hairs::colour(mesh, colour.linear_rgb());
                 }
             }
             meshes.retain(|m| !m.indices.is_empty());
-            if strands != Strands::Scalp && wanted.lender().is_some() {
+            if strands == Strands::Face && wanted.lender().is_some() {
                 let skin = &mut figure.meshes[head];
                 meshes.iter().for_each(|beard| hairs::shade(skin, beard));
             }
             figure.meshes.extend(meshes);
+        }
+        if !look.hair.is_own() {
+            self.unshade_scalp(&mut figure.meshes[head]);
         }
         Ok(())
     }

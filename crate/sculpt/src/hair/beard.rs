@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::card::{STRIPS, empty};
 use super::colour::Palette;
+use super::cut::{BeardCut, LIPS_Y, height_of, on_lip, slope};
 use super::roots::{scattered, spread};
 use super::space::Sample;
 use crate::assemble::Piece;
@@ -18,8 +19,16 @@ use raconteur_body::figure::Material;
 pub struct BeardParams {
     /// Length at the chin, metres, 0.005..0.04.
     pub length_m: f64,
-    /// Whether the upper lip is covered too.
-    pub moustache: bool,
+    /// Where it grows.
+    #[serde(default)]
+    pub cut: BeardCut,
+    /// How near its roots are: 1 over a skin on which more of it is painted, 1.6 alone.
+    #[serde(default = "sparse")]
+    pub density: f64,
+}
+
+fn sparse() -> f64 {
+    1.0
 }
 
 /// Tufts of one kind.
@@ -61,12 +70,10 @@ const LAYERS: [BeardLayer; 3] = [
         light: 1.0,
     },
 ];
-/// Spans of a tuft.
-const SPANS: u32 = 1;
 /// Places that are tried.
 const TRIED: usize = 12_000;
-/// How much nearer the roots of a moustache are.
-const LIP_SPACING: f64 = 0.6;
+/// And as many more for each step of density.
+const TRIED_DENSE: f64 = 24_000.0;
 /// Where a beard is thinner than this nothing grows, and not everything where it is little thicker.
 const LEAST_DENSITY: f64 = 0.45;
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
@@ -80,25 +87,19 @@ const EDGE: [[f64; 2]; 7] = [
     [66.0, -27.0],
     [76.0, -20.0],
 ];
-/// Height of the lips' middle on the common head, mm.
-const LIPS_Y: f64 = -46.0;
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
 const STILL: f64 = 7e-4;
-/// How clear of the lips tips stay, and the shortest tuft, metres.
-const LIP_MARGIN: f64 = 0.0055;
+/// How much a tuft rises from the skin where it is to stand on other faces too, whose skin is curved otherwise.
+const LIFT_ALONE: f64 = 0.62;
+/// The shortest tuft, metres.
 const SHORTEST: f64 = 0.003;
-
-/// 0 at `from` and beyond, 1 at `to` and beyond, whichever is greater.
-fn slope(from: f64, to: f64, x: f64) -> f64 {
-    ((x - from) / (to - from)).clamp(0.0, 1.0)
-}
 
 /// Where a beard grows.
 struct Field<'a> {
     head: &'a Head,
     lips: Vec<DVec3>,
     lips_y: f64,
-    moustache: bool,
+    cut: BeardCut,
 }
 
 impl<'a> Field<'a> {
@@ -117,7 +118,7 @@ impl<'a> Field<'a> {
             } else {
                 LIPS_Y
             },
-            moustache: p.moustache,
+            cut: p.cut,
         }
     }
 
@@ -133,21 +134,14 @@ impl<'a> Field<'a> {
         squared.fold(f64::MAX, f64::min).sqrt()
     }
 
-    fn on_lip(&self, q: DVec3) -> bool {
-        q.y > LIPS_Y && q.x.abs() < 33.0
-    }
-
     fn density(&self, p: DVec3) -> f64 {
         let q = self.place(p);
-        let x = q.x.abs();
-        let next = EDGE.iter().position(|e| e[0] >= x).unwrap_or(6).max(1);
-        let ([a, low], [b, high]) = (EDGE[next - 1], EDGE[next]);
-        let edge = lerp(low, high, ((x - a) / (b - a)).clamp(0.0, 1.0));
+        let edge = height_of(&EDGE, q.x.abs());
         let in_ear = |e: &Ear| {
             let reach = e.radii + DVec3::splat(0.003);
             e.radii.x > 0.0 && ((p - e.centre) / reach).length_squared() < 1.0
         };
-        if (!self.moustache && self.on_lip(q)) || self.head.scalp.ears.iter().any(in_ear) {
+        if self.head.scalp.ears.iter().any(in_ear) {
             return 0.0;
         }
         let lip = self.to_lips(p);
@@ -155,6 +149,7 @@ impl<'a> Field<'a> {
             * slope(-104.0, -90.0, q.y)
             * slope(-2.0, 12.0, q.z)
             * slope(0.0014, 0.0032, lip)
+            * self.cut.share(q)
     }
 }
 
@@ -168,9 +163,9 @@ pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
         .collect()
 }
 
-/// How far the tip of a tuft with a normal hangs, shares of its length.
-fn sag(normal: DVec3) -> DVec3 {
-    (DVec3::NEG_Y - normal * 0.15) * 0.18
+/// How far the tip of a tuft with a normal hangs, shares of its length, where it does not rise.
+fn sag(normal: DVec3, rise: f64) -> DVec3 {
+    (DVec3::NEG_Y - normal * 0.15) * 0.18 + (DVec3::Y - normal * 0.1) * rise
 }
 
 /// A tuft: where it is rooted and how it lies.
@@ -181,6 +176,8 @@ struct Tuft {
     direction: DVec3,
     /// Metres.
     length: f64,
+    /// How far its tip is off a straight one, shares of the length.
+    sag: DVec3,
 }
 
 impl Field<'_> {
@@ -194,7 +191,7 @@ impl Field<'_> {
     ) -> Option<Tuft> {
         let (root, n) = (at.position, at.normal);
         let q = self.place(root);
-        let on_lip = self.on_lip(q);
+        let on_lip = on_lip(q);
         let thick = self.density(root);
         // The lips' lining looks backwards.
         let in_mouth = q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25;
@@ -204,17 +201,24 @@ impl Field<'_> {
         let signed = |k: u64| 2.0 * dice(k) - 1.0;
         let side = if q.x < 0.0 { -1.0 } else { 1.0 };
         let combed = if on_lip {
-            DVec3::new(side * slope(0.0, 9.0, q.x.abs()) * 1.1, -0.85, 0.0)
+            self.cut.lip_combed(q)
         } else {
             // Towards the point of the chin, and down.
             DVec3::new(-0.1 * side * slope(20.0, 50.0, q.x.abs()), -1.0, 0.10)
         };
         let d = combed + DVec3::new(0.30 * signed(4), 0.10 * signed(5), 0.22 * signed(6));
-        let lift = if on_lip { 0.12 } else { 0.34 } * (0.7 + 0.6 * dice(7)) * layer.length;
+        let lift = if p.density > 1.0 {
+            LIFT_ALONE
+        } else if on_lip {
+            0.12
+        } else {
+            0.34
+        };
+        let lift = lift * (0.7 + 0.6 * dice(7)) * layer.length;
         let along = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
         let direction = (along + n * lift).normalize();
         let full = if on_lip {
-            0.0105 * (0.75 + 0.35 * slope(4.0, 20.0, q.x.abs()))
+            self.cut.lip_m(q)
         } else {
             p.length_m * lerp(0.55, 1.0, slope(62.0, 15.0, q.x.abs()))
         };
@@ -222,15 +226,22 @@ impl Field<'_> {
         let edge = lerp(0.45, 1.0, slope(0.2, 0.9, thick));
         let mut length = full * (0.65 + 0.55 * dice(8)) * layer.length * edge * size;
         // No tip hangs over the lips, or it would stand in the open mouth.
-        let tip = |length: f64| root + (direction + sag(n)) * length;
-        while length > SHORTEST && self.to_lips(tip(length)) < LIP_MARGIN {
-            length *= 0.8;
+        let sag = sag(n, self.cut.rise(q));
+        let tip = |length: f64| root + (direction + sag) * length;
+        if p.density > 1.0 && on_lip && self.cut != BeardCut::Handlebar {
+            // It stands on its own, and may come to the edge of the lip but not over the mouth.
+            length = length.min(1.1 * self.to_lips(root) + 0.0035);
+        } else {
+            while length > SHORTEST && self.to_lips(tip(length)) < self.cut.lip_margin() {
+                length *= 0.8;
+            }
         }
         (length > SHORTEST).then_some(Tuft {
             root,
             normal: n,
             direction,
             length,
+            sag,
         })
     }
 }
@@ -239,19 +250,23 @@ impl Field<'_> {
 struct Growing<'a> {
     ride: Ride,
     palette: &'a Palette,
+    /// Spans of a tuft.
+    spans: u32,
+    density: f64,
     part: MeshPart,
     normals: Vec<DVec3>,
     holds: Vec<Holds>,
 }
 
 impl Growing<'_> {
-    /// Adds a tuft as a card of two spans.
+    /// Adds a tuft as a card.
     fn add(&mut self, tuft: &Tuft, layer: &BeardLayer, dice: impl Fn(u64) -> f64, grey: f64) {
         let Tuft {
             root,
             normal: n,
             direction,
             length,
+            sag,
         } = *tuft;
         let hold = self.ride.holds(root, 3);
         let weights = self.ride.weights(&hold);
@@ -260,11 +275,17 @@ impl Growing<'_> {
         let across = direction.cross(n).normalize_or_zero();
         let base = self.part.vertices.len() as u32;
         let tone = 0.3 + 0.4 * dice(10);
-        for row in 0..=SPANS {
-            let t = f64::from(row) / f64::from(SPANS);
+        // Among many a short tuft as broad as a long one would look like a chip.
+        let (narrow, sunk) = if self.density > 1.0 {
+            (lerp(0.35, 0.9, slope(0.003, 0.016, length)), 0.0002)
+        } else {
+            (1.0, 0.0006)
+        };
+        for row in 0..=self.spans {
+            let t = f64::from(row) / f64::from(self.spans);
             // The tips hang.
-            let middle = root - n * 0.0006 + direction * (length * t) + sag(n) * (length * t * t);
-            let half = 0.5 * layer.width * lerp(1.0, 0.6, t);
+            let middle = root - n * sunk + direction * (length * t) + sag * (length * t * t);
+            let half = 0.5 * layer.width * narrow * lerp(1.0, 0.6, t);
             let [r, g, b] = self.palette.shade(0.35 + 0.4 * t, tone, grey);
             let light = lerp(0.72, 1.0, t) * layer.light;
             for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {
@@ -279,7 +300,7 @@ impl Growing<'_> {
                 self.holds.push(hold.clone());
             }
         }
-        for row in 0..SPANS {
+        for row in 0..self.spans {
             let at = base + 2 * row;
             self.part.faces.push(vec![at, at + 1, at + 3, at + 2]);
         }
@@ -310,18 +331,21 @@ pub(super) fn beard(
             })
         })
         .collect();
-    let places: Vec<Sample> = scattered(&triangles, TRIED, seed + 7).collect();
+    let tried = TRIED + (TRIED_DENSE * (p.density - 1.0).max(0.0)) as usize;
+    let places: Vec<Sample> = scattered(&triangles, tried, seed + 7).collect();
     let mut growing = Growing {
         ride,
         palette,
+        spans: p.cut.spans(),
+        density: p.density,
         part: empty("beard", material),
         normals: Vec::new(),
         holds: Vec::new(),
     };
     for (number, layer) in (0..).zip(&LAYERS) {
         let roots = spread(&places, |s| {
-            let on_lip = field.on_lip(field.place(s.position));
-            layer.spacing * if on_lip { LIP_SPACING } else { 1.0 }
+            let is_lip = on_lip(field.place(s.position));
+            layer.spacing / p.density * if is_lip { p.cut.lip_spacing() } else { 1.0 }
         });
         for (i, root) in (0..).zip(roots) {
             let dice = |k: u64| noise::unit(seed + number, 200 + k, i);

@@ -191,7 +191,8 @@ fn beards_leave_the_lips_free() {
             style: HairStyle::Bald,
             beard: Some(BeardParams {
                 length_m: 0.02,
-                moustache: true,
+                cut: BeardCut::Full,
+                density: 1.0,
             }),
             ..*own
         };

@@ -67,30 +67,28 @@ fn spread(mesh: &Mesh, cards: &[Card]) -> Vec<usize> {
 
 /// The levels after the finest.
 pub(super) fn coarser(mesh: &Mesh) -> Vec<Vec<u32>> {
-    let cards = cards(mesh);
-    let order = spread(mesh, &cards);
-    LEVELS
-        .iter()
-        .map(|&(share, most)| {
-            let spans = |c: &Card| ((f64::from(c.rows - 1) * share).round() as u32).max(1);
-            let mut room = most as u32;
-            let mut kept = vec![false; cards.len()];
-            for &i in &order {
-                let wanted = 2 * spans(&cards[i]);
-                if wanted > room {
-                    break;
-                }
-                room -= wanted;
-                kept[i] = true;
-            }
-            cards
-                .iter()
-                .zip(kept)
-                .filter(|(_, kept)| *kept)
-                .flat_map(|(c, _)| strip(mesh, c, spans(c)))
-                .collect()
-        })
+    let levels = LEVELS.iter();
+    levels
+        .map(|&(share, most)| thinned(mesh, share, most))
         .collect()
+}
+
+/// The triangles of fewer cards: this share of a card's spans, and at most so many triangles.
+pub(super) fn thinned(mesh: &Mesh, share: f64, most: usize) -> Vec<u32> {
+    let cards = cards(mesh);
+    let spans = |c: &Card| ((f64::from(c.rows - 1) * share).round() as u32).max(1);
+    let mut room = most as u32;
+    let mut kept = vec![false; cards.len()];
+    for i in spread(mesh, &cards) {
+        let wanted = 2 * spans(&cards[i]);
+        if wanted > room {
+            break;
+        }
+        room -= wanted;
+        kept[i] = true;
+    }
+    let cards = cards.iter().zip(kept).filter(|(_, kept)| *kept);
+    cards.flat_map(|(c, _)| strip(mesh, c, spans(c))).collect()
 }
 
 /// The triangles of a card with this many spans.

@@ -2,7 +2,7 @@
 
 use super::{FigureParams, Person, bound, traits};
 use crate::cloth::{Cardigan, Legs, Outfit};
-use crate::hair::{BeardParams, HairColour, HairParams, HairStyle};
+use crate::hair::{BeardCut, BeardParams, HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
 use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
@@ -71,7 +71,8 @@ fn hair() -> HairParams {
         thinning: 0.3,
         beard: Some(BeardParams {
             length_m: 0.018,
-            moustache: true,
+            cut: BeardCut::Full,
+            density: 1.0,
         }),
         seed: 23,
         square: true,

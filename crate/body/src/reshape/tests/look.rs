@@ -9,6 +9,24 @@ use crate::HairColour;
 use crate::write::to_packed_glb;
 
 const PAPOUS: &[u8] = include_bytes!("../../../../../assets/figures/papous.glb");
+const LENT: [(&str, &[u8]); 4] = [
+    (
+        "moustache",
+        include_bytes!("../../../../../assets/hair/moustache.glb"),
+    ),
+    (
+        "goatee",
+        include_bytes!("../../../../../assets/hair/goatee.glb"),
+    ),
+    (
+        "full",
+        include_bytes!("../../../../../assets/hair/full.glb"),
+    ),
+    (
+        "balding",
+        include_bytes!("../../../../../assets/hair/balding.glb"),
+    ),
+];
 
 const WORN: [WearKind; 9] = [
     WearKind::RoundGlasses,
@@ -31,9 +49,12 @@ fn wear(kind: WearKind) -> Look {
 }
 
 static LENDERS: LazyLock<Lenders> = LazyLock::new(|| {
-    let papous = read_figure("papous", PAPOUS).expect("a figure");
-    let lender = Lender::new(papous, VERTICES).expect("our head");
-    Lenders::from([("papous".to_owned(), lender)])
+    let lender = |(name, glb): (&str, &[u8])| {
+        let hair = read_figure(name, glb).expect("hair");
+        let lender = Lender::new(hair, VERTICES).expect("our head");
+        (name.to_owned(), lender)
+    };
+    LENT.into_iter().map(lender).collect()
 });
 
 fn lent(from: &str) -> Hair {
@@ -197,10 +218,9 @@ fn hair_is_shaved_and_lent() {
         [1.0; 3],
     );
     assert!(hair(&bald).is_empty());
-    let bearded = |cut| {
+    let bearded = |name: &str| {
         let look = Look {
-            beard: lent("papous"),
-            cut,
+            beard: lent(name),
             ..Look::default()
         };
         with(&reshaper, &look, [1.0; 3])
@@ -209,13 +229,15 @@ fn hair_is_shaved_and_lent() {
         let beard = hair(figure).into_iter().find(|m| m.name == "beard");
         let beard = beard.expect("a beard");
         check(beard, figure.skeleton.joints().len());
-        beard.indices.len()
+        beard.indices.len() / 3
     };
-    let [full, lip, chin] =
-        [BeardCut::Full, BeardCut::Moustache, BeardCut::Goatee].map(|cut| triangles(&bearded(cut)));
-    assert!(lip > 60 && chin > 60 && lip + chin < full);
+    let [full, lip, chin] = ["full", "moustache", "goatee"].map(|name| triangles(&bearded(name)));
+    assert!(
+        lip > 200 && chin > 200 && lip + chin < full,
+        "{lip} {chin} {full}"
+    );
     let skin = |f: &Figure| f.meshes[reshaper.head].colors[..VERTICES].to_vec();
-    assert_ne!(skin(&bearded(BeardCut::Full)), skin(&reshaper.figure));
+    assert_ne!(skin(&bearded("full")), skin(&reshaper.figure));
     let stranger = Look {
         hair: lent("nobody"),
         ..Look::default()
@@ -230,16 +252,137 @@ fn hair_is_shaved_and_lent() {
 fn coloured_hair_has_a_scalp() {
     let reshaper = sofia();
     let figure = &reshaper.figure;
-    let [dark, light] = [0.02, 0.4].map(|x| reshaper.scalp_paint(figure, [x; 3]));
+    let [(_, black), .., (_, blond)] = HairColour::NATURAL;
+    let [dark, light] = [black, blond].map(|colour| {
+        let hair = Hair {
+            colour: Some(colour),
+            ..Hair::default()
+        };
+        reshaper.scalp_paint(figure, &hair, &Hair::default())
+    });
     assert!(dark.corners.len() > 900 && dark.corners.len().is_multiple_of(3));
     assert_eq!(dark.corners, light.corners);
-    assert!(20.0 * dark.rgb[0] <= light.rgb[0] + 1e-9 && light.rgb[0] <= 1.0);
+    assert!(5.0 * dark.rgb[0] <= light.rgb[0] && light.rgb[0] <= 1.0);
+    assert!(dark.bare.is_empty());
+    assert_eq!(
+        reshaper.scalp_paint(figure, &Hair::default(), &Hair::default()),
+        ScalpPaint::default()
+    );
     let skin = &figure.meshes[reshaper.head];
     let places = skin.positions[..VERTICES].iter();
-    for (p, is_scalp) in places.zip(reshaper.scalp()) {
+    for (p, &is_scalp) in places.zip(reshaper.scalp()) {
         let at = wide(*p) - reshaper.origin;
         let is_face = at.z > 0.07 && at.y < 0.05;
         assert!(!(is_face && is_scalp), "{at}");
+    }
+}
+
+/// Where lent hair leaves a head bare, the figure's own is painted over, and nothing shades it.
+#[test]
+fn a_bald_crown_is_skin() {
+    let reshaper = sofia();
+    let look = Look {
+        hair: lent("balding"),
+        ..Look::default()
+    };
+    let figure = with(&reshaper, &look, [1.0; 3]);
+    let [crown, none] = ["balding", "bald"]
+        .map(|name| reshaper.scalp_paint(&figure, &lent(name), &Hair::default()));
+    assert!(crown.bare.len() > 300 && crown.corners.len() > 300);
+    assert!(none.bare.len() > crown.bare.len() && none.corners.is_empty());
+    let shade = |f: &Figure| {
+        let skin = f.meshes[reshaper.head].colors[..VERTICES].iter();
+        skin.map(|c| u64::from(c[3])).sum::<u64>()
+    };
+    let bald = Look {
+        hair: lent("bald"),
+        ..Look::default()
+    };
+    assert!(shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure));
+}
+
+/// Where another beard is asked for, the painted one of the figure is gone.
+#[test]
+fn a_painted_beard_is_shaved() {
+    let papous = read_figure("papous", PAPOUS).expect("a figure");
+    let reshaper = Reshaper::new(papous, VERTICES).expect("our head");
+    let paint = |beard: &str| {
+        let own = Hair::default();
+        reshaper.scalp_paint(&reshaper.figure, &own, &lent(beard))
+    };
+    assert!(paint("none").bare.len() > 300);
+    assert!(paint("own").bare.is_empty());
+}
+
+/// A moustache stands on the lip of any face, on both halves of it, and none of its roots is in the skin.
+#[test]
+fn a_moustache_stands_on_the_lip() {
+    let reshaper = sofia();
+    let look = Look {
+        beard: lent("moustache"),
+        ..Look::default()
+    };
+    for i in 0..4 {
+        let scale = [0, 1, 2].map(|k| 1.0 + 0.08 * noise::signed(31, k, i));
+        let figure = with(&reshaper, &look, scale);
+        let skin = &figure.meshes[reshaper.head];
+        let beard = hair(&figure).into_iter().find(|m| m.name == "beard");
+        let roots = hairs::roots_of(beard.expect("a beard"));
+        let front = |root: &DVec3| {
+            let near = skin.positions[..VERTICES].iter().filter(|p| {
+                (f64::from(p[0]) - root.x).abs() < 0.0015
+                    && (f64::from(p[1]) - root.y).abs() < 0.0015
+            });
+            near.map(|p| f64::from(p[2])).fold(f64::MIN, f64::max)
+        };
+        let sunk = roots.iter().filter(|r| r.z < front(r) - 0.002).count();
+        assert!(
+            20 * sunk < roots.len(),
+            "{sunk} of {} are in the skin",
+            roots.len()
+        );
+        let left = roots.iter().filter(|r| r.x > 0.0).count() as f64;
+        let share = left / roots.len() as f64;
+        // Nobody's lips are the same on both sides.
+        assert!((0.3..0.7).contains(&share), "{share}");
+    }
+}
+
+/// Freckles are on the face, stubble below the nose and off the lips; both the same on every face.
+#[test]
+fn spots_lie_where_they_belong() {
+    let reshaper = sofia();
+    let figure = &reshaper.figure;
+    for kind in [SpeckleKind::Freckles, SpeckleKind::Stubble] {
+        let spots = reshaper.speckles(figure, kind);
+        assert!(spots.len() > 200, "{kind:?} {}", spots.len());
+        for spot in &spots {
+            assert!((0.0..=1.0).contains(&spot.strength));
+            assert!(spot.chart.uv.iter().all(|x| (0.0..=1.0).contains(x)));
+        }
+    }
+}
+
+/// Irises have the colour that is asked for.
+#[test]
+fn irises_are_recoloured() {
+    let reshaper = sofia();
+    let look = Look {
+        iris: Some([0.1, 0.2, 0.35]),
+        ..Look::default()
+    };
+    let figure = with(&reshaper, &look, [1.0; 3]);
+    let eyes = figure
+        .meshes
+        .iter()
+        .filter(|m| m.material.kind == MaterialKind::Eye);
+    for eye in eyes {
+        let count = eye.colors.len() as f64;
+        let mean = |i: usize| {
+            let sum: f64 = eye.colors.iter().map(|c| f64::from(c[i])).sum();
+            sum / count / 255.0 * f64::from(eye.material.base_color[i])
+        };
+        assert!((mean(2) - 0.35).abs() < 0.02 && (mean(0) - 0.1).abs() < 0.02);
     }
 }
 

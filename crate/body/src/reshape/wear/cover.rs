@@ -150,7 +150,7 @@ impl Cover {
 
     /// Presses hair under the cloth, and takes it away under a scarf; beards stay.
     pub(in super::super) fn press(&self, mesh: &mut Mesh, origin: DVec3) {
-        if mesh.name == "beard" {
+        if mesh.name == hairs::BEARD {
             return;
         }
         if self.cut == Cut::Scarf {

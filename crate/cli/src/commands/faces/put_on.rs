@@ -2,13 +2,17 @@
 
 use anyhow::{Context as _, Result};
 use raconteur_body::Figure;
-use raconteur_body::reshape::{NewFace, NewOrgans, Reshaper};
+use raconteur_body::read::read_figure;
+use raconteur_body::reshape::{Hair, Lender, Lenders, Look, NewFace, NewOrgans, Reshaper};
 use raconteur_faces::{Face, FaceModel};
+
+use crate::assets;
 
 /// A figure that takes faces.
 pub(super) struct PutOn {
     reshaper: Reshaper,
     name: String,
+    lenders: Lenders,
 }
 
 impl PutOn {
@@ -17,21 +21,54 @@ impl PutOn {
         Ok(Self {
             reshaper: Reshaper::new(figure, model.vertices())?,
             name,
+            lenders: Lenders::new(),
         })
+    }
+
+    /// Has hair of the library lent, by its name.
+    pub(super) fn lend(&mut self, model: &FaceModel, name: &str) -> Result<()> {
+        let glb = assets::read(&format!("hair/{name}.glb"))?;
+        let lender = Lender::new(read_figure(name, &glb)?, model.vertices())?;
+        self.lenders.insert(name.to_owned(), lender);
+        Ok(())
     }
 
     /// The figure with a face.
     pub(super) fn figure(&self, model: &FaceModel, face: &Face) -> Result<Figure> {
+        self.with_hair(model, face, &Look::default())
+    }
+
+    /// The figure with a face and hair and a beard that are lent, or its own where a name is empty.
+    pub(super) fn dressed(
+        &self,
+        model: &FaceModel,
+        face: &Face,
+        [hair, beard]: [&str; 2],
+    ) -> Result<Figure> {
+        let from = |name: &str| Hair {
+            from: name.to_owned(),
+            colour: None,
+        };
+        let look = Look {
+            hair: from(hair),
+            beard: from(beard),
+            ..Look::default()
+        };
+        self.with_hair(model, face, &look)
+    }
+
+    fn with_hair(&self, model: &FaceModel, face: &Face, look: &Look) -> Result<Figure> {
         let organs = NewOrgans::from_numbers(&face.organs);
         let organs = organs.context("the pack knows no eyes")?;
         let textures = model.texture.as_ref();
         let factors = textures.and_then(|t| t.factors(&face.texture, &self.name));
-        Ok(self.reshaper.with_face(&NewFace {
+        let face = NewFace {
             skin: &face.shape,
             tone: factors.as_ref().map_or(&[], |f| &f.skin),
             organs,
             iris: factors.as_ref().map_or([1.0; 3], |f| f.iris),
             brows: factors.as_ref().map_or([1.0; 3], |f| f.brows),
-        })?)
+        };
+        Ok(self.reshaper.with_look(&face, look, &self.lenders)?)
     }
 }

@@ -1,5 +1,6 @@
 //! `raconteur faces sheet`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
@@ -70,6 +71,22 @@ pub(super) struct Sheet {
     /// Leave the hair of the head away.
     #[arg(long)]
     bald: bool,
+    /// Hair of the library, by name; `own`, `none` or `bald`. With several each face is drawn with each.
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_delimiter = ',',
+        default_value = "own"
+    )]
+    hair: Vec<String>,
+    /// Beards of the library, by name; `own` or `none`. With several each face is drawn with each.
+    #[arg(
+        long,
+        value_name = "NAME",
+        value_delimiter = ',',
+        default_value = "own"
+    )]
+    beard: Vec<String>,
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(64..=1600))]
     size: u32,
@@ -78,6 +95,8 @@ pub(super) struct Sheet {
     grid: Option<u32>,
 }
 
+/// What is said of hair and is no name of one that is lent; the first changes nothing.
+const NOT_LENT: [&str; 3] = ["own", "none", "bald"];
 /// Tiles in a row with captions.
 const COLUMNS: u32 = 8;
 /// Ages of a row of ages, years.
@@ -98,6 +117,8 @@ impl Sheet {
         let drawing = Drawing {
             view: &self.view,
             like: &self.like,
+            hair: &self.hair,
+            beard: &self.beard,
             is_bald: self.bald,
             size: self.size,
             grid: self.grid,
@@ -153,6 +174,8 @@ impl Sheet {
 struct Drawing<'a> {
     view: &'a [FaceView],
     like: &'a str,
+    hair: &'a [String],
+    beard: &'a [String],
     is_bald: bool,
     size: u32,
     grid: Option<u32>,
@@ -171,19 +194,31 @@ impl Drawing<'_> {
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
         )?;
         picture::set_figure(&mut headless, &figure)?;
-        let on = PutOn::new(figure, editor.model())?;
-        let bar = ProgressBar::new(faces.len() as u64).with_style(ProgressStyle::with_template(
-            "{bar:30} {pos}/{len} faces, {eta} left",
-        )?);
-        let aspects = vec![1.0; faces.len() * self.view.len()];
+        let mut on = PutOn::new(figure, editor.model())?;
+        let worn: Vec<[&str; 2]> = (self.hair.iter())
+            .flat_map(|hair| self.beard.iter().map(move |beard| [hair, beard]))
+            .map(|names| names.map(String::as_str))
+            .collect();
+        let lent: BTreeSet<&str> = worn.iter().flatten().copied().collect();
+        for name in lent.into_iter().filter(|n| !NOT_LENT.contains(n)) {
+            on.lend(editor.model(), name)?;
+        }
+        let bar = ProgressBar::new((faces.len() * worn.len()) as u64).with_style(
+            ProgressStyle::with_template("{bar:30} {pos}/{len} faces, {eta} left")?,
+        );
+        let aspects = vec![1.0; faces.len() * worn.len() * self.view.len()];
         let mut board = Board::new(&aspects, self.size, self.grid, self.columns);
         for (name, face) in faces {
-            let figure = on.figure(editor.model(), face)?;
-            headless.set_shape(&figure)?;
-            for tile in sheet::faces(&figure, self.view, name) {
-                board.put(&figure, &tile, &mut headless)?;
+            for &worn in &worn {
+                let figure = on.dressed(editor.model(), face, worn)?;
+                headless.set_shape(&figure)?;
+                let lent = worn.iter().filter(|n| **n != NOT_LENT[0]);
+                let words: Vec<&str> = std::iter::once(&name[..]).chain(lent.copied()).collect();
+                for tile in sheet::faces(&figure, self.view, words.join(" ").trim()) {
+                    board.put(&figure, &tile, &mut headless)?;
+                }
+                bar.inc(1);
             }
-            bar.inc(1);
         }
         bar.finish_and_clear();
         let picture = board.picture();
@@ -196,9 +231,12 @@ pub(super) fn for_raters(model: &FaceModel, indices: &[usize], folder: &Path) ->
     let editor = Editor::new(model.clone())?;
     let face = |index: &usize| Ok((index.to_string(), editor.example(*index)?));
     let faces: Vec<Named> = indices.iter().map(face).collect::<Result<_>>()?;
+    let own = ["own".to_owned()];
     let drawing = Drawing {
         view: &[FaceView::Front, FaceView::ThreeQuarter],
         like: "kenji",
+        hair: &own,
+        beard: &own,
         is_bald: true,
         size: 320,
         grid: None,

@@ -5,6 +5,7 @@ mod build;
 mod crowd;
 mod export;
 mod fit;
+mod hair;
 mod measure;
 mod obj;
 mod params;
@@ -35,6 +36,7 @@ enum Action {
     Sheet(sheet::Sheet),
     Export(export::Export),
     Fit(fit::Fit),
+    Hair(hair::Hair),
     Measure(measure::Measure),
 }
 
@@ -50,6 +52,7 @@ impl Figure {
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
             Action::Fit(c) => c.run(),
+            Action::Hair(c) => c.run(),
             Action::Measure(c) => c.run(),
         }
     }

@@ -1,0 +1,33 @@
+/** What of a texture is finer than the colours of vertices, or lies in the eyes: it is read off the values of its attributes. */
+
+import type { FaceLook } from '../element/types.js';
+
+/** A colour, linear. */
+type Rgb = readonly [number, number, number];
+
+/** Irises from dark brown to light, and where they are light from amber to blue; as the faces of the database were made. */
+const DARK: Rgb = [0.055, 0.03, 0.016];
+const AMBER: Rgb = [0.3, 0.2, 0.085];
+const BLUE: Rgb = [0.17, 0.27, 0.4];
+/** Those of the average face, and by how much a value of 1 differs: lightness and blueness, 0 to 1. */
+const LIGHT = [0.42, 0.5] as const;
+const BLUENESS = [0.4, 0.6] as const;
+/** Blue irises are lighter than brown ones. */
+const LIGHTER = 0.32;
+/** Below this value of the beard's shadow skin is as if nothing grew. */
+const SHAVED = 0.05;
+
+const clamp = (x: number): number => Math.min(1, Math.max(0, x));
+const mix = (a: Rgb, b: Rgb, share: number): Rgb => [0, 1, 2].map((i) => (a[i] ?? 0) + ((b[i] ?? 0) - (a[i] ?? 0)) * share) as unknown as Rgb;
+
+/** Freckles, stubble and irises of a face with these values of texture. */
+export function skinOf(texture: ReadonlyMap<string, number>): Pick<FaceLook, 'freckles' | 'stubble' | 'iris'> {
+  const of = (name: string): number => texture.get(name) ?? 0;
+  const blue = of('colour of the iris');
+  const light = clamp(LIGHT[0] + LIGHT[1] * of('lightness of the iris') + LIGHTER * blue);
+  return {
+    freckles: clamp(of('freckles')),
+    stubble: clamp((of('beard shadow') - SHAVED) / (1 - SHAVED)),
+    iris: mix(DARK, mix(AMBER, BLUE, clamp(BLUENESS[0] + BLUENESS[1] * blue)), light ** 1.3),
+  };
+}
