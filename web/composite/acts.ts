@@ -20,7 +20,7 @@ export type Act =
       readonly region: FaceRegion;
       /** And of what goes with it in people. */
       readonly withAll?: boolean;
-      /** Sex, weight, age and the other features of its group keep their values. */
+      /** A feature's own part of the face moves, and nothing else; of what a whole person is, as sex or age, the others keep their values. */
       readonly alone?: boolean;
     }
   /** So much more of an attribute on the left half, and less on the right. */
@@ -40,6 +40,9 @@ export type Act =
 
 /** Attribute of shape and texture that older people have more of. */
 export const AGEING = 'ageing';
+
+/** What 1 of an age is, years. */
+const YEARS = 40;
 
 /** Does an act; then the face holds what it is to hold. Throws what the model says, when it cannot. */
 export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[]): void {
@@ -115,7 +118,7 @@ function alter(faces: Faces, act: Act): void {
       faces.add(act.part, act.name, -act.amount, { ...act.region, half: 'right' });
       break;
     case 'age':
-      for (const { part, name } of faces.pack.attributes) if (name === AGEING) faces.add(part, name, act.amount, act.region);
+      faces.addYears(YEARS * act.amount, act.region);
       break;
     case 'caricature':
       faces.caricature(act.part, act.level, act.region);

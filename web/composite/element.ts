@@ -19,11 +19,12 @@ import look from './composite.css?inline';
 import { Desk } from './desk.js';
 import { Fine } from './fine.js';
 import { handle } from './hands.js';
-import { History, type Saved } from './history.js';
+import type { Saved } from './history.js';
+import { Keeping, reopen } from './keeping.js';
 import pictures from './pictures.css?inline';
 import { fetchSaved } from './saved.js';
 import { readScene } from './scene.js';
-import { Session, type Opened } from './session.js';
+import { Session } from './session.js';
 import { rest, speaking, views } from './stage.js';
 import { reason, type Tell } from './tell.js';
 import { TABS, template } from './template.js';
@@ -308,64 +309,18 @@ export class RaconteurComposite extends LitElement {
         this.figure = name;
       },
     });
-    if (kept !== undefined) this.#goOn(app, kept);
-    else if (this.src) this.#reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))));
+    const keeping = this.#session && new Keeping(app, this.#session, this.#tell, () => this.#told());
+    if (kept !== undefined) keeping?.goOn(kept);
+    else if (this.src) reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))), this.#tell);
     handle(app, pad);
     this.#fine = new Fine(app, place, over);
-    const session = this.#session;
-    const sessions = session && { session, open: (id: string) => this.#openKept(app, session, id), begin: () => this.#beginAnew(app, session) };
-    this.#desk = new Desk(app, place, this.#tell, sessions);
+    this.#desk = new Desk(app, place, this.#tell, keeping);
     await app.show();
     this.#app = app;
     app.view.look({});
     this.#centreSoon();
     this.requestUpdate();
     await this.updateComplete;
-  }
-
-  /** Begins with a session; without one where it cannot be read. Whether it could be. */
-  #reopen(app: App, saved: unknown): boolean {
-    if (saved === undefined) return false;
-    try {
-      app.open(saved);
-      return true;
-    } catch (error) {
-      this.#tell.trouble(`The last session could not be opened: ${reason(error)}`);
-      return false;
-    }
-  }
-
-  /** Begins with what the browser has kept; what cannot be read stays there as it is. */
-  #goOn(app: App, { saved, isCopy }: Opened): void {
-    if (!this.#reopen(app, saved)) void this.#session?.begin();
-    else if (isCopy) this.#tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Kept sessions.');
-    else this.#session?.adopt(app.save());
-  }
-
-  /** Opens a session that the browser has kept; the one before is kept, too. */
-  async #openKept(app: App, session: Session, id: string): Promise<void> {
-    try {
-      const saved = await session.read(id);
-      if (saved === undefined) throw new Error('It is not there any more.');
-      session.settle();
-      app.open(saved);
-      const isOwn = await session.goOn(id, undefined);
-      if (isOwn) session.adopt(app.save());
-      this.#told();
-      if (!isOwn) this.#tell.trouble('Another tab has this session open: this is a copy of it.');
-      await app.shownAsItIs;
-    } catch (error) {
-      this.#tell.trouble(`The session could not be opened: ${reason(error)}`);
-    }
-  }
-
-  /** Leaves the session as it is kept, and begins another. */
-  async #beginAnew(app: App, session: Session): Promise<void> {
-    session.settle();
-    const begun = session.begin();
-    app.open(new History().save(app.size));
-    this.#told();
-    await begun;
   }
 
   async #openSource(src: string): Promise<void> {

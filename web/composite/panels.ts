@@ -109,16 +109,8 @@ export function features(app: App, index: Index): TemplateResult {
       <label class="select side"><span>Group</span><select @change=${choose}>${groups.map((group) => html`<option value=${group} .selected=${group === app.group}>${group}</option>`)}</select></label>
       <label class="select side"><span>Search</span><input type="search" .value=${app.search} placeholder="moustache, friendly …" autocomplete="off" @input=${search} /></label>
     </div>
-    ${check('With what goes with it in people', app.withAll, (on) => {
-      app.withAll = on;
-      app.redraw();
-    })}
-    ${check('Left and right apart', app.apart, (on) => {
-      app.apart = on;
-      app.redraw();
-    })}
-    <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>
     ${isElsewhere || shown.length === 0 ? ways : nothing}
+    ${shown.length === 0 ? nothing : manner(app)}
     ${(Object.keys(PARTS) as FacePart[]).map((part) => {
       const own = shown.filter((a) => a.part === part);
       return own.length === 0
@@ -132,11 +124,24 @@ export function features(app: App, index: Index): TemplateResult {
     ${isElsewhere || shown.length === 0 ? nothing : ways}`;
 }
 
+/** How features change. */
+function manner(app: App): TemplateResult {
+  return html`${check('With what goes with it in people', app.withAll, (on) => {
+    app.withAll = on;
+    app.redraw();
+  })}
+    ${check('Left and right apart', app.apart, (on) => {
+      app.apart = on;
+      app.redraw();
+    })}
+    <p class="about">${target(app)} <em>Hold</em> keeps a feature as it is, whatever else changes.</p>`;
+}
+
 /** What is changed now. */
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
   if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;
-  return app.withAll ? `Changes the whole head${of}.` : `A feature changes alone${of}: sex, age, weight and its neighbours stay as they are.`;
+  return app.withAll ? `The rest of the face goes along${of}, as it does in people.` : `A feature changes alone${of}: its own part of the face moves, and nothing else.`;
 }
 
 // --- what is held ---

@@ -19,7 +19,7 @@ const FROM_NAMES = { stage: 'As on the stage', ...SIDE_NAMES, all: 'All three' }
 type From = keyof typeof FROM_NAMES;
 const ALL = Object.keys(SIDE_NAMES) as Side[];
 const FRAME_NAMES = { head: FRAMES.head.name, shoulders: FRAMES.shoulders.name } as const;
-const GROUNDS = { stage: 'As on the stage', plain: 'Plain, in studio light' } as const;
+const GROUNDS = { stage: 'As on the stage', plain: 'A plain wall, in even light' } as const;
 /** Sharp on paper at a third of its width, in pixels. */
 const REPORT_SIZE = { width: 640, height: 800 };
 

@@ -69,6 +69,7 @@ export class Session {
       const listed = await this.#shelf.list();
       // A tab that is loaded again goes on with its own work.
       const own = this.#ofTab();
+      this.#remember();
       const latest = listed.find(({ id }) => id === own) ?? listed[0];
       const saved = latest && (await this.#shelf.read(latest.id));
       if (latest === undefined || saved === undefined) {
@@ -90,6 +91,14 @@ export class Session {
       return sessionStorage.getItem(this.#tabKey) ?? undefined;
     } catch {
       return undefined;
+    }
+  }
+
+  #remember(): void {
+    try {
+      sessionStorage.setItem(this.#tabKey, this.#id);
+    } catch {
+      // Then the latest session of all tabs is opened next time.
     }
   }
 
@@ -126,11 +135,7 @@ export class Session {
     clearTimeout(this.#waiting);
     this.#soon = undefined;
     this.#id = id;
-    try {
-      sessionStorage.setItem(this.#tabKey, id);
-    } catch {
-      // Then the latest session of all tabs is opened next time.
-    }
+    this.#remember();
     this.#picture = picture;
     this.#given = [];
     this.#scene = '';

@@ -3,13 +3,20 @@
 import type { RaconteurPlayer } from '../element/element.js';
 import type { App } from './app.js';
 import { LEVEL } from '../pages/head-view.js';
+import { SETTLED_SECS } from '../pages/page-state.js';
 import { openHidden, wait } from './hidden-player.js';
+import { beforeWall } from './plain.js';
+import { still, stillIn } from './script.js';
 
 /** How much of somebody is in a picture: how near one looks, and how far below the middle of the head the picture's is, metres. */
 export const FRAMES = {
   head: { name: 'Head', zoom: 5.4, lower: 0 },
-  shoulders: { name: 'Head and shoulders', zoom: 3.3, lower: 0.1 },
+  shoulders: { name: 'Head and shoulders', zoom: 4.1, lower: 0.045 },
 } as const;
+/** What is least like the curtain, by which the face is told from what is behind it. */
+const OTHER_SET = 'garden';
+/** By then another place is shown, milliseconds. */
+const SHOWN_MS = 250;
 /** The player draws no more pixels for a CSS pixel. */
 const MOST_DPR = 2;
 
@@ -28,7 +35,7 @@ export interface Size {
 /** How pictures are taken. */
 export interface Framing {
   readonly frame: keyof typeof FRAMES;
-  /** Before a plain wall in the light of a studio. */
+  /** Before a plain wall, in even light. */
   readonly plain: boolean;
 }
 
@@ -66,10 +73,25 @@ export class Studio {
       await player.setFace(face);
       // Large only now, so that what is drawn until here costs little.
       await enlarge(player, size);
-      for (const [i, side] of sides.entries()) {
+      const take = (side: Side): HTMLCanvasElement => {
         const picture = view.picture({ tilt: LEVEL, ...side }, lower);
         if (picture === undefined) throw new Error('There is no picture of the face.');
-        yield cropped(picture, size);
+        return cropped(picture, size);
+      };
+      const others: HTMLCanvasElement[] = [];
+      if (plain) {
+        await place(player, stillIn(OTHER_SET));
+        for (const side of sides) {
+          others.push(take(side));
+          await wait(0);
+          signal.throwIfAborted();
+        }
+        await place(player, still);
+      }
+      for (const [i, side] of sides.entries()) {
+        const picture = take(side);
+        const other = others[i];
+        yield other === undefined ? picture : beforeWall(picture, other);
         progress(i + 1, sides.length);
         // The page goes on between two pictures.
         await wait(0);
@@ -86,6 +108,13 @@ export class Studio {
     for await (const picture of this.shots(sides, size, watch, framing)) pictures.push(picture);
     return pictures;
   }
+}
+
+/** Puts who stands still elsewhere, and waits until that is seen. */
+async function place(player: RaconteurPlayer, script: string): Promise<void> {
+  await player.rehearse(script, { motion: 0 });
+  player.currentTime = SETTLED_SECS;
+  await wait(SHOWN_MS);
 }
 
 /** Gives a player as many pixels as a picture is to have, and waits until it knows. */

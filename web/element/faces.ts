@@ -53,6 +53,7 @@ interface Model {
   contents(): FacePack;
   average(): void;
   random(seed: number): void;
+  randomPerson(seed: number): number | undefined;
   example(index: number): void;
   mask(segments: readonly string[]): Float64Array;
   segmentAt(vertex: number): string | undefined;
@@ -60,6 +61,7 @@ interface Model {
   values(part: FacePart): Float64Array;
   add(part: FacePart, name: string, amount: number, withAll: boolean, segments: readonly string[], half?: string): void;
   addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void;
+  addYears(years: number, segments: readonly string[], half?: string): void;
   caricature(part: FacePart, level: number, segments: readonly string[], half?: string): void;
   importFrom(index: number, part: FacePart, segments: readonly string[], half?: string): void;
   transform(scale: Float64Array, turn: Float64Array, way: Float64Array, segments: readonly string[], half?: string): void;
@@ -114,6 +116,11 @@ export class Faces {
     this.#model.random(seed);
   }
 
+  /** Whom the random face of a seed is most like, by the number of a face of the database; undefined where the pack does not tell. */
+  randomPerson(seed: number): number | undefined {
+    return this.#model.randomPerson(seed);
+  }
+
   /** A face of the database. */
   example(index: number): void {
     this.#model.example(index);
@@ -149,9 +156,17 @@ export class Faces {
     this.#model.add(part, name, amount, withAll, segments, half);
   }
 
-  /** Adds so much of an attribute of the whole head; these others of its part keep their values. */
+  /**
+   * Adds so much of an attribute alone: of a feature what lies in its segments, and nothing elsewhere moves; of what a whole person is,
+   * sex or age, so that these others of its part keep their values.
+   */
   addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void {
     this.#model.addAlone(part, name, amount, kept);
+  }
+
+  /** Makes the face so many years older, or younger below zero, as people of its sex get: growth to 20 years, ageing from then on; ages from 8 to 80. */
+  addYears(years: number, { segments = [], half }: FaceRegion = {}): void {
+    this.#model.addYears(years, segments, half);
   }
 
   /** Exaggerates what tells the face from the average: above 1 a caricature, below nearer to everybody. */

@@ -8,6 +8,7 @@ import { History } from '../composite/history.js';
 import { branch } from '../composite/history-panel.js';
 import { told } from '../composite/panels.js';
 import { fileName } from '../composite/pictures-panel.js';
+import { figureOf } from '../composite/plain.js';
 import { PRINT_SIZE, withDensity } from '../composite/print.js';
 import { reportOf } from '../composite/report.js';
 import { MOST, Thumbnails } from '../composite/thumbnails.js';
@@ -131,6 +132,19 @@ test('a picture for paper says how large it is', () => {
   expect(inflateSync(dense.subarray(54 + 8, 54 + 8 + 10))).toHaveLength(2);
   expect(PRINT_SIZE.width / 300).toBeCloseTo(10 / 2.54, 2);
   expect(PRINT_SIZE.height / 300).toBeCloseTo(12.5 / 2.54, 2);
+});
+
+test('what is alike before two places and hangs together with the middle is the figure', () => {
+  const [width, height] = [9, 9];
+  const at = (of: (x: number, y: number) => number) => Uint8ClampedArray.from({ length: 4 * width * height }, (_, i) => of(Math.floor(i / 4) % width, Math.floor(i / 4 / width)));
+  const isHead = (x: number, y: number): boolean => x >= 3 && x <= 5 && y >= 2;
+  // An eye mirrors the place, and one spot of the two places happens to be alike.
+  const one = at((x, y) => (isHead(x, y) && !(x === 4 && y === 5) ? 120 : 20));
+  const other = at((x, y) => (isHead(x, y) && !(x === 4 && y === 5) ? 123 : x === 0 && y === 0 ? 20 : 90));
+  one.set(one.subarray(0, 4), 4 * (5 * width + 4));
+  one.set([120, 120, 120, 255], 4 * (4 * width + 4));
+  const figure = figureOf(one, other, width, height);
+  for (let i = 0; i < figure.length; i += 1) expect(figure[i], String(i)).toBe(Number(isHead(i % width, Math.floor(i / width))));
 });
 
 test('files are called as the face is, in letters that any system takes', () => {

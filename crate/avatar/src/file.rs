@@ -46,7 +46,7 @@ pub fn face_file(parts: FaceFile<'_>) -> Result<Vec<u8>, FileError> {
     let reshaper = Reshaper::new(read_figure(parts.name, parts.glb)?, vertices)?;
     let mut lenders = Lenders::new();
     for (name, glb) in parts.lenders {
-        let lender = Lender::new(read_figure(&name, &glb)?, vertices)?;
+        let lender = Lender::new(&read_figure(&name, &glb)?, vertices)?;
         lenders.insert(name, lender);
     }
     let mut figure = reshaper.with_look(&parts.face, parts.look, &lenders)?;

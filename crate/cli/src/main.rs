@@ -81,7 +81,7 @@ enum Command {
     /// Make figures and look at them.
     Figure(commands::figure::Figure),
     /// Learn faces from examples, and make new ones.
-    Faces(commands::faces::Faces),
+    Faces(Box<commands::faces::Faces>),
 }
 
 impl Command {

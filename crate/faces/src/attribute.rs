@@ -82,6 +82,35 @@ impl Attribute {
         space.product(coefficients, &self.direction)
     }
 
+    /// By how much one more of each number of a face changes the value.
+    #[cfg(feature = "learn")]
+    pub(crate) fn gradient(&self, space: &FaceSpace) -> Vec<f64> {
+        let pairs = self.direction.iter().zip(space.deviations());
+        let shares: Vec<f64> = pairs.map(|(along, d)| along / (d * d)).collect();
+        space.difference(&shares)
+    }
+
+    /// The attribute that is measured by numbers of a face, each by its index: the direction in which faces
+    /// of the space differ when the measure does.
+    ///
+    /// # Errors
+    /// When the space does not vary in what is measured.
+    pub fn measured(
+        name: &str,
+        space: &FaceSpace,
+        gradient: &[(u32, f64)],
+    ) -> Result<Self, FaceError> {
+        let along = |(mode, d): (usize, &f64)| {
+            let numbers = space.mode(mode);
+            let parts = gradient
+                .iter()
+                .map(|&(i, g)| g * numbers.get(i as usize).unwrap_or(&0.0));
+            d * d * parts.sum::<f64>()
+        };
+        let direction = space.deviations().iter().enumerate().map(along).collect();
+        Self::along(name.to_owned(), space, direction)
+    }
+
     /// Changes a face so that it has so much more of the attribute.
     pub fn add(&self, coefficients: &mut [f64], more: f64) {
         for (c, by) in coefficients.iter_mut().zip(&self.change) {

@@ -88,13 +88,17 @@ fn finite(number: f64) -> Result<f64, JsError> {
     }
 }
 
+/// So many changes are kept, half a megabyte each.
+const MOST_CHANGES: usize = 24;
+
 /// A face model and a face that is edited.
 #[wasm_bindgen]
 pub struct Faces {
     editor: Editor,
     face: Face,
-    /// The change of the attribute that was changed alone last, by what it was asked for.
-    alone: Option<(String, Change)>,
+    /// Changes of attributes that were asked for last, by what they were asked for, the latest at the end: a slider
+    /// that moves asks for the same again and again, and a history that is opened for a few in turns.
+    lately: Vec<(String, Change)>,
 }
 
 #[wasm_bindgen]
@@ -111,7 +115,7 @@ impl Faces {
         Ok(Self {
             editor,
             face,
-            alone: None,
+            lately: Vec::new(),
         })
     }
 
@@ -198,6 +202,12 @@ impl Faces {
         found.map(|s| s.name.clone())
     }
 
+    /// Whom the random face of a seed is most like, by their number in the database.
+    #[wasm_bindgen(js_name = randomPerson)]
+    pub fn random_person(&self, seed: u32) -> Option<usize> {
+        self.editor.random_person(u64::from(seed))
+    }
+
     /// How much of an attribute the face has.
     pub fn value(&self, of: &str, name: &str) -> Result<f64, JsError> {
         Ok(self.editor.value(&self.face, part(of)?, name)?)
@@ -219,17 +229,43 @@ impl Faces {
         segments: Vec<String>,
         half: Option<String>,
     ) -> Result<(), JsError> {
-        let region = self.region(&segments, half.as_deref())?;
-        let change = if with_all {
-            self.editor.change_with_all(part(of)?, name, &region)?
-        } else {
-            self.editor.attribute_change(part(of)?, name, &region)?
+        let key = format!(
+            "{of}\n{name}\n{with_all}\n{half:?}\n{}",
+            segments.join("\n")
+        );
+        self.add_change(key, amount, |own| {
+            let region = own.region(&segments, half.as_deref())?;
+            Ok(if with_all {
+                own.editor.change_with_all(part(of)?, name, &region)?
+            } else {
+                own.editor.attribute_change(part(of)?, name, &region)?
+            })
+        })
+    }
+
+    /// Adds so much of the change that a key stands for, and makes it where it is not the last one.
+    fn add_change(
+        &mut self,
+        key: String,
+        amount: f64,
+        make: impl FnOnce(&Self) -> Result<Change, JsError>,
+    ) -> Result<(), JsError> {
+        let amount = finite(amount)?;
+        let known = self.lately.iter().position(|(asked, _)| *asked == key);
+        let entry = match known {
+            Some(index) => self.lately.remove(index),
+            None => (key, make(self)?),
         };
-        self.face.add(&change, finite(amount)?);
+        self.face.add(&entry.1, amount);
+        if self.lately.len() == MOST_CHANGES {
+            self.lately.remove(0);
+        }
+        self.lately.push(entry);
         Ok(())
     }
 
-    /// Adds so much of an attribute of the whole head; others of its part keep their values.
+    /// Adds so much of an attribute of the whole head: of a feature in its own segments, of what a whole person is
+    /// so that others of its part keep their values.
     #[wasm_bindgen(js_name = addAlone)]
     pub fn add_alone(
         &mut self,
@@ -238,18 +274,37 @@ impl Faces {
         amount: f64,
         kept: Vec<String>,
     ) -> Result<(), JsError> {
-        let amount = finite(amount)?;
-        let key = format!("{of}\n{name}\n{}", kept.join("\n"));
-        let change = match self.alone.take() {
-            // A slider that moves asks for the same again and again.
-            Some((last, change)) if last == key => change,
-            _ => {
-                let kept: Vec<&str> = kept.iter().map(String::as_str).collect();
-                self.editor.change_alone(part(of)?, name, &kept)?
-            }
-        };
-        self.face.add(&change, amount);
-        self.alone = Some((key, change));
+        let key = format!("{of}\n{name}\nalone\n{}", kept.join("\n"));
+        self.add_change(key, amount, |own| {
+            let kept: Vec<&str> = kept.iter().map(String::as_str).collect();
+            Ok(own.editor.change_alone(part(of)?, name, &kept)?)
+        })
+    }
+
+    /// Makes the face of a region so many years older, or younger below zero, as people of its sex get; in shape and
+    /// texture. Ages are from 8 to 80.
+    #[wasm_bindgen(js_name = addYears)]
+    pub fn add_years(
+        &mut self,
+        years: f64,
+        segments: Vec<String>,
+        half: Option<String>,
+    ) -> Result<(), JsError> {
+        let region = self.region(&segments, half.as_deref())?;
+        let by = finite(years)?;
+        let value = |name: &str| self.editor.value(&self.face, Part::Shape, name);
+        let (age, sex) = (self.editor.years_of(value("age")?), 0.5 + value("sex")?);
+        let parts = [Part::Shape, Part::Texture].into_iter();
+        let changes = parts
+            .filter(|part| !self.editor.attributes(*part).is_empty())
+            .map(|part| {
+                self.editor
+                    .change_of_years(part, [age, age + by], sex, &region)
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        for change in changes {
+            self.face.add(&change, 1.0);
+        }
         Ok(())
     }
 
@@ -365,7 +420,7 @@ impl Faces {
 
     /// x, y and z of each vertex of the skin; metres, frame of the head.
     pub fn skin(&self) -> Vec<f64> {
-        self.face.shape.clone()
+        self.editor.drawn(&self.face)
     }
 
     /// What lies in the head: centres of the eyes, turns that close the lids, height of the chin.

@@ -43,7 +43,7 @@ impl Neighbours {
         })
     }
 
-    fn of_vertex(&self, vertex: usize) -> &[u32] {
+    pub(crate) fn of_vertex(&self, vertex: usize) -> &[u32] {
         &self.list[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 

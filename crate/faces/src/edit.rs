@@ -4,17 +4,21 @@
 //! An edited face need not lie in the spaces any more, and so it is kept as all of its numbers.
 
 mod constrain;
+mod random;
 mod region;
 #[cfg(test)]
 mod tests;
 
-use raconteur_base::{noise, ops};
+use raconteur_base::ops;
 
 use crate::attribute::set_apart;
 use crate::blend::Neighbours;
 use crate::error::FaceError;
+use crate::life::GROWN_YEARS;
+use crate::lips::Lips;
 use crate::pack::{FaceModel, NamedAttribute};
 use crate::space::FaceSpace;
+use crate::untangle::Untangle;
 
 pub use constrain::Constraint;
 pub use region::{Half, Region};
@@ -83,10 +87,10 @@ impl Affine {
 pub struct Editor {
     model: FaceModel,
     neighbours: Neighbours,
+    untangle: Option<Untangle>,
+    lips: Option<Lips>,
 }
 
-/// A random face is not farther from the average along a mode, standard deviations.
-const MOST_DEVIATIONS: f64 = 3.0;
 /// Tells numbers that are drawn for textures from those for shapes.
 const TEXTURE_STREAM: u64 = 0x7E77;
 
@@ -110,7 +114,14 @@ impl Editor {
         if let Some(texture) = &mut model.texture {
             tell_apart(&texture.space, &mut texture.attributes);
         }
-        Ok(Self { model, neighbours })
+        let lips = Lips::of(&model.segments, &model.triangles, model.shape.mean());
+        let untangle = Untangle::of(&model.reference, &model.triangles);
+        Ok(Self {
+            model,
+            neighbours,
+            untangle,
+            lips,
+        })
     }
 
     /// The model.
@@ -148,21 +159,21 @@ impl Editor {
         self.face(&[], &[])
     }
 
-    /// A face as likely as those of the examples are; the same for the same seed.
+    /// The shape of a face as it is drawn: no skin passes through skin. Edits go on from the face as it is.
     #[must_use]
-    pub fn random(&self, seed: u64) -> Face {
-        let drawn = |space: &FaceSpace, stream: u64| -> Vec<f64> {
-            let deviations = (0..).zip(space.deviations());
-            let one = |(mode, deviation): (u64, &f64)| {
-                // The sum of twelve: a bell of deviation 1.
-                let sum: f64 = (0..12).map(|k| noise::unit(seed ^ stream, mode, k)).sum();
-                deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
-            };
-            deviations.map(one).collect()
-        };
-        let textures = self.model.texture.as_ref();
-        let texture = textures.map_or_else(Vec::new, |t| drawn(&t.space, TEXTURE_STREAM));
-        self.face(&drawn(&self.model.shape, 0), &texture)
+    pub fn drawn(&self, face: &Face) -> Vec<f64> {
+        let mut shape = face.shape.clone();
+        if let Some(untangle) = &self.untangle {
+            untangle.straighten(&mut shape);
+        }
+        if let Some(lips) = self
+            .lips
+            .as_ref()
+            .filter(|_| shape.len() == self.model.shape.length())
+        {
+            lips.part(&self.neighbours, &mut shape);
+        }
+        shape
     }
 
     /// A face of the database.
@@ -193,11 +204,16 @@ impl Editor {
     /// # Errors
     /// When there is no such attribute of this part, or the face is of another model.
     pub fn value(&self, face: &Face, part: Part, name: &str) -> Result<f64, FaceError> {
-        let own = self.coefficients(face, part)?;
-        Ok(self
-            .attribute(part, name)?
-            .attribute
-            .value(self.space(part)?, &own))
+        let named = self.named(part, name)?;
+        let space = self.space(part)?;
+        match &named.feature {
+            Some(feature) if !feature.gradient.is_empty() => {
+                Ok(feature.measured(&difference(face.part(part), space)?))
+            }
+            _ => Ok(named
+                .attribute
+                .value(space, &space.coefficients(face.part(part))?)),
+        }
     }
 
     /// How much of each attribute of a part a face has, in the order of [`Self::attributes`].
@@ -206,12 +222,17 @@ impl Editor {
     /// When the face is of another model, or there are no textures.
     pub fn values(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
         let space = self.space(part)?;
-        let own = self.coefficients(face, part)?;
-        let all = self.attributes(part).iter();
-        Ok(all.map(|a| a.attribute.value(space, &own)).collect())
+        let own = difference(face.part(part), space)?;
+        let along = space.along(&own);
+        let value = |a: &NamedAttribute| match &a.feature {
+            Some(feature) if !feature.gradient.is_empty() => feature.measured(&own),
+            _ => a.attribute.value(space, &along),
+        };
+        Ok(self.attributes(part).iter().map(value).collect())
     }
 
-    /// What one more of an attribute changes in a region; other features change little.
+    /// What one more of an attribute changes in a region; other features change little. Of a feature, in the
+    /// whole head, it is what lies in the feature's own segments, and nothing else.
     ///
     /// # Errors
     /// When there is no such attribute of this part.
@@ -221,9 +242,24 @@ impl Editor {
         name: &str,
         region: &Region,
     ) -> Result<Change, FaceError> {
-        let mut along = vec![0.0; self.space(part)?.dimensions()];
-        self.attribute(part, name)?.attribute.add(&mut along, 1.0);
-        self.change_of(part, &along, region)
+        let named = self.named(part, name)?;
+        let Some(feature) = &named.feature else {
+            let mut along = vec![0.0; self.space(part)?.dimensions()];
+            named.attribute.add(&mut along, 1.0);
+            return self.change_of(part, &along, region);
+        };
+        if region.is_of_segments() {
+            return self.change_of(part, &feature.alone, region);
+        }
+        let names: Vec<&str> = feature.segments.iter().map(String::as_str).collect();
+        let own = self.region(&names, region.half().or(feature.half))?;
+        let mut change = self.change_of(part, &feature.alone, &own)?;
+        if region.half().is_none() {
+            // Numbers of a pack are rounded; one more is one more.
+            let value = named.value_of(self.space(part)?, &change.numbers);
+            change.scale(1.0 / value);
+        }
+        Ok(change)
     }
 
     /// As [`Self::attribute_change`], with all that goes with the attribute in people.
@@ -236,12 +272,54 @@ impl Editor {
         name: &str,
         region: &Region,
     ) -> Result<Change, FaceError> {
-        let attribute = &self.attribute(part, name)?.attribute;
+        let attribute = &self.named(part, name)?.attribute;
         self.change_of(part, &attribute.with_all(self.space(part)?), region)
     }
 
+    /// The age that a value of the attribute of age stands for, years: its ends are two deviations of people from
+    /// their mean. That of grown-ups where the model does not know ages.
+    #[must_use]
+    pub fn years_of(&self, value: f64) -> f64 {
+        let ages = || self.model.people.iter().map(|p| p.age_years);
+        let count = self.model.people.len() as f64;
+        if count == 0.0 {
+            return GROWN_YEARS;
+        }
+        let mean = ages().sum::<f64>() / count;
+        let square = ages().map(|age| (age - mean) * (age - mean)).sum::<f64>();
+        mean + 2.0 * (square / count).sqrt() * value
+    }
+
+    /// What the years between two ages change of somebody of a sex (0 male to 1) in a region: growth to 20 years,
+    /// ageing from then on; ages from 8 to 80. Nothing where the model does not know ages.
+    ///
+    /// # Errors
+    /// When there are no textures.
+    pub fn change_of_years(
+        &self,
+        part: Part,
+        years: [f64; 2],
+        sex: f64,
+        region: &Region,
+    ) -> Result<Change, FaceError> {
+        let [from, to] = years;
+        let along = match part {
+            Part::Shape => self.model.life.change(from, to, sex),
+            Part::Texture => {
+                let texture = self.model.texture.as_ref().ok_or(FaceError::NoTexture)?;
+                texture.life.change(from, to, sex)
+            }
+        };
+        self.change_of(part, &along, region)
+    }
+
     /// The change that coefficients make in a region.
-    fn change_of(&self, part: Part, along: &[f64], region: &Region) -> Result<Change, FaceError> {
+    pub(crate) fn change_of(
+        &self,
+        part: Part,
+        along: &[f64],
+        region: &Region,
+    ) -> Result<Change, FaceError> {
         let numbers = self.space(part)?.difference(along);
         let organs = match part {
             Part::Shape => self.model.organs.change(along),
@@ -339,13 +417,26 @@ impl Editor {
         }
     }
 
-    fn attribute(&self, part: Part, name: &str) -> Result<&NamedAttribute, FaceError> {
+    pub(crate) fn named(&self, part: Part, name: &str) -> Result<&NamedAttribute, FaceError> {
         let mut all = self.attributes(part).iter();
         let found = all.find(|a| a.attribute.name == name);
         found.ok_or_else(|| FaceError::NoAttribute {
             name: name.to_owned(),
         })
     }
+}
+
+/// How a face differs from the average.
+fn difference(numbers: &[f64], space: &FaceSpace) -> Result<Vec<f64>, FaceError> {
+    if numbers.len() != space.length() {
+        return Err(FaceError::Correspondence {
+            example: 0,
+            found: numbers.len(),
+            expected: space.length(),
+        });
+    }
+    let pairs = numbers.iter().zip(space.mean());
+    Ok(pairs.map(|(x, mean)| x - mean).collect())
 }
 
 /// Sets the changes of features apart; who a face is changes all of them.
@@ -386,6 +477,17 @@ impl Face {
 }
 
 impl Change {
+    fn scale(&mut self, by: f64) {
+        let all = self.numbers.iter_mut().chain(&mut self.organs);
+        all.for_each(|x| *x *= by);
+    }
+
+    /// What is added to the numbers of its part.
+    #[cfg(feature = "learn")]
+    pub(crate) fn numbers(&self) -> &[f64] {
+        &self.numbers
+    }
+
     fn between(from: &Face, to: &Face, part: Part) -> Self {
         let difference = |a: &[f64], b: &[f64]| b.iter().zip(a).map(|(b, a)| b - a).collect();
         Self {

@@ -11,17 +11,25 @@ mod bindings;
 mod blend;
 mod edit;
 mod error;
+mod feature;
+mod life;
+mod lips;
 mod pack;
 mod rating;
 #[cfg(test)]
 mod sample;
 mod segment;
 mod space;
+mod untangle;
 
 pub use attribute::Attribute;
 pub use blend::{Neighbours, SoftMask};
 pub use edit::{Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
+pub use feature::Feature;
+#[cfg(feature = "learn")]
+pub use feature::FeatureMeasure;
+pub use life::Life;
 pub use pack::{
     FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal,
     TextureModel,

@@ -12,6 +12,8 @@ use raconteur_base::ops;
 
 use crate::attribute::Attribute;
 use crate::error::FaceError;
+use crate::feature::Feature;
+use crate::life::Life;
 use crate::segment::Segments;
 use crate::space::FaceSpace;
 
@@ -30,6 +32,8 @@ pub struct FaceModel {
     /// As the cage, what lies in the head: centres of the eyes (metres), the turns that close the lids
     /// (radians), height of the chin (metres); empty where it is not known.
     pub organs: Follower,
+    /// A head that was made as a whole, in which no skin passes through skin, as [`Self::shape`]; or nothing.
+    pub reference: Vec<f64>,
     /// The triangles of the skin, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Its segments.
@@ -38,6 +42,8 @@ pub struct FaceModel {
     pub landmarks: Vec<(String, u32)>,
     /// The attributes of shape.
     pub attributes: Vec<NamedAttribute>,
+    /// How shapes go with years.
+    pub life: Life,
     /// The database that features are taken from: the coefficients of its faces.
     pub examples: Vec<Vec<f64>>,
     /// Who they are; as many, or none.
@@ -57,6 +63,8 @@ pub struct TextureModel {
     pub looks: Vec<LookNumber>,
     /// The attributes of texture.
     pub attributes: Vec<NamedAttribute>,
+    /// How textures go with years.
+    pub life: Life,
     /// Coefficients of the database's faces, in the order of [`FaceModel::examples`].
     pub examples: Vec<Vec<f64>>,
     /// Coefficients of figures by their names: what their own maps show.
@@ -83,6 +91,8 @@ pub struct NamedAttribute {
     pub derived: Option<String>,
     /// Its direction.
     pub attribute: Attribute,
+    /// What it is on a skin, and where; none for what a whole person is.
+    pub feature: Option<Feature>,
 }
 
 /// Who a face of the database is (F&H 5.1.1).

@@ -31,7 +31,7 @@ fn with_face(figure: &Figure, seed: u64) -> Arc<Figure> {
     let factors = factors.expect("a figure of the library");
     let reshaper = Reshaper::new(figure.clone(), editor.model().vertices()).expect("our head");
     let made = reshaper.with_face(&NewFace {
-        skin: &face.shape,
+        skin: &editor.drawn(&face),
         tone: &factors.skin,
         organs: NewOrgans::from_numbers(&face.organs).expect("organs"),
         iris: factors.iris,

@@ -3,12 +3,13 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_base::{DVec3, noise};
+use raconteur_base::{DVec3, Side, noise};
 
 use crate::head::{
     BareSkin, Binding, Bound, FIELDS, HeadParams, HeadSegment, KnownMeasure, Organs, field_index,
     known_measures,
 };
+use crate::labels::{EXPRESSIONS, LABELS};
 use crate::looks::{self, Look};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::people::{self, FigureParams};
@@ -55,7 +56,8 @@ pub struct Draft {
     pub fields: Vec<f64>,
     /// What it looks like apart from its shape.
     pub look: Look,
-    /// Where the cage of the head lies.
+    /// Where the cage of the head lies; with the fields of expressions once the crowd is brought to its
+    /// population, as those who are measured look neutral.
     pub bound: Bound,
 }
 
@@ -78,6 +80,8 @@ pub struct Example {
     pub measures: Vec<(&'static str, f64)>,
     /// Named vertices of the skin.
     pub landmarks: Vec<(String, u32)>,
+    /// Crests of the left and the right brow from their inner ends, millimetres in the frame of the head.
+    pub brows: [Vec<DVec3>; 2],
 }
 
 impl Example {
@@ -162,7 +166,7 @@ impl<'m> Examples<'m> {
             bound: self
                 .binding
                 .bind(&self.model.shape(&traits)?)
-                .with_fields(&fields),
+                .with_fields(&of_expressions(&fields, false)),
             look: looks::random(&traits, self.seed, index),
             traits,
             fields,
@@ -171,13 +175,22 @@ impl<'m> Examples<'m> {
 
     /// Brings a crowd to the measures of the population.
     #[must_use]
-    pub fn brought(drafts: Vec<Draft>) -> Vec<Draft> {
+    pub fn brought(&self, drafts: Vec<Draft>) -> Vec<Draft> {
         let people: Vec<Traits> = drafts.iter().map(|d| d.traits.clone()).collect();
         let mut heads: Vec<Bound> = drafts.iter().map(|d| d.bound.clone()).collect();
-        population::bring(&people, &mut heads);
+        let drawn = |traits: &Traits, bound: &Bound| {
+            let params = params_of(&self.like, traits.clone(), bound.clone());
+            let skin = BareSkin::of(&params.person, &params.head);
+            let taken = measured_mm(&|name| place(&skin, name));
+            core::array::from_fn(|i| taken.get(i).map_or(0.0, |(_, mm)| *mm))
+        };
+        population::bring(&people, &mut heads, &drawn);
         let both = drafts.into_iter().zip(heads);
-        both.map(|(draft, bound)| Draft { bound, ..draft })
-            .collect()
+        let posed = |(draft, bound): (Draft, Bound)| Draft {
+            bound: bound.with_fields(&of_expressions(&draft.fields, true)),
+            ..draft
+        };
+        both.map(posed).collect()
     }
 
     /// The head of a draft.
@@ -185,16 +198,7 @@ impl<'m> Examples<'m> {
     pub fn make(&self, draft: Draft) -> Example {
         let params = params_of(&self.like, draft.traits.clone(), draft.bound.clone());
         let skin = BareSkin::of(&params.person, &params.head);
-        let place = |name: &str| {
-            let eyes = skin.organs.eye_centres;
-            let found = skin.landmarks.iter().find(|(known, _)| known == name);
-            match name {
-                "p_l" => Some(eyes[0]),
-                "p_r" => Some(eyes[1]),
-                _ => Some(skin.positions[found?.1 as usize]),
-            }
-        };
-        let measures = measured_mm(&place);
+        let measures = measured_mm(&|name| place(&skin, name));
         let coordinates = skin.positions.iter().flat_map(DVec3::to_array);
         Example {
             skin: coordinates.collect(),
@@ -204,8 +208,37 @@ impl<'m> Examples<'m> {
             measures,
             landmarks: skin.landmarks,
             segments: skin.segments,
+            brows: [Side::Left, Side::Right].map(|side| draft.bound.brow_of(side)),
             draft,
         }
+    }
+
+    /// What one of each field of an expression, by its index in [`FIELDS`], makes of the skin of the mean head.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<(usize, Vec<f64>)> {
+        let skin = |amounts: &[f64]| {
+            let bound = Bound::default().with_fields(amounts);
+            let head = HeadParams {
+                bound,
+                ..self.like.head.clone()
+            };
+            BareSkin::of(&self.like.person, &head).positions
+        };
+        let effect = |field: usize| {
+            let at = |by: f64| {
+                let mut amounts = vec![0.0; FIELDS.len()];
+                amounts[field] = by * FIELDS[field].deviation;
+                skin(&amounts)
+            };
+            let (more, less) = (at(1.0), at(-1.0));
+            let step = 2.0 * FIELDS[field].deviation;
+            let ways = more.iter().zip(&less);
+            ways.flat_map(|(a, b)| ((*a - *b) / step).to_array())
+                .collect()
+        };
+        expression_fields()
+            .map(|field| (field, effect(field)))
+            .collect()
     }
 
     /// The tone of a look, as [`Example::tone`] has it.
@@ -214,6 +247,36 @@ impl<'m> Examples<'m> {
         let skin = looks::skin(look, &SkinParams::plain());
         self.tones.of(&skin, looks::brows(look))
     }
+}
+
+/// A named place of a skin, metres; of the pupils, the middles of the eyes.
+fn place(skin: &BareSkin, name: &str) -> Option<DVec3> {
+    let [left, right] = skin.organs.eye_centres;
+    let found = skin.landmarks.iter().find(|(known, _)| known == name);
+    match name {
+        "p_l" => Some(left),
+        "p_r" => Some(right),
+        _ => Some(skin.positions[found?.1 as usize]),
+    }
+}
+
+/// The fields by which faces are posed, in the order of [`FIELDS`].
+fn expression_fields() -> impl Iterator<Item = usize> {
+    let names = LABELS.iter().filter(|l| l.group == EXPRESSIONS);
+    names.filter_map(|l| field_index(l.name))
+}
+
+/// Amounts of those fields alone, or of all others.
+fn of_expressions(fields: &[f64], are_they: bool) -> Vec<f64> {
+    let mut own = if are_they {
+        vec![0.0; fields.len()]
+    } else {
+        fields.to_vec()
+    };
+    for field in expression_fields() {
+        own[field] = if are_they { fields[field] } else { 0.0 };
+    }
+    own
 }
 
 /// The figure of a head: a body of the mean of sex and age; all else is as in `like`.

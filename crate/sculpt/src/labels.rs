@@ -3,6 +3,8 @@
 
 use raconteur_base::{DVec3, Side, ops};
 
+mod feature;
+
 use self::Affects::{Both, Shape, Texture};
 use crate::examples::Example;
 
@@ -46,6 +48,8 @@ pub struct Label {
 
 /// The group of the course of a life.
 pub const LIFE: &str = "life";
+/// The group of what a face may be posed in.
+pub const EXPRESSIONS: &str = "expressions";
 /// From this age on nobody grows, years.
 pub const GROWN_YEARS: f64 = 20.0;
 /// The attribute's ends are so many standard deviations of the examples from their mean.
@@ -84,9 +88,10 @@ fn angle(at: DVec3, a: DVec3, b: DVec3) -> f64 {
     ops::acos_clamped(a.dot(b))
 }
 
-/// The crest of a brow, its x outwards.
-fn brow(example: &Example, side: Side) -> Option<Vec<DVec3>> {
-    let crest = example.draft.bound.brow_of(side);
+/// The crest of a brow from its inner end, millimetres.
+fn brow(example: &Example, side: Side) -> Option<&[DVec3]> {
+    let [left, right] = &example.brows;
+    let crest = if side == Side::Left { left } else { right };
     (crest.len() > 4).then_some(crest)
 }
 
@@ -163,8 +168,9 @@ pub const LABELS: [Label; 51] = [
         Some(cheek.x - 0.5 * (zy.x + go.x) + cheek.z - zy.z)
     }),
     label("face shape", "cheekbones", ["flat", "prominent"], Shape, |e| {
-        let zm = both(e, "zm")?;
-        Some(both(e, "zy")?.x - both(e, "go")?.x + zm.z - e.place("sn")?.z)
+        // How far the bone stands out over the rim of the orbit and the cheek.
+        let (zy, cheek) = (both(e, "zy")?, both(e, "chk")?);
+        Some(zy.x - cheek.x + 2.0 * before(both(e, "zm")?, both(e, "or")?, cheek))
     }),
     label("face shape", "breadth of the chin", ["pointed", "broad"], Shape, |e| Some(breadth_mm(e, "id")? / e.measure("face_breadth")?)),
     label("face shape", "protrusion of the chin", ["receding", "protruding"], Shape, |e| Some(e.place("pg")?.z - 0.5 * (e.place("sn")?.z + e.place("n")?.z))),
@@ -188,7 +194,7 @@ pub const LABELS: [Label; 51] = [
     }),
     label("eyes", "distance between brows and eyes", ["low", "high"], Shape, |e| {
         let crests = brow(e, Side::Left)?[2].y + brow(e, Side::Right)?[2].y;
-        Some(crests / 2.0 - e.organs.eye_centres[0].y * 1e3)
+        Some(crests / 2.0 - (both(e, "en")?.y + both(e, "ex")?.y) / 2.0)
     }),
 
     label("nose", "length of the nose", ["short", "long"], Shape, |e| share(e, "nose_height", "face_height")),
@@ -239,6 +245,18 @@ impl Label {
     /// lacks what is read, or all are alike.
     #[must_use]
     pub fn of_all(&self, examples: &[Example]) -> Option<Vec<f64>> {
+        let (read, mean, unit) = self.read(examples)?;
+        Some(read.iter().map(|x| (x - mean) / unit).collect())
+    }
+
+    /// What of what is read counts as 1, from examples; none as in [`Self::of_all`].
+    #[must_use]
+    pub fn unit(&self, examples: &[Example]) -> Option<f64> {
+        self.read(examples).map(|(_, _, unit)| unit)
+    }
+
+    /// What is read of examples, its mean, and what of it counts as 1.
+    fn read(&self, examples: &[Example]) -> Option<(Vec<f64>, f64, f64)> {
         let read: Vec<f64> = examples.iter().map(self.of).collect::<Option<_>>()?;
         let count = read.len() as f64;
         let mean = read.iter().sum::<f64>() / count;
@@ -247,6 +265,6 @@ impl Label {
             Unit::Deviations => DEVIATIONS * square.sqrt(),
             Unit::Amount(amount) => amount,
         };
-        (square > 0.0).then(|| read.iter().map(|x| (x - mean) / unit).collect())
+        (square > 0.0).then_some((read, mean, unit))
     }
 }

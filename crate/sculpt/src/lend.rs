@@ -60,7 +60,7 @@ pub fn lender(params: &FigureParams) -> Figure {
     });
     for mesh in &mut figure.meshes {
         mesh.morphs.clear();
-        if mesh.material.kind == MaterialKind::Hair {
+        if mesh.material.kind == MaterialKind::Hair && mesh.name != BEARD {
             levels::lighten(mesh);
         }
         if let Some(binding) = &mut mesh.binding {

@@ -4,7 +4,7 @@
 use faer::linalg::solvers::Solve as _;
 use faer::{Mat, Side as Half};
 
-use crate::head::{Bound, Measure, known_measures, measures};
+use crate::head::{Bound, CENTRED, Measure, eye_mm, known_measures, measures};
 use crate::model::Traits;
 
 /// Correlations between measures of adults of one sex: means of those of 4,082 men and 1,986 women
@@ -48,9 +48,76 @@ pub fn known_correlation(a: Measure, b: Measure) -> Option<f64> {
 }
 
 /// Brings the heads of people to the population's measures, each as near to its own as the
-/// statistics let it. There must be many more people than measures.
-pub fn bring(people: &[Traits], heads: &mut [Bound]) {
+/// statistics let it. There must be many more people than measures. `drawn` takes the measures of a person's
+/// drawn skin, which closes the lips and rounds off what the places of the head tell.
+pub fn bring(
+    people: &[Traits],
+    heads: &mut [Bound],
+    drawn: &dyn Fn(&Traits, &Bound) -> [f64; COUNT],
+) {
     let wanted = targets(people, heads);
+    approach(heads, &wanted);
+    let sample: Vec<usize> = (0..heads.len()).step_by(SAMPLED).collect();
+    let own: Vec<[f64; COUNT]> = sample.iter().map(|&i| measures(&heads[i])).collect();
+    let skin: Vec<[f64; COUNT]> = sample
+        .iter()
+        .map(|&i| drawn(&people[i], &heads[i]))
+        .collect();
+    let lines: Vec<[f64; 2]> = (0..COUNT).map(|m| line(&own, &skin, m)).collect();
+    let aimed = Mat::from_fn(heads.len(), COUNT, |i, m| {
+        let [at_mean, slope] = lines[m];
+        (wanted[(i, m)] - at_mean) / slope
+    });
+    approach(heads, &aimed);
+    set_eyes(heads, &wanted);
+}
+
+/// An eyeball does not lie farther from where the lids of its head put it than all do, mm.
+const MOST_OWN_MM: f64 = 1.2;
+
+/// As much of a way of an eyeball is left when it is laid into its lids.
+const EYES_GO: f64 = 1.0 - CENTRED;
+
+/// Puts the pupils as far apart as surveys have them: farther out in their lids than the middles of these, which
+/// corners of the eyes tell. So the eyeballs move, and nothing else.
+fn set_eyes(heads: &mut [Bound], wanted: &Mat<f64>) {
+    let Some(measure) = Measure::all().position(|m| m == Measure::PupilDistance) else {
+        return;
+    };
+    let missing: Vec<f64> = (0..heads.len())
+        .map(|i| wanted[(i, measure)] / 2.0 - eye_mm(&heads[i]))
+        .collect();
+    let mean = missing.iter().sum::<f64>() / missing.len().max(1) as f64;
+    for (head, own) in heads.iter_mut().zip(missing) {
+        let by = mean + (own - mean).clamp(-MOST_OWN_MM, MOST_OWN_MM);
+        *head = head.clone().with_eyes_apart(by / EYES_GO);
+    }
+}
+
+/// One head of so many is looked at as it is drawn.
+const SAMPLED: usize = 8;
+/// What is drawn follows the places of a head by as much at least.
+const LEAST_SLOPE: f64 = 0.7;
+
+/// How a measure of the skin goes with that of the places: where it begins, and its deviation for one of theirs.
+fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2] {
+    let spread = |all: &[[f64; COUNT]]| {
+        let count = all.len().max(1) as f64;
+        let mean = all.iter().map(|m| m[measure]).sum::<f64>() / count;
+        let square = all.iter().map(|m| (m[measure] - mean).powi(2)).sum::<f64>();
+        (mean, (square / count).sqrt())
+    };
+    let ((from, off), (to, drawn)) = (spread(own), spread(skin));
+    let slope = if off > 0.0 {
+        (drawn / off).clamp(LEAST_SLOPE, 1.0 / LEAST_SLOPE)
+    } else {
+        1.0
+    };
+    [to - slope * from, slope]
+}
+
+/// Brings heads to measures, one row for each.
+fn approach(heads: &mut [Bound], wanted: &Mat<f64>) {
     for _ in 0..ROUNDS {
         let (numbers, own) = table(heads);
         let follows = regression(&numbers, &own);
@@ -224,7 +291,7 @@ mod tests {
     #[test]
     fn a_crowd_gets_the_means_deviations_and_correlations_of_surveys() {
         let (people, mut heads) = crowd(400);
-        bring(&people, &mut heads);
+        bring(&people, &mut heads, &|_, head| measures(head));
         let (_, own) = table(&heads);
         let rows: Vec<_> = known_measures().map(|m| (m.name, m.row)).collect();
         let z = Mat::from_fn(people.len(), COUNT, |i, m| {

@@ -86,7 +86,7 @@ impl Player {
     /// Takes a figure that lends its hair to faces of so many vertices.
     pub fn lend(&mut self, name: &str, glb: &[u8], vertices: usize) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
-        let lender = Lender::new(read_figure(name, glb)?, vertices)?;
+        let lender = Lender::new(&read_figure(name, glb)?, vertices)?;
         self.lenders.insert(name.to_owned(), lender);
         Ok(())
     }

@@ -27,7 +27,7 @@ impl Lender {
     ///
     /// # Errors
     /// When its head is another.
-    pub fn new(figure: Figure, vertices: usize) -> Result<Self, ReshapeError> {
+    pub fn new(figure: &Figure, vertices: usize) -> Result<Self, ReshapeError> {
         let other = |why| ReshapeError::OtherHead { why };
         let head = figure.meshes.iter().find(|m| m.name == "head");
         let head = head.ok_or_else(|| other("it has no mesh named head"))?;
@@ -44,7 +44,7 @@ impl Lender {
         let origin = skull.inverse().translation - SKULL_IN_HEAD_M;
         let world: Vec<DVec3> = head.positions[..count].iter().map(|&p| wide(p)).collect();
         let skin = Skin::new(&world);
-        let joints = joints(&figure);
+        let joints = joints(figure);
         let places = world.iter().map(|p| *p - origin).collect();
         let is_hair = |m: &Mesh| m.material.kind == MaterialKind::Hair;
         let hair = figure.meshes.iter().filter(|m| is_hair(m)).map(|m| {

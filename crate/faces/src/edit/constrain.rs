@@ -46,12 +46,16 @@ impl Editor {
         Ok(())
     }
 
-    /// The change of the whole head by one of an attribute while other attributes of its part keep their
-    /// values: values are linear in the face, so that it is the same for every face.
+    /// One more of an attribute alone: of a feature, what lies in its segments; of what a whole person is, the change
+    /// of the whole head while other attributes of its part keep their values. Values are linear in the face, so
+    /// that it is the same for every face.
     ///
     /// # Errors
     /// When an attribute is none, or one of those that are kept says what the attribute does.
     pub fn change_alone(&self, part: Part, name: &str, kept: &[&str]) -> Result<Change, FaceError> {
+        if self.named(part, name)?.feature.is_some() {
+            return self.attribute_change(part, name, &Region::whole());
+        }
         let before = self.average();
         let region = self.region(&[], None)?;
         let held = |(name, more): (&str, f64)| {
@@ -93,11 +97,8 @@ impl Editor {
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(count);
         for constraint in held {
             let space = self.space(constraint.part)?;
-            let attribute = &self.attribute(constraint.part, &constraint.name)?.attribute;
-            let effect = |change: &Change| {
-                let along = space.along(&change.numbers);
-                attribute.value(space, &along)
-            };
+            let named = self.named(constraint.part, &constraint.name)?;
+            let effect = |change: &Change| named.value_of(space, &change.numbers);
             let missing = constraint.value - self.value(face, constraint.part, &constraint.name)?;
             let mut row: Vec<f64> = changes.iter().map(effect).collect();
             row.push(missing);

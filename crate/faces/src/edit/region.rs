@@ -18,6 +18,9 @@ pub enum Half {
 pub struct Region {
     /// None for the whole head.
     mask: Option<SoftMask>,
+    /// Whether it is of segments, and not of the whole head or a half.
+    is_of_segments: bool,
+    half: Option<Half>,
     /// Vertices that lie in it.
     vertices: Vec<u32>,
     /// How much of what lies in the head goes along: left eye, right eye, chin.
@@ -41,11 +44,23 @@ impl Region {
     pub fn whole() -> Self {
         Self {
             mask: None,
+            is_of_segments: false,
+            half: None,
             vertices: Vec::new(),
             organs: [1.0; 3],
             looks: [1.0; 4],
             kinds: Vec::new(),
         }
+    }
+
+    /// Whether it is of segments, and not of the whole head or a half.
+    pub(super) fn is_of_segments(&self) -> bool {
+        self.is_of_segments
+    }
+
+    /// The half of the head that it is; none for both.
+    pub(super) fn half(&self) -> Option<Half> {
+        self.half
     }
 
     pub(super) fn mask(&self) -> Option<&SoftMask> {
@@ -97,6 +112,35 @@ impl Editor {
         if names.is_empty() && half.is_none() {
             return Ok(Region::whole());
         }
+        let mask = self.marked(names, half)?;
+        let own = (0u32..).zip(&mask).filter(|(_, share)| **share > 0.0);
+        let looks = self.model.texture.as_ref();
+        let looks = looks.map_or(&[][..], |t| t.looks.as_slice());
+        let kind = |name: &str| {
+            let found = LOOK_KINDS.iter().position(|(word, _)| name.contains(word));
+            found.unwrap_or(LOOK_KINDS.len())
+        };
+        let soft = self.neighbours.softened(&mask);
+        let share = |segment, half| self.share(&soft, segment, half);
+        let [iris, brows, lips] = LOOK_KINDS.map(|(_, segment)| share(segment, None));
+        Ok(Region {
+            vertices: own.map(|(v, _)| v).collect(),
+            organs: [
+                share("eyes and lids", Some(Half::Left)),
+                share("eyes and lids", Some(Half::Right)),
+                share("chin tip", None),
+            ],
+            looks: [iris, brows, lips, share("face", None)],
+            kinds: looks.iter().map(|l| kind(&l.name)).collect(),
+            is_of_segments: !names.is_empty(),
+            half,
+            mask: Some(soft),
+        })
+    }
+
+    /// Marks with 1 the vertices of segments with their parts, on one half or both; of the whole head where
+    /// there are no segments.
+    pub(crate) fn marked(&self, names: &[&str], half: Option<Half>) -> Result<Vec<f64>, FaceError> {
         let segments = &self.model.segments;
         let find = |name: &&str| {
             let found = segments.find(name);
@@ -122,27 +166,7 @@ impl Editor {
                 *share = 0.0;
             }
         }
-        let own = (0u32..).zip(&mask).filter(|(_, share)| **share > 0.0);
-        let looks = self.model.texture.as_ref();
-        let looks = looks.map_or(&[][..], |t| t.looks.as_slice());
-        let kind = |name: &str| {
-            let found = LOOK_KINDS.iter().position(|(word, _)| name.contains(word));
-            found.unwrap_or(LOOK_KINDS.len())
-        };
-        let soft = self.neighbours.softened(&mask);
-        let share = |segment, half| self.share(&soft, segment, half);
-        let [iris, brows, lips] = LOOK_KINDS.map(|(_, segment)| share(segment, None));
-        Ok(Region {
-            vertices: own.map(|(v, _)| v).collect(),
-            organs: [
-                share("eyes and lids", Some(Half::Left)),
-                share("eyes and lids", Some(Half::Right)),
-                share("chin tip", None),
-            ],
-            looks: [iris, brows, lips, share("face", None)],
-            kinds: looks.iter().map(|l| kind(&l.name)).collect(),
-            mask: Some(soft),
-        })
+        Ok(mask)
     }
 
     /// How much of a segment a mask lets in: the mean over its vertices, on a half or both.

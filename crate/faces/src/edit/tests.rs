@@ -4,6 +4,7 @@ use raconteur_base::noise;
 
 use super::*;
 use crate::attribute::Attribute;
+use crate::life::Life;
 use crate::pack::{Follower, LookNumber, TextureModel};
 use crate::sample::labelled;
 use crate::segment::{Segment, Segments};
@@ -47,6 +48,7 @@ fn segment(name: &str, parent: Option<u32>, rows: core::ops::Range<usize>) -> Se
 
 fn named(attribute: Attribute) -> NamedAttribute {
     NamedAttribute {
+        feature: None,
         group: "mouth".to_owned(),
         terms: ["less".to_owned(), "more".to_owned()],
         derived: None,
@@ -101,16 +103,19 @@ fn editor() -> Editor {
             weight: 1.0,
         }],
         attributes: learned(&space, &textures),
+        life: Life::default(),
         figures: vec![("sofia".to_owned(), looks[3].clone())],
         examples: looks,
         space,
     };
     Editor::new(FaceModel {
+        reference: Vec::new(),
         cage: Follower::default(),
         organs: Follower::learn(&shape, &examples, &organs),
         triangles: triangles.collect(),
         segments: Segments::new(segments, VERTICES).expect("a hierarchy"),
         attributes: learned(&shape, &shapes),
+        life: Life::default(),
         people: Vec::new(),
         landmarks: Vec::new(),
         examples,

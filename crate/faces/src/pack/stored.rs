@@ -7,13 +7,16 @@ use super::{
     FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel,
 };
 use crate::attribute::Attribute;
+use crate::edit::Half;
 use crate::error::FaceError;
+use crate::feature::Feature;
+use crate::life::Life;
 use crate::segment::{Segment, Segments};
 use crate::space::FaceSpace;
 
 /// Name, version and part.
-const SHAPE: &[u8; 8] = b"RFACES\x02S";
-const TEXTURE: &[u8; 8] = b"RFACES\x02T";
+const SHAPE: &[u8; 8] = b"RFACES\x03S";
+const TEXTURE: &[u8; 8] = b"RFACES\x03T";
 /// Steps of a mode's largest number.
 const STEPS: f64 = 127.0;
 /// A step of a mode makes no less of a difference at one standard deviation: metres for shapes,
@@ -47,6 +50,16 @@ struct StoredAttribute {
     high: String,
     derived: Option<String>,
     direction: Vec<f32>,
+    feature: Option<StoredFeature>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct StoredFeature {
+    segments: Vec<String>,
+    /// −1 for the right half, 1 for the left one, 0 for both.
+    half: i8,
+    gradient: Vec<(u32, f32)>,
+    alone: Vec<f32>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -54,10 +67,12 @@ struct StoredShape {
     space: StoredSpace,
     cage: StoredFollower,
     organs: StoredFollower,
+    reference: Vec<f32>,
     triangles: Vec<[u32; 3]>,
     segments: Vec<Segment>,
     landmarks: Vec<(String, u32)>,
     attributes: Vec<StoredAttribute>,
+    life: Vec<Vec<f32>>,
     examples: Vec<Vec<i8>>,
     people: Vec<[f32; 5]>,
 }
@@ -67,6 +82,7 @@ struct StoredTexture {
     space: StoredSpace,
     looks: Vec<(String, f32)>,
     attributes: Vec<StoredAttribute>,
+    life: Vec<Vec<f32>>,
     examples: Vec<Vec<i8>>,
     figures: Vec<(String, Vec<f32>)>,
 }
@@ -141,10 +157,12 @@ pub(super) fn shape(model: &FaceModel) -> Result<Vec<u8>, FaceError> {
             space: StoredSpace::of(&model.shape, FINEST_SHAPE),
             cage: StoredFollower::of(&model.cage),
             organs: StoredFollower::of(&model.organs),
+            reference: single(&model.reference),
             triangles: model.triangles.clone(),
             segments: model.segments.all().to_vec(),
             landmarks: model.landmarks.clone(),
             attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
+            life: model.life.effects.iter().map(|e| single(e)).collect(),
             examples: of_database(&model.shape, &model.examples),
             people: model.people.iter().map(person).collect(),
         },
@@ -160,6 +178,7 @@ pub(super) fn texture(model: &TextureModel) -> Result<Vec<u8>, FaceError> {
             space: StoredSpace::of(&model.space, FINEST_TEXTURE),
             looks: model.looks.iter().map(look).collect(),
             attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
+            life: model.life.effects.iter().map(|e| single(e)).collect(),
             examples: of_database(&model.space, &model.examples),
             figures: model.figures.iter().map(figure).collect(),
         },
@@ -288,6 +307,7 @@ impl StoredAttribute {
             high,
             derived: named.derived.clone(),
             direction: single(named.attribute.direction()),
+            feature: named.feature.as_ref().map(StoredFeature::of),
         }
     }
 
@@ -296,13 +316,64 @@ impl StoredAttribute {
             return None;
         }
         let direction = double(&self.direction);
+        let feature = match self.feature {
+            None => None,
+            Some(feature) => Some(feature.read(space)?),
+        };
+        // What is measured is so on the modes as they are stored.
+        let attribute = match &feature {
+            Some(f) if !f.gradient.is_empty() => {
+                Attribute::measured(&self.name, space, &f.gradient)
+            }
+            _ => Attribute::along(self.name, space, direction),
+        };
         Some(NamedAttribute {
+            feature,
             group: self.group,
             terms: [self.low, self.high],
             derived: self.derived,
-            attribute: Attribute::along(self.name, space, direction).ok()?,
+            attribute: attribute.ok()?,
         })
     }
+}
+
+impl StoredFeature {
+    fn of(feature: &Feature) -> Self {
+        let gradient = feature.gradient.iter();
+        Self {
+            segments: feature.segments.clone(),
+            half: match feature.half {
+                None => 0,
+                Some(Half::Left) => 1,
+                Some(Half::Right) => -1,
+            },
+            gradient: gradient.map(|&(i, g)| (i, g as f32)).collect(),
+            alone: single(&feature.alone),
+        }
+    }
+
+    fn read(self, space: &FaceSpace) -> Option<Feature> {
+        let is_within = |&(i, g): &(u32, f32)| (i as usize) < space.length() && g.is_finite();
+        let fits = self.alone.len() == space.dimensions() && self.gradient.iter().all(is_within);
+        let gradient = self.gradient.iter().map(|&(i, g)| (i, f64::from(g)));
+        Some(Feature {
+            alone: finite(&self.alone).filter(|_| fits)?,
+            gradient: gradient.collect(),
+            half: match self.half {
+                0 => None,
+                1 => Some(Half::Left),
+                -1 => Some(Half::Right),
+                _ => return None,
+            },
+            segments: self.segments,
+        })
+    }
+}
+
+/// How so many coefficients go with years.
+fn life(stored: &[Vec<f32>], modes: usize) -> Option<Life> {
+    let effects = stored.iter().map(|effect| double(effect)).collect();
+    Some(Life { effects }).filter(|life| life.fits(modes))
 }
 
 /// The attributes of a space.
@@ -327,16 +398,20 @@ impl StoredShape {
                 ancestry: [a, b, c],
             })
         };
-        if !(is_mesh && is_known) {
+        let reference = finite(&self.reference)?;
+        let is_head = reference.is_empty() || reference.len() == length;
+        if !(is_mesh && is_known && is_head) {
             return None;
         }
         Some(FaceModel {
             cage: self.cage.read(count)?,
             organs: self.organs.read(count)?,
             segments: Segments::new(self.segments, length / 3)?,
+            reference,
             triangles: self.triangles,
             landmarks: self.landmarks,
             attributes: attributes(self.attributes, &shape)?,
+            life: life(&self.life, count)?,
             examples: database(&shape, &self.examples)?,
             people: self.people.iter().map(person).collect::<Option<_>>()?,
             shape,
@@ -366,6 +441,7 @@ impl StoredTexture {
         Some(TextureModel {
             looks: self.looks.into_iter().map(look).collect::<Option<_>>()?,
             attributes: attributes(self.attributes, &space)?,
+            life: life(&self.life, count)?,
             examples: database(&space, &self.examples)?,
             figures: self
                 .figures

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::life::Life;
 use crate::sample::{examples, labelled};
 use crate::segment::Segment;
 
@@ -17,12 +18,15 @@ fn model() -> FaceModel {
         .map(|f| vec![f[0] + 1.0, f[1] - f[2]])
         .collect();
     FaceModel {
+        reference: Vec::new(),
+        life: Life::default(),
         cage: Follower::learn(&shape, &own, &values),
         organs: Follower::default(),
         people: Vec::new(),
         landmarks: Vec::new(),
         texture: None,
         attributes: vec![NamedAttribute {
+            feature: None,
             group: "mouth".to_owned(),
             terms: ["narrow".to_owned(), "wide".to_owned()],
             derived: None,

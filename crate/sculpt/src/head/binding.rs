@@ -329,6 +329,14 @@ impl Bound {
     }
 
     /// The left eye's centre in the model, symmetric.
+    /// The head with both eyeballs so much farther out, mm.
+    pub(crate) fn with_eyes_apart(mut self, by_mm: f64) -> Self {
+        self.globes[0].x += by_mm;
+        self.globes[1].x -= by_mm;
+        self
+    }
+
+    /// The middle of the left eyeball, symmetric.
     pub(super) fn globe(&self) -> DVec3 {
         (self.globes[0] + mirror_vector(self.globes[1])) / 2.0
     }

@@ -22,7 +22,7 @@ const LID_REST_MM: f64 = 1.0;
 const PUPIL_HEIGHT: f64 = 0.56;
 /// Share of the way from the model's place to the middle between the eye's corners that the
 /// eyeball goes across; pupils stand near that middle. Designed.
-const CENTRED: f64 = 0.8;
+pub(crate) const CENTRED: f64 = 0.8;
 /// Largest height of the open eye at positions 6 and 7, as a share of that in the middle: the
 /// outer corner is sharp, and the lids can meet there. Designed.
 const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
@@ -55,6 +55,11 @@ pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted 
         globe,
         brow: bound.brow(),
     }
+}
+
+/// How far the left eye of a head lies from the middle, mm.
+pub(crate) fn eye_mm(bound: &Bound) -> f64 {
+    fit(bound, |_| None).globe.x
 }
 
 /// Lays the root of the helix between the lines beside it: where an ear stands off it would fold

@@ -47,6 +47,7 @@ pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
 pub use self::field::{FIELDS, Field, field_index};
 use self::fitted::Fitted;
+pub(crate) use self::fitted::{CENTRED, eye_mm};
 pub use self::fitting::{Aim, fit_measures, measures};
 pub use self::measure::{KnownMeasure, Measure, known_measures};
 pub(crate) use self::paint::Coordinates;

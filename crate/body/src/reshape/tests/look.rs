@@ -51,7 +51,7 @@ fn wear(kind: WearKind) -> Look {
 static LENDERS: LazyLock<Lenders> = LazyLock::new(|| {
     let lender = |(name, glb): (&str, &[u8])| {
         let hair = read_figure(name, glb).expect("hair");
-        let lender = Lender::new(hair, VERTICES).expect("our head");
+        let lender = Lender::new(&hair, VERTICES).expect("our head");
         (name.to_owned(), lender)
     };
     LENT.into_iter().map(lender).collect()

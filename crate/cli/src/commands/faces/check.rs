@@ -9,13 +9,13 @@ use indicatif::ProgressBar;
 use raconteur_base::DVec3;
 use raconteur_body::annotation::annotations;
 use raconteur_body::read::read_figure;
-use raconteur_faces::{Editor, Personal};
+use raconteur_faces::{Editor, FaceModel, Personal};
 use raconteur_sculpt::examples::measured_mm;
 use raconteur_sculpt::head::{KnownMeasure, Measure, known_measures};
 use raconteur_sculpt::population::known_correlation;
 
-use super::pack;
 use super::put_on::PutOn;
+use super::{crossing, pack};
 use crate::commands::telling::{self, Telling};
 use crate::story::StoryFiles;
 use crate::{Outcome, assets, parallel, terminal};
@@ -28,6 +28,9 @@ pub(super) struct Check {
     /// How many faces are measured.
     #[arg(long, default_value_t = 1000)]
     count: u64,
+    /// How many faces are looked at for skin that passes through skin.
+    #[arg(long, default_value_t = 200)]
+    look: u64,
     /// A story that faces tell: a script, or a folder that holds a story.eml.
     #[arg(long)]
     story: Option<PathBuf>,
@@ -39,6 +42,8 @@ pub(super) struct Check {
     like: String,
 }
 
+/// Above it the sides of a head are the skull's, metres over the ears' entrances.
+const SKULL_M: f64 = 0.035;
 /// Means differ by a share at most, deviations by a share, correlations by so much.
 const LIMITS: [f64; 3] = [0.03, 0.15, 0.15];
 
@@ -46,6 +51,7 @@ impl Check {
     pub(super) fn run(&self) -> Result<Outcome> {
         let editor = Editor::new(pack::read(&self.pack)?)?;
         let mut is_fine = self.measure(&editor)?;
+        is_fine &= crossing::check(&editor, self.look)?;
         if let Some(story) = &self.story {
             let files = StoryFiles::read(story)?;
             is_fine &= self.tell(&editor, &files)?;
@@ -74,6 +80,8 @@ impl Check {
                     // Who looks straight ahead has the pupils before the middles of the eyes.
                     "p_l" => eye(0),
                     "p_r" => eye(1),
+                    // Where a skull is broadest differs from head to head.
+                    "eu_l" | "eu_r" => broadest(model, places, name == "eu_l"),
                     _ => places.get(found?.1 as usize),
                 };
                 p.map(|p| DVec3::from_array(*p))
@@ -142,7 +150,7 @@ impl Check {
         let bar = ProgressBar::new(self.tell);
         let told = parallel::each(0..self.tell, |seed| {
             let figure = on
-                .figure(editor.model(), &editor.random(seed))
+                .figure(editor, &editor.random(seed))
                 .with_context(|| format!("face {seed}"))?;
             bar.inc(1);
             Ok(telling.by(&format!("face {seed}"), figure, &names))
@@ -155,6 +163,18 @@ impl Check {
         telling::summary(&told.iter().collect::<Vec<_>>())?;
         Ok(told.iter().all(|t| t.wrong.is_empty()))
     }
+}
+
+/// The place of a head's skull above the ears that is farthest to a side.
+fn broadest<'p>(model: &FaceModel, places: &'p [[f64; 3]], is_left: bool) -> Option<&'p [f64; 3]> {
+    let skull = |(v, p): &(u32, &[f64; 3])| {
+        p[1] > SKULL_M && model.segments.at(*v).is_none_or(|s| s.name != "ears")
+    };
+    let out = |p: &[f64; 3]| if is_left { p[0] } else { -p[0] };
+    let above = (0u32..).zip(places).filter(skull);
+    above
+        .map(|(_, p)| p)
+        .max_by(|a, b| out(a).total_cmp(&out(b)))
 }
 
 /// Means, deviations and products of measures.

@@ -33,7 +33,7 @@ impl Crowd {
         let model = self.model()?;
         let crowd = Examples::new(&model, Self::like()?, self.seed)?;
         let drafts = self.each("people", |index| Ok(crowd.draft(index)?))?;
-        let drafts = Examples::brought(drafts);
+        let drafts = crowd.brought(drafts);
         self.each("heads", |index| {
             let draft = drafts.get(index as usize).context("a person")?;
             Ok(crowd.make(draft.clone()))

@@ -5,17 +5,19 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
+use raconteur_base::Side;
 use raconteur_faces::{
-    Attribute, FaceModel, FaceSpace, Follower, LookNumber, NamedAttribute, Personal, Segment,
-    Segments, TextureModel,
+    Attribute, Editor, FaceModel, FaceSpace, FeatureMeasure, Follower, Half, Life, LookNumber,
+    NamedAttribute, Personal, Segment, Segments, TextureModel,
 };
 use raconteur_sculpt::examples::{Example, Examples};
-use raconteur_sculpt::head::{FIELDS, HeadSegment};
+use raconteur_sculpt::head::{FIELDS, HeadSegment, known_measures};
 use raconteur_sculpt::labels::{Affects, LABELS, Label};
 use raconteur_sculpt::looks::{self, Look};
 use raconteur_sculpt::people;
 use raconteur_voice::files::disk::replace;
 
+use super::crossing::Joined;
 use super::examples::Crowd;
 use super::pack::texture_beside;
 use crate::{Outcome, terminal};
@@ -58,17 +60,19 @@ impl Learn {
         let shape = with_local(&shape?, &shapes, &examples)?;
         let mut model = shape_model(shape, &shapes, &examples)?;
         let texture = self.texture_model(texture?, &textures, &examples, &weights)?;
+        model.texture = Some(texture);
+        report(&model, &examples)?;
+        self.calm(&mut model, &examples)?;
+        let texture = model.texture.as_ref().context("textures")?;
         let files = [
             (self.output.clone(), model.to_bytes()?),
             (texture_beside(&self.output), texture.to_bytes()?),
         ];
-        model.texture = Some(texture);
         let mut out = terminal::out();
         for (path, bytes) in files {
             replace(&path, &bytes)?;
             writeln!(out, "{}: {} bytes", path.display(), bytes.len())?;
         }
-        report(&model, &examples)?;
         Ok(Outcome::Fine)
     }
 
@@ -100,6 +104,23 @@ impl Learn {
         Ok(space.truncated(modes))
     }
 
+    /// Takes what is left of expressions from the faces of the database: who is remembered looks neutral until
+    /// somebody asks for more.
+    fn calm(&self, model: &mut FaceModel, examples: &[Example]) -> Result<()> {
+        let body = self.crowd.model()?;
+        let crowd = Examples::new(&body, Crowd::like()?, self.crowd.seed)?;
+        for (field, effect) in crowd.expressions() {
+            let along = model.shape.along(&effect);
+            for (face, example) in model.examples.iter_mut().zip(examples) {
+                let amount = example.draft.fields[field];
+                for (c, by) in face.iter_mut().zip(&along) {
+                    *c -= amount * by;
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn texture_model(
         &self,
         space: FaceSpace,
@@ -127,6 +148,7 @@ impl Learn {
                 .collect(),
             attributes: attributes(&space, &own, examples, Affects::Texture)?,
             figures: people::NAMES.iter().map(figure).collect::<Result<_>>()?,
+            life: Life::learn(&people(examples), &own),
             examples: own,
             space,
         })
@@ -148,6 +170,16 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         let attribute = Attribute::learn(label.name, space, &own, &labels)?;
         if told(space, &attribute, &own, &labels) < TOLD {
             signals.push(labels);
+        }
+    }
+    for known in known_measures() {
+        let taken = examples.iter().map(|e| e.measure(known.name));
+        let taken: Vec<f64> = taken.collect::<Option<_>>().context("a measure")?;
+        let attribute = Attribute::learn(known.name, space, &own, &taken)?;
+        let mean = taken.iter().sum::<f64>() / taken.len() as f64;
+        let centred: Vec<f64> = taken.iter().map(|mm| mm - mean).collect();
+        if told(space, &attribute, &own, &centred) < TOLD {
+            signals.push(taken);
         }
     }
     let all = space.with_local(shapes, &signals)?;
@@ -234,6 +266,7 @@ fn attributes(
             terms: label.terms.map(str::to_owned),
             derived: label.derived.map(str::to_owned),
             attribute: Attribute::learn(label.name, space, own, &labels)?,
+            feature: None,
         })
     };
     wanted.map(named).collect()
@@ -250,24 +283,92 @@ fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         runs: of.runs.clone(),
     };
     let segments = first.segments.iter().map(segment).collect();
-    let person = |e: &Example| Personal {
-        sex: e.draft.traits.sex,
-        age_years: e.draft.traits.age_years,
-        ancestry: e.ancestry(),
-    };
-    Ok(FaceModel {
+    let measures = measures(examples)?;
+    let mut attributes = attributes(&shape, &own, examples, Affects::Shape)?;
+    for measure in measures.iter().filter(|m| !m.gradient.is_empty()) {
+        let found = attributes
+            .iter_mut()
+            .find(|a| a.attribute.name == measure.name);
+        if let Some(named) = found {
+            named.attribute = Attribute::measured(&measure.name, &shape, &measure.gradient)?;
+        }
+    }
+    let people = people(examples);
+    let model = FaceModel {
+        reference: reference(&shape, shapes, &first.triangles),
         triangles: first.triangles.clone(),
         landmarks: first.landmarks.clone(),
         segments: Segments::new(segments, shape.length() / 3)
             .context("segments of another head")?,
         cage: Follower::learn(&shape, &own, &cages),
         organs: Follower::learn(&shape, &own, &organs),
-        attributes: attributes(&shape, &own, examples, Affects::Shape)?,
-        people: examples.iter().map(person).collect(),
+        attributes,
+        life: Life::learn(&people, &own),
+        people,
         examples: own,
         shape,
         texture: None,
-    })
+    };
+    with_features(model, &measures)
+}
+
+/// The most usual of heads in which no skin passes through skin: that which is nearest to the average. A mean of
+/// heads need not be one.
+fn reference(space: &FaceSpace, shapes: &[Vec<f64>], triangles: &[[u32; 3]]) -> Vec<f64> {
+    let far = |shape: &Vec<f64>| -> f64 {
+        let pairs = shape.iter().zip(space.mean());
+        pairs.map(|(x, mean)| (x - mean) * (x - mean)).sum()
+    };
+    let mut nearest: Vec<&Vec<f64>> = shapes.iter().collect();
+    nearest.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    let joined = Joined::of(space.mean(), triangles);
+    let sound = nearest
+        .iter()
+        .find(|shape| joined.crossings(shape).is_empty());
+    sound
+        .or(nearest.first())
+        .map_or_else(Vec::new, |shape| shape.to_vec())
+}
+
+/// Who examples are.
+fn people(examples: &[Example]) -> Vec<Personal> {
+    let person = |e: &Example| Personal {
+        sex: e.draft.traits.sex,
+        age_years: e.draft.traits.age_years,
+        ancestry: e.ancestry(),
+    };
+    examples.iter().map(person).collect()
+}
+
+/// The features of shape as they are measured.
+fn measures(examples: &[Example]) -> Result<Vec<FeatureMeasure>> {
+    let average = Example::average(examples).context("a head")?;
+    let features = LABELS.iter().filter_map(|l| Some((l, l.segments()?)));
+    let measure = |(label, segments): (&Label, &[&str])| {
+        let unit = label.unit(examples);
+        let unit = unit.with_context(|| format!("no head has a {}", label.name))?;
+        Ok(FeatureMeasure {
+            name: label.name.to_owned(),
+            segments: segments.iter().map(|&s| s.to_owned()).collect(),
+            half: label.side().map(|side| match side {
+                Side::Left => Half::Left,
+                Side::Right => Half::Right,
+            }),
+            gradient: label.gradient(&average, unit),
+        })
+    };
+    features.map(measure).collect()
+}
+
+/// The model with how its features change alone.
+fn with_features(mut model: FaceModel, measures: &[FeatureMeasure]) -> Result<FaceModel> {
+    let features = Editor::new(model.clone())?.learn_features(measures)?;
+    for (measure, feature) in measures.iter().zip(features) {
+        let mut all = model.attributes.iter_mut();
+        let named = all.find(|a| a.attribute.name == measure.name);
+        named.context("an attribute of shape")?.feature = Some(feature);
+    }
+    Ok(model)
 }
 
 /// How well each attribute tells its labels: the share of their variance that it explains.

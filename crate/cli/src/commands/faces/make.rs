@@ -51,7 +51,7 @@ impl Make {
             let figure = read_figure(&self.like, &bytes)?;
             let annotations = annotations(&bytes)?;
             let on = put_on::PutOn::new(figure, editor.model())?;
-            (on.figure(editor.model(), &face)?, annotations)
+            (on.figure(&editor, &face)?, annotations)
         };
         replace(&self.output, &write::to_packed_glb(&figure, &annotations))?;
         Ok(Outcome::Fine)

@@ -2,6 +2,7 @@
 
 mod check;
 mod convert;
+mod crossing;
 mod edits;
 mod examples;
 mod learn;

@@ -4,7 +4,7 @@ use anyhow::{Context as _, Result};
 use raconteur_body::Figure;
 use raconteur_body::read::read_figure;
 use raconteur_body::reshape::{Hair, Lender, Lenders, Look, NewFace, NewOrgans, Reshaper};
-use raconteur_faces::{Face, FaceModel};
+use raconteur_faces::{Editor, Face, FaceModel};
 
 use crate::assets;
 
@@ -28,20 +28,20 @@ impl PutOn {
     /// Has hair of the library lent, by its name.
     pub(super) fn lend(&mut self, model: &FaceModel, name: &str) -> Result<()> {
         let glb = assets::read(&format!("hair/{name}.glb"))?;
-        let lender = Lender::new(read_figure(name, &glb)?, model.vertices())?;
+        let lender = Lender::new(&read_figure(name, &glb)?, model.vertices())?;
         self.lenders.insert(name.to_owned(), lender);
         Ok(())
     }
 
     /// The figure with a face.
-    pub(super) fn figure(&self, model: &FaceModel, face: &Face) -> Result<Figure> {
-        self.with_hair(model, face, &Look::default())
+    pub(super) fn figure(&self, editor: &Editor, face: &Face) -> Result<Figure> {
+        self.with_hair(editor, face, &Look::default())
     }
 
     /// The figure with a face and hair and a beard that are lent, or its own where a name is empty.
     pub(super) fn dressed(
         &self,
-        model: &FaceModel,
+        editor: &Editor,
         face: &Face,
         [hair, beard]: [&str; 2],
     ) -> Result<Figure> {
@@ -54,16 +54,16 @@ impl PutOn {
             beard: from(beard),
             ..Look::default()
         };
-        self.with_hair(model, face, &look)
+        self.with_hair(editor, face, &look)
     }
 
-    fn with_hair(&self, model: &FaceModel, face: &Face, look: &Look) -> Result<Figure> {
+    fn with_hair(&self, editor: &Editor, face: &Face, look: &Look) -> Result<Figure> {
         let organs = NewOrgans::from_numbers(&face.organs);
         let organs = organs.context("the pack knows no eyes")?;
-        let textures = model.texture.as_ref();
+        let textures = editor.model().texture.as_ref();
         let factors = textures.and_then(|t| t.factors(&face.texture, &self.name));
         let face = NewFace {
-            skin: &face.shape,
+            skin: &editor.drawn(face),
             tone: factors.as_ref().map_or(&[], |f| &f.skin),
             organs,
             iris: factors.as_ref().map_or([1.0; 3], |f| f.iris),

@@ -7,10 +7,9 @@ use anyhow::{Context as _, Result, ensure};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_body::MaterialKind;
-use raconteur_faces::{Constraint, Editor, Face, FaceModel, Part, Personal, Region};
+use raconteur_faces::{Editor, Face, FaceModel, Part, Region};
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
-use raconteur_sculpt::labels::GROWN_YEARS;
 
 use super::edits::Edits;
 use super::{pack, put_on::PutOn};
@@ -210,7 +209,7 @@ impl Drawing<'_> {
         let mut board = Board::new(&aspects, self.size, self.grid, self.columns);
         for (name, face) in faces {
             for &worn in &worn {
-                let figure = on.dressed(editor.model(), face, worn)?;
+                let figure = on.dressed(editor, face, worn)?;
                 headless.set_shape(&figure)?;
                 let lent = worn.iter().filter(|n| **n != NOT_LENT[0]);
                 let words: Vec<&str> = std::iter::once(&name[..]).chain(lent.copied()).collect();
@@ -289,31 +288,15 @@ fn segments(editor: &Editor, base: &Face, from: &Face) -> Result<Vec<Named>> {
 fn ages(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
     let people = &editor.model().people;
     ensure!(!people.is_empty(), "the pack does not tell ages");
-    let count = people.len() as f64;
-    // As the labels are: ±1 at two deviations from the mean.
-    let amount = |years: f64, of: fn(f64) -> f64| {
-        let mean = people.iter().map(|p| of(p.age_years)).sum::<f64>() / count;
-        let square = |p: &Personal| (of(p.age_years) - mean) * (of(p.age_years) - mean);
-        let deviation = (people.iter().map(square).sum::<f64>() / count).sqrt();
-        (of(years) - mean) / (2.0 * deviation)
-    };
-    let one = |years: f64| {
+    let [years, sex] = ["age", "sex"].map(|name| editor.value(base, Part::Shape, name));
+    let [years, sex] = [editor.years_of(years?), 0.5 + sex?];
+    let one = |to: f64| {
         let mut face = base.clone();
-        // Both as they go together: growth alone, and ageing alone.
-        let held = [
-            ("growth", amount(years, |y| y.min(GROWN_YEARS))),
-            ("ageing", amount(years, |y| y.max(GROWN_YEARS))),
-        ];
-        let all = [Part::Shape, Part::Texture].into_iter().flat_map(|part| {
-            held.map(|(name, value)| Constraint {
-                part,
-                name: name.to_owned(),
-                value,
-                region: Region::whole(),
-            })
-        });
-        editor.constrain(&mut face, &all.collect::<Vec<_>>())?;
-        Ok((format!("{years:.0} years"), face))
+        for part in [Part::Shape, Part::Texture] {
+            let change = editor.change_of_years(part, [years, to], sex, &Region::whole())?;
+            face.add(&change, 1.0);
+        }
+        Ok((format!("{to:.0} years"), face))
     };
     AGES.into_iter().map(one).collect()
 }

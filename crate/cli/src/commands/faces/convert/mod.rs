@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
-use raconteur_faces::{FaceModel, FaceSpace, Follower, MOST_BYTES, Segments};
+use raconteur_faces::{FaceModel, FaceSpace, Follower, Life, MOST_BYTES, Segments};
 use raconteur_voice::files::disk::replace;
 
 use crate::{Outcome, terminal};
@@ -97,6 +97,8 @@ impl Found {
         let explained = variance(&shape) / all;
         let own = self.examples.iter().map(|face| shape.coefficients(face));
         let model = FaceModel {
+            reference: Vec::new(),
+            life: Life::default(),
             examples: own.collect::<Result<_, _>>()?,
             // Neither a cage nor organs of ours follow it.
             cage: Follower::default(),

@@ -138,6 +138,7 @@ fn learn(
         .filter_map(|(face, label)| Some((face.clone(), (*label)?)))
         .unzip();
     let named = NamedAttribute {
+        feature: None,
         group: GROUP.to_owned(),
         terms: terms.map(str::to_owned),
         derived: None,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use raconteur_base::noise;
-use raconteur_faces::{FaceModel, FaceSpace, Follower, Segment, Segments};
+use raconteur_faces::{FaceModel, FaceSpace, Follower, Life, Segment, Segments};
 
 /// A pack of 40 faces of 12 numbers, in a folder.
 pub(super) fn pack(folder: &Path) -> PathBuf {
@@ -19,6 +19,8 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
         runs: vec![[0, 4]],
     };
     let model = FaceModel {
+        reference: Vec::new(),
+        life: Life::default(),
         cage: Follower::learn(&shape, &examples, &faces),
         organs: Follower::default(),
         people: Vec::new(),

@@ -1,0 +1,124 @@
+//! Faces drawn at random. Who is half a child and half an old man is nobody: where a model tells who its
+//! faces are, a random face is a person of one age, sex and ancestry, and differs from the mean of such
+//! people as they do from each other.
+
+use raconteur_base::noise;
+
+use super::{Editor, Face, TEXTURE_STREAM};
+use crate::pack::Personal;
+use crate::space::FaceSpace;
+
+/// A random face is not farther from the average along a mode, standard deviations.
+const MOST_DEVIATIONS: f64 = 3.0;
+/// So many of the faces of a database are like a person.
+const ALIKE: usize = 24;
+/// Of so many of them a random face is mixed.
+const MIXED: usize = 4;
+/// People who differ by these are as far apart: years, and the share of an ancestry. Others of the other sex
+/// are none of theirs.
+const YEARS: f64 = 10.0;
+const SHARE: f64 = 0.25;
+
+/// Their mean is of few, and goes with each of them; so they differ from it by less than from that of all.
+const SPREAD: f64 = 1.05;
+
+/// How unlike two people are.
+fn unlike(a: &Personal, b: &Personal) -> f64 {
+    let square = |x: f64| x * x;
+    let ancestry: f64 = (0..3)
+        .map(|i| square((a.ancestry[i] - b.ancestry[i]) / SHARE))
+        .sum();
+    // A year counts for more while one grows.
+    let years = (a.age_years - b.age_years) / (YEARS * (a.age_years / 30.0).clamp(0.25, 1.0));
+    square(years) + ancestry + square((a.sex - b.sex) / 0.2)
+}
+
+impl Editor {
+    /// A face as likely as those of the examples are; the same for the same seed.
+    #[must_use]
+    pub fn random(&self, seed: u64) -> Face {
+        let textures = self.model.texture.as_ref();
+        if let Some(mixture) = self.mixture(seed) {
+            let mixed = |all: &[Vec<f64>]| mixture.of(all);
+            let texture = textures.map_or_else(Vec::new, |t| mixed(&t.examples));
+            return self.face(&mixed(&self.model.examples), &texture);
+        }
+        let texture = textures.map_or_else(Vec::new, |t| drawn(&t.space, seed ^ TEXTURE_STREAM));
+        self.face(&drawn(&self.model.shape, seed), &texture)
+    }
+
+    /// Whom the random face of a seed is most like: a face of the database, by its number. None where the
+    /// model does not tell who its faces are.
+    #[must_use]
+    pub fn random_person(&self, seed: u64) -> Option<usize> {
+        self.mixture(seed).map(|mixture| mixture.person)
+    }
+
+    /// What a random face is mixed of.
+    fn mixture(&self, seed: u64) -> Option<Mixture> {
+        let people = &self.model.people;
+        let pick = |k: i64, of: usize| ((noise::unit(seed, 0, k) * of as f64) as usize).min(of - 1);
+        if people.len() <= ALIKE {
+            return None;
+        }
+        let person = pick(0, people.len());
+        let own = people.get(person)?;
+        let mut alike: Vec<usize> = (0..people.len()).collect();
+        alike.sort_by(|&a, &b| unlike(&people[a], own).total_cmp(&unlike(&people[b], own)));
+        alike.truncate(ALIKE);
+        // Squares that sum to one keep the variance of such people.
+        let mut weights = vec![0.0; ALIKE];
+        let mut drawn: Vec<f64> = (1..=MIXED as i64)
+            .map(|k| 0.2 + noise::unit(seed, 1, k))
+            .collect();
+        let length = drawn.iter().map(|w| w * w).sum::<f64>().sqrt() / SPREAD;
+        drawn.iter_mut().for_each(|w| *w /= length);
+        for (k, weight) in (1..).zip(drawn) {
+            let start = pick(k, ALIKE);
+            // Another one where that was drawn already.
+            let free = (0..ALIKE)
+                .map(|i| (start + i) % ALIKE)
+                .find(|&i| weights[i] == 0.0);
+            weights[free?] = weight;
+        }
+        Some(Mixture {
+            person,
+            alike,
+            weights,
+        })
+    }
+}
+
+/// Faces of the database that are alike, and how much of what tells each from their mean is taken.
+struct Mixture {
+    person: usize,
+    alike: Vec<usize>,
+    weights: Vec<f64>,
+}
+
+impl Mixture {
+    fn of(&self, all: &[Vec<f64>]) -> Vec<f64> {
+        let faces: Vec<&Vec<f64>> = self.alike.iter().filter_map(|&i| all.get(i)).collect();
+        let length = faces.first().map_or(0, |face| face.len());
+        let count = faces.len().max(1) as f64;
+        let number = |k: usize| {
+            let mean = faces.iter().map(|face| face[k]).sum::<f64>() / count;
+            let parts = faces.iter().zip(&self.weights);
+            mean + parts
+                .map(|(face, weight)| weight * (face[k] - mean))
+                .sum::<f64>()
+        };
+        (0..length).map(number).collect()
+    }
+}
+
+/// Coefficients drawn by the deviations of a space alone.
+fn drawn(space: &FaceSpace, seed: u64) -> Vec<f64> {
+    let deviations = (0..).zip(space.deviations());
+    let one = |(mode, deviation): (u64, &f64)| {
+        // The sum of twelve: a bell of deviation 1.
+        let sum: f64 = (0..12).map(|k| noise::unit(seed, mode, k)).sum();
+        deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+    };
+    deviations.map(one).collect()
+}

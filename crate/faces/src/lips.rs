@@ -1,0 +1,239 @@
+//! Keeps the lips of a face apart. Faces are sums, and a sum of faces with closed lips need not have closed
+//! lips: where the upper one would lie in the lower one, both give way.
+//!
+//! Between closed lips the skin lies nearly level, so that each is told by its height over the plane of x and z.
+
+use std::collections::BTreeMap;
+
+use crate::blend::Neighbours;
+use crate::segment::Segments;
+
+/// Lips are no nearer, metres: about what heads of the database have.
+const GAP_M: f64 = 1.5e-4;
+/// What lies farther inside the other lip is not between the lips, metres.
+const DEEPEST_M: f64 = 8e-3;
+/// Side of a cell, metres.
+const CELL_M: f64 = 2e-3;
+/// Rounds of giving way; each leaves a small share.
+const ROUNDS: usize = 16;
+/// Steps over neighbours that a lip takes along, and how much of the way goes with each.
+const STEPS: usize = 10;
+const SHARE: f64 = 0.86;
+
+type Place = [f64; 3];
+
+/// One lip: its triangles that look towards the other.
+#[derive(Clone, Debug)]
+struct Lip {
+    triangles: Vec<[u32; 3]>,
+    vertices: Vec<u32>,
+    /// 1 for the upper one, −1 for the lower one.
+    up: f64,
+}
+
+/// Both lips of a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Lips {
+    lips: [Lip; 2],
+}
+
+impl Lips {
+    /// Those of the segments that are named so; none where a model has no such segments.
+    pub(crate) fn of(segments: &Segments, triangles: &[[u32; 3]], mean: &[f64]) -> Option<Self> {
+        let places = mean.as_chunks::<3>().0;
+        let lip = |name: &str, up: f64| {
+            let mask = segments.mask(&[segments.find(name)?], places.len());
+            let is_own = |t: &&[u32; 3]| t.iter().all(|&v| mask[v as usize] > 0.0);
+            let faces_other = |t: &&[u32; 3]| up * normal_y(places, t) < 0.0;
+            let own: Vec<[u32; 3]> = triangles
+                .iter()
+                .filter(is_own)
+                .filter(faces_other)
+                .copied()
+                .collect();
+            let mut vertices = own.concat();
+            vertices.sort_unstable();
+            vertices.dedup();
+            Some(Lip {
+                triangles: own,
+                vertices,
+                up,
+            })
+        };
+        Some(Self {
+            lips: [lip("upper lip", 1.0)?, lip("lower lip", -1.0)?],
+        })
+    }
+
+    /// Moves the lips of a shape apart where they would be in each other.
+    pub(crate) fn part(&self, neighbours: &Neighbours, shape: &mut [f64]) {
+        for _ in 0..ROUNDS {
+            let places = shape.as_chunks::<3>().0;
+            let [upper, lower] = &self.lips;
+            let ways =
+                [(upper, lower), (lower, upper)].map(|(own, other)| missing(places, own, other));
+            if ways.iter().all(|way| way.is_empty()) {
+                break;
+            }
+            for (lip, way) in self.lips.iter().zip(ways) {
+                for (v, by) in spread(neighbours, way) {
+                    shape[3 * v as usize + 1] += lip.up * by;
+                }
+            }
+        }
+    }
+}
+
+/// The y of a triangle's normal.
+fn normal_y(places: &[Place], t: &[u32; 3]) -> f64 {
+    let [a, b, c] = t.map(|v| places[v as usize]);
+    (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2])
+}
+
+/// Half of what each vertex of a lip lacks to lie clear of the other lip.
+fn missing(places: &[Place], own: &Lip, other: &Lip) -> Vec<(u32, f64)> {
+    let cells = Cells::of(places, &other.triangles);
+    let one = |&v: &u32| {
+        let p = places[v as usize];
+        let heights = cells.at(p).filter_map(|t| height(places, t, p));
+        // What of the other lip is nearest to this one at the place.
+        let nearest = heights
+            .map(|y| own.up * (y - p[1]) + GAP_M)
+            .fold(f64::MIN, f64::max);
+        (nearest > 1e-6 && nearest < DEEPEST_M).then_some((v, nearest / 2.0))
+    };
+    own.vertices.iter().filter_map(one).collect()
+}
+
+/// Height of a triangle over the x and z of a place; none beside it.
+fn height(places: &[Place], t: &[u32; 3], p: Place) -> Option<f64> {
+    let [a, b, c] = t.map(|v| places[v as usize]);
+    let cross = |o: Place, q: Place, r: Place| {
+        (q[0] - o[0]) * (r[2] - o[2]) - (q[2] - o[2]) * (r[0] - o[0])
+    };
+    let all = cross(a, b, c);
+    if all.abs() < 1e-14 {
+        return None;
+    }
+    let shares = [cross(p, b, c), cross(a, p, c), cross(a, b, p)].map(|x| x / all);
+    let is_in = shares.iter().all(|s| *s >= -1e-9);
+    is_in.then(|| shares[0] * a[1] + shares[1] * b[1] + shares[2] * c[1])
+}
+
+/// Ways of vertices, and of those about them, less with each step.
+fn spread(neighbours: &Neighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
+    let mut all = BTreeMap::from_iter(ways);
+    let mut edge: Vec<u32> = all.keys().copied().collect();
+    for _ in 0..STEPS {
+        let mut next = BTreeMap::new();
+        for v in &edge {
+            let way = SHARE * all[v];
+            for n in neighbours.of_vertex(*v as usize) {
+                let known = all.get(n).copied().unwrap_or(0.0);
+                if way > known + 1e-7 {
+                    let most = next.entry(*n).or_insert(way);
+                    *most = f64::max(*most, way);
+                }
+            }
+        }
+        edge = next.keys().copied().collect();
+        all.extend(next);
+    }
+    all.into_iter().collect()
+}
+
+/// Triangles by the cells of the plane of x and z that they lie over.
+struct Cells<'t> {
+    cells: BTreeMap<[i64; 2], Vec<&'t [u32; 3]>>,
+}
+
+fn cell(x: f64) -> i64 {
+    (x / CELL_M).floor() as i64
+}
+
+impl<'t> Cells<'t> {
+    fn of(places: &[Place], triangles: &'t [[u32; 3]]) -> Self {
+        let mut cells: BTreeMap<[i64; 2], Vec<&[u32; 3]>> = BTreeMap::new();
+        for t in triangles {
+            let corners = t.map(|v| places[v as usize]);
+            let range = |k: usize| {
+                let all = corners.map(|p| cell(p[k]));
+                all.into_iter().min().unwrap_or(0)..=all.into_iter().max().unwrap_or(0)
+            };
+            // A lip that was torn apart lies over no cell.
+            if range(0).count() > 20 || range(2).count() > 20 {
+                continue;
+            }
+            for x in range(0) {
+                for z in range(2) {
+                    cells.entry([x, z]).or_default().push(t);
+                }
+            }
+        }
+        Self { cells }
+    }
+
+    fn at(&self, p: Place) -> impl Iterator<Item = &'t [u32; 3]> {
+        self.cells
+            .get(&[cell(p[0]), cell(p[2])])
+            .into_iter()
+            .flatten()
+            .copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::segment::Segment;
+
+    const SIDE: u32 = 20;
+
+    /// Two level lips, 0.4 mm apart; the upper one comes second.
+    fn lips() -> (Vec<f64>, Vec<[u32; 3]>, Segments) {
+        let places = (0..2 * SIDE * SIDE).flat_map(|v| {
+            let [x, z, lip] = [v % SIDE, v / SIDE % SIDE, v / (SIDE * SIDE)].map(f64::from);
+            [1e-3 * x, 4e-4 * lip, 1e-3 * z]
+        });
+        let squares =
+            (0..2 * SIDE * SIDE).filter(|v| v % SIDE + 1 < SIDE && v / SIDE % SIDE + 1 < SIDE);
+        let triangles = squares.flat_map(|a| {
+            let [b, c, d] = [a + 1, a + SIDE, a + SIDE + 1];
+            let up = [[a, c, b], [b, c, d]];
+            if a < SIDE * SIDE {
+                up
+            } else {
+                up.map(|[a, b, c]| [a, c, b])
+            }
+        });
+        let segment = |name: &str, first: u32| Segment {
+            name: name.to_owned(),
+            parent: None,
+            runs: vec![[first, SIDE * SIDE]],
+        };
+        let all = vec![segment("lower lip", 0), segment("upper lip", SIDE * SIDE)];
+        let segments = Segments::new(all, (2 * SIDE * SIDE) as usize).expect("lips");
+        (places.collect(), triangles.collect(), segments)
+    }
+
+    #[test]
+    fn lips_that_slide_into_each_other_part_and_others_stay() {
+        let (mean, triangles, segments) = lips();
+        let lips = Lips::of(&segments, &triangles, &mean).expect("both");
+        let count = (SIDE * SIDE) as usize;
+        let neighbours = Neighbours::of(&triangles, 2 * count).expect("vertices");
+        let mut shape = mean.clone();
+        lips.part(&neighbours, &mut shape);
+        assert_eq!(shape, mean);
+        // Half a square to the side and 2 mm too high.
+        for v in 0..count {
+            shape[3 * v] += 5e-4;
+            shape[3 * v + 1] += 2e-3;
+        }
+        lips.part(&neighbours, &mut shape);
+        let middle = (SIDE / 2 * SIDE + SIDE / 2) as usize;
+        let gap = shape[3 * (count + middle) + 1] - shape[3 * middle + 1];
+        assert!(gap > 0.0, "{gap}");
+        assert!(Lips::of(&Segments::default(), &triangles, &mean).is_none());
+    }
+}

@@ -1,0 +1,64 @@
+/** What becomes of an editor's face when sessions are opened and begun. */
+
+import type { App } from './app.js';
+import { History } from './history.js';
+import type { Sessions } from './kept-panel.js';
+import type { Opened, Session } from './session.js';
+import { reason, type Tell } from './tell.js';
+
+/** Begins with a session; without one where it cannot be read. Whether it could be. */
+export function reopen(app: App, saved: unknown, tell: Tell): boolean {
+  if (saved === undefined) return false;
+  try {
+    app.open(saved);
+    return true;
+  } catch (error) {
+    tell.trouble(`The last session could not be opened: ${reason(error)}`);
+    return false;
+  }
+}
+
+export class Keeping implements Sessions {
+  /** `told` is called when another session is open. */
+  constructor(
+    private readonly app: App,
+    readonly session: Session,
+    private readonly tell: Tell,
+    private readonly told: () => void,
+  ) {}
+
+  /** Begins with what the browser has kept; what cannot be read stays there as it is. */
+  goOn({ saved, isCopy }: Opened): void {
+    if (!reopen(this.app, saved, this.tell)) void this.session.begin();
+    else if (isCopy) this.tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Kept sessions.');
+    else this.session.adopt(this.app.save());
+  }
+
+  /** Opens a session that the browser has kept; the one before is kept, too. */
+  async open(id: string): Promise<void> {
+    const { app, session, tell } = this;
+    try {
+      const saved = await session.read(id);
+      if (saved === undefined) throw new Error('It is not there any more.');
+      session.settle();
+      app.open(saved);
+      const isOwn = await session.goOn(id, undefined);
+      if (isOwn) session.adopt(app.save());
+      this.told();
+      if (!isOwn) tell.trouble('Another tab has this session open: this is a copy of it.');
+      await app.shownAsItIs;
+    } catch (error) {
+      tell.trouble(`The session could not be opened: ${reason(error)}`);
+    }
+  }
+
+  /** Leaves the session as it is kept, and begins another. */
+  async begin(): Promise<void> {
+    const { app, session } = this;
+    session.settle();
+    const begun = session.begin();
+    app.open(new History().save(app.size));
+    this.told();
+    await begun;
+  }
+}
