@@ -72,7 +72,7 @@ impl Lips {
             let [upper, lower] = &self.lips;
             let ways =
                 [(upper, lower), (lower, upper)].map(|(own, other)| missing(places, own, other));
-            if ways.iter().all(|way| way.is_empty()) {
+            if ways.iter().all(Vec::is_empty) {
                 break;
             }
             for (lip, way) in self.lips.iter().zip(ways) {
