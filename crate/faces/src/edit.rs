@@ -21,7 +21,7 @@ use crate::space::FaceSpace;
 use crate::untangle::Untangle;
 
 pub use constrain::Constraint;
-pub use region::{Half, Region};
+pub use region::Region;
 
 /// Shape or texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

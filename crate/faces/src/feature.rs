@@ -7,9 +7,7 @@ mod learn;
 #[cfg(feature = "learn")]
 pub use learn::FeatureMeasure;
 
-use crate::edit::Half;
-use crate::pack::NamedAttribute;
-use crate::space::FaceSpace;
+use crate::segment::Half;
 
 /// What an attribute is on a skin, and where.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,16 +21,6 @@ pub struct Feature {
     pub gradient: Vec<(u32, f64)>,
     /// Coefficients of the change that adds 1 of the attribute when it is let into the segments.
     pub alone: Vec<f64>,
-}
-
-impl NamedAttribute {
-    /// By how much a difference between two faces changes the value.
-    pub(crate) fn value_of(&self, space: &FaceSpace, difference: &[f64]) -> f64 {
-        match &self.feature {
-            Some(feature) if !feature.gradient.is_empty() => feature.measured(difference),
-            _ => self.attribute.value(space, &space.along(difference)),
-        }
-    }
 }
 
 impl Feature {

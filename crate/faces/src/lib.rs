@@ -15,6 +15,7 @@ mod feature;
 mod life;
 mod lips;
 mod pack;
+mod person;
 mod rating;
 #[cfg(test)]
 mod sample;
@@ -24,16 +25,16 @@ mod untangle;
 
 pub use attribute::Attribute;
 pub use blend::{Neighbours, SoftMask};
-pub use edit::{Affine, Change, Constraint, Editor, Face, Half, Part, Region, USUAL_DETAIL};
+pub use edit::{Affine, Change, Constraint, Editor, Face, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
 pub use feature::Feature;
 #[cfg(feature = "learn")]
 pub use feature::FeatureMeasure;
 pub use life::Life;
 pub use pack::{
-    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal,
-    TextureModel,
+    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, TextureModel,
 };
+pub use person::Personal;
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
-pub use segment::{Segment, Segments};
+pub use segment::{Half, Segment, Segments};
 pub use space::FaceSpace;

@@ -2,7 +2,7 @@
 //! is straight, so that no direction tells them.
 
 #[cfg(any(test, feature = "learn"))]
-use crate::pack::Personal;
+use crate::person::Personal;
 
 /// From this age on nobody grows, years.
 pub(crate) const GROWN_YEARS: f64 = 20.0;
@@ -96,7 +96,7 @@ mod tests {
         let one = |i: u64| Personal {
             sex: f64::from(u8::from(i.is_multiple_of(2))),
             age_years: 8.0 + 72.0 * noise::unit(1, i, 0),
-            ancestry: [1.0, 0.0, 0.0].map(|x: f64| x * noise::unit(2, i, 0)),
+            ancestry: [0, 1, 2].map(|k| noise::unit(2, i, k)),
         };
         (0..400).map(one).collect()
     }

@@ -14,6 +14,7 @@ use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::feature::Feature;
 use crate::life::Life;
+use crate::person::Personal;
 use crate::segment::Segments;
 use crate::space::FaceSpace;
 
@@ -95,15 +96,14 @@ pub struct NamedAttribute {
     pub feature: Option<Feature>,
 }
 
-/// Who a face of the database is (F&H 5.1.1).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Personal {
-    /// 0 male to 1 female.
-    pub sex: f64,
-    /// Years.
-    pub age_years: f64,
-    /// Shares of European, Asian and African ancestry.
-    pub ancestry: [f64; 3],
+impl NamedAttribute {
+    /// By how much a difference between two faces changes the value.
+    pub(crate) fn value_of(&self, space: &FaceSpace, difference: &[f64]) -> f64 {
+        match &self.feature {
+            Some(feature) if !feature.gradient.is_empty() => feature.measured(difference),
+            _ => self.attribute.value(space, &space.along(difference)),
+        }
+    }
 }
 
 /// Numbers that are a linear function of coefficients.

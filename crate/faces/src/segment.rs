@@ -2,6 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+/// A half of the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Half {
+    /// The left one, at positive x.
+    Left,
+    /// The right one.
+    Right,
+}
+
 /// A segment: a part of the face, or a part of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Segment {

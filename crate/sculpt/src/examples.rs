@@ -6,10 +6,9 @@ use std::collections::BTreeMap;
 use raconteur_base::{DVec3, Side, noise};
 
 use crate::head::{
-    BareSkin, Binding, Bound, FIELDS, HeadParams, HeadSegment, KnownMeasure, Organs, field_index,
-    known_measures,
+    BareSkin, Binding, Bound, FIELDS, HeadParams, HeadSegment, KnownMeasure, Organs,
+    expression_fields, field_index, known_measures,
 };
-use crate::labels::{EXPRESSIONS, LABELS};
 use crate::looks::{self, Look};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::people::{self, FigureParams};
@@ -260,13 +259,7 @@ fn place(skin: &BareSkin, name: &str) -> Option<DVec3> {
     }
 }
 
-/// The fields by which faces are posed, in the order of [`FIELDS`].
-fn expression_fields() -> impl Iterator<Item = usize> {
-    let names = LABELS.iter().filter(|l| l.group == EXPRESSIONS);
-    names.filter_map(|l| field_index(l.name))
-}
-
-/// Amounts of those fields alone, or of all others.
+/// Amounts of the fields of expressions alone, or of all others.
 fn of_expressions(fields: &[f64], are_they: bool) -> Vec<f64> {
     let mut own = if are_they {
         vec![0.0; fields.len()]

@@ -48,8 +48,6 @@ pub struct Label {
 
 /// The group of the course of a life.
 pub const LIFE: &str = "life";
-/// The group of what a face may be posed in.
-pub const EXPRESSIONS: &str = "expressions";
 /// From this age on nobody grows, years.
 pub const GROWN_YEARS: f64 = 20.0;
 /// The attribute's ends are so many standard deviations of the examples from their mean.

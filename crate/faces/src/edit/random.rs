@@ -5,7 +5,7 @@
 use raconteur_base::noise;
 
 use super::{Editor, Face, TEXTURE_STREAM};
-use crate::pack::Personal;
+use crate::person::Personal;
 use crate::space::FaceSpace;
 
 /// A random face is not farther from the average along a mode, standard deviations.

@@ -3,15 +3,7 @@
 use super::Editor;
 use crate::blend::SoftMask;
 use crate::error::FaceError;
-
-/// A half of the face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Half {
-    /// The left one, at positive x.
-    Left,
-    /// The right one.
-    Right,
-}
+use crate::segment::Half;
 
 /// Where a change is let in.
 #[derive(Clone, Debug, PartialEq)]

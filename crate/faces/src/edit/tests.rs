@@ -7,7 +7,7 @@ use crate::attribute::Attribute;
 use crate::life::Life;
 use crate::pack::{Follower, LookNumber, TextureModel};
 use crate::sample::labelled;
-use crate::segment::{Segment, Segments};
+use crate::segment::{Half, Segment, Segments};
 
 const SIDE: usize = 60;
 const VERTICES: usize = SIDE * SIDE;

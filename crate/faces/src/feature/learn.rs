@@ -5,8 +5,9 @@ use faer::Mat;
 use faer::linalg::solvers::Solve as _;
 
 use super::Feature;
-use crate::edit::{Editor, Half, Part};
+use crate::edit::{Editor, Part};
 use crate::error::FaceError;
+use crate::segment::Half;
 
 /// A feature of shape as it is measured.
 #[derive(Clone, Debug, PartialEq)]

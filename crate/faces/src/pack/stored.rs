@@ -7,11 +7,10 @@ use super::{
     FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel,
 };
 use crate::attribute::Attribute;
-use crate::edit::Half;
 use crate::error::FaceError;
 use crate::feature::Feature;
 use crate::life::Life;
-use crate::segment::{Segment, Segments};
+use crate::segment::{Half, Segment, Segments};
 use crate::space::FaceSpace;
 
 /// Name, version and part.

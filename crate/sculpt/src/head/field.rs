@@ -140,6 +140,21 @@ pub const FIELDS: [Field; 26] = [
     ]),
 ];
 
+/// The fields by which faces are posed.
+const EXPRESSIONS: [&str; 6] = [
+    "smiling",
+    "angry",
+    "surprised",
+    "scared",
+    "deranged",
+    "disgusted",
+];
+
+/// Indices of the fields by which faces are posed.
+pub fn expression_fields() -> impl Iterator<Item = usize> {
+    EXPRESSIONS.into_iter().filter_map(field_index)
+}
+
 /// Index of a field by its name.
 #[must_use]
 pub fn field_index(name: &str) -> Option<usize> {

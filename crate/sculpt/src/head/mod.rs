@@ -45,7 +45,7 @@ pub use self::binding::{Binding, Bound};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
-pub use self::field::{FIELDS, Field, field_index};
+pub use self::field::{FIELDS, Field, expression_fields, field_index};
 use self::fitted::Fitted;
 pub(crate) use self::fitted::{CENTRED, eye_mm};
 pub use self::fitting::{Aim, fit_measures, measures};

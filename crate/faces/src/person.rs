@@ -1,0 +1,12 @@
+//! Who faces are.
+
+/// Who a face of the database is (F&H 5.1.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Personal {
+    /// 0 male to 1 female.
+    pub sex: f64,
+    /// Years.
+    pub age_years: f64,
+    /// Shares of European, Asian and African ancestry.
+    pub ancestry: [f64; 3],
+}
