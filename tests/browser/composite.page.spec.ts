@@ -49,9 +49,9 @@ test('the face says a sentence, and nothing leaves the machine', async ({ page, 
   await page.getByLabel('Let this face speak').fill('Hello world. This is a face that speaks for a while, so that it can be stopped before it has come to its end.');
   await page.getByRole('button', { name: 'Speak' }).click();
   const time = () => page.locator('#player').evaluate((p: RaconteurPlayer) => p.currentTime);
-  await expect.poll(time, { timeout: 60_000 }).toBeLessThan(1.9);
+  await expect.poll(time, { timeout: 60_000 }).toBeLessThan(1.5);
   await page.getByRole('button', { name: 'Stop' }).click();
-  await expect.poll(time).toBe(2);
+  await expect.poll(time).toBe(1.6);
   await expect(value(page, 'weight')).toHaveValue('0.5');
   expect(elsewhere).toEqual([]);
 });
@@ -164,7 +164,7 @@ test('two editors come back with their work: where they are moved, taken away, a
     if (away !== null) document.body.append(away);
   });
   await two.editor.scrollIntoViewIfNeeded();
-  await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 60_000 }).toBe(2);
+  await expect.poll(() => two.editor.evaluate((e: RaconteurComposite) => e.player?.currentTime), { timeout: 60_000 }).toBe(1.6);
   expect(await two.editor.evaluate((e: RaconteurComposite) => e.snapshot()?.width)).toBeGreaterThan(100);
 
   // The browser keeps the work of each under its own name.

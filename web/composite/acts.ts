@@ -52,6 +52,29 @@ export function perform(faces: Faces, act: Act, held: readonly FaceConstraint[])
   if (now.length > 0) hold(faces, reached === undefined ? now : [...now, reached]);
 }
 
+/** The parts of a face that an act can change, where so much is held. */
+export function changedBy(act: Act, held: readonly FaceConstraint[]): readonly FacePart[] {
+  const both = ['shape', 'texture'] as const;
+  const own = ((): readonly FacePart[] => {
+    switch (act.kind) {
+      case 'add':
+      case 'asymmetry':
+      case 'caricature':
+        return [act.part];
+      case 'transform':
+        return ['shape'];
+      case 'detail':
+        return ['texture'];
+      case 'look':
+      case 'marks':
+        return [];
+      default:
+        return both;
+    }
+  })();
+  return both.filter((part) => own.includes(part) || held.some((h) => h.part === part));
+}
+
 /** Brings the face to what is held; what cannot be says which two values contradict each other. */
 function hold(faces: Faces, all: readonly FaceConstraint[]): void {
   try {

@@ -4,19 +4,18 @@ import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
 import type { FaceLook, FaceMark, FigureFace, Light } from '../element/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
-import { AGEING, perform, type Act } from './acts.js';
+import { AGEING, changedBy, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
 import { History, type Saved } from './history.js';
 import { LIMITS } from './limits.js';
 import { lookOf, type Person } from './people.js';
 import { isLibraryName, readScene, type Scene } from './scene.js';
+import { Showing } from './showing.js';
 import { skinOf } from './skin.js';
+import { Reading, Slopes, type Values } from './values.js';
 import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
-
-/** Values of the attributes of a face, by part. */
-type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 
 /** So near that the head fills the picture. */
 const NEAR = 7.4;
@@ -24,6 +23,8 @@ const NEAR = 7.4;
 /** Lines of age that an average face has, and how many more one whose value of ageing is 1, of 1. */
 const LINES = 0.1;
 const LINES_PER_AGE = 0.7;
+/** Of the steps that are made again in a row, each so-manieth face is kept. */
+const CHECKPOINT = 16;
 /** Skin that is not chosen is so bright. */
 const UNLIT = 0.55;
 
@@ -78,12 +79,11 @@ export class App {
   history = new History();
   readonly view: HeadView;
   readonly #kept = new Cache();
-  #values: Values | undefined;
+  readonly #reading: Reading;
+  readonly #showing: Showing;
   /** The step that a control which moves begins at, and its act by now. */
-  #moving: { readonly from: Uint8Array; readonly values: Values; act: Act | undefined } | undefined;
+  #moving: { readonly from: Uint8Array; readonly values: Values; readonly slopes: Slopes; act: Act | undefined } | undefined;
   #drawn = 0;
-  #showing: Promise<void> | undefined;
-  #behind = false;
 
   constructor(
     readonly player: RaconteurPlayer,
@@ -91,6 +91,15 @@ export class App {
     private readonly page: Page,
   ) {
     this.yearsOf = yearsOf(faces.pack.people);
+    this.#reading = new Reading(faces);
+    this.#showing = new Showing(
+      player,
+      () => this.shown,
+      (error) => {
+        if (error !== undefined) this.page.say(error instanceof Error ? error.message : String(error));
+        this.page.shown();
+      },
+    );
     this.view = new HeadView(player, { turn: SIDES.Front, tilt: 0.02, zoom: NEAR }, () => {
       this.page.moved();
       this.redraw();
@@ -99,7 +108,7 @@ export class App {
 
   /** The stage shows the face of the present step, and no control moves. */
   get resting(): boolean {
-    return this.#moving === undefined && this.#showing === undefined;
+    return this.#moving === undefined && !this.#showing.busy;
   }
 
   /** How a feature changes: in the segments that are chosen, or in the whole head; alone, unless what goes with it changes too. */
@@ -135,7 +144,7 @@ export class App {
   get face(): FigureFace {
     const { look, marks } = this;
     return {
-      ...this.faces.face(this.player.currentFigure ?? ''),
+      ...this.faces.face(this.player.currentFigure ?? '', this.#showing.moves),
       look: { ...look, ...(this.faces.pack.attributes.some((a) => a.part === 'texture') && skinOf(this.values.texture)), lines: this.#lines() },
       marks,
     };
@@ -164,8 +173,7 @@ export class App {
 
   /** The values of the face that is shown. */
   get values(): Values {
-    this.#values ??= { shape: this.#read('shape'), texture: this.#read('texture') };
-    return this.#values;
+    return this.#reading.all;
   }
 
   /** The values before a control that moves began to. */
@@ -173,20 +181,18 @@ export class App {
     return this.#moving?.values ?? this.values;
   }
 
-  #read(part: FacePart): ReadonlyMap<string, number> {
-    const own = this.faces.pack.attributes.filter((a) => a.part === part);
-    const values = this.faces.values(part);
-    return new Map(own.map((a, i) => [a.name, values[i] ?? 0]));
-  }
-
   /** A control moves: the face as it was before it moved, and the act. Nothing is a step yet. */
   move(act: Act): void {
-    this.#moving ??= { from: this.faces.keep(), values: this.values, act: undefined };
-    const { from } = this.#moving;
+    this.#moving ??= { from: this.faces.keep(), values: this.values, slopes: new Slopes(this.values), act: undefined };
+    const { from, slopes } = this.#moving;
     this.faces.restore(from);
-    if (this.#try(act, from)) this.#moving.act = act;
-    else if (this.#moving.act !== undefined) perform(this.faces, this.#moving.act, this.held);
-    this.#changed();
+    this.#reading.changed(changedBy(act, this.held));
+    if (this.#try(act, from)) {
+      this.#moving.act = act;
+      if (this.held.length === 0) slopes.tell(this.#reading, act);
+    } else if (this.#moving.act !== undefined) perform(this.faces, this.#moving.act, this.held);
+    this.#showing.moves = true;
+    this.#changed([]);
   }
 
   /** The control rests: what it did is a step. */
@@ -201,6 +207,7 @@ export class App {
   do(act: Act): boolean {
     this.done();
     if (!this.#try(act, this.faces.keep())) return false;
+    this.#showing.moves = false;
     this.#step(act);
     return true;
   }
@@ -220,7 +227,7 @@ export class App {
   #step(act: Act): void {
     this.#kept.keep(this.history.add(act), this.faces.keep());
     this.page.changed();
-    this.#changed();
+    this.#changed(changedBy(act, this.held));
   }
 
   undo(): void {
@@ -260,13 +267,19 @@ export class App {
     const known = this.#kept.of(path[from] ?? 0);
     if (known === undefined) this.faces.average();
     else this.faces.restore(known);
-    for (const step of path.slice(from + 1)) {
-      const { act, parent } = this.history.steps[step] ?? { act: { kind: 'average' }, parent: 0 };
-      perform(this.faces, act, this.history.heldAt(parent));
+    const last = path.length - 1;
+    let held = this.history.heldAt(path[from] ?? 0);
+    for (let i = from + 1; i <= last; i += 1) {
+      const step = path[i] ?? 0;
+      const { act } = this.history.steps[step] ?? { act: { kind: 'average' } };
+      perform(this.faces, act, held);
+      if (act.kind === 'hold') held = act.held;
       // Steps that each are within their limits grow beyond all bounds together.
       if (act.kind === 'transform' || act.kind === 'caricature') this.#measure();
-      this.#kept.keep(step, this.faces.keep());
+      // Undo begins at the latest of these: to keep all takes longer than to make a few again.
+      if (i === last || i % CHECKPOINT === 0) this.#kept.keep(step, this.faces.keep());
     }
+    this.#showing.moves = false;
     this.#changed();
   }
 
@@ -353,36 +366,21 @@ export class App {
     this.page.say(text);
   }
 
-  #changed(): void {
-    this.#values = undefined;
+  #changed(parts: readonly FacePart[] = ['shape', 'texture']): void {
+    this.#reading.changed(parts);
     void this.show();
     this.redraw();
   }
 
   /** Puts the face on the figure; while one is put on, the next waits, and those between are never shown. */
   show(): Promise<void> {
-    this.#behind = true;
     this.page.moved();
-    this.#showing ??= this.#showNow();
-    return this.#showing;
+    return this.#showing.show();
   }
 
   /** Resolves when the stage shows the face as it was changed last. */
   get shownAsItIs(): Promise<void> {
-    return this.#showing ?? Promise.resolve();
-  }
-
-  async #showNow(): Promise<void> {
-    try {
-      while (this.#behind) {
-        this.#behind = false;
-        await this.player.setFace(this.shown);
-      }
-    } catch (error) {
-      this.page.say(error instanceof Error ? error.message : String(error));
-    }
-    this.#showing = undefined;
-    this.page.shown();
+    return this.#showing.done;
   }
 
   /** Draws the page soon; many changes are drawn once. */

@@ -3,8 +3,7 @@
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Quality } from '../element/types.js';
 import { HeadView, type Look } from '../pages/head-view.js';
-import { SETTLED_SECS } from '../pages/page-state.js';
-import { still } from './script.js';
+import { REST_SECS, still } from './script.js';
 
 /** By then the picture of a look that was asked for is shown, milliseconds. */
 const SHOWN_MS = 250;
@@ -40,7 +39,7 @@ export async function openHidden(place: HTMLElement, { label, like, quality, loo
   const close = (): void => player.remove();
   try {
     await player.rehearse(still, { motion: 0 });
-    player.currentTime = SETTLED_SECS;
+    player.currentTime = REST_SECS;
     const view = new HeadView(player, look, () => undefined);
     view.look({});
     await wait(SHOWN_MS);

@@ -17,3 +17,6 @@ const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace
 
 /** A script that says a sentence. */
 export const saying = (text: string): string => whole([tag('voice-text', { time: 0.4 }, [escapeText(text), tag('tm', { name: 'said' })]), tag('null', { time: 'said+1s' })]);
+
+/** A moment of it, seconds: all has come to rest, and a piece of what moves the soft face begins, so that another face at it takes the fewest steps. */
+export const REST_SECS = 1.6;

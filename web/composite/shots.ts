@@ -3,10 +3,9 @@
 import type { RaconteurPlayer } from '../element/element.js';
 import type { App } from './app.js';
 import { LEVEL } from '../pages/head-view.js';
-import { SETTLED_SECS } from '../pages/page-state.js';
 import { openHidden, wait } from './hidden-player.js';
 import { beforeWall } from './plain.js';
-import { still, stillIn } from './script.js';
+import { REST_SECS, still, stillIn } from './script.js';
 
 /** How much of somebody is in a picture: how near one looks, and how far below the middle of the head the picture's is, metres. */
 export const FRAMES = {
@@ -113,7 +112,7 @@ export class Studio {
 /** Puts who stands still elsewhere, and waits until that is seen. */
 async function place(player: RaconteurPlayer, script: string): Promise<void> {
   await player.rehearse(script, { motion: 0 });
-  player.currentTime = SETTLED_SECS;
+  player.currentTime = REST_SECS;
   await wait(SHOWN_MS);
 }
 

@@ -4,10 +4,9 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Light } from '../element/types.js';
 import { lookFrom } from '../pages/head-view.js';
-import { SETTLED_SECS } from '../pages/page-state.js';
 import type { App } from './app.js';
 import { LIGHTS } from './scene.js';
-import { saying, still } from './script.js';
+import { REST_SECS, saying, still } from './script.js';
 import { reason, type Tell } from './tell.js';
 
 /** As long as a sentence is. */
@@ -18,7 +17,7 @@ export async function rest(player: RaconteurPlayer): Promise<void> {
   player.pause();
   // A face that is compared with a memory does not sway.
   await player.rehearse(still, { motion: 0 });
-  player.currentTime = SETTLED_SECS;
+  player.currentTime = REST_SECS;
 }
 
 /** One press turns the lamps by so much, radians. */

@@ -39,12 +39,12 @@ export type Lent = ReadonlyMap<string, Uint8Array>;
 
 /** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
 export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
-  const { skin, organs, factors, look } = face;
+  const { skin, organs, factors, look, moves = false } = face;
   for (const name of lendersOf(face)) {
     const glb = lent.get(name);
     if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
   }
-  engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look));
+  engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look), moves);
 }
 
 /** What is painted on a skin besides marks. */

@@ -69,7 +69,7 @@ interface Model {
   constrain(held: readonly FaceConstraint[]): void;
   keep(): Uint8Array;
   restore(bytes: Uint8Array): void;
-  skin(): Float64Array;
+  skin(moves: boolean): Float64Array;
   organs(): Float64Array;
   factors(figure: string): Float64Array | undefined;
 }
@@ -138,7 +138,7 @@ export class Faces {
 
   /** x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
   skin(): Float64Array {
-    return this.#model.skin();
+    return this.#model.skin(false);
   }
 
   /** How much of an attribute the face has: 0 for the average, mostly −1 to 1. */
@@ -205,8 +205,11 @@ export class Faces {
     this.#model.restore(kept);
   }
 
-  /** The face as a figure takes it; with its colours where the pack knows those of this figure. */
-  face(figure: string): FigureFace {
-    return { skin: this.#model.skin(), organs: this.#model.organs(), factors: this.#model.factors(figure) };
+  /**
+   * The face as a figure takes it; with its colours where the pack knows those of this figure. Of one that `moves`, skin that would pass
+   * through skin gives way as in the face that was asked for last: that takes no time, and a face that rests is asked for anew.
+   */
+  face(figure: string, moves = false): FigureFace {
+    return { skin: this.#model.skin(moves), organs: this.#model.organs(), factors: this.#model.factors(figure), moves };
   }
 }

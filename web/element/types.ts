@@ -347,7 +347,7 @@ export interface Engine {
   /** The language of lips in texts that are read later, where neither they nor a voice tell it: a tag of BCP 47. */
   setLanguage(tag: string): void;
   /** Gives the figure on stage a face of a face model; what is played goes on. Without factors it keeps its colours. */
-  setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array, look: FaceLook | undefined): void;
+  setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array, look: FaceLook | undefined, moves: boolean): void;
   /** Whether hair of a name was taken already. */
   lends(name: string): boolean;
   /** Takes hair, on the skin that it grew on, for faces of so many vertices. */
@@ -475,6 +475,8 @@ export interface FigureFace {
   readonly look?: FaceLook | undefined;
   /** What is painted on the skin. */
   readonly marks?: readonly FaceMark[] | undefined;
+  /** It is on its way to another that differs little and follows, as while a slider is dragged: shown soon rather than finely. */
+  readonly moves?: boolean | undefined;
 }
 
 /** Pigments of hair: eumelanin 0.05 (blond) to 1.5 (black), pheomelanin 0.1 to 0.9 (red), and the share of grey hairs. */

@@ -99,6 +99,8 @@ pub struct Faces {
     /// Changes of attributes that were asked for last, by what they were asked for, the latest at the end: a slider
     /// that moves asks for the same again and again, and a history that is opened for a few in turns.
     lately: Vec<(String, Change)>,
+    /// What the face that was drawn last is straightened by.
+    straightened: Vec<f64>,
 }
 
 #[wasm_bindgen]
@@ -116,6 +118,7 @@ impl Faces {
             editor,
             face,
             lately: Vec::new(),
+            straightened: Vec::new(),
         })
     }
 
@@ -387,11 +390,11 @@ impl Faces {
     /// The face as bytes, to the bit.
     pub fn keep(&self) -> Vec<u8> {
         let parts = [&self.face.shape, &self.face.organs, &self.face.texture];
-        parts
-            .into_iter()
-            .flatten()
-            .flat_map(|x| x.to_le_bytes())
-            .collect()
+        let mut bytes = Vec::with_capacity(8 * parts.iter().map(|part| part.len()).sum::<usize>());
+        for x in parts.into_iter().flatten() {
+            bytes.extend_from_slice(&x.to_le_bytes());
+        }
+        bytes
     }
 
     /// The face that [`Self::keep`] kept of the same pack.
@@ -418,9 +421,24 @@ impl Faces {
         Ok(())
     }
 
-    /// x, y and z of each vertex of the skin; metres, frame of the head.
-    pub fn skin(&self) -> Vec<f64> {
-        self.editor.drawn(&self.face)
+    /// x, y and z of each vertex of the skin; metres, frame of the head. Of a face that `moves`, straightened as the one
+    /// that was drawn last: a face that differs little takes no time then.
+    pub fn skin(&mut self, moves: bool) -> Vec<f64> {
+        let shape = &self.face.shape;
+        if !moves || self.straightened.len() != shape.len() {
+            let drawn = self.editor.drawn(&self.face);
+            self.straightened = drawn
+                .iter()
+                .zip(shape)
+                .map(|(to, from)| to - from)
+                .collect();
+            return drawn;
+        }
+        shape
+            .iter()
+            .zip(&self.straightened)
+            .map(|(x, by)| x + by)
+            .collect()
     }
 
     /// What lies in the head: centres of the eyes, turns that close the lids, height of the chin.

@@ -24,10 +24,14 @@ impl Neighbours {
         if triangles.iter().flatten().any(|&v| v as usize >= vertices) {
             return None;
         }
-        let mut edges: Vec<[u32; 2]> = triangles
+        let edges = triangles
             .iter()
-            .flat_map(|&[a, b, c]| [[a, b], [b, a], [b, c], [c, b], [c, a], [a, c]])
-            .collect();
+            .flat_map(|&[a, b, c]| [[a, b], [b, a], [b, c], [c, b], [c, a], [a, c]]);
+        Some(Self::of_edges(edges.collect(), vertices))
+    }
+
+    /// Those of edges, each once in either direction, over so many vertices, which has all that they name.
+    pub(crate) fn of_edges(mut edges: Vec<[u32; 2]>, vertices: usize) -> Self {
         edges.sort_unstable();
         edges.dedup();
         let mut starts = vec![0; vertices + 1];
@@ -37,37 +41,41 @@ impl Neighbours {
         for i in 0..vertices {
             starts[i + 1] += starts[i];
         }
-        Some(Self {
+        Self {
             starts,
             list: edges.into_iter().map(|[_, to]| to).collect(),
-        })
+        }
     }
 
     pub(crate) fn of_vertex(&self, vertex: usize) -> &[u32] {
         &self.list[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
-    /// A step of smoothing of `width` numbers at each vertex: half of them, and half of their
-    /// neighbours' mean.
-    fn smoothed(&self, numbers: &[f64], width: usize) -> Vec<f64> {
+    /// Steps of smoothing of so many numbers at each vertex: half of them, and half of their neighbours' mean.
+    fn smoothed<const WIDTH: usize>(&self, numbers: &[f64], steps: usize) -> Vec<f64> {
         let mut out = numbers.to_vec();
-        for (vertex, own) in out.chunks_exact_mut(width).enumerate() {
-            let near = self.of_vertex(vertex);
-            if near.is_empty() {
-                continue;
-            }
-            for (k, number) in own.iter_mut().enumerate() {
-                let sum: f64 = near.iter().map(|&n| numbers[n as usize * width + k]).sum();
-                *number = 0.5 * (*number + sum / near.len() as f64);
-            }
-        }
-        out
-    }
-
-    fn smoothed_by(&self, numbers: &[f64], width: usize, steps: usize) -> Vec<f64> {
-        let mut out = numbers.to_vec();
+        let mut before = out.clone();
         for _ in 0..steps {
-            out = self.smoothed(&out, width);
+            core::mem::swap(&mut out, &mut before);
+            let from = before.as_chunks::<WIDTH>().0;
+            for (vertex, to) in out.as_chunks_mut::<WIDTH>().0.iter_mut().enumerate() {
+                let near = self.of_vertex(vertex);
+                let own = from[vertex];
+                *to = own;
+                if near.is_empty() {
+                    continue;
+                }
+                let mut sum = [0.0; WIDTH];
+                for &n in near {
+                    for (s, x) in sum.iter_mut().zip(from[n as usize]) {
+                        *s += x;
+                    }
+                }
+                let share = 0.5 / near.len() as f64;
+                for ((to, own), s) in to.iter_mut().zip(own).zip(sum) {
+                    *to = 0.5 * own + share * s;
+                }
+            }
         }
         out
     }
@@ -88,7 +96,7 @@ impl Neighbours {
         let mut soft = mask.to_vec();
         let mut done = 0;
         let band = |steps: usize| {
-            soft = self.smoothed_by(&soft, 1, steps - done);
+            soft = self.smoothed::<1>(&soft, steps - done);
             done = steps;
             soft.clone()
         };
@@ -115,7 +123,7 @@ impl Neighbours {
             let coarse = if is_last {
                 vec![0.0; rest.len()]
             } else {
-                self.smoothed_by(&rest, 3, steps)
+                self.smoothed::<3>(&rest, steps)
             };
             for (vertex, share) in soft.iter().enumerate() {
                 for k in 3 * vertex..3 * vertex + 3 {
@@ -131,7 +139,7 @@ impl Neighbours {
     /// some 5 mm.
     #[must_use]
     pub fn detail(&self, numbers: &[f64]) -> Vec<f64> {
-        let smooth = self.smoothed_by(numbers, 3, STEPS[0]);
+        let smooth = self.smoothed::<3>(numbers, STEPS[0]);
         numbers.iter().zip(&smooth).map(|(x, s)| x - s).collect()
     }
 }

@@ -163,15 +163,15 @@ impl Editor {
     #[must_use]
     pub fn drawn(&self, face: &Face) -> Vec<f64> {
         let mut shape = face.shape.clone();
-        if let Some(untangle) = &self.untangle {
-            untangle.straighten(&mut shape);
-        }
         if let Some(lips) = self
             .lips
             .as_ref()
             .filter(|_| shape.len() == self.model.shape.length())
         {
             lips.part(&self.neighbours, &mut shape);
+        }
+        if let Some(untangle) = &self.untangle {
+            untangle.straighten(&mut shape);
         }
         shape
     }

@@ -142,9 +142,9 @@ fn spread(neighbours: &Neighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     all.into_iter().collect()
 }
 
-/// Triangles by the cells of the plane of x and z that they lie over.
+/// Triangles by the cells of the plane of x and z that they lie over, in the order of the cells.
 struct Cells<'t> {
-    cells: BTreeMap<[i64; 2], Vec<&'t [u32; 3]>>,
+    cells: Vec<([i64; 2], &'t [u32; 3])>,
 }
 
 fn cell(x: f64) -> i64 {
@@ -153,7 +153,7 @@ fn cell(x: f64) -> i64 {
 
 impl<'t> Cells<'t> {
     fn of(places: &[Place], triangles: &'t [[u32; 3]]) -> Self {
-        let mut cells: BTreeMap<[i64; 2], Vec<&[u32; 3]>> = BTreeMap::new();
+        let mut cells = Vec::with_capacity(2 * triangles.len());
         for t in triangles {
             let corners = t.map(|v| places[v as usize]);
             let range = |k: usize| {
@@ -165,20 +165,19 @@ impl<'t> Cells<'t> {
                 continue;
             }
             for x in range(0) {
-                for z in range(2) {
-                    cells.entry([x, z]).or_default().push(t);
-                }
+                cells.extend(range(2).map(|z| ([x, z], t)));
             }
         }
+        cells.sort_by_key(|(cell, _)| *cell);
         Self { cells }
     }
 
     fn at(&self, p: Place) -> impl Iterator<Item = &'t [u32; 3]> {
-        self.cells
-            .get(&[cell(p[0]), cell(p[2])])
-            .into_iter()
-            .flatten()
-            .copied()
+        let own = [cell(p[0]), cell(p[2])];
+        let first = self.cells.partition_point(|(cell, _)| *cell < own);
+        let from = self.cells[first..].iter();
+        from.take_while(move |(cell, _)| *cell == own)
+            .map(|(_, t)| *t)
     }
 }
 

@@ -4,6 +4,9 @@
 
 use std::collections::BTreeMap;
 
+use raconteur_base::DVec3;
+use raconteur_base::crossing::{Looked, Tree};
+
 use crate::blend::Neighbours;
 
 /// Vertices nearer than this that look at each other, or away from each other, keep their order, metres.
@@ -16,6 +19,9 @@ const SAME_M: f64 = 1e-7;
 const UPRIGHT: f64 = 0.15;
 /// Rounds of giving way.
 const ROUNDS: usize = 60;
+/// Rounds in which skin that passes through skin is smoothed, each about it more widely than the last; and how often in each.
+const SMOOTHED: usize = 20;
+const SMOOTHINGS: usize = 4;
 
 type Place = [f64; 3];
 
@@ -57,6 +63,55 @@ pub(crate) struct Untangle {
     /// The first vertex at the place of each.
     first: Vec<u32>,
     neighbours: Neighbours,
+    /// Pairs and triangles of each vertex, by their numbers.
+    pairs_of: Lists,
+    triangles_of: Lists,
+    tree: Tree,
+    /// Vertices that lie near each other in space, on this side of a fold or the other.
+    about: Neighbours,
+}
+
+/// A list of numbers for each vertex.
+#[derive(Clone, Debug)]
+struct Lists {
+    /// Where those of each vertex begin in `all`; one more than there are vertices.
+    starts: Vec<u32>,
+    all: Vec<u32>,
+}
+
+impl Lists {
+    /// The numbers of things that have vertices, by their vertices.
+    fn of<'v>(vertices: usize, things: impl Iterator<Item = &'v [u32]> + Clone) -> Self {
+        let mut starts = vec![0; vertices + 1];
+        for v in things.clone().flatten() {
+            starts[*v as usize + 1] += 1;
+        }
+        for v in 0..vertices {
+            starts[v + 1] += starts[v];
+        }
+        let mut next = starts.clone();
+        let mut all = vec![0; starts[vertices] as usize];
+        for (number, own) in (0u32..).zip(things) {
+            for v in own {
+                let place = &mut next[*v as usize];
+                all[*place as usize] = number;
+                *place += 1;
+            }
+        }
+        Self { starts, all }
+    }
+
+    /// Those of any of these vertices, in their order.
+    fn about(&self, vertices: &[u32]) -> Vec<u32> {
+        let own = |v: &u32| {
+            let [from, to] = [0, 1].map(|k| self.starts[*v as usize + k] as usize);
+            &self.all[from..to]
+        };
+        let mut found: Vec<u32> = vertices.iter().flat_map(own).copied().collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
 }
 
 impl Untangle {
@@ -80,7 +135,12 @@ impl Untangle {
         let neighbours = Neighbours::of(&triangles, reference.len())?;
         let normals: Vec<Place> = triangles.iter().map(|t| normal(&reference, t)).collect();
         let pairs = pairs(&reference, &triangles, &normals, &first, &neighbours);
+        let points: Vec<DVec3> = reference.iter().map(|p| DVec3::from_array(*p)).collect();
         Some(Self {
+            tree: Tree::of(&points, &triangles),
+            about: about(&reference, &first, &triangles),
+            pairs_of: Lists::of(reference.len(), pairs.iter().map(|p| &p.vertices[..])),
+            triangles_of: Lists::of(reference.len(), triangles.iter().map(|t| &t[..])),
             reference,
             triangles,
             normals,
@@ -97,19 +157,26 @@ impl Untangle {
         }
         let mut places: Vec<Place> = shape.as_chunks::<3>().0.to_vec();
         let mut is_any = false;
+        // What no vertex of has moved since it was in order still is.
+        let mut pairs: Vec<u32> = (0..self.pairs.len() as u32).collect();
+        let mut triangles: Vec<u32> = (0..self.triangles.len() as u32).collect();
         for _ in 0..ROUNDS {
-            let ways = self.apart(&places);
-            let turned = self.turned(&places);
+            let ways = self.apart(&places, &pairs);
+            let turned = self.turned(&places, &triangles);
             if ways.is_empty() && turned.is_empty() {
                 break;
             }
             is_any = true;
-            for (v, by) in ways {
-                let p = &mut places[v as usize];
+            for (v, by) in &ways {
+                let p = &mut places[*v as usize];
                 *p = [p[0] + by[0], p[1] + by[1], p[2] + by[2]];
             }
-            self.smooth(&mut places, &turned);
+            smooth(&self.neighbours, &self.reference, &mut places, &turned);
+            let moved: Vec<u32> = ways.iter().map(|(v, _)| *v).chain(turned).collect();
+            pairs = self.pairs_of.about(&moved);
+            triangles = self.triangles_of.about(&moved);
         }
+        is_any |= self.uncross(&mut places);
         if !is_any {
             return;
         }
@@ -118,10 +185,64 @@ impl Untangle {
         }
     }
 
-    /// Ways of vertices that are too near to others, and of those about them.
-    fn apart(&self, places: &[Place]) -> Vec<(u32, Place)> {
+    /// Whether no skin passes through skin in a shape.
+    pub(crate) fn is_sound(&self, shape: &[f64]) -> bool {
+        let points: Vec<DVec3> = shape
+            .as_chunks::<3>()
+            .0
+            .iter()
+            .map(|p| DVec3::from_array(*p))
+            .collect();
+        self.tree.crossings(&points, &Looked::All).is_empty()
+    }
+
+    /// Brings the ways of what passes through other skin, and of what lies about it, nearer to each other: the smoother
+    /// they are, the more the skin is like the reference's, in which nothing does. Whether anything moved.
+    fn uncross(&self, places: &mut [Place]) -> bool {
+        let mut points: Vec<DVec3> = places.iter().map(|p| DVec3::from_array(*p)).collect();
+        let mut found = self.tree.crossings(&points, &Looked::Folds);
+        let is_any = !found.is_empty();
+        for round in 0..SMOOTHED {
+            if found.is_empty() {
+                break;
+            }
+            let corners = found.iter().flatten().flat_map(|&t| self.triangles[t]);
+            let patch = self.grown(corners.collect(), 1 + round / 2);
+            for _ in 0..SMOOTHINGS * (1 + round / 4) {
+                smooth(&self.about, &self.reference, places, &patch);
+            }
+            let mut moved = vec![false; places.len()];
+            for &v in &patch {
+                moved[v as usize] = true;
+                points[v as usize] = DVec3::from_array(places[v as usize]);
+            }
+            // What no vertex of has moved is as it was.
+            found = self.tree.crossings(&points, &Looked::FoldsAt(&moved));
+        }
+        is_any
+    }
+
+    /// Vertices with those that so many edges lead to.
+    fn grown(&self, mut vertices: Vec<u32>, edges: usize) -> Vec<u32> {
+        for _ in 0..=edges {
+            vertices.sort_unstable();
+            vertices.dedup();
+            let about: Vec<u32> = vertices
+                .iter()
+                .flat_map(|&v| self.neighbours.of_vertex(v as usize))
+                .copied()
+                .collect();
+            vertices.extend(about);
+        }
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
+    /// Ways of vertices that are too near to others, by some of the pairs, and of those about them.
+    fn apart(&self, places: &[Place], pairs: &[u32]) -> Vec<(u32, Place)> {
         let mut ways: BTreeMap<u32, (Place, f64)> = BTreeMap::new();
-        for pair in &self.pairs {
+        for pair in pairs.iter().map(|&p| &self.pairs[p as usize]) {
             let [a, b] = pair.vertices;
             let far = dot(sub(places[a as usize], places[b as usize]), pair.way);
             let missing = pair.least - far;
@@ -154,10 +275,14 @@ impl Untangle {
         ways.into_iter().chain(about).map(mean).collect()
     }
 
-    /// Vertices of triangles that are turned over, and those about them.
-    fn turned(&self, places: &[Place]) -> Vec<u32> {
+    /// Vertices of those of some triangles that are turned over, and those about them.
+    fn turned(&self, places: &[Place], triangles: &[u32]) -> Vec<u32> {
         let mut all = Vec::new();
-        for (t, own) in self.triangles.iter().zip(&self.normals) {
+        for &index in triangles {
+            let (t, own) = (
+                &self.triangles[index as usize],
+                &self.normals[index as usize],
+            );
             let now = normal(places, t);
             let sizes = dot(now, now) * dot(*own, *own);
             let along = dot(now, *own);
@@ -172,25 +297,83 @@ impl Untangle {
         all.dedup();
         all
     }
+}
 
-    /// Brings the ways of vertices from the reference nearer to those of their neighbours.
-    fn smooth(&self, places: &mut [Place], vertices: &[u32]) {
-        let way = |places: &[Place], v: u32| sub(places[v as usize], self.reference[v as usize]);
-        let smoothed: Vec<Place> = vertices
-            .iter()
-            .map(|&v| {
-                let near = self.neighbours.of_vertex(v as usize);
-                let own = way(places, v);
-                let count = near.len().max(1) as f64;
-                core::array::from_fn(|k| {
-                    let mean = near.iter().map(|&n| way(places, n)[k]).sum::<f64>() / count;
-                    self.reference[v as usize][k] + 0.5 * (own[k] + mean)
-                })
-            })
-            .collect();
-        for (&v, p) in vertices.iter().zip(smoothed) {
-            places[v as usize] = p;
+/// Brings the ways of vertices from the reference nearer to those of their neighbours.
+fn smooth(neighbours: &Neighbours, reference: &[Place], places: &mut [Place], vertices: &[u32]) {
+    let way = |places: &[Place], v: u32| sub(places[v as usize], reference[v as usize]);
+    let smoothed: Vec<Place> = vertices
+        .iter()
+        .map(|&v| {
+            let near = neighbours.of_vertex(v as usize);
+            let own = way(places, v);
+            let mut sum = [0.0; 3];
+            for by in near.iter().map(|&n| way(places, n)) {
+                for (s, x) in sum.iter_mut().zip(by) {
+                    *s += x;
+                }
+            }
+            let share = 0.5 / near.len().max(1) as f64;
+            core::array::from_fn(|k| reference[v as usize][k] + 0.5 * own[k] + share * sum[k])
+        })
+        .collect();
+    for (&v, p) in vertices.iter().zip(smoothed) {
+        places[v as usize] = p;
+    }
+}
+
+/// Neighbours of each vertex: those along the skin, and those that are near in space.
+fn about(places: &[Place], first: &[u32], triangles: &[[u32; 3]]) -> Neighbours {
+    let along = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut edges: Vec<[u32; 2]> = along.flat_map(|[a, b]| [[a, b], [b, a]]).collect();
+    let cells = Cells::of(places, first);
+    for (v, other) in cells.pairs() {
+        let way = sub(places[v as usize], places[other as usize]);
+        if dot(way, way) < NEAR_M * NEAR_M {
+            edges.extend([[v, other], [other, v]]);
         }
+    }
+    Neighbours::of_edges(edges, places.len())
+}
+
+/// Vertices by the cells of space that they lie in.
+struct Cells<'p> {
+    places: &'p [Place],
+    cells: BTreeMap<[i64; 3], Vec<u32>>,
+}
+
+impl<'p> Cells<'p> {
+    /// Of those that stand for their place.
+    fn of(places: &'p [Place], first: &[u32]) -> Self {
+        let mut cells: BTreeMap<[i64; 3], Vec<u32>> = BTreeMap::new();
+        for (v, p) in (0u32..).zip(places) {
+            if first[v as usize] == v {
+                cells.entry(Self::at(p)).or_default().push(v);
+            }
+        }
+        Self { places, cells }
+    }
+
+    fn at(p: &Place) -> [i64; 3] {
+        p.map(|x| (x / NEAR_M).floor() as i64)
+    }
+
+    /// Pairs that may be nearer than a cell is long, the lower number first.
+    fn pairs(&self) -> impl Iterator<Item = (u32, u32)> {
+        let all = self.cells.values().flatten().copied();
+        all.flat_map(move |v| {
+            let [x, y, z] = Self::at(&self.places[v as usize]);
+            let about = (-1..=1)
+                .flat_map(|i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [i, j, k])))
+                .filter_map(move |[i, j, k]| self.cells.get(&[x + i, y + j, z + k]));
+            about
+                .flatten()
+                .copied()
+                .filter(move |&o| o > v)
+                .map(move |o| (v, o))
+        })
     }
 }
 
@@ -210,40 +393,24 @@ fn pairs(
             }
         }
     }
-    let cell = |p: &Place| p.map(|x| (x / NEAR_M).floor() as i64);
-    let mut cells: BTreeMap<[i64; 3], Vec<u32>> = BTreeMap::new();
-    for (v, p) in (0u32..).zip(places) {
-        if first[v as usize] == v {
-            cells.entry(cell(p)).or_default().push(v);
-        }
-    }
+    let mut all: Vec<(u32, u32)> = Cells::of(places, first).pairs().collect();
+    all.sort_unstable();
     let mut found = Vec::new();
-    for (v, p) in (0u32..).zip(places) {
-        if first[v as usize] != v {
-            continue;
-        }
-        let [x, y, z] = cell(p);
-        let about = (-1..=1)
-            .flat_map(|i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [x + i, y + j, z + k])));
-        for &other in about
-            .filter_map(|c| cells.get(&c))
-            .flatten()
-            .filter(|&&o| o > v)
-        {
-            let way = sub(*p, places[other as usize]);
-            let length = dot(way, way).sqrt();
-            let (n, m) = (of_vertex[v as usize], of_vertex[other as usize]);
-            let against = dot(n, m) / (dot(n, n) * dot(m, m)).sqrt().max(f64::MIN_POSITIVE);
-            let is_near = length > SAME_M && length < NEAR_M && against < -0.3;
-            // Across a fold, not along the skin: one looks along the way, or against it.
-            let along = dot(n, way).abs() / (dot(n, n).sqrt() * length).max(f64::MIN_POSITIVE);
-            if is_near && along > 0.5 && !neighbours.of_vertex(v as usize).contains(&other) {
-                found.push(Pair {
-                    vertices: [v, other],
-                    way: way.map(|x| x / length),
-                    least: LEAST * length,
-                });
-            }
+    for (v, other) in all {
+        let p = &places[v as usize];
+        let way = sub(*p, places[other as usize]);
+        let length = dot(way, way).sqrt();
+        let (n, m) = (of_vertex[v as usize], of_vertex[other as usize]);
+        let against = dot(n, m) / (dot(n, n) * dot(m, m)).sqrt().max(f64::MIN_POSITIVE);
+        let is_near = length > SAME_M && length < NEAR_M && against < -0.3;
+        // Across a fold, not along the skin: one looks along the way, or against it.
+        let along = dot(n, way).abs() / (dot(n, n).sqrt() * length).max(f64::MIN_POSITIVE);
+        if is_near && along > 0.5 && !neighbours.of_vertex(v as usize).contains(&other) {
+            found.push(Pair {
+                vertices: [v, other],
+                way: way.map(|x| x / length),
+                least: LEAST * length,
+            });
         }
     }
     found

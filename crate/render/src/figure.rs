@@ -159,6 +159,8 @@ pub(crate) struct FigureData {
     /// How many vertices, the first ones, belong to meshes that are bound.
     pub(crate) bound_vertices: usize,
     pub(crate) nodes: Nodes,
+    /// The first vertex of each of the figure's meshes.
+    pub(crate) bases: Vec<usize>,
 }
 
 /// Meshes of the same surface, before they are laid one behind the other.
@@ -187,8 +189,8 @@ impl FigureData {
             .meshes
             .iter()
             .any(|m| m.material.kind == MaterialKind::Cornea);
-        let face = face_place(figure);
         let mut data = Self {
+            bases: vec![0; figure.meshes.len()],
             shape: Vec::new(),
             fixed: Vec::new(),
             indices: Vec::new(),
@@ -201,11 +203,13 @@ impl FigureData {
         };
         let mut batches: Vec<Batch> = Vec::new();
         // The stream of what follows tissue need only be as long as the meshes that do.
-        let (bound, free): (Vec<&Mesh>, Vec<&Mesh>) =
-            figure.meshes.iter().partition(|m| m.binding.is_some());
-        for mesh in bound.into_iter().chain(free) {
+        let meshes = figure.meshes.iter().enumerate();
+        let (bound, free): (Vec<_>, Vec<_>) = meshes.partition(|(_, m)| m.binding.is_some());
+        let face = face_place(figure);
+        for (index, mesh) in bound.into_iter().chain(free) {
             check(mesh, joints)?;
             let key = PipelineKey::of(figure, mesh);
+            data.bases[index] = data.shape.len();
             let material = MaterialUniform {
                 base: mesh.material.base_color,
                 params: [
@@ -277,33 +281,12 @@ impl FigureData {
     /// Adds a mesh's vertices; returns its triangles at each level of detail.
     fn push(&mut self, mesh: &Mesh, alpha_mode: AlphaMode) -> [Vec<u32>; LEVELS] {
         let base = self.shape.len();
-        let along = growing_v(mesh);
-        let curvature = curvature_per_m(mesh);
-        for (i, along) in along.iter().enumerate() {
-            self.shape
-                .push(shape_vertex(mesh.positions[i], mesh.normals[i]));
-            let bend = curvature[i] / SHARPEST_PER_M;
-            let bend = bend.signum() * bend.abs().min(1.0).sqrt();
-            self.fixed.push(FixedVertex {
-                uv: mesh.uvs[i],
-                color: mesh.colors[i],
-                joint: mesh.joints[i].map(|j| j as u8),
-                weight: mesh.weights[i].map(|w| (w.clamp(0.0, 1.0) * 65535.0).round() as u16),
-                along: [along.x, along.y, along.z, bend].map(|c| (c * 127.0).round() as i8),
-            });
-        }
+        self.shape.extend(shape_vertices(mesh));
+        self.fixed.extend(fixed_vertices(mesh));
         self.morphed.extend(MorphedMesh::new(mesh, base));
-        if let Some(binding) = &mesh.binding {
+        if mesh.binding.is_some() {
             self.bound_vertices = self.shape.len();
             self.bound.extend(BoundMesh::new(mesh, base));
-            // The nodes bring the jaw's turn.
-            for &vertex in &binding.vertices {
-                for joint in &mut self.fixed[base + vertex as usize].joint {
-                    if usize::from(*joint) == Bone::Chin.index() {
-                        *joint = Bone::Skull.index() as u8;
-                    }
-                }
-            }
         }
         let is_cards = alpha_mode == AlphaMode::Mask && mesh.material.kind != MaterialKind::Plain;
         std::array::from_fn(|level| {
@@ -340,6 +323,66 @@ impl FigureData {
                 mesh.levels[level] = first..self.indices.len() as u32;
             }
         }
+    }
+}
+
+/// Where the vertices of a mesh are.
+pub(crate) fn shape_vertices(mesh: &Mesh) -> Vec<ShapeVertex> {
+    let both = mesh.positions.iter().zip(&mesh.normals);
+    both.map(|(p, n)| shape_vertex(*p, *n)).collect()
+}
+
+/// What else the vertices of a mesh have, whose lengths have been checked.
+pub(crate) fn fixed_vertices(mesh: &Mesh) -> Vec<FixedVertex> {
+    let curvature = curvature_per_m(mesh);
+    let fixed = |(i, along): (usize, Vec3)| {
+        let bend = curvature[i] / SHARPEST_PER_M;
+        let bend = bend.signum() * bend.abs().min(1.0).sqrt();
+        FixedVertex {
+            uv: mesh.uvs[i],
+            color: mesh.colors[i],
+            joint: mesh.joints[i].map(|j| j as u8),
+            weight: mesh.weights[i].map(|w| (w.clamp(0.0, 1.0) * 65535.0).round() as u16),
+            along: [along.x, along.y, along.z, bend].map(|c| (c * 127.0).round() as i8),
+        }
+    };
+    let mut fixed: Vec<FixedVertex> = growing_v(mesh).into_iter().enumerate().map(fixed).collect();
+    // The nodes bring the jaw's turn.
+    for &vertex in mesh.binding.iter().flat_map(|b| &b.vertices) {
+        for joint in &mut fixed[vertex as usize].joint {
+            if usize::from(*joint) == Bone::Chin.index() {
+                *joint = Bone::Skull.index() as u8;
+            }
+        }
+    }
+    fixed
+}
+
+/// Whether figures differ in nothing but where vertices are, which way they look and what colour they have, and in where
+/// joints are: then one can take the place of the other mesh by mesh.
+pub(crate) fn is_reshaped(before: &Figure, after: &Figure) -> bool {
+    let is_alike = |(a, b): (&Mesh, &Mesh)| {
+        let lengths = |m: &Mesh| [m.positions.len(), m.normals.len(), m.colors.len()];
+        lengths(a) == lengths(b)
+            && a.material == b.material
+            && (&a.uvs, &a.joints, &a.weights) == (&b.uvs, &b.joints, &b.weights)
+            && (&a.indices, &a.coarser) == (&b.indices, &b.coarser)
+            && (&a.morphs, &a.binding) == (&b.morphs, &b.binding)
+    };
+    before.meshes.len() == after.meshes.len()
+        && before.images.len() == after.images.len()
+        && before.inverse_bind.len() == after.inverse_bind.len()
+        && before.meshes.iter().zip(&after.meshes).all(is_alike)
+}
+
+/// Tells materials where the face is.
+pub(crate) fn place_face(materials: &mut [u8], figure: &Figure) {
+    let face = face_place(figure);
+    for bytes in materials.chunks_exact_mut(MATERIAL_STRIDE as usize) {
+        let own = &mut bytes[..size_of::<MaterialUniform>()];
+        let mut material: MaterialUniform = bytemuck::pod_read_unaligned(own);
+        material.face = face;
+        own.copy_from_slice(bytemuck::bytes_of(&material));
     }
 }
 

@@ -11,12 +11,13 @@ use crate::RenderError;
 use crate::counts::Counts;
 use crate::detail::Detail;
 use crate::figure::{
-    DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow, joint_rows,
+    DrawnMesh, FigureData, FixedVertex, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow,
+    fixed_vertices, is_reshaped, joint_rows, place_face, shape_vertices,
 };
 use crate::gpu::{bind_group, binding, empty_buffer};
 use crate::layouts::Layouts;
 use crate::lid::LidEdge;
-use crate::morph::MorphedMesh;
+use crate::morph::{MorphedMesh, ShapeVertex};
 use crate::strands;
 use crate::texture::{self, Role};
 use crate::tissue::{BoundMesh, Nodes, TissueVertex};
@@ -36,6 +37,13 @@ pub(crate) struct GpuFigure {
     /// Both ends of every edge of the triangles, twice as many; sent when first wanted.
     edges: Option<Buffer>,
     joints: Buffer,
+    materials: Buffer,
+    /// What lies in `materials`.
+    material_bytes: Vec<u8>,
+    /// The first vertex of each of the figure's meshes.
+    bases: Vec<usize>,
+    /// Whether what each mesh has besides its shape is that of an earlier one.
+    is_behind: Vec<bool>,
     group: wgpu::BindGroup,
     meshes: Vec<DrawnMesh>,
     morphed: Vec<MorphedMesh>,
@@ -184,6 +192,10 @@ impl GpuFigure {
             triangles: data.indices,
             edges: None,
             joints,
+            materials,
+            material_bytes: data.materials,
+            is_behind: vec![false; data.bases.len()],
+            bases: data.bases,
             group,
             meshes: data.meshes,
             morphed: data.morphed,
@@ -193,6 +205,61 @@ impl GpuFigure {
         };
         sent.group_maps(device, layouts, fallback);
         Ok(Some(sent))
+    }
+
+    /// Sends what another shape of the figure that was sent last changes; nothing, and false, where that takes more. Of one
+    /// that `moves`, no more than where vertices are and their colours.
+    pub(crate) fn reshape(
+        &mut self,
+        queue: &Queue,
+        before: &Figure,
+        after: &Figure,
+        moves: bool,
+    ) -> bool {
+        if !is_reshaped(before, after) {
+            return false;
+        }
+        let meshes = before.meshes.iter().zip(&after.meshes);
+        let sent = self.bases.iter().zip(&mut self.is_behind);
+        for ((was, mesh), (&base, is_behind)) in meshes.zip(sent) {
+            let is_same = (&was.positions, &was.normals) == (&mesh.positions, &mesh.normals);
+            let is_coloured = was.colors != mesh.colors;
+            let at = |size: usize| (base * size) as u64;
+            if is_coloured || !moves && (*is_behind || !is_same) {
+                let fixed = fixed_vertices(mesh);
+                queue.write_buffer(
+                    &self.fixed,
+                    at(size_of::<FixedVertex>()),
+                    bytemuck::cast_slice(&fixed),
+                );
+                *is_behind = false;
+            } else {
+                *is_behind |= !is_same;
+            }
+            if is_same {
+                continue;
+            }
+            let shape = shape_vertices(mesh);
+            queue.write_buffer(
+                &self.shape,
+                at(size_of::<ShapeVertex>()),
+                bytemuck::cast_slice(&shape),
+            );
+            let own = base..base + mesh.positions.len();
+            let morphed = self.morphed.iter_mut();
+            for morphed in morphed.filter(|m| own.contains(&m.first_vertex)) {
+                if let Some(new) = MorphedMesh::new(mesh, base) {
+                    *morphed = new;
+                }
+            }
+        }
+        place_face(&mut self.material_bytes, after);
+        queue.write_buffer(&self.materials, 0, &self.material_bytes);
+        self.joint_from_bind.clone_from(&after.inverse_bind);
+        self.stature_m = after.skeleton.stature_m();
+        self.face = face_joint(after);
+        self.lids = LidEdge::of(after);
+        true
     }
 
     /// Takes over the pictures of the figure before, where there are as many.

@@ -155,26 +155,29 @@ impl Renderer {
         Ok(())
     }
 
-    /// Sends the figure in another shape, with another face for example. Pictures that have come stay
-    /// where it has as many as before.
+    /// Sends the figure in another shape, with another face for example; `before` is what was sent last. Pictures that have
+    /// come stay where it has as many as before, and what is alike in both is not sent again. Of one that `moves`, which is on its
+    /// way to another, the curvature of skin and the way of strands stay as they were until one comes that does not.
     ///
     /// # Errors
     /// As [`Renderer::set_figure`].
-    pub fn set_shape(&mut self, figure: &Figure) -> Result<(), RenderError> {
-        let before = self.figure.take();
-        let layouts = &self.shared.layouts;
-        let sent = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure);
-        let mut sent = match sent {
-            Ok(sent) => sent,
-            Err(error) => {
-                self.figure = before;
-                return Err(error);
-            }
-        };
-        if let (Some(sent), Some(before)) = (&mut sent, before) {
-            sent.take_pictures(before, &self.device, layouts, &self.fallback);
+    pub fn set_shape(
+        &mut self,
+        before: &Figure,
+        figure: &Figure,
+        moves: bool,
+    ) -> Result<(), RenderError> {
+        if let Some(sent) = &mut self.figure
+            && sent.reshape(&self.queue, before, figure, moves)
+        {
+            return Ok(());
         }
-        self.figure = sent;
+        let layouts = &self.shared.layouts;
+        let mut made = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;
+        if let (Some(made), Some(sent)) = (&mut made, self.figure.take()) {
+            made.take_pictures(sent, &self.device, layouts, &self.fallback);
+        }
+        self.figure = made;
         self.compile(SetKind::Curtain);
         Ok(())
     }

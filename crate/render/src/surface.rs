@@ -130,12 +130,17 @@ impl CanvasTarget {
         self.renderer.set_figure(figure)
     }
 
-    /// Sends the figure in another shape; it keeps its pictures.
+    /// Sends the figure in another shape than `before`, which was sent last; it keeps its pictures.
     ///
     /// # Errors
     /// As [`Renderer::set_shape`].
-    pub fn set_shape(&mut self, figure: &Figure) -> Result<(), RenderError> {
-        self.renderer.set_shape(figure)
+    pub fn set_shape(
+        &mut self,
+        before: &Figure,
+        figure: &Figure,
+        moves: bool,
+    ) -> Result<(), RenderError> {
+        self.renderer.set_shape(before, figure, moves)
     }
 
     /// Shows a decoded picture of the figure.

@@ -15,10 +15,10 @@ use std::sync::OnceLock;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::assemble::{Blueprint, Piece, assemble};
-use super::crossing::crossings;
 use super::part::{MeshPart, PartVertex};
 use super::soundness::shipped;
 use super::torso::{Cage, Field, Joints};
+use raconteur_base::crossing::crossings;
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Bone, FacePlaces};

@@ -6,7 +6,9 @@ use std::sync::OnceLock;
 
 use super::build::build;
 use super::built::Built;
-use super::crossing::{Skin, crossings, farthest_from_mirrored};
+use raconteur_base::crossing::crossings;
+
+use super::crossing::{Skin, farthest_from_mirrored};
 use super::people::{self, FigureParams};
 use raconteur_tier::{is_long, share};
 

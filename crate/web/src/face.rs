@@ -27,7 +27,8 @@ impl Player {
     /// Gives the figure on stage a face of a face model; what is played goes on. `skin` holds x, y and z of
     /// each vertex (metres, frame of the head), `organs` what lies in the head, `factors` those of the
     /// colours of each vertex, of the irises and of the brows, or nothing; `look` is a `FaceLook` of
-    /// `web/element/types.ts`, or undefined. Nothing happens before a `load`.
+    /// `web/element/types.ts`, or undefined. One that `moves` is on its way to another, which follows: it is
+    /// shown soon rather than finely. Nothing happens before a `load`.
     #[wasm_bindgen(js_name = setFace)]
     pub fn set_face(
         &mut self,
@@ -35,6 +36,7 @@ impl Player {
         organs: &[f64],
         factors: &[f64],
         look: JsValue,
+        moves: bool,
     ) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
         let Some(performer) = &mut self.performer else {
@@ -58,9 +60,13 @@ impl Player {
         let figure = Arc::new(made?);
         self.hair = [look.hair, look.beard];
         if let Some(picture) = &mut self.picture {
-            picture.set_shape(&figure)?;
+            picture.set_shape(performer.figure(), &figure, moves)?;
         }
-        performer.set_face(figure);
+        if moves {
+            performer.move_face(figure);
+        } else {
+            performer.set_face(figure);
+        }
         Ok(())
     }
 

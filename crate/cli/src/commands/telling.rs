@@ -5,11 +5,12 @@ use std::io::Write as _;
 
 use anyhow::Result;
 use raconteur_base::DVec3;
+use raconteur_base::crossing::crossings;
 use raconteur_body::Figure;
 use raconteur_body::annotation::Annotations;
 use raconteur_player::sweep::sweep;
 use raconteur_player::{Options, Player, StoryInput};
-use raconteur_sculpt::crossing::{Skin, crossings};
+use raconteur_sculpt::crossing::Skin;
 
 use crate::terminal;
 

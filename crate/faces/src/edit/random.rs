@@ -8,6 +8,10 @@ use super::{Editor, Face, TEXTURE_STREAM};
 use crate::person::Personal;
 use crate::space::FaceSpace;
 
+/// A sum of faces can be none, however it is straightened; then another is drawn, at most so often.
+const TURNS: u64 = 8;
+/// Tells the seeds of turns apart.
+const TURN_STREAM: u64 = 0x9e37_79b9_7f4a_7c15;
 /// A random face is not farther from the average along a mode, standard deviations.
 const MOST_DEVIATIONS: f64 = 3.0;
 /// So many of the faces of a database are like a person.
@@ -34,15 +38,34 @@ fn unlike(a: &Personal, b: &Personal) -> f64 {
 }
 
 impl Editor {
-    /// A face as likely as those of the examples are; the same for the same seed.
+    /// A face as likely as those of the examples are, no skin of which passes through skin; the same for the same seed.
     #[must_use]
     pub fn random(&self, seed: u64) -> Face {
+        let mut face = self.random_at(seed, 0);
+        for turn in 1..TURNS {
+            if self.is_sound(&face) {
+                break;
+            }
+            face = self.random_at(seed, turn);
+        }
+        face
+    }
+
+    /// Whether no skin passes through skin in a face as it is drawn.
+    fn is_sound(&self, face: &Face) -> bool {
+        let untangle = self.untangle.as_ref();
+        untangle.is_none_or(|untangle| untangle.is_sound(&self.drawn(face)))
+    }
+
+    /// The face of a seed that is drawn in some turn.
+    fn random_at(&self, seed: u64, turn: u64) -> Face {
         let textures = self.model.texture.as_ref();
-        if let Some(mixture) = self.mixture(seed) {
+        if let Some(mixture) = self.mixture(seed, turn) {
             let mixed = |all: &[Vec<f64>]| mixture.of(all);
             let texture = textures.map_or_else(Vec::new, |t| mixed(&t.examples));
             return self.face(&mixed(&self.model.examples), &texture);
         }
+        let seed = seed ^ turn.wrapping_mul(TURN_STREAM);
         let texture = textures.map_or_else(Vec::new, |t| drawn(&t.space, seed ^ TEXTURE_STREAM));
         self.face(&drawn(&self.model.shape, seed), &texture)
     }
@@ -51,17 +74,19 @@ impl Editor {
     /// model does not tell who its faces are.
     #[must_use]
     pub fn random_person(&self, seed: u64) -> Option<usize> {
-        self.mixture(seed).map(|mixture| mixture.person)
+        self.mixture(seed, 0).map(|mixture| mixture.person)
     }
 
-    /// What a random face is mixed of.
-    fn mixture(&self, seed: u64) -> Option<Mixture> {
+    /// What a random face is mixed of in some turn: the person is the same in all.
+    fn mixture(&self, seed: u64, turn: u64) -> Option<Mixture> {
         let people = &self.model.people;
-        let pick = |k: i64, of: usize| ((noise::unit(seed, 0, k) * of as f64) as usize).min(of - 1);
+        let pick = |turn: u64, k: i64, of: usize| {
+            ((noise::unit(seed, 2 * turn, k) * of as f64) as usize).min(of - 1)
+        };
         if people.len() <= ALIKE {
             return None;
         }
-        let person = pick(0, people.len());
+        let person = pick(0, 0, people.len());
         let own = people.get(person)?;
         let mut alike: Vec<usize> = (0..people.len()).collect();
         alike.sort_by(|&a, &b| unlike(&people[a], own).total_cmp(&unlike(&people[b], own)));
@@ -69,12 +94,12 @@ impl Editor {
         // Squares that sum to one keep the variance of such people.
         let mut weights = vec![0.0; ALIKE];
         let mut drawn: Vec<f64> = (1..=MIXED as i64)
-            .map(|k| 0.2 + noise::unit(seed, 1, k))
+            .map(|k| 0.2 + noise::unit(seed, 2 * turn + 1, k))
             .collect();
         let length = drawn.iter().map(|w| w * w).sum::<f64>().sqrt() / SPREAD;
         drawn.iter_mut().for_each(|w| *w /= length);
         for (k, weight) in (1..).zip(drawn) {
-            let start = pick(k, ALIKE);
+            let start = pick(turn, k, ALIKE);
             // Another one where that was drawn already.
             let free = (0..ALIKE)
                 .map(|i| (start + i) % ALIKE)

@@ -198,6 +198,21 @@ impl Player {
         self.welcome = None;
     }
 
+    /// As [`Player::set_face`], of a face that is on its way to another and differs little from the one before: what is soft in it
+    /// moves as it did in that one, which takes no time.
+    pub fn move_face(&mut self, figure: Arc<Figure>) {
+        let soft = self.soft.take();
+        let nodes = |figure: &Figure| figure.tissue.as_ref().map(|tissue| tissue.rest.len());
+        if soft.is_none() || nodes(&figure) != nodes(&self.cast.figure) {
+            self.set_face(figure);
+            return;
+        }
+        self.cast.face = FaceRig::new(&figure);
+        self.cast.figure = figure;
+        self.welcome = None;
+        self.soft = soft;
+    }
+
     /// Where EML's coordinates lie for this figure.
     #[must_use]
     pub fn units(&self) -> &Units {

@@ -6,7 +6,9 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::*;
 use crate::assemble;
-use crate::crossing::{crossings, farthest_from_mirrored};
+use raconteur_base::crossing::crossings;
+
+use crate::crossing::farthest_from_mirrored;
 use crate::people::{NAMES, preset};
 use crate::subdivide::{edge_faces, welded};
 use raconteur_body::skeleton::{Bone, Drive};

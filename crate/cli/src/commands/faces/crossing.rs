@@ -5,8 +5,8 @@ use std::io::Write as _;
 
 use anyhow::Result;
 use raconteur_base::DVec3;
+use raconteur_base::crossing::crossings;
 use raconteur_faces::Editor;
-use raconteur_sculpt::crossing::crossings;
 
 use crate::{parallel, terminal};
 

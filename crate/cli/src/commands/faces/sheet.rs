@@ -193,6 +193,7 @@ impl Drawing<'_> {
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
         )?;
         picture::set_figure(&mut headless, &figure)?;
+        let mut sent = figure.clone();
         let mut on = PutOn::new(figure, editor.model())?;
         let worn: Vec<[&str; 2]> = (self.hair.iter())
             .flat_map(|hair| self.beard.iter().map(move |beard| [hair, beard]))
@@ -210,12 +211,13 @@ impl Drawing<'_> {
         for (name, face) in faces {
             for &worn in &worn {
                 let figure = on.dressed(editor, face, worn)?;
-                headless.set_shape(&figure)?;
+                headless.set_shape(&sent, &figure, false)?;
                 let lent = worn.iter().filter(|n| **n != NOT_LENT[0]);
                 let words: Vec<&str> = std::iter::once(&name[..]).chain(lent.copied()).collect();
                 for tile in sheet::faces(&figure, self.view, words.join(" ").trim()) {
                     board.put(&figure, &tile, &mut headless)?;
                 }
+                sent = figure;
                 bar.inc(1);
             }
         }

@@ -1,0 +1,66 @@
+/** How much of each attribute the face has that is edited. */
+
+import type { FacePart, Faces } from '../element/faces.js';
+import type { Act } from './acts.js';
+
+/** Values of the attributes of a face, by part. */
+export type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
+
+/** What is less of an attribute tells nothing of what more would change. */
+const LEAST_AMOUNT = 1e-3;
+
+/** Reads them when they are asked for, and once for each change of their part. */
+export class Reading {
+  readonly #read = new Map<FacePart, ReadonlyMap<string, number>>();
+
+  constructor(private readonly faces: Faces) {}
+
+  /** The face has changed in these parts. */
+  changed(parts: readonly FacePart[]): void {
+    for (const part of parts) this.#read.delete(part);
+  }
+
+  of(part: FacePart): ReadonlyMap<string, number> {
+    const known = this.#read.get(part);
+    if (known !== undefined) return known;
+    const own = this.faces.pack.attributes.filter((a) => a.part === part);
+    const values = this.faces.values(part);
+    return this.told(part, new Map(own.map((a, i) => [a.name, values[i] ?? 0])));
+  }
+
+  get all(): Values {
+    return { shape: this.of('shape'), texture: this.of('texture') };
+  }
+
+  /** Takes values that were found in another way than by a look at the face. */
+  told(part: FacePart, values: ReadonlyMap<string, number>): ReadonlyMap<string, number> {
+    this.#read.set(part, values);
+    return values;
+  }
+}
+
+/** What adding an attribute does to all values: they are linear in the face, so that one look tells what any amount does. */
+export class Slopes {
+  #key = '';
+  #of: Values | undefined;
+
+  constructor(private readonly from: Values) {}
+
+  /** Tells `reading` the values after an act that begins at `from`; nothing where the face must be looked at. */
+  tell(reading: Reading, act: Act): void {
+    if (act.kind !== 'add') return;
+    const { from } = this;
+    const key = JSON.stringify({ ...act, amount: 1 });
+    if (key !== this.#key || this.#of === undefined) {
+      if (Math.abs(act.amount) < LEAST_AMOUNT) return;
+      const now = reading.all;
+      const slope = (of: FacePart): Map<string, number> => new Map([...now[of]].map(([name, value]) => [name, (value - (from[of].get(name) ?? 0)) / act.amount]));
+      this.#key = key;
+      this.#of = { shape: slope('shape'), texture: slope('texture') };
+      return;
+    }
+    for (const part of ['shape', 'texture'] as const) {
+      reading.told(part, new Map([...this.#of[part]].map(([name, slope]) => [name, (from[part].get(name) ?? 0) + slope * act.amount])));
+    }
+  }
+}
