@@ -130,7 +130,9 @@ export class App {
     const act = this.#moving?.act;
     if (act?.kind === 'look') return act.look;
     const { history } = this;
-    const person = this.faces.pack.people[history.exampleAt(history.here) ?? -1];
+    const random = history.randomAt(history.here);
+    const index = random === undefined ? history.exampleAt(history.here) : this.faces.randomPerson(random);
+    const person = this.faces.pack.people[index ?? -1];
     return history.lookAt(history.here) ?? (person === undefined ? {} : lookOf(person, this.player.naturalHair()));
   }
 
@@ -145,7 +147,11 @@ export class App {
     const { look, marks } = this;
     return {
       ...this.faces.face(this.player.currentFigure ?? '', this.#showing.moves),
-      look: { ...look, ...(this.faces.pack.attributes.some((a) => a.part === 'texture') && skinOf(this.values.texture)), lines: this.#lines() },
+      look: {
+        ...look,
+        ...(this.faces.pack.attributes.some((a) => a.part === 'texture') && skinOf(this.values.texture, this.history.seedAt(this.history.here))),
+        lines: this.#lines(),
+      },
       marks,
     };
   }

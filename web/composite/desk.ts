@@ -55,6 +55,11 @@ export class Desk {
     this.#thumbnails.shown();
   }
 
+  /** Other pictures are being drawn. */
+  get busy(): boolean {
+    return this.#portraits.busy;
+  }
+
   /** Lets go of what a page that has no use for the editor need not hold. */
   release(): void {
     this.#portraits.release();

@@ -313,7 +313,7 @@ export class RaconteurComposite extends LitElement {
     if (kept !== undefined) keeping?.goOn(kept);
     else if (this.src) reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))), this.#tell);
     handle(app, pad);
-    this.#fine = new Fine(app, place, over);
+    this.#fine = new Fine(app, place, over, () => this.#desk?.busy === true);
     this.#desk = new Desk(app, place, this.#tell, keeping);
     await app.show();
     this.#app = app;

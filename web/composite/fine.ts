@@ -17,11 +17,12 @@ export class Fine {
   #changes = 0;
   #drawing = false;
 
-  /** `place` is where its player goes, unseen; `over` lies over the stage. */
+  /** `place` is where its player goes, unseen; `over` lies over the stage; while others are `busy` drawing, it waits. */
   constructor(
     private readonly app: App,
     private readonly place: HTMLElement,
     private readonly over: HTMLCanvasElement,
+    private readonly busy: () => boolean,
   ) {}
 
   /** The stage shows something else. */
@@ -43,6 +44,10 @@ export class Fine {
   async #draw(): Promise<void> {
     const { app } = this;
     const { player } = app;
+    if (this.busy()) {
+      this.changed();
+      return;
+    }
     if (this.#drawing || !app.resting || !player.paused || !player.isConnected || player.quality !== 'auto' || !SIMPLE.includes(player.statistics?.quality ?? '')) return;
     this.#drawing = true;
     const before = this.#changes;

@@ -5,9 +5,6 @@ import type { Quality } from '../element/types.js';
 import { HeadView, type Look } from '../pages/head-view.js';
 import { REST_SECS, still } from './script.js';
 
-/** By then the picture of a look that was asked for is shown, milliseconds. */
-const SHOWN_MS = 250;
-
 /** What the hidden player shows, and how. */
 export interface Hiding {
   /** Called so by tools that look for hidden elements. */
@@ -42,9 +39,9 @@ export async function openHidden(place: HTMLElement, { label, like, quality, loo
     player.currentTime = REST_SECS;
     const view = new HeadView(player, look, () => undefined);
     view.look({});
-    await wait(SHOWN_MS);
+    // Where the head is, is known once a picture was drawn.
+    player.snapshot(view.view);
     view.centre();
-    await wait(SHOWN_MS);
     return { player, view, close };
   } catch (error) {
     close();

@@ -116,6 +116,23 @@ export class History {
     return undefined;
   }
 
+  /** The seed of the random face that the face began with, at a step; undefined where it did not, or began anew since. */
+  randomAt(index: number): number | undefined {
+    for (let at = index; at >= 0; at = this.#step(at).parent) {
+      const { act } = this.#step(at);
+      if (act.kind === 'random') return act.seed;
+      if (act.kind === 'average' || act.kind === 'example') return undefined;
+    }
+    return undefined;
+  }
+
+  /** A number of its own for each face that a history began with: another one for another face, 0 for the average. */
+  seedAt(index: number): number {
+    const [example, random] = [this.exampleAt(index), this.randomAt(index)];
+    if (example !== undefined) return 2 * example + 1;
+    return random === undefined ? 0 : 2 * (random % 2 ** 30) + 2;
+  }
+
   /** How much of an attribute the left half was given and the right half was taken since the face was begun. */
   asymmetryAt(index: number, part: FacePart, name: string): number {
     let sum = 0;

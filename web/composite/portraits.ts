@@ -9,7 +9,7 @@ import { Latest } from './latest.js';
 import { lookOf } from './people.js';
 
 /** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */
-const LOOKED_AT_MS = 400;
+const LOOKED_AT_MS = 150;
 /** Pictures that are kept. */
 const MOST = 240;
 /** So near that hair and chin are in the picture. */
@@ -75,7 +75,7 @@ export class Portraits {
     await wait(LOOKED_AT_MS);
     try {
       if (this.#next() === undefined) return;
-      const player = (this.#player ??= (await openHidden(this.place, { label: 'Faces of the database', like: this.app.player, quality: 'low', look: LOOK })).player);
+      const player = (this.#player ??= (await openHidden(this.place, { label: 'Faces of the database', like: this.app.player, quality: 'lowest', look: LOOK })).player);
       for (let index = this.#next(); index !== undefined; index = this.#next()) {
         const key = this.#key(index);
         await player.setFace(this.#face(index));
@@ -104,7 +104,8 @@ export class Portraits {
       faces.example(index);
       if (this.#held.length > 0) faces.constrain(this.#held);
       const person = faces.pack.people[index];
-      return { ...faces.face(player.currentFigure ?? ''), look: person === undefined ? {} : lookOf(person, player.naturalHair()) };
+      // A portrait does not move: what would be soft in it is left as it was.
+      return { ...faces.face(player.currentFigure ?? ''), moves: true, look: person === undefined ? {} : lookOf(person, player.naturalHair()) };
     } finally {
       faces.restore(own);
     }

@@ -20,13 +20,22 @@ const SHAVED = 0.05;
 const clamp = (x: number): number => Math.min(1, Math.max(0, x));
 const mix = (a: Rgb, b: Rgb, share: number): Rgb => [0, 1, 2].map((i) => (a[i] ?? 0) + ((b[i] ?? 0) - (a[i] ?? 0)) * share) as unknown as Rgb;
 
-/** Freckles, stubble and irises of a face with these values of texture. */
-export function skinOf(texture: ReadonlyMap<string, number>): Pick<FaceLook, 'freckles' | 'stubble' | 'iris'> {
+/** From this value of ageing on the sun has left spots; all of them where it is so much more. */
+const SPOTTED = [0.1, 1.1] as const;
+/** Some have none of them, some half a dozen. */
+const MOST_MOLES = 6;
+
+/** Spots, stubble and irises of a face with these values of texture; spots lie where they lie on nobody else. */
+export function skinOf(texture: ReadonlyMap<string, number>, seed: number): Pick<FaceLook, 'freckles' | 'stubble' | 'iris' | 'ageSpots' | 'moles' | 'seed'> {
   const of = (name: string): number => texture.get(name) ?? 0;
+  const chance = Math.abs(Math.sin(seed * 12.9898) * 43_758.5453) % 1;
   const blue = of('colour of the iris');
   const light = clamp(LIGHT[0] + LIGHT[1] * of('lightness of the iris') + LIGHTER * blue);
   return {
     freckles: clamp(of('freckles')),
+    ageSpots: clamp((Math.max(of('ageing'), of('age')) - SPOTTED[0]) / SPOTTED[1]),
+    moles: seed === 0 ? 0 : Math.floor((MOST_MOLES + 1) * chance * chance),
+    seed,
     stubble: clamp((of('beard shadow') - SHAVED) / (1 - SHAVED)),
     iris: mix(DARK, mix(AMBER, BLUE, clamp(BLUENESS[0] + BLUENESS[1] * blue)), light ** 1.3),
   };

@@ -27,11 +27,19 @@ export function start(app: App, portraits: Portraits): TemplateResult {
     app.redraw();
   };
   const whole = app.segments.size === 0 && app.half === undefined;
+  // Body and clothes suit who it is; a file of the user's own stays.
+  const dress = (index: number | undefined): void => {
+    const person = people[index ?? -1];
+    if (person !== undefined && FIGURES.has(app.player.figure ?? '')) app.player.figure = figureOf(person);
+  };
+  const chance = (): void => {
+    const seed = Math.floor(Math.random() * 2 ** 32);
+    dress(app.faces.randomPerson(seed));
+    app.do({ kind: 'random', seed });
+  };
   const take = (index: number): void => {
     if (whole && app.taken === 'both') {
-      const person = people[index];
-      // Body and clothes suit who it is; a file of the user's own stays.
-      if (person !== undefined && FIGURES.has(app.player.figure ?? '')) app.player.figure = figureOf(person);
+      dress(index);
       app.do({ kind: 'example', index });
     } else app.do({ kind: 'import', index, part: app.taken, region: app.region });
   };
@@ -39,7 +47,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   return html`<div class="row bar">
       <div class="group" role="group" aria-label="Begin with">
         <button type="button" class="plain" @click=${() => app.do({ kind: 'average' })}>Average face</button>
-        <button type="button" class="plain" @click=${() => app.do({ kind: 'random', seed: Math.floor(Math.random() * 2 ** 32) })}>By chance</button>
+        <button type="button" class="plain" @click=${chance}>By chance</button>
       </div>
     </div>
     <div class="whom">

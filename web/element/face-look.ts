@@ -54,25 +54,41 @@ export interface SkinPaint {
   readonly stubble: number;
   /** How grey stubble is, 0 to 1. */
   readonly grey: number;
+  /** 0 to 1. */
+  readonly ageSpots: number;
+  /** How many. */
+  readonly moles: number;
+  /** Of the places of freckles, spots and moles. */
+  readonly seed: number;
 }
 
 /** Steps of freckles and stubble: what changes less is not painted again. */
 const STEPS = 25;
 /** Under a beard of tufts the skin is as if it were shaved. */
 const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
+/** Nobody's face has more. */
+const MOST_MOLES = 12;
 const stepped = (x: number): number => Math.round(Math.min(1, Math.max(0, x)) * STEPS) / STEPS;
 
 /** What a look paints. */
 export function paintOf(look: FaceLook | undefined): SkinPaint {
-  const { freckles = 0, stubble = 0, hair, beard } = plainLook(look) ?? {};
+  const { freckles = 0, stubble = 0, ageSpots = 0, moles = 0, seed = 0, hair, beard } = plainLook(look) ?? {};
   const grey = (beard?.colour ?? hair?.colour)?.grey ?? 0;
-  return { freckles: stepped(freckles), stubble: stepped(Math.max(stubble, UNDER[beard?.from ?? ''] ?? 0)), grey: stepped(grey) };
+  return {
+    freckles: stepped(freckles),
+    stubble: stepped(Math.max(stubble, UNDER[beard?.from ?? ''] ?? 0)),
+    grey: stepped(grey),
+    ageSpots: stepped(ageSpots),
+    moles: Math.min(MOST_MOLES, Math.max(0, Math.round(moles))),
+    seed,
+  };
 }
 
 const textOf = ({ marks = [], look }: Partial<FigureFace>): string => {
   const { hair, beard } = plainLook(look) ?? {};
-  const { freckles, stubble, grey } = paintOf(look);
-  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, beard?.from ?? 'own', freckles, stubble, stubble > 0 ? grey : 0]);
+  const { freckles, stubble, grey, ageSpots, moles, seed } = paintOf(look);
+  const isOwn = freckles > 0 || ageSpots > 0 || moles > 0;
+  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, beard?.from ?? 'own', freckles, stubble, stubble > 0 ? grey : 0, ageSpots, moles, isOwn ? seed : 0]);
 };
 
 /** The text of no marks, and of the figure's own hair and skin. */
@@ -80,24 +96,27 @@ const NOTHING = textOf({});
 
 /** The paint on the skin of one figure. */
 export class Paint {
-  /** What is painted now, as text. */
+  /** What is painted now, as text, and whether it is so finely. */
   #painted = NOTHING;
-  #skin: PaintedSkin | undefined;
+  #isFine = true;
+  #fine: PaintedSkin | undefined;
+  #soon: PaintedSkin | undefined;
 
-  /** Paints marks, freckles, stubble, and the scalp of other hair on the skin that an engine shows; what is there already is not painted again. `current` says whether the figure is still that one. */
+  /** Paints marks, spots, stubble, and the scalp of other hair on the skin that an engine shows; what is there already is not painted again. That of a face that moves is painted soon rather than finely. `current` says whether the figure is still that one. */
   async put(engine: Engine, face: Partial<FigureFace>, current: () => boolean): Promise<void> {
     const wanted = textOf(face);
-    if (wanted === this.#painted) return;
-    this.#painted = wanted;
+    const isFine = face.moves !== true;
+    if (wanted === this.#painted && (this.#isFine || !isFine)) return;
+    [this.#painted, this.#isFine] = [wanted, isFine];
     // Most players never paint.
     const { openSkin } = await import('./marks.js');
-    this.#skin ??= await openSkin(engine);
-    if (this.#skin === undefined || !current() || wanted !== this.#painted) return;
-    this.#skin.paint(engine, face.marks ?? [], paintOf(face.look));
+    const skin = isFine ? (this.#fine ??= await openSkin(engine, true)) : (this.#soon ??= await openSkin(engine, false));
+    if (skin === undefined || !current() || wanted !== this.#painted || isFine !== this.#isFine) return;
+    skin.paint(engine, face.marks ?? [], paintOf(face.look));
   }
 
   /** The painted picture as a JPEG; undefined where nothing is painted. */
   async file(): Promise<Uint8Array | undefined> {
-    return this.#painted === NOTHING ? undefined : await this.#skin?.file();
+    return this.#painted === NOTHING ? undefined : await this.#fine?.file();
   }
 }

@@ -11,7 +11,7 @@ type Context = OffscreenCanvasRenderingContext2D;
 /** The picture multiplies the colour of the skin, so paint is what is left of each colour. */
 const MULTIPLY = 'multiply';
 /** The border of the scalp is so soft, of the picture's width. */
-const SOFT = 0.004;
+const SOFT = 0.01;
 /** Half the side of the square of skin whose mean a bare scalp has, of the picture's width. */
 const LIKE = 0.012;
 /** A picture in a figure's file is as good as this. */
@@ -221,12 +221,16 @@ export class PaintedSkin {
   }
 }
 
-/** The skin of the figure that an engine has read, to paint on; undefined where it has no picture of it. */
-export async function openSkin(engine: Engine): Promise<PaintedSkin | undefined> {
+/** Pixels of the side of a picture that is painted soon rather than finely. */
+const SOON_PX = 512;
+
+/** The skin of the figure that an engine has read, to paint on, finely or soon; undefined where it has no picture of it. */
+export async function openSkin(engine: Engine, isFine: boolean): Promise<PaintedSkin | undefined> {
   const index = engine.skinImage();
   if (index === undefined) return undefined;
   const file = new Blob([engine.imageBytes(index) as Uint8Array<ArrayBuffer>], { type: engine.imageType(index) });
-  const bare = await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+  const size = isFine ? {} : { resizeWidth: SOON_PX, resizeHeight: SOON_PX };
+  const bare = await createImageBitmap(file, { colorSpaceConversion: 'none', premultiplyAlpha: 'none', ...size });
   const context = new OffscreenCanvas(bare.width, bare.height).getContext('2d', { willReadFrequently: true });
   return context === null ? undefined : new PaintedSkin(bare, context, index);
 }

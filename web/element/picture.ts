@@ -388,7 +388,9 @@ export class Picture {
         // What is passed while nothing is shown is told of with the next picture.
         if (this.#holding) return [];
         this.#lastShown = secs;
-        if (resting !== this.#resting) engine.setResting((this.#resting = resting));
+        // A face that changes is no picture that stands still.
+        const isStill = resting && this.#face?.moves !== true;
+        if (isStill !== this.#resting) engine.setResting((this.#resting = isStill));
         this.#keepPace(engine, running);
         this.#shown(engine.tick(secs));
         return resting ? [] : engine.drainEvents();

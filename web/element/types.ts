@@ -360,8 +360,8 @@ export interface Engine {
   faceChart(spot: Float64Array): Float64Array | undefined;
   /** What to paint on the picture of the skin for other hair: linear red, green and blue, the place of skin like a bare scalp, how many corners of triangles are under hair, then the texture coordinates of those, and of corners of what is bare. */
   scalp(): Float32Array | undefined;
-  /** Spots of a kind, in an order by chance: of each what `faceChart` tells of its place, then its strength, 0 to 1. */
-  speckles(kind: 'freckles' | 'stubble'): Float32Array | undefined;
+  /** Spots of a kind at the places of a seed, in an order by chance: of each what `faceChart` tells of its place, then its strength, 0 to 1. */
+  speckles(kind: SpotKind, seed: number): Float32Array | undefined;
   /** Which picture of the figure has the colour of its skin. */
   skinImage(): number | undefined;
   /** Lights the stage, the lamps turned about the figure, radians. */
@@ -510,6 +510,9 @@ export interface Wear {
   readonly colour: readonly [number, number, number];
 }
 
+/** Spots of skin that are finer than its vertices. */
+export type SpotKind = 'freckles' | 'stubble' | 'ageSpots' | 'moles';
+
 /** What hair a head has and what it wears. */
 export interface FaceLook {
   readonly hair?: HairLook | undefined;
@@ -519,9 +522,14 @@ export interface FaceLook {
   /** Colour of brows and lashes. */
   readonly brows?: HairColour | undefined;
   readonly wear?: readonly Wear[] | undefined;
-  /** How many freckles there are, and how far shaved hair shows, 0 to 1. */
+  /** How many freckles there are, how far shaved hair shows, and how many spots age has left, 0 to 1. */
   readonly freckles?: number | undefined;
   readonly stubble?: number | undefined;
+  readonly ageSpots?: number | undefined;
+  /** How many moles there are. */
+  readonly moles?: number | undefined;
+  /** Freckles, spots and moles lie elsewhere with another one: a whole number. */
+  readonly seed?: number | undefined;
   /** Colour of the irises, linear, 0 to 1; that of the face without. */
   readonly iris?: readonly [number, number, number] | undefined;
   /** How far lines of age show at rest, 0 to 1. */

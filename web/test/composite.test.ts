@@ -178,7 +178,7 @@ test('looks of earlier versions have the hair that figures lent', () => {
 });
 
 test('sliders of freckles, shadow and irises change what is painted', () => {
-  const skin = (name: string, value: number) => skinOf(new Map([[name, value]]));
+  const skin = (name: string, value: number) => skinOf(new Map([[name, value]]), 0);
   expect(paintOf(skin('freckles', 0))).toEqual({ freckles: 0, stubble: 0, grey: 0 });
   expect(paintOf(skin('freckles', 1)).freckles).toBe(1);
   expect(paintOf(skin('beard shadow', 1)).stubble).toBe(1);

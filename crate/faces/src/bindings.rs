@@ -1,9 +1,12 @@
 //! What a page calls: a face being edited. The wasm file is apart from the player's.
 
+use std::cell::RefCell;
+
 use serde::{Deserialize, Serialize};
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
+use crate::lately::Lately;
 use crate::{Affine, Change, Constraint, Editor, Face, FaceModel, Half, Part, Region};
 
 /// What a pack holds; `FacePack` in `web/element/faces.ts`.
@@ -88,17 +91,17 @@ fn finite(number: f64) -> Result<f64, JsError> {
     }
 }
 
-/// So many changes are kept, half a megabyte each.
-const MOST_CHANGES: usize = 24;
+/// Names of segments and of a half, and the region that they are.
+type AskedRegion = ((Vec<String>, Option<String>), Region);
 
 /// A face model and a face that is edited.
 #[wasm_bindgen]
 pub struct Faces {
     editor: Editor,
     face: Face,
-    /// Changes of attributes that were asked for last, by what they were asked for, the latest at the end: a slider
-    /// that moves asks for the same again and again, and a history that is opened for a few in turns.
-    lately: Vec<(String, Change)>,
+    lately: Lately,
+    /// The region that was asked for last, by its segments and its half.
+    region: RefCell<Option<AskedRegion>>,
     /// What the face that was drawn last is straightened by.
     straightened: Vec<f64>,
 }
@@ -117,7 +120,8 @@ impl Faces {
         Ok(Self {
             editor,
             face,
-            lately: Vec::new(),
+            lately: Lately::default(),
+            region: RefCell::new(None),
             straightened: Vec::new(),
         })
     }
@@ -183,8 +187,14 @@ impl Faces {
     }
 
     fn region(&self, segments: &[String], side: Option<&str>) -> Result<Region, JsError> {
+        let key = (segments.to_vec(), side.map(str::to_owned));
+        if let Some((_, region)) = self.region.borrow().as_ref().filter(|(of, _)| *of == key) {
+            return Ok(region.clone());
+        }
         let names: Vec<&str> = segments.iter().map(String::as_str).collect();
-        Ok(self.editor.region(&names, half(side)?)?)
+        let region = self.editor.region(&names, half(side)?)?;
+        *self.region.borrow_mut() = Some((key, region.clone()));
+        Ok(region)
     }
 
     /// Marks with 1 the vertices of segments and of all their parts, the others with 0.
@@ -246,7 +256,7 @@ impl Faces {
         })
     }
 
-    /// Adds so much of the change that a key stands for, and makes it where it is not the last one.
+    /// Adds so much of the change that a key stands for, and makes it where it is not known.
     fn add_change(
         &mut self,
         key: String,
@@ -254,17 +264,11 @@ impl Faces {
         make: impl FnOnce(&Self) -> Result<Change, JsError>,
     ) -> Result<(), JsError> {
         let amount = finite(amount)?;
-        let known = self.lately.iter().position(|(asked, _)| *asked == key);
-        let entry = match known {
-            Some(index) => self.lately.remove(index),
-            None => (key, make(self)?),
-        };
-        self.face.add(&entry.1, amount);
-        if self.lately.len() == MOST_CHANGES {
-            self.lately.remove(0);
-        }
-        self.lately.push(entry);
-        Ok(())
+        let mut lately = core::mem::take(&mut self.lately);
+        let mut face = core::mem::take(&mut self.face);
+        let added = lately.add(&mut face, key, amount, || make(self));
+        (self.lately, self.face) = (lately, face);
+        added
     }
 
     /// Adds so much of an attribute of the whole head: of a feature in its own segments, of what a whole person is

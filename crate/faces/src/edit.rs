@@ -7,7 +7,7 @@ mod constrain;
 mod random;
 mod region;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use raconteur_base::ops;
 
@@ -16,7 +16,7 @@ use crate::blend::Neighbours;
 use crate::error::FaceError;
 use crate::life::GROWN_YEARS;
 use crate::lips::Lips;
-use crate::pack::{FaceModel, NamedAttribute};
+use crate::pack::{Difference, FaceModel, NamedAttribute};
 use crate::space::FaceSpace;
 use crate::untangle::Untangle;
 
@@ -33,7 +33,7 @@ pub enum Part {
 }
 
 /// A face.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Face {
     /// x, y and z of each vertex of the skin, metres, frame of the head.
     pub shape: Vec<f64>,
@@ -206,14 +206,8 @@ impl Editor {
     pub fn value(&self, face: &Face, part: Part, name: &str) -> Result<f64, FaceError> {
         let named = self.named(part, name)?;
         let space = self.space(part)?;
-        match &named.feature {
-            Some(feature) if !feature.gradient.is_empty() => {
-                Ok(feature.measured(&difference(face.part(part), space)?))
-            }
-            _ => Ok(named
-                .attribute
-                .value(space, &space.coefficients(face.part(part))?)),
-        }
+        let own = difference(face.part(part), space)?;
+        Ok(named.value_of(space, &Difference::new(&own)))
     }
 
     /// How much of each attribute of a part a face has, in the order of [`Self::attributes`].
@@ -223,12 +217,9 @@ impl Editor {
     pub fn values(&self, face: &Face, part: Part) -> Result<Vec<f64>, FaceError> {
         let space = self.space(part)?;
         let own = difference(face.part(part), space)?;
-        let along = space.along(&own);
-        let value = |a: &NamedAttribute| match &a.feature {
-            Some(feature) if !feature.gradient.is_empty() => feature.measured(&own),
-            _ => a.attribute.value(space, &along),
-        };
-        Ok(self.attributes(part).iter().map(value).collect())
+        let own = Difference::new(&own);
+        let all = self.attributes(part).iter();
+        Ok(all.map(|a| a.value_of(space, &own)).collect())
     }
 
     /// What one more of an attribute changes in a region; other features change little. Of a feature, in the
@@ -256,7 +247,7 @@ impl Editor {
         let mut change = self.change_of(part, &feature.alone, &own)?;
         if region.half().is_none() {
             // Numbers of a pack are rounded; one more is one more.
-            let value = named.value_of(self.space(part)?, &change.numbers);
+            let value = named.value_of(self.space(part)?, &Difference::new(&change.numbers));
             change.scale(1.0 / value);
         }
         Ok(change)
@@ -483,9 +474,21 @@ impl Change {
     }
 
     /// What is added to the numbers of its part.
-    #[cfg(feature = "learn")]
+    #[cfg(any(test, target_arch = "wasm32", feature = "learn"))]
     pub(crate) fn numbers(&self) -> &[f64] {
         &self.numbers
+    }
+
+    /// What it changes.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(crate) fn part(&self) -> Part {
+        self.part
+    }
+
+    /// What is added to the numbers of what lies in the head.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(crate) fn organs(&self) -> &[f64] {
+        &self.organs
     }
 
     fn between(from: &Face, to: &Face, part: Part) -> Self {

@@ -12,6 +12,8 @@ mod blend;
 mod edit;
 mod error;
 mod feature;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod lately;
 mod life;
 mod lips;
 mod pack;

@@ -8,6 +8,8 @@ mod stored;
 #[cfg(test)]
 mod tests;
 
+use core::cell::OnceCell;
+
 use raconteur_base::ops;
 
 use crate::attribute::Attribute;
@@ -98,11 +100,30 @@ pub struct NamedAttribute {
 
 impl NamedAttribute {
     /// By how much a difference between two faces changes the value.
-    pub(crate) fn value_of(&self, space: &FaceSpace, difference: &[f64]) -> f64 {
+    pub(crate) fn value_of(&self, space: &FaceSpace, difference: &Difference<'_>) -> f64 {
         match &self.feature {
-            Some(feature) if !feature.gradient.is_empty() => feature.measured(difference),
-            _ => self.attribute.value(space, &space.along(difference)),
+            Some(feature) if !feature.gradient.is_empty() => feature.measured(difference.numbers),
+            _ => self.attribute.value(space, difference.along(space)),
         }
+    }
+}
+
+/// A difference between two faces, and what of it lies along the modes, once somebody asked.
+pub(crate) struct Difference<'n> {
+    numbers: &'n [f64],
+    along: OnceCell<Vec<f64>>,
+}
+
+impl<'n> Difference<'n> {
+    pub(crate) fn new(numbers: &'n [f64]) -> Self {
+        Self {
+            numbers,
+            along: OnceCell::new(),
+        }
+    }
+
+    fn along(&self, space: &FaceSpace) -> &[f64] {
+        self.along.get_or_init(|| space.along(self.numbers))
     }
 }
 

@@ -195,10 +195,7 @@ impl FaceSpace {
     /// none.
     #[must_use]
     pub fn along(&self, difference: &[f64]) -> Vec<f64> {
-        let along = |index: usize| {
-            let parts = difference.iter().zip(self.mode(index));
-            parts.map(|(x, mode)| x * mode).sum()
-        };
+        let along = |index: usize| dot(difference, self.mode(index));
         (0..self.dimensions()).map(along).collect()
     }
 
@@ -233,6 +230,20 @@ impl FaceSpace {
         let numbers = (faces.len() * self.length()).max(1) as f64;
         Ok(squares.into_iter().map(|s| (s / numbers).sqrt()).collect())
     }
+}
+
+/// The sum of products, in four parts that a processor sums at a time; what one of both lacks counts as none.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let length = a.len().min(b.len());
+    let ((a, a_rest), (b, b_rest)) = (a[..length].as_chunks::<4>(), b[..length].as_chunks::<4>());
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    let rest = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum::<f64>();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 /// Whether each face has so many numbers, all finite.

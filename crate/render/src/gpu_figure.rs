@@ -11,8 +11,8 @@ use crate::RenderError;
 use crate::counts::Counts;
 use crate::detail::Detail;
 use crate::figure::{
-    DrawnMesh, FigureData, FixedVertex, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow,
-    fixed_vertices, is_reshaped, joint_rows, place_face, shape_vertices,
+    DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow, is_reshaped,
+    joint_rows, place_face,
 };
 use crate::gpu::{bind_group, binding, empty_buffer};
 use crate::layouts::Layouts;
@@ -21,6 +21,7 @@ use crate::morph::{MorphedMesh, ShapeVertex};
 use crate::strands;
 use crate::texture::{self, Role};
 use crate::tissue::{BoundMesh, Nodes, TissueVertex};
+use crate::vertices::{FixedVertex, fixed_vertices, shape_vertices};
 
 /// A figure on the device.
 pub(crate) struct GpuFigure {

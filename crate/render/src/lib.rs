@@ -39,6 +39,7 @@ mod target;
 mod texture;
 mod tier;
 mod uniform;
+mod vertices;
 mod view;
 
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]

@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use crate::Quality;
-use crate::figure::{AlphaMode, FixedVertex, PipelineKey, Shadow};
+use crate::figure::{AlphaMode, PipelineKey, Shadow};
 use crate::layouts::Layouts;
 use crate::lines::LineInstance;
 use crate::morph::SHAPE_LAYOUT;
@@ -18,6 +18,7 @@ use crate::overlay::OverlayVertex;
 use crate::sources::{STAGE, TONE_MAP};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::tissue::TissueVertex;
+use crate::vertices::FixedVertex;
 use theatre::Theatre;
 
 /// What every tier of quality shares: made once for a device.

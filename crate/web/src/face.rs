@@ -142,17 +142,19 @@ impl Player {
         Some(head.chain([count as f32]).chain(places).collect())
     }
 
-    /// Spots of a kind, `freckles` or `stubble`, in an order by chance: of each what `faceChart` tells of
-    /// its place, then its strength, 0..1.
+    /// Spots of a kind, `freckles`, `stubble`, `ageSpots` or `moles`, at the places of a seed, in an order by
+    /// chance: of each what `faceChart` tells of its place, then its strength, 0..1.
     #[must_use]
-    pub fn speckles(&self, kind: &str) -> Option<Vec<f32>> {
+    pub fn speckles(&self, kind: &str, seed: u32) -> Option<Vec<f32>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
         let kind = match kind {
             "freckles" => SpeckleKind::Freckles,
             "stubble" => SpeckleKind::Stubble,
+            "ageSpots" => SpeckleKind::AgeSpots,
+            "moles" => SpeckleKind::Moles,
             _ => return None,
         };
-        let spots = reshaper.speckles(performer.figure(), kind);
+        let spots = reshaper.speckles(performer.figure(), kind, u64::from(seed));
         let numbers = spots.iter().flat_map(|s| {
             let [uv, right, up] = [s.chart.uv, s.chart.right, s.chart.up];
             [uv[0], uv[1], right[0], right[1], up[0], up[1], s.strength]

@@ -15,6 +15,8 @@ const SAME_M: f64 = 1e-6;
 const BEHIND_M: f64 = 0.0025;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
+/// No side of a skin has more cells.
+const MOST_CELLS: i64 = 256;
 /// Cells about a place that are looked through before all vertices are.
 const MOST_RINGS: i64 = 3;
 
@@ -30,68 +32,135 @@ impl Near {
     }
 }
 
-type Cell = [i64; 3];
-
-fn cell(p: DVec3) -> Cell {
-    p.to_array().map(|x| (x / CELL_M).floor() as i64)
-}
-
-/// The vertices of a skin, to be found by place.
+/// The vertices of a skin, to be found by place: by the cells of space that they lie in.
 pub(super) struct Skin<'a> {
     places: &'a [DVec3],
-    cells: BTreeMap<Cell, Vec<u32>>,
+    low: DVec3,
+    counts: [i64; 3],
+    /// Where the vertices of each cell begin in `all`; one more than there are cells.
+    starts: Vec<u32>,
+    all: Vec<u32>,
     /// A few of all, for what is far away.
     few: Vec<u32>,
 }
 
+/// The nearest of those that were offered, by distance and then by number.
+struct Nearest {
+    found: [(f64, u32); COUNT],
+    count: usize,
+}
+
+impl Nearest {
+    fn new() -> Self {
+        Self {
+            found: [(f64::INFINITY, u32::MAX); COUNT],
+            count: 0,
+        }
+    }
+
+    fn offer(&mut self, distance: f64, vertex: u32) {
+        let last = self.found[COUNT - 1];
+        let is_nearer = |of: (f64, u32)| distance < of.0 || distance == of.0 && vertex < of.1;
+        self.count += 1;
+        if !is_nearer(last) {
+            return;
+        }
+        let at = self.found.iter().position(|f| is_nearer(*f)).unwrap_or(0);
+        self.found.copy_within(at..COUNT - 1, at + 1);
+        self.found[at] = (distance, vertex);
+    }
+
+    fn taken(&self) -> &[(f64, u32)] {
+        &self.found[..self.count.min(COUNT)]
+    }
+}
+
 impl<'a> Skin<'a> {
     pub(super) fn new(places: &'a [DVec3]) -> Self {
-        let mut cells: BTreeMap<Cell, Vec<u32>> = BTreeMap::new();
-        for (v, p) in (0..).zip(places) {
-            cells.entry(cell(*p)).or_default().push(v);
-        }
-        Self {
+        let low = places.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        let high = places.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let size = if places.is_empty() {
+            DVec3::ZERO
+        } else {
+            high - low
+        };
+        // Nobody's skin is so large that the cells are too many.
+        let count = |x: f64| ((x / CELL_M).floor() as i64 + 1).min(MOST_CELLS);
+        let mut skin = Self {
             places,
-            cells,
+            low,
+            counts: size.to_array().map(count),
+            starts: Vec::new(),
+            all: vec![0; places.len()],
             few: (0..places.len() as u32).step_by(20).collect(),
+        };
+        let cells: Vec<usize> = places
+            .iter()
+            .map(|p| skin.number(skin.cell(*p)).unwrap_or(0))
+            .collect();
+        skin.starts = vec![0; skin.counts.iter().product::<i64>() as usize + 1];
+        for cell in &cells {
+            skin.starts[cell + 1] += 1;
         }
+        for cell in 1..skin.starts.len() {
+            skin.starts[cell] += skin.starts[cell - 1];
+        }
+        let mut next = skin.starts.clone();
+        for (v, cell) in (0..).zip(cells) {
+            skin.all[next[cell] as usize] = v;
+            next[cell] += 1;
+        }
+        skin
+    }
+
+    fn cell(&self, p: DVec3) -> [i64; 3] {
+        let cell = ((p - self.low) / CELL_M).floor();
+        cell.to_array().map(|x| x.clamp(-1e6, 1e6) as i64)
+    }
+
+    fn number(&self, [x, y, z]: [i64; 3]) -> Option<usize> {
+        let [xs, ys, zs] = self.counts;
+        let is_in = (0..xs).contains(&x) && (0..ys).contains(&y) && (0..zs).contains(&z);
+        is_in.then_some(((x * ys + y) * zs + z) as usize)
     }
 
     /// The vertices near a place.
     pub(super) fn near(&self, p: DVec3) -> Near {
-        let mut found = self.about(p);
-        if found.len() < COUNT {
-            found.clone_from(&self.few);
-        }
-        self.weighted(p, found)
+        self.weighted(p, |_| true)
     }
 
     /// The vertices near a place on the side of the skin that its normal looks to: not those of the mouth
     /// behind a lip.
     pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> Near {
-        let mut found = self.about(p);
         let out = |v: u32| (self.places[v as usize] - p).dot(normal);
-        let most = found
-            .iter()
-            .map(|v| out(*v))
-            .fold(f64::MIN, f64::max)
-            .min(0.0);
-        found.retain(|v| out(*v) > most - BEHIND_M);
-        if found.len() < COUNT {
+        let mut most = f64::MIN;
+        self.about(p, |v| most = most.max(out(v)));
+        let least = most.min(0.0) - BEHIND_M;
+        let mut count = 0;
+        self.about(p, |v| count += usize::from(out(v) > least));
+        if count < COUNT {
             return self.near(p);
         }
-        self.weighted(p, found)
+        self.weighted(p, |v| out(v) > least)
     }
 
-    /// The nearest of some vertices.
-    fn weighted(&self, p: DVec3, found: Vec<u32>) -> Near {
+    /// The nearest of the vertices about a place that are wanted.
+    fn weighted(&self, p: DVec3, wanted: impl Fn(u32) -> bool) -> Near {
         let distance = |v: u32| self.places[v as usize].distance_squared(p);
-        let mut far: Vec<(f64, u32)> = found.into_iter().map(|v| (distance(v), v)).collect();
-        far.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        far.truncate(COUNT);
+        let mut nearest = Nearest::new();
+        self.about(p, |v| {
+            if wanted(v) {
+                nearest.offer(distance(v), v);
+            }
+        });
+        if nearest.count < COUNT {
+            nearest = Nearest::new();
+            self.few.iter().for_each(|&v| nearest.offer(distance(v), v));
+        }
+        let mut far = nearest.taken();
         // A seam with the skin stays one.
         if far.first().is_some_and(|f| f.0 < SAME_M * SAME_M) {
-            far.truncate(1);
+            far = &far[..1];
         }
         // As much as it is near, against the farthest of them.
         let most = far.last().map_or(0.0, |f| f.0) + 1e-12;
@@ -100,31 +169,33 @@ impl<'a> Skin<'a> {
         Near(far.iter().map(|&(d, v)| (v, weight(d) / all)).collect())
     }
 
-    /// Vertices in cells about a place: rings of cells are added until there are enough, and one more.
-    fn about(&self, p: DVec3) -> Vec<u32> {
-        let own = cell(p);
-        let mut found = Vec::new();
+    /// Tells the vertices in cells about a place: rings of cells are added until there are enough, and one more.
+    fn about(&self, p: DVec3, mut tell: impl FnMut(u32)) {
+        let own = self.cell(p);
+        let mut found = 0;
         let mut last = MOST_RINGS;
         for ring in 0..=MOST_RINGS {
             for x in -ring..=ring {
                 for y in -ring..=ring {
-                    for z in -ring..=ring {
-                        if x.abs().max(y.abs()).max(z.abs()) < ring {
+                    let is_shell = x.abs().max(y.abs()) == ring;
+                    let step = if is_shell { 1 } else { (2 * ring).max(1) };
+                    for z in (-ring..=ring).step_by(step as usize) {
+                        let Some(cell) = self.number([own[0] + x, own[1] + y, own[2] + z]) else {
                             continue;
-                        }
-                        let at = [own[0] + x, own[1] + y, own[2] + z];
-                        found.extend(self.cells.get(&at).into_iter().flatten());
+                        };
+                        let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
+                        found += range.len();
+                        self.all[range].iter().for_each(|&v| tell(v));
                     }
                 }
             }
             if ring >= last {
                 break;
             }
-            if found.len() >= COUNT {
+            if found >= COUNT {
                 last = last.min(ring + 1);
             }
         }
-        found
     }
 }
 

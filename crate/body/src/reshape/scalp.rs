@@ -11,7 +11,9 @@ use crate::figure::{Figure, MaterialKind, Mesh};
 
 /// The scalp reaches so far about the roots of hair, metres.
 const ABOUT_ROOT_M: f64 = 0.0085;
-/// What is painted of the figure's own hair ends so far about its roots, metres.
+/// Between rows of roots lie at most twice so many triangles.
+const GAP_TRIANGLES: usize = 3;
+/// What is painted of the figure's own hair or beard ends so far about its roots, metres.
 const PAINTED_M: f64 = 0.017;
 /// Skin between hairs is so much darker than they are.
 const BETWEEN: f64 = 0.55;
@@ -57,7 +59,7 @@ impl Reshaper {
         else {
             return Vec::new();
         };
-        let near = self.about(own, &roots, ABOUT_ROOT_M);
+        let near = self.about(own, &roots, PAINTED_M);
         let is_skin = |v: u32| {
             let v = v as usize;
             near[v] && !places.on_lips(wide(own.positions[v]) - self.origin)
@@ -76,11 +78,11 @@ impl Reshaper {
             None => return ScalpPaint::default(),
         };
         let is_hairy = match hair.lender() {
-            Some(_) => self.about(
+            Some(_) => self.without_gaps(self.about(
                 now,
                 &roots(figure, self.origin, Strands::Scalp),
                 ABOUT_ROOT_M,
-            ),
+            )),
             None if hair.from == "bald" => vec![false; self.vertices],
             None => self.scalp().to_vec(),
         };
@@ -155,6 +157,21 @@ impl Reshaper {
             off(a).total_cmp(&off(b))
         });
         nearest.map_or([0.0; 2], |(_, uv)| *uv)
+    }
+
+    /// Fills what lies between marked vertices: rows of roots stand farther apart than hair has gaps.
+    fn without_gaps(&self, mut marked: Vec<bool>) -> Vec<bool> {
+        for spreads in [true, false] {
+            for _ in 0..GAP_TRIANGLES {
+                let before = marked.clone();
+                for t in &self.triangles {
+                    if t.iter().any(|&v| before[v as usize] == spreads) {
+                        t.iter().for_each(|&v| marked[v as usize] = spreads);
+                    }
+                }
+            }
+        }
+        marked
     }
 
     /// Whether a root is near each vertex of a skin; roots rise in y.

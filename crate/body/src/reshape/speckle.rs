@@ -1,5 +1,5 @@
-//! Freckles and stubble: small spots of a face, finer than its vertices, at places that are the same on
-//! every face.
+//! Freckles, spots of age, moles and stubble: small spots of a face, finer than its vertices. Each seed has places
+//! of its own; shaved hair stands alike on all.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, noise};
@@ -16,6 +16,10 @@ pub enum SpeckleKind {
     Freckles,
     /// Where a beard was shaved.
     Stubble,
+    /// Where the sun of a life has shone: temples, forehead, cheekbones.
+    AgeSpots,
+    /// A few, anywhere.
+    Moles,
 }
 
 /// A spot.
@@ -33,7 +37,15 @@ impl SpeckleKind {
         match self {
             Self::Freckles => 9_000,
             Self::Stubble => 26_000,
+            Self::AgeSpots => 400,
+            Self::Moles => 40,
         }
+    }
+
+    /// What tells the places of a seed from those of others.
+    fn stream(self, seed: u64) -> u64 {
+        let own = if self == Self::Stubble { 0 } else { seed };
+        0x5bec ^ self as u64 ^ own.wrapping_mul(0x9e37_79b9_7f4a_7c15)
     }
 }
 
@@ -73,6 +85,26 @@ impl Places {
             return 0.0;
         }
         front * side * band.max(forehead).max(chin)
+    }
+
+    /// How likely there is a spot of age: most on temples, forehead and the sides of the cheeks.
+    fn age_spots(&self, p: DVec3) -> f64 {
+        let height = self.sellion.y - self.stomion.y;
+        let up = (p.y - self.stomion.y) / height;
+        let aside = p.x.abs() / self.lobe.x.max(0.03);
+        let high = smooth(((up - 0.2) / 0.5).clamp(0.0, 1.0));
+        let before = smooth(((p.z + 0.01) / 0.03).clamp(0.0, 1.0));
+        if self.on_lips(p) || self.on_lids(p) {
+            return 0.0;
+        }
+        before * high * (0.3 + 0.7 * smooth(((aside - 0.35) / 0.4).clamp(0.0, 1.0)))
+    }
+
+    /// How likely there is a mole: on the face and the sides of the neck.
+    fn moles(&self, p: DVec3) -> f64 {
+        let before = smooth(((p.z + 0.01) / 0.03).clamp(0.0, 1.0));
+        let is_none = self.on_lips(p) || self.on_lids(p) || p.y > self.sellion.y + 0.06;
+        if is_none { 0.0 } else { 0.6 * before }
     }
 
     /// How dense stubble is.
@@ -116,9 +148,9 @@ impl Places {
 
 impl Reshaper {
     /// The spots of a kind on a figure that this one made, in an order by chance: the first of them are a
-    /// fair part of all.
+    /// fair part of all. Each seed has its own places.
     #[must_use]
-    pub fn speckles(&self, figure: &Figure, kind: SpeckleKind) -> Vec<Speckle> {
+    pub fn speckles(&self, figure: &Figure, kind: SpeckleKind, seed: u64) -> Vec<Speckle> {
         let Some(skin) = figure.meshes.get(self.head) else {
             return Vec::new();
         };
@@ -139,7 +171,7 @@ impl Reshaper {
             .collect();
         (0..kind.tried())
             .filter_map(|i| {
-                let dice = |k: u64| noise::unit(0x5bec ^ kind as u64, k, i);
+                let dice = |k: u64| noise::unit(kind.stream(seed), k, i);
                 let corners = *self
                     .triangles
                     .get(sums.partition_point(|s| *s < dice(0) * total))?;
@@ -154,6 +186,8 @@ impl Reshaper {
                 let share = match kind {
                     SpeckleKind::Freckles => places.freckles(p),
                     SpeckleKind::Stubble => places.stubble(p),
+                    SpeckleKind::AgeSpots => places.age_spots(p),
+                    SpeckleKind::Moles => places.moles(p),
                 };
                 if dice(3) >= share {
                     return None;

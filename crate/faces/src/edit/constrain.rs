@@ -1,7 +1,8 @@
 //! Values that edited faces are brought back to, for segments too (F&H 3.2.3 and 5.1.7).
 
-use super::{Change, Editor, Face, Part, Region};
+use super::{Change, Editor, Face, Part, Region, difference};
 use crate::error::FaceError;
+use crate::pack::Difference;
 
 /// A value of an attribute that is held.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,7 +86,7 @@ impl Editor {
         })
     }
 
-    /// How much of each change meets the values: the equations are solved by elimination, row by row in
+    /// How much of each change meets the values, all of one part: the equations are solved by elimination, row by row in
     /// the order of the constraints.
     fn amounts(
         &self,
@@ -95,12 +96,21 @@ impl Editor {
     ) -> Result<Vec<f64>, FaceError> {
         let count = held.len();
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(count);
+        let Some(part) = held.first().map(|c| c.part) else {
+            return Ok(Vec::new());
+        };
+        let space = self.space(part)?;
+        let own = difference(face.part(part), space)?;
+        let own = Difference::new(&own);
+        let effects: Vec<Difference<'_>> = changes
+            .iter()
+            .map(|c| Difference::new(&c.numbers))
+            .collect();
         for constraint in held {
-            let space = self.space(constraint.part)?;
-            let named = self.named(constraint.part, &constraint.name)?;
-            let effect = |change: &Change| named.value_of(space, &change.numbers);
-            let missing = constraint.value - self.value(face, constraint.part, &constraint.name)?;
-            let mut row: Vec<f64> = changes.iter().map(effect).collect();
+            let named = self.named(part, &constraint.name)?;
+            let missing = constraint.value - named.value_of(space, &own);
+            let effects = effects.iter().map(|change| named.value_of(space, change));
+            let mut row: Vec<f64> = effects.collect();
             row.push(missing);
             rows.push(row);
         }

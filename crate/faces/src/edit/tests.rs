@@ -65,7 +65,8 @@ fn learned(space: &FaceSpace, all: &[Vec<f64>]) -> Vec<NamedAttribute> {
     (0..3).map(learn).collect()
 }
 
-fn editor() -> Editor {
+/// Of faces that are planes.
+pub(crate) fn editor() -> Editor {
     let shapes = faces(40, 1);
     let textures: Vec<Vec<f64>> = faces(40, 2)
         .into_iter()

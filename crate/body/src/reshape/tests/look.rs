@@ -348,14 +348,22 @@ fn a_moustache_stands_on_the_lip() {
     }
 }
 
-/// Freckles are on the face, stubble below the nose and off the lips; both the same on every face.
+/// Freckles are on the face, stubble below the nose and off the lips; each seed has freckles, spots of age and moles of
+/// its own.
 #[test]
 fn spots_lie_where_they_belong() {
     let reshaper = sofia();
     let figure = &reshaper.figure;
-    for kind in [SpeckleKind::Freckles, SpeckleKind::Stubble] {
-        let spots = reshaper.speckles(figure, kind);
-        assert!(spots.len() > 200, "{kind:?} {}", spots.len());
+    for (kind, least) in [
+        (SpeckleKind::Freckles, 200),
+        (SpeckleKind::Stubble, 200),
+        (SpeckleKind::AgeSpots, 20),
+        (SpeckleKind::Moles, 6),
+    ] {
+        let spots = reshaper.speckles(figure, kind, 7);
+        assert!(spots.len() > least, "{kind:?} {}", spots.len());
+        let is_own = spots != reshaper.speckles(figure, kind, 8);
+        assert_eq!(is_own, kind != SpeckleKind::Stubble, "{kind:?}");
         for spot in &spots {
             assert!((0.0..=1.0).contains(&spot.strength));
             assert!(spot.chart.uv.iter().all(|x| (0.0..=1.0).contains(x)));

@@ -32,6 +32,16 @@ impl Joined {
         Self { of, triangles }
     }
 
+    /// The triangles, over vertices that stand for their place.
+    pub(super) fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The vertex that stands for the place of a vertex.
+    pub(super) fn stands_for(&self, vertex: u32) -> u32 {
+        self.of[vertex as usize]
+    }
+
     /// Pairs of triangles that cross in a shape.
     pub(super) fn crossings(&self, shape: &[f64]) -> Vec<[usize; 2]> {
         let places = shape.as_chunks::<3>().0;

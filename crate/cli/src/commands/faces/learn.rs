@@ -19,6 +19,7 @@ use raconteur_voice::files::disk::replace;
 
 use super::crossing::Joined;
 use super::examples::Crowd;
+use super::fair::fair;
 use super::pack::texture_beside;
 use crate::{Outcome, terminal};
 
@@ -44,7 +45,8 @@ const LOOK_SHARE: f64 = 0.02;
 
 impl Learn {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let examples = self.crowd.make()?;
+        let mut examples = self.crowd.make()?;
+        fair(&mut examples)?;
         ensure!(
             examples.len() > HELD_OUT,
             "a face space takes more than {HELD_OUT} heads"

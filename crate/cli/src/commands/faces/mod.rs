@@ -5,6 +5,7 @@ mod convert;
 mod crossing;
 mod edits;
 mod examples;
+mod fair;
 mod learn;
 mod make;
 mod pack;
