@@ -11,7 +11,12 @@ fn the_shipped_pack_passes_its_check() {
     let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
         .args(["faces", "check"])
         .arg(pack)
-        .args(["--count", sized("300", "1000"), "--look", sized("12", "200")])
+        .args([
+            "--count",
+            sized("300", "1000"),
+            "--look",
+            sized("12", "200"),
+        ])
         .output()
         .expect("the program runs");
     let told = String::from_utf8_lossy(&out.stdout);
