@@ -5,6 +5,9 @@
 //! from it, and again from what is left. Each band is let in by a mask that was smoothed as far as the
 //! band is coarse, and the bands are added again.
 
+use core::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 /// Which vertices are joined by an edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Neighbours {
@@ -144,11 +147,50 @@ impl Neighbours {
     }
 }
 
+impl Neighbours {
+    /// How far each vertex is from those that a mask marks, along edges, in the unit of the places, as far as `most`;
+    /// `most` for what is farther.
+    pub(crate) fn distances(&self, places: &[[f64; 3]], mask: &[f64], most: f64) -> Vec<f64> {
+        // Distances that are not negative have the order of their bits.
+        let mut found = vec![most; places.len()];
+        let mut next = BinaryHeap::new();
+        for (v, _) in (0u32..).zip(mask).filter(|(_, share)| **share > 0.0) {
+            found[v as usize] = 0.0;
+            next.push(Reverse((0u64, v)));
+        }
+        while let Some(Reverse((bits, v))) = next.pop() {
+            let so_far = f64::from_bits(bits);
+            if so_far > found[v as usize] {
+                continue;
+            }
+            for &n in self.of_vertex(v as usize) {
+                let (a, b) = (&places[v as usize], &places[n as usize]);
+                let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
+                let far = so_far + square.sqrt();
+                if far < found[n as usize] {
+                    found[n as usize] = far;
+                    next.push(Reverse((far.to_bits(), n)));
+                }
+            }
+        }
+        found
+    }
+}
+
 /// A mask over vertices, softened for each band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoftMask(Vec<Vec<f64>>);
 
 impl SoftMask {
+    /// Lets in less at each vertex, by a share.
+    pub(crate) fn lessen(&mut self, shares: &[f64]) {
+        for band in &mut self.0 {
+            for (x, share) in band.iter_mut().zip(shares) {
+                *x *= share;
+            }
+        }
+    }
+
     /// How much of coarse form is let in at a vertex, 0 to 1.
     #[must_use]
     pub fn at(&self, vertex: usize) -> f64 {

@@ -1,7 +1,9 @@
 //! Alone means alone: one more of a feature moves its own segment, and what lies elsewhere stays.
 
+mod common;
+
 use faer::Mat;
-use raconteur_faces::{Editor, Face, FaceModel, Part, Region};
+use raconteur_faces::{Editor, Face, Part, Region};
 
 /// Twelve edits, and the segments in which each is meant.
 const EDITS: [(&str, &[&str]); 12] = [
@@ -18,15 +20,6 @@ const EDITS: [(&str, &[&str]); 12] = [
     ("lips", &["mouth"]),
     ("size of the ears", &["ears"]),
 ];
-
-fn editor() -> Editor {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../assets/faces/people.faces"
-    );
-    let bytes = std::fs::read(path).expect("the pack");
-    Editor::new(FaceModel::from_bytes(&bytes).expect("a pack")).expect("a mesh")
-}
 
 /// The places of one shape as near to those of another as a turn and a way bring them (Kabsch 1976).
 fn aligned(from: &[f64], to: &[f64]) -> Vec<f64> {
@@ -75,7 +68,7 @@ fn inside(editor: &Editor, before: &Face, after: &Face, segments: &[&str]) -> f6
 
 #[test]
 fn an_edit_of_a_feature_stays_in_its_segment_and_reaches_its_value() {
-    let editor = editor();
+    let editor = common::editor();
     let mut wrong = Vec::new();
     for (name, segments) in EDITS {
         for amount in [-1.0, 1.0] {
@@ -99,7 +92,7 @@ fn an_edit_of_a_feature_stays_in_its_segment_and_reaches_its_value() {
 /// Each feature there is, on people of whom nobody is the average.
 #[test]
 fn every_feature_reaches_its_value_alone_on_any_face() {
-    let editor = editor();
+    let editor = common::editor();
     for named in editor.attributes(Part::Shape) {
         let Some(feature) = &named.feature else {
             continue;

@@ -1,15 +1,8 @@
 //! What F&H saw in their model, in ours.
 
-use raconteur_faces::{Constraint, Editor, Face, FaceModel, Part, Region};
+mod common;
 
-fn editor() -> Editor {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../assets/faces/people.faces"
-    );
-    let bytes = std::fs::read(path).expect("the pack");
-    Editor::new(FaceModel::from_bytes(&bytes).expect("a pack")).expect("a mesh")
-}
+use raconteur_faces::{Constraint, Editor, Face, Part, Region};
 
 fn add(editor: &Editor, face: &mut Face, name: &str, amount: f64) {
     let change = editor.attribute_change(Part::Shape, name, &Region::whole());
@@ -24,7 +17,7 @@ fn value(editor: &Editor, face: &Face, name: &str) -> f64 {
 /// face is not so among our examples, whose heads keep the breadth that surveys give them.
 #[test]
 fn features_go_together_as_they_do_in_people() {
-    let editor = editor();
+    let editor = common::editor();
     let mut face = editor.average();
     let name = "width of the mouth";
     let change = editor.change_with_all(Part::Shape, name, &Region::whole());
@@ -38,7 +31,7 @@ fn features_go_together_as_they_do_in_people() {
 /// Where one slider is to move one thing, the others stay nearer to where they were.
 #[test]
 fn features_change_apart() {
-    let editor = editor();
+    let editor = common::editor();
     let whole = Region::whole();
     let features: Vec<&str> = editor
         .attributes(Part::Shape)
@@ -77,7 +70,7 @@ fn features_change_apart() {
 /// Figure 3.8: other brows make a face look like the other sex, unless that is held.
 #[test]
 fn a_held_sex_stays_while_the_brows_rise() {
-    let editor = editor();
+    let editor = common::editor();
     let brows = "distance between brows and eyes";
     let mut face = editor.average();
     add(&editor, &mut face, "sex", -0.6);
@@ -98,7 +91,7 @@ fn a_held_sex_stays_while_the_brows_rise() {
 /// Figure 5.8: the same four values over faces of the database.
 #[test]
 fn four_constraints_hold_over_the_database() {
-    let editor = editor();
+    let editor = common::editor();
     let values = [
         ("weight", 0.5),
         ("width of the mouth", -0.4),

@@ -1,5 +1,7 @@
 //! Regions of a face: segments in any combination, on one half or both.
 
+use raconteur_base::curve::smooth;
+
 use super::Editor;
 use crate::blend::SoftMask;
 use crate::error::FaceError;
@@ -22,6 +24,10 @@ pub struct Region {
     /// Which of these a number of a look belongs to.
     kinds: Vec<usize>,
 }
+
+/// So far from a region, along the skin, blending begins to end, and has ended: where vertices are far apart, the steps
+/// of smoothing lead farther than is meant. Metres.
+const BLEND_M: [f64; 2] = [0.018, 0.04];
 
 /// Names by which numbers of looks belong to segments.
 const LOOK_KINDS: [(&str, &str); 3] = [
@@ -112,7 +118,12 @@ impl Editor {
             let found = LOOK_KINDS.iter().position(|(word, _)| name.contains(word));
             found.unwrap_or(LOOK_KINDS.len())
         };
-        let soft = self.neighbours.softened(&mask);
+        let mut soft = self.neighbours.softened(&mask);
+        let places = self.model.shape.mean().as_chunks::<3>().0;
+        let far = self.neighbours.distances(places, &mask, BLEND_M[1]);
+        let [from, to] = BLEND_M;
+        let share = |far: &f64| 1.0 - smooth(((far - from) / (to - from)).clamp(0.0, 1.0));
+        soft.lessen(&far.iter().map(share).collect::<Vec<f64>>());
         let share = |segment, half| self.share(&soft, segment, half);
         let [iris, brows, lips] = LOOK_KINDS.map(|(_, segment)| share(segment, None));
         Ok(Region {
