@@ -179,9 +179,11 @@ test('looks of earlier versions have the hair that figures lent', () => {
 
 test('sliders of freckles, shadow and irises change what is painted', () => {
   const skin = (name: string, value: number) => skinOf(new Map([[name, value]]), 0);
-  expect(paintOf(skin('freckles', 0))).toEqual({ freckles: 0, stubble: 0, grey: 0 });
+  expect(paintOf(skin('freckles', 0))).toEqual({ freckles: 0, stubble: 0, grey: 0, ageSpots: 0, moles: 0, seed: 0 });
   expect(paintOf(skin('freckles', 1)).freckles).toBe(1);
   expect(paintOf(skin('beard shadow', 1)).stubble).toBe(1);
+  expect(paintOf(skin('ageing', 2)).ageSpots).toBe(1);
+  expect(skinOf(new Map(), 7).seed).toBe(7);
   const iris = (value: number) => skin('colour of the iris', value).iris ?? [0, 0, 0];
   const [brown, blue] = [iris(-1), iris(1)];
   expect(brown[0]).toBeGreaterThan(2 * brown[2]);
