@@ -106,24 +106,25 @@ export class History {
     return this.#latest(index, 'look')?.look;
   }
 
+  /** What the face of a step began with: the average, a face of the database or one by chance. */
+  #beginning(index: number): Act {
+    for (let at = index; at > 0; at = this.#step(at).parent) {
+      const { act } = this.#step(at);
+      if (act.kind === 'example' || act.kind === 'average' || act.kind === 'random') return act;
+    }
+    return this.#step(0).act;
+  }
+
   /** The face of the database that the face began with, at a step; undefined where it did not, or began anew since. */
   exampleAt(index: number): number | undefined {
-    for (let at = index; at >= 0; at = this.#step(at).parent) {
-      const { act } = this.#step(at);
-      if (act.kind === 'example') return act.index;
-      if (act.kind === 'average' || act.kind === 'random') return undefined;
-    }
-    return undefined;
+    const act = this.#beginning(index);
+    return act.kind === 'example' ? act.index : undefined;
   }
 
   /** The seed of the random face that the face began with, at a step; undefined where it did not, or began anew since. */
   randomAt(index: number): number | undefined {
-    for (let at = index; at >= 0; at = this.#step(at).parent) {
-      const { act } = this.#step(at);
-      if (act.kind === 'random') return act.seed;
-      if (act.kind === 'average' || act.kind === 'example') return undefined;
-    }
-    return undefined;
+    const act = this.#beginning(index);
+    return act.kind === 'random' ? act.seed : undefined;
   }
 
   /** A number of its own for each face that a history began with: another one for another face, 0 for the average. */
