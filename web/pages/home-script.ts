@@ -27,11 +27,16 @@ const HEARD_SECS = 0.05;
 /** The spoken words of a text; a dash that stands alone is none. */
 const wordsOf = (text: string): string[] => text.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
 
+/** The entities of XML. */
+const ENTITIES: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', apos: "'", quot: '"' };
+
+/** Text of XML as it is read. A parser of the browser takes no text under the page's trusted types. */
+const read = (text: string): string =>
+  text.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name = '') => (code === undefined ? (ENTITIES[name] ?? whole) : String.fromCodePoint(Number(code))));
+
 /** What a script says that `told` has written, utterance by utterance. */
 export function textsOf(script: string): string[] {
-  return [...script.matchAll(/<voice-text\b[^>]*>(.*?)<\/voice-text>/gs)].map(([, said = '']) =>
-    said.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, code) => String.fromCharCode(Number(code))),
-  );
+  return [...script.matchAll(/<voice-text\b[^>]*>(.*?)<\/voice-text>/gs)].map(([, said = '']) => read(said.replace(/<[^>]*>/g, '')));
 }
 
 /** Something said of which only its bounds are known: its words share the time by their length. */
