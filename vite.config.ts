@@ -50,7 +50,8 @@ function library(): Plugin {
       site = join(root, config.build.outDir);
     },
     closeBundle() {
-      cpSync(join(root, 'assets'), join(site, 'assets'), { recursive: true });
+      // What runs the natural voice for the baker is of no use to a page.
+      cpSync(join(root, 'assets'), join(site, 'assets'), { recursive: true, filter: (path) => path !== join(root, 'assets/voices/kokoro/native') });
       cpSync(join(root, 'web/pages/favicon.ico'), join(site, 'favicon.ico'));
       for (const name of ['LICENSE-MIT', 'LICENSE-APACHE']) cpSync(join(root, name), join(site, name));
       writeFileSync(join(site, 'THIRD-PARTY-NOTICES.txt'), notices(root));

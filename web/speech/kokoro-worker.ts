@@ -41,7 +41,7 @@ class Kokoro implements Host {
     ]);
     const kokoro = new Kokoro(model, voices, vocab, [gold, silver]);
     // The first run is slow, because the browser improves its code meanwhile.
-    await kokoro.#speak(voices[0] ?? '', 'ə');
+    await kokoro.#speak(voices[0] ?? '', 'ə', 1);
     return kokoro;
   }
 
@@ -70,11 +70,11 @@ class Kokoro implements Host {
   }
 
   /** Letters as sound; undefined until they are spoken. */
-  infer(voice: string, letters: string): Spoken | undefined {
-    return this.#spoken.ask(`${voice} ${letters}`, () => this.#speak(voice, letters));
+  infer(voice: string, letters: string, pace: number): Spoken | undefined {
+    return this.#spoken.ask(`${voice} ${pace} ${letters}`, () => this.#speak(voice, letters, pace));
   }
 
-  async #speak(voice: string, letters: string): Promise<Spoken> {
+  async #speak(voice: string, letters: string, pace: number): Promise<Spoken> {
     let styles = this.#styles.get(voice);
     if (styles === undefined) this.#styles.set(voice, (styles = await this.#model.voice(voice)));
     const tokens = [...letters].map((letter) => {
@@ -82,7 +82,7 @@ class Kokoro implements Host {
       if (token === undefined) throw new Error(`Kokoro has no letter ${letter}`);
       return token;
     });
-    return await this.#model.infer(tokens, styleFor(styles, tokens.length), 1);
+    return await this.#model.infer(tokens, styleFor(styles, tokens.length), pace);
   }
 }
 

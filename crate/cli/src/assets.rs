@@ -12,6 +12,7 @@ use std::sync::OnceLock;
 use anyhow::{Context as _, Result, ensure};
 use include_dir::{Dir, include_dir};
 
+use raconteur_voice::bake::engine::look_in;
 use raconteur_voice::files::{input, inside};
 
 static FIGURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/figures");
@@ -57,6 +58,13 @@ fn folder() -> Option<PathBuf> {
     let near = [program.parent(), built_in].into_iter().flatten();
     near.map(|near| near.join("assets"))
         .find(|folder| folder.is_dir())
+}
+
+/// Lets the natural voice of the library, if it has one, speak.
+pub(crate) fn offer_voices() {
+    if let Some(folder) = folder() {
+        look_in(folder.join("voices/kokoro"));
+    }
 }
 
 /// A file of the library on disk.

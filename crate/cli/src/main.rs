@@ -140,7 +140,10 @@ fn main() -> ExitCode {
     let outcome = arguments
         .assets
         .map_or(Ok(()), assets::look_into)
-        .and_then(|()| arguments.command.run());
+        .and_then(|()| {
+            assets::offer_voices();
+            arguments.command.run()
+        });
     match outcome {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Errors) => ExitCode::from(1),

@@ -142,8 +142,12 @@ impl kokoro::Host for Worker {
         Ok(phones.as_string().unwrap_or_default())
     }
 
-    fn infer(&self, voice: &str, letters: &str) -> Result<kokoro::Output> {
-        let said = [JsValue::from_str(voice), JsValue::from_str(letters)];
+    fn infer(&self, voice: &str, letters: &str, pace: f64) -> Result<kokoro::Output> {
+        let said = [
+            JsValue::from_str(voice),
+            JsValue::from_str(letters),
+            JsValue::from_f64(pace),
+        ];
         let out = answer("infer", &said)?;
         Ok(kokoro::Output {
             samples: Float32Array::new(&member(&out, "samples")?).to_vec(),

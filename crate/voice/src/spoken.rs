@@ -4,7 +4,7 @@
 use raconteur_speech::bundle::SentenceKind;
 
 /// Spoken in one go, by one voice.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
     /// At least one.
     pub tokens: Vec<Token>,
@@ -12,6 +12,19 @@ pub struct Sentence {
     pub kind: SentenceKind,
     /// BCP 47 tag of its language.
     pub language: String,
+    /// How fast, for engines that keep a pace by themselves; 1 is the voice's own.
+    pub pace: f64,
+}
+
+impl Default for Sentence {
+    fn default() -> Self {
+        Self {
+            tokens: Vec::new(),
+            kind: SentenceKind::default(),
+            language: String::new(),
+            pace: 1.0,
+        }
+    }
 }
 
 /// What an engine reads as one word.

@@ -56,9 +56,9 @@ fn keep(engines: &mut Engines, name: &str, one: Known) -> &'static Known {
 /// The engine of a story that chooses none, a voice of it if not the first is meant,
 /// and what the usual engine lacks.
 fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
-    let [festival, others @ ..] = engine::local();
-    let name = festival.0.to_owned();
-    let lacks = match &festival.1 {
+    let [best, others @ ..] = engine::local();
+    let name = best.0.to_owned();
+    let lacks = match &best.1 {
         Ok(_) => return (name, None, None),
         Err(lacks) => Some(lacks.clone()),
     };
@@ -74,10 +74,12 @@ fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
             .iter()
             .find(|v| v.language.eq_ignore_ascii_case("en-US"));
         let voice = english.or(voices.first())?.name.clone();
+        // Festival's first voice is the one that it is set to.
+        let voice = (*engine != "festival").then_some(voice);
         Some(((*engine).to_owned(), voice))
     });
     match there {
-        Some((engine, voice)) => (engine, Some(voice), lacks),
+        Some((engine, voice)) => (engine, voice, lacks),
         None => (name, None, None),
     }
 }

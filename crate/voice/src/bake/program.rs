@@ -45,12 +45,18 @@ impl Missing {
         }
     }
 
+    /// Something that no package of Debian brings; `what` tells what to do.
+    pub fn other(what: String) -> Self {
+        Self {
+            others: [what].into(),
+            ..Self::default()
+        }
+    }
+
     /// What an error tells to be missing, or that it happened.
     pub fn of(error: &anyhow::Error) -> Self {
-        error.downcast_ref().cloned().unwrap_or_else(|| Self {
-            others: [format!("{error:#}")].into(),
-            ..Self::default()
-        })
+        let known = error.downcast_ref().cloned();
+        known.unwrap_or_else(|| Self::other(format!("{error:#}")))
     }
 
     /// Adds what else is missing.

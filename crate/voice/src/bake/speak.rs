@@ -125,7 +125,7 @@ pub(super) fn speak(
     recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
 ) -> Result<Speech> {
     let Casting { plan, roles, .. } = casting;
-    let mut spoken = by_role(&plan.sentences, roles, cast)?;
+    let mut spoken = by_role(&plan.sentences, roles, work.pace, cast)?;
     let rate_hz = rate_of(spoken.iter().map(|s| s.rate_hz));
     for (one, role) in spoken.iter_mut().zip(roles) {
         one.samples = resample(&one.samples, one.rate_hz, rate_hz);
@@ -161,11 +161,16 @@ pub(super) fn speak(
         // Absolute values are against what this voice does in this utterance.
         let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
         let own = Own::of(same.map(|k| (&spoken[k], &tracks[k])));
+        // What the engine has already done is not done again.
+        let pace = match cast.engine(&roles[i])?.keeps_pace() {
+            true => 1.0,
+            false => work.pace,
+        };
         let styles: Vec<Style> = planned
             .sentence
             .tokens
             .iter()
-            .map(|t| ages[i].applied(&plan.styles[t.style], work.pace))
+            .map(|t| ages[i].applied(&plan.styles[t.style], pace))
             .collect();
         let styled: Vec<(&Style, EmotionPoint)> = styles
             .iter()
@@ -269,7 +274,7 @@ fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
 
 /// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
 /// an engine makes of it is up to the engine, and is not reported.
-fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
+fn by_role(sentences: &[Planned], roles: &[Role], pace: f64, cast: &Cast) -> Result<Vec<Spoken>> {
     let mut out = Vec::with_capacity(sentences.len());
     let mut from = 0;
     while from < sentences.len() {
@@ -279,6 +284,7 @@ fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spo
             .iter()
             .map(|s| {
                 let mut sentence = s.sentence.clone();
+                sentence.pace = pace;
                 let tokens = sentence.tokens.iter_mut();
                 tokens.for_each(|t| t.emphasis = NO_EMPHASIS);
                 sentence

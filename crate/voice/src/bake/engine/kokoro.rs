@@ -1,5 +1,5 @@
 //! Kokoro: a neural network that speaks phones (82 million parameters, of the family of
-//! StyleTTS 2, doi:10.48550/arXiv.2306.07691), in a page alone.
+//! StyleTTS 2, doi:10.48550/arXiv.2306.07691).
 //!
 //! It is given letters of its own alphabet, which is the IPA with one letter for each diphthong and
 //! affricate, and says how many frames of its decoder each letter lasts. The words' letters are of
@@ -49,11 +49,11 @@ pub trait Host: Send + Sync {
     /// [`super::Pending`] while what guesses is fetched.
     fn guess(&self, word: &str) -> Result<String>;
 
-    /// Speaks letters.
+    /// Speaks letters at a pace, 1 for the voice's own.
     ///
     /// # Errors
     /// [`super::Pending`] while it is at work.
-    fn infer(&self, voice: &str, letters: &str) -> Result<Output>;
+    fn infer(&self, voice: &str, letters: &str, pace: f64) -> Result<Output>;
 }
 
 /// What the network gives.
@@ -77,6 +77,10 @@ impl<H: Host> Engine for Kokoro<H> {
         Ok(self.0.voices()?.iter().filter_map(|v| info(v)).collect())
     }
 
+    fn keeps_pace(&self) -> bool {
+        true
+    }
+
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
         sentences.iter().map(|s| self.say(voice, s)).collect()
     }
@@ -92,7 +96,7 @@ impl<H: Host> Kokoro<H> {
         for part in text.parts() {
             let marks = &text.marks[part];
             let letters: String = marks.iter().map(|m| m.letter).collect();
-            let spoken = spoken(marks, &self.0.infer(voice, &letters)?)?;
+            let spoken = spoken(marks, &self.0.infer(voice, &letters, sentence.pace)?)?;
             match &mut whole {
                 Some(all) => append(all, spoken),
                 None => whole = Some(spoken),

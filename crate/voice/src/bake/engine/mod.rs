@@ -3,8 +3,8 @@
 //!
 //! Does: run engines, hand them texts that come from strangers, and bring what they print
 //! into one shape, corrected by each engine's measured lag.
-//! Does not: change rate, pitch, loudness or the length of pauses. Engines speak plainly; the
-//! baker does that afterwards in the sound.
+//! Does not: change pitch, loudness or the length of pauses, nor, but for the pace that an engine
+//! keeps by itself, the rate. Engines speak plainly; the baker does that afterwards in the sound.
 
 mod absent;
 mod aligned;
@@ -20,6 +20,8 @@ mod festival;
 pub mod flite;
 mod http;
 pub mod kokoro;
+#[cfg_attr(target_arch = "wasm32", path = "kokoro_nowhere.rs")]
+mod kokoro_network;
 mod labels;
 mod loudness;
 mod mary;
@@ -30,6 +32,8 @@ pub mod server;
 mod wave;
 
 pub use absent::Absent;
+#[cfg(not(target_arch = "wasm32"))]
+pub use kokoro_network::look_in;
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -105,6 +109,11 @@ pub trait Engine: Sync {
     /// When the engine or the voice is not installed, or when what comes back makes no sense.
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
 
+    /// Whether it speaks at the pace of a sentence by itself; else the baker changes its sound.
+    fn keeps_pace(&self) -> bool {
+        false
+    }
+
     /// A voice of this name, whether or not [`Engine::voices`] lists it.
     ///
     /// # Errors
@@ -141,7 +150,14 @@ pub trait Engine: Sync {
 pub struct Pending;
 
 /// The names that [`by_name`] knows.
-pub const ENGINES: [&str; 5] = ["festival", "flite", "espeak-ng", "marytts", "recordings"];
+pub const ENGINES: [&str; 6] = [
+    "kokoro",
+    "festival",
+    "flite",
+    "espeak-ng",
+    "marytts",
+    "recordings",
+];
 
 /// What some engines need to know.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -167,6 +183,7 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
 /// When there is none, or when it lacks an option.
 pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
     Ok(match name {
+        "kokoro" => Box::new(kokoro::Kokoro(kokoro_network::Installed::default())),
         "festival" => Box::new(festival::Festival),
         "flite" => Box::new(flite::Flite(flite::Installed)),
         "espeak-ng" => Box::new(espeak::Espeak(espeak_library::Installed)),
@@ -192,10 +209,12 @@ type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
 
 /// The engines that run on this machine, in the order in which they are preferred. They are queried
 /// once.
-pub fn local() -> &'static [Local; 3] {
-    static LOCAL: OnceLock<[Local; 3]> = OnceLock::new();
+pub fn local() -> &'static [Local; 4] {
+    static LOCAL: OnceLock<[Local; 4]> = OnceLock::new();
     LOCAL.get_or_init(|| {
-        let asked: [(&str, &dyn Engine); 3] = [
+        let kokoro = kokoro::Kokoro(kokoro_network::Installed::default());
+        let asked: [(&str, &dyn Engine); 4] = [
+            ("kokoro", &kokoro),
             ("festival", &festival::Festival),
             ("flite", &flite::Flite(flite::Installed)),
             ("espeak-ng", &espeak::Espeak(espeak_library::Installed)),
@@ -275,7 +294,7 @@ mod tests {
     #[test]
     fn engines_have_names_and_some_need_options() {
         let options = EngineOptions::default();
-        for name in ["festival", "flite", "espeak-ng"] {
+        for name in ["kokoro", "festival", "flite", "espeak-ng"] {
             assert!(by_name(name, &options).is_ok(), "{name}");
         }
         for name in ["marytts", "recordings", "sapi", ""] {

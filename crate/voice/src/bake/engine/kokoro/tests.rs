@@ -34,7 +34,7 @@ impl Host for Plain {
         .to_owned())
     }
 
-    fn infer(&self, _voice: &str, letters: &str) -> Result<Output> {
+    fn infer(&self, _voice: &str, letters: &str, _pace: f64) -> Result<Output> {
         let count = letters.chars().count();
         assert!(count <= MOST_LETTERS);
         let frames = std::iter::once(4.0)

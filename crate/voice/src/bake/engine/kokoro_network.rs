@@ -1,0 +1,248 @@
+//! Kokoro on this machine: the network, run by ONNX Runtime, and the dictionaries, from the folder
+//! that `npm run voice` fills.
+//!
+//! Each run has one thread, so that a sound does not depend on how many there are; several texts
+//! are spoken at a time. ONNX Runtime chooses its kernels by the processor's instructions, so the
+//! last bits of a sample may differ between machines.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use anyhow::{Context as _, Result, anyhow, ensure};
+use ort::environment::Environment;
+use ort::session::Session;
+use ort::value::Tensor;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use super::super::program::Missing;
+use super::flite::{self, Host as _};
+use super::kokoro::{Host, Output};
+use super::labels::is_silence;
+
+/// ONNX Runtime, as `web/tools/voice.mjs` calls it.
+const RUNTIME: &str = if cfg!(target_os = "macos") {
+    "native/libonnxruntime.dylib"
+} else if cfg!(windows) {
+    "native/onnxruntime.dll"
+} else {
+    "native/libonnxruntime.so"
+};
+const MODEL: &str = "model.onnx";
+const VOICES: &str = "voices.json";
+/// The better dictionary first.
+const DICTIONARIES: [&str; 2] = ["us_gold.json", "us_silver.json"];
+/// The output that `npm run voice` adds to the model.
+const FRAMES: &str = "/encoder/Clip_output_0";
+/// Numbers of a style.
+const STYLE: usize = 256;
+
+/// The folder where Kokoro may lie.
+static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+
+/// Looks for Kokoro in this folder; the first that is named counts.
+pub fn look_in(folder: PathBuf) {
+    FOLDER.get_or_init(|| folder);
+}
+
+/// Letters of a word; some words have other ones for a part of speech, and at the end of a phrase
+/// (`None`).
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Entry {
+    Plain(String),
+    By(HashMap<String, Option<String>>),
+}
+
+type Dictionary = HashMap<String, Option<Entry>>;
+
+/// What is read when something is spoken.
+struct Speaker {
+    tokens: HashMap<char, i64>,
+    dictionaries: Vec<Dictionary>,
+    environment: Environment,
+}
+
+/// Kokoro in a folder.
+#[derive(Default)]
+pub(super) struct Installed {
+    speaker: OnceLock<Speaker>,
+    /// Of each voice a style for so many tokens.
+    styles: Mutex<HashMap<String, Arc<[f32]>>>,
+    /// Those that are not at work.
+    sessions: Mutex<Vec<Session>>,
+}
+
+/// Where it lies, whole.
+fn folder() -> Result<&'static Path> {
+    let folder = FOLDER.get().filter(|folder| {
+        let parts = [VOICES, MODEL, RUNTIME];
+        parts.iter().all(|part| folder.join(part).is_file())
+    });
+    let folder = folder.ok_or_else(|| {
+        Missing::other("Kokoro's voice is not here; `npm run voice` fetches it".to_owned())
+    })?;
+    Ok(folder)
+}
+
+fn json<T: DeserializeOwned>(name: &str) -> Result<T> {
+    let path = folder()?.join(name);
+    let bytes = fs::read(&path).with_context(|| format!("reading {}", path.display()))?;
+    serde_json::from_slice(&bytes).with_context(|| format!("reading {}", path.display()))
+}
+
+/// Its errors hold what threads do not share.
+fn told(error: impl core::fmt::Display) -> anyhow::Error {
+    anyhow!("ONNX Runtime: {error}")
+}
+
+impl Speaker {
+    fn open() -> Result<Self> {
+        #[derive(Deserialize)]
+        struct Letters {
+            vocab: HashMap<char, i64>,
+        }
+        let Letters { vocab } = json("vocab.json")?;
+        let dictionaries = DICTIONARIES.into_iter().map(json);
+        let runtime = ort::init_from(folder()?.join(RUNTIME)).map_err(told)?;
+        Ok(Self {
+            tokens: vocab,
+            dictionaries: dictionaries.collect::<Result<_>>()?,
+            environment: runtime.with_telemetry(false).build().map_err(told)?,
+        })
+    }
+
+    fn session(&self) -> Result<Session> {
+        let builder = Session::builder(&self.environment).map_err(told)?;
+        let builder = builder.with_intra_threads(1).map_err(told)?;
+        let mut builder = builder.with_inter_threads(1).map_err(told)?;
+        builder
+            .commit_from_file(folder()?.join(MODEL))
+            .map_err(told)
+    }
+}
+
+impl Installed {
+    fn speaker(&self) -> Result<&Speaker> {
+        if let Some(speaker) = self.speaker.get() {
+            return Ok(speaker);
+        }
+        // Two threads may both read; the first one's is kept.
+        let read = Speaker::open()?;
+        Ok(self.speaker.get_or_init(|| read))
+    }
+
+    /// The styles of a voice, one behind the other.
+    fn styles(&self, voice: &str) -> Result<Arc<[f32]>> {
+        let mut known = self.styles.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(styles) = known.get(voice) {
+            return Ok(Arc::clone(styles));
+        }
+        ensure!(
+            self.voices()?.iter().any(|v| v == voice),
+            "Kokoro has no voice {voice}"
+        );
+        let path = folder()?.join(format!("{voice}.bin"));
+        let bytes = fs::read(&path).with_context(|| format!("reading {}", path.display()))?;
+        let (numbers, rest) = bytes.as_chunks::<4>();
+        ensure!(
+            rest.is_empty() && !numbers.is_empty() && numbers.len().is_multiple_of(STYLE),
+            "{} is no voice",
+            path.display()
+        );
+        let styles: Arc<[f32]> = numbers.iter().map(|n| f32::from_le_bytes(*n)).collect();
+        known.insert(voice.to_owned(), Arc::clone(&styles));
+        Ok(styles)
+    }
+
+    fn run(
+        &self,
+        session: &mut Session,
+        tokens: Vec<i64>,
+        style: &[f32],
+        pace: f64,
+    ) -> Result<Output> {
+        let tokens = Tensor::from_array(([1, tokens.len()], tokens)).map_err(told)?;
+        let style = Tensor::from_array(([1, STYLE], style.to_vec())).map_err(told)?;
+        let speed = Tensor::from_array(([1_usize], vec![pace as f32])).map_err(told)?;
+        let inputs = ort::inputs!["tokens" => tokens, "style" => style, "speed" => speed];
+        let outputs = session.run(inputs).map_err(told)?;
+        let numbers = |name: &str| -> Result<Vec<f32>> {
+            let output = outputs.get(name).with_context(|| {
+                format!(
+                    "the model has no output {name}: it is not the one that `npm run voice` fetches"
+                )
+            })?;
+            let (_, numbers) = output.try_extract_tensor::<f32>().map_err(told)?;
+            Ok(numbers.to_vec())
+        };
+        Ok(Output {
+            samples: numbers("audio")?,
+            frames: numbers(FRAMES)?,
+        })
+    }
+}
+
+impl Host for Installed {
+    fn voices(&self) -> Result<Vec<String>> {
+        json(VOICES)
+    }
+
+    fn word(&self, word: &str) -> Result<Option<(String, Option<String>)>> {
+        let dictionaries = self.speaker()?.dictionaries.iter();
+        Ok(dictionaries
+            .flat_map(|d| d.get(word)?.as_ref())
+            .find_map(|entry| match entry {
+                Entry::Plain(letters) => Some((letters.clone(), None)),
+                Entry::By(parts) => {
+                    let of = |part: &str| parts.get(part).cloned().flatten();
+                    Some((of("DEFAULT")?, of("None")))
+                }
+            }))
+    }
+
+    fn guess(&self, word: &str) -> Result<String> {
+        let said = flite::Installed.run(
+            &["-voice", "slt", "-t", word, "-ps", "-o", "none"],
+            &[],
+            false,
+        )?;
+        let phones = said.printed.split_whitespace();
+        Ok(phones
+            .filter(|p| !is_silence(p))
+            .collect::<Vec<_>>()
+            .join(" "))
+    }
+
+    fn infer(&self, voice: &str, letters: &str, pace: f64) -> Result<Output> {
+        let speaker = self.speaker()?;
+        let tokens = letters.chars().map(|letter| {
+            let token = speaker.tokens.get(&letter);
+            token
+                .copied()
+                .with_context(|| format!("Kokoro has no letter {letter}"))
+        });
+        let tokens: Vec<i64> = tokens.collect::<Result<_>>()?;
+        let styles = self.styles(voice)?;
+        let row = tokens.len().min(styles.len() / STYLE - 1) * STYLE;
+        // A pad before and after.
+        let padded = [&[0], tokens.as_slice(), &[0]].concat();
+        let free = self
+            .sessions
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .pop();
+        let mut session = match free {
+            Some(session) => session,
+            None => speaker.session()?,
+        };
+        let output = self.run(&mut session, padded, &styles[row..row + STYLE], pace);
+        self.sessions
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(session);
+        output
+    }
+}

@@ -1,0 +1,32 @@
+//! Stands for Kokoro on a machine where there is none: a page has its own.
+
+use anyhow::Result;
+
+use super::super::program::Missing;
+use super::kokoro::{Host, Output};
+
+/// The network, which is not here.
+#[derive(Default)]
+pub(super) struct Installed;
+
+impl Host for Installed {
+    fn voices(&self) -> Result<Vec<String>> {
+        Err(missing())
+    }
+
+    fn word(&self, _word: &str) -> Result<Option<(String, Option<String>)>> {
+        Err(missing())
+    }
+
+    fn guess(&self, _word: &str) -> Result<String> {
+        Err(missing())
+    }
+
+    fn infer(&self, _voice: &str, _letters: &str, _pace: f64) -> Result<Output> {
+        Err(missing())
+    }
+}
+
+fn missing() -> anyhow::Error {
+    Missing::other("Kokoro does not run here".to_owned()).into()
+}
