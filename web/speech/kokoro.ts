@@ -8,7 +8,7 @@ import { openWorker } from './trusted.js';
 import { WorkerSource } from './worker-source.js';
 
 /** Of the library's figures. */
-const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'bm_george', kenji: 'am_michael', nuno: 'am_fenrir' };
+const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'am_michael', kenji: 'am_liam', nuno: 'am_fenrir' };
 const USUAL = 'af_heart';
 const MOST_LIST_BYTES = 1e6;
 

@@ -11,7 +11,7 @@ import { ask, main, once, root, run, Stop } from './steps.mjs';
 /** The Python packages and their hashes. */
 const LIST = 'web/tools/voice.txt';
 const SPEAKERS = { name: 'kokoro-js', version: '1.2.1', sha512: 'a2ad076495a2b37b7c94446430987ce162d4f3a769603d04b813eda989cb950cf214fd4e9320510dcc1e02a09f84d3a996dc8df63fdace9d47eaeb82e3b81287' };
-const VOICES = ['af_heart', 'af_bella', 'am_fenrir', 'am_michael', 'bf_emma', 'bf_isabella', 'bm_george', 'bm_fable'];
+const VOICES = ['af_heart', 'af_bella', 'am_fenrir', 'am_liam', 'am_michael', 'am_puck', 'bf_emma', 'bf_isabella', 'bm_george', 'bm_fable', 'pf_dora', 'pm_alex'];
 const FETCHED = '.setup/voice';
 const FOLDER = 'assets/voices/kokoro';
 /** ONNX Runtime, which runs the model for the baker; pages have their own. By system, as `crate/voice` knows it. */

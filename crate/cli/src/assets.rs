@@ -21,7 +21,7 @@ static ANIMATIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/anim
 pub(crate) static FIRST_STORY: Dir<'_> =
     include_dir!("$CARGO_MANIFEST_DIR/../../assets/stories/hello-world");
 
-/// The story that `raconteur new --course` makes, with its voice, which `raconteur bake --engine flite` speaks, and a picture
+/// The story that `raconteur new --course` makes, with its voice, and a picture
 /// that was drawn for it.
 pub(crate) static FIRST_COURSE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/course");
 

@@ -18,7 +18,7 @@ use crate::clauses::players::{
     PlayerChangePriority, PlayerRemove, PlayerSetExclusive,
 };
 use crate::clauses::sets::Set;
-use crate::clauses::speech::{VoiceChange, VoiceSay};
+use crate::clauses::speech::{Beat, VoiceChange, VoiceSay};
 use crate::record::Record;
 use crate::{GestureKey, Name, Span, TimeExpr, VoiceText};
 use std::borrow::Cow;
@@ -176,6 +176,8 @@ pub enum ClauseKind {
     VoiceSay(Box<VoiceSay>),
     /// Changes the voice (GEVH D.4.15).
     VoiceChange(VoiceChange),
+    /// Says how tense the story is (extension).
+    Beat(Beat),
     /// Elicits an emotion (extension).
     Emotion(Emotion),
     /// Takes a shot (extension).
@@ -236,6 +238,7 @@ impl ClauseKind {
             Self::AnimateControlParameter(_) => "body-animate-control-parameter",
             Self::VoiceSay(_) => "voice-say",
             Self::VoiceChange(_) => "voice-change",
+            Self::Beat(_) => "beat",
             Self::Emotion(_) => "emotion",
             Self::Camera(_) => "camera",
             Self::Light(_) => "light",
@@ -276,6 +279,7 @@ impl ClauseKind {
             Self::AnimateControlParameter(record) => record,
             Self::VoiceSay(record) => record.as_mut(),
             Self::VoiceChange(record) => record,
+            Self::Beat(record) => record,
             Self::Emotion(record) => record,
             Self::Camera(record) => record,
             Self::Light(record) => record,

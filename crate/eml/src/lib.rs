@@ -67,8 +67,8 @@ pub use clauses::sets::{
     BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, items_of, layer_number,
 };
 pub use clauses::speech::{
-    Age, Audio, AudioMode, Boundary, Emph, Engine, Gender, Language, Level, Markup, Pitch, Pron,
-    Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
+    Age, Audio, AudioMode, Beat, Boundary, Emph, Engine, Gender, Language, Level, Markup, Pitch,
+    Pron, Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
     VoiceSay, Volume,
 };
 pub use decode::{Decoded, decode, parse_bytes};

@@ -137,6 +137,10 @@ impl kokoro::Host for Worker {
         Ok(letters.next().map(|usual| (usual, letters.next())))
     }
 
+    fn ipa(&self, _language: &str, _text: &str) -> Result<String> {
+        bail!("in a page Kokoro speaks English alone")
+    }
+
     fn guess(&self, word: &str) -> Result<String> {
         let phones = answer("guess", &[JsValue::from_str(word)])?;
         Ok(phones.as_string().unwrap_or_default())

@@ -1,5 +1,5 @@
 //! The key by which a bundle finds the utterance of a clause: a digest of the words, their markup,
-//! the voice and the emotion, not of the position or the spelling of tags, so that a story may
+//! the voice, the emotion and the tension, not of the position or the spelling of tags, so that a story may
 //! be rearranged and written otherwise without being baked anew.
 
 use raconteur_eml::{ClauseKind, Level, Markup, TextSegment, VoiceSay, VoiceText};
@@ -68,6 +68,11 @@ pub(super) fn of(spoken: &SpokenClause<'_>) -> u64 {
                 hash.number(value);
             }
         }
+    }
+    // The same for the tension.
+    if let Some(tension) = spoken.tension {
+        hash.bytes(&[0xf4]);
+        hash.number(tension);
     }
     match spoken.kind {
         ClauseKind::VoiceText(text) => voice_text(&mut hash, text),

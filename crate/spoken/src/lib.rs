@@ -43,8 +43,8 @@ pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
     given.iter().all(Option::is_none).then(|| kind.word())
 }
 
-/// A clause that says something, heard or made ready, and how: by the last `voice-change` and
-/// the last emotion before it, as one reads the document.
+/// A clause that says something, heard or made ready, and how: by the last `voice-change`,
+/// the last emotion and the last beat before it, as one reads the document.
 #[derive(Clone, Copy, Debug)]
 pub struct SpokenClause<'d> {
     /// Which clause of the document.
@@ -55,6 +55,8 @@ pub struct SpokenClause<'d> {
     pub voice: Option<&'d str>,
     /// The emotion, unless it is neutral.
     pub emotion: Option<&'d Emotion>,
+    /// How tense the story is, 0 to 1; none: as the text tells.
+    pub tension: Option<f64>,
 }
 
 impl SpokenClause<'_> {
@@ -79,11 +81,12 @@ impl SpokenClause<'_> {
 #[must_use]
 pub fn spoken_clauses(document: &Document) -> Vec<SpokenClause<'_>> {
     let mut clauses = Vec::new();
-    let (mut voice, mut emotion) = (None, None);
+    let (mut voice, mut emotion, mut tension) = (None, None, None);
     for (id, clause) in document.iter() {
         let kind = &clause.kind;
         match kind {
             ClauseKind::VoiceChange(change) => voice = Some(change.voice.as_str()),
+            ClauseKind::Beat(beat) => tension = beat.tension,
             ClauseKind::Emotion(next) => {
                 let felt = place_of(next).is_some() && next.intensity() > 0.0;
                 emotion = felt.then_some(next);
@@ -93,6 +96,7 @@ pub fn spoken_clauses(document: &Document) -> Vec<SpokenClause<'_>> {
                 kind,
                 voice,
                 emotion,
+                tension,
             }),
             _ => {}
         }

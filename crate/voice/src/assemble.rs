@@ -171,10 +171,12 @@ impl<'a> Assembly<'a> {
                 // Silence before the sentence is part of the gap.
                 (true, None) => {}
                 (true, Some(token)) => {
-                    // A pause inside the sentence: the author's length, else the engine's.
+                    // A pause inside the sentence: the author's length, else the usual one.
                     let next = spoken.segments[i..].iter().find_map(|s| s.token);
                     let asked = pause_after(token).filter(|_| next != Some(token));
-                    let own_secs = (segment.end_secs - start_secs) * pauses;
+                    let own_secs = segment.end_secs - start_secs;
+                    let usual = planned.rests.get(token).filter(|secs| **secs > 0.0);
+                    let own_secs = usual.copied().unwrap_or(own_secs) * pauses;
                     self.tape.silence(asked.unwrap_or(own_secs), sound, sound);
                 }
                 (false, before) => {

@@ -8,8 +8,10 @@
 pub mod align;
 pub mod assemble;
 pub mod bake;
+mod borders;
 pub mod compare;
 pub mod content;
+mod delivery;
 pub mod feel;
 pub mod files;
 pub mod hear;

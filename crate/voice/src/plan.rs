@@ -13,15 +13,15 @@ use raconteur_base::text::word::Word;
 use raconteur_base::text::{sentence, signs};
 use raconteur_speech::bundle::SentenceKind;
 
-/// Silence between two sentences where the author asks for none in particular, seconds.
-/// *Designed*: read stories pause about half a second between sentences.
-pub const SENTENCE_PAUSE_SECS: f64 = 0.45;
+/// The usual silence between two sentences where the author asks for none in particular, seconds.
+/// *Designed*: read stories pause for 0.5 to 0.9 s between sentences.
+pub const SENTENCE_PAUSE_SECS: f64 = 0.6;
 
-/// Silence between two paragraphs. *Designed*.
-pub const PARAGRAPH_PAUSE_SECS: f64 = 0.8;
+/// The same between two paragraphs. *Designed*: 1 to 1.6 s.
+pub const PARAGRAPH_PAUSE_SECS: f64 = 1.15;
 
 /// Silence where only the speaker or the language changes. *Designed*.
-const CHANGE_PAUSE_SECS: f64 = 0.12;
+const CHANGE_PAUSE_SECS: f64 = 0.22;
 
 /// The longest silence that an utterance may ask for, seconds. Longer ones belong between
 /// clauses, where they cost no sound.
@@ -58,10 +58,14 @@ pub struct Planned {
     pub sentence: Sentence,
     /// The silence after each token, where the author asks for one, seconds.
     pub pauses: Vec<Option<f64>>,
+    /// How long a pause after each token usually is, seconds; 0 or nothing: as the engine makes it.
+    pub rests: Vec<f64>,
     /// Who speaks.
     pub speaker: Speaker,
     /// Silence after it, seconds.
     pub pause_secs: f64,
+    /// A paragraph ends with it.
+    pub ends_paragraph: bool,
     /// The same sentence goes on with the next: only the voice changes.
     pub goes_on: bool,
 }
@@ -344,11 +348,13 @@ impl Planner<'_> {
 
     /// Ends the open sentence; a longer silence wins when several ends fall together.
     fn close(&mut self, pause_secs: f64) {
+        let ends_paragraph = pause_secs >= PARAGRAPH_PAUSE_SECS;
         if self.open.sentence.tokens.is_empty() {
             if let Some(last) = self.plan.sentences.last_mut()
                 && last.pauses.last().is_some_and(Option::is_none)
             {
                 last.pause_secs = last.pause_secs.max(pause_secs);
+                last.ends_paragraph |= ends_paragraph;
                 last.goes_on = false;
             }
             return;
@@ -366,6 +372,7 @@ impl Planner<'_> {
         } else {
             SentenceKind::Statement
         };
+        done.ends_paragraph = ends_paragraph;
         done.pause_secs = done.pauses.last().copied().flatten().unwrap_or(pause_secs);
         self.plan.sentences.push(done);
     }

@@ -20,6 +20,8 @@ pub struct SpeechRequest {
     pub voice: Option<String>,
     /// The emotion that the script elicits for it, with its word.
     pub emotion: Option<(String, EmotionPoint)>,
+    /// How tense the story is there, 0 to 1, where the script says it.
+    pub tension: Option<f64>,
     /// Where it is in the script.
     pub span: eml::Span,
 }
@@ -53,6 +55,7 @@ pub fn said(document: &eml::Document) -> Vec<SpeechRequest> {
             emotion: spoken
                 .elicited()
                 .map(|(word, place)| (word.unwrap_or_default().to_owned(), place)),
+            tension: spoken.tension,
             span: document.clause(spoken.id).tag_span,
         })
     };

@@ -27,8 +27,8 @@ pub(crate) struct Bake {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
-    /// The speech engine; without it, the one of the story's voice, else festival, or where that
-    /// is not installed the first of flite and espeak-ng that is.
+    /// The speech engine; without it, the one of the story's voice, else kokoro, or where that
+    /// is not installed the first of festival, flite and espeak-ng that is.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
     /// The voice of what names no other, as its engine calls it; without it, the one that the
@@ -70,7 +70,7 @@ impl Bake {
             recordings: self.recordings.clone(),
         };
         if self.list_voices {
-            return self.list(&options);
+            return list(self.engine.as_deref(), &options, self.format);
         }
         let mut worst = Outcome::Fine;
         let mut reports = Vec::new();
@@ -190,10 +190,16 @@ impl Bake {
         } else if let Some(usual) = &cast.instead_of
             && !baked.synthesised.is_empty()
         {
+            let lead = &cast.lead;
+            let better = engine::local().iter().map(|(name, _)| *name);
+            let better: Vec<&str> = better.take_while(|name| *name != lead.engine).collect();
+            let are = if better.len() == 1 { "is" } else { "are" };
             writeln!(
                 err,
-                "{name}: spoken by {} with the voice {}, as festival is not here: {usual}",
-                cast.lead.engine, cast.lead.voice.name
+                "{name}: spoken by {} with the voice {}, as {} {are} not here: {usual}",
+                lead.engine,
+                lead.voice.name,
+                better.join(" and "),
             )?;
         }
         Ok(())
@@ -241,46 +247,50 @@ impl Bake {
         }
         Ok(())
     }
+}
 
-    /// Lists voices: of the engine of the option, else of every installed one.
-    fn list(&self, options: &EngineOptions) -> Result<Outcome> {
-        let mut rows = Vec::new();
-        let mut missing = Missing::default();
-        let asked = ENGINES
-            .into_iter()
-            .filter(|e| self.engine.as_ref().is_none_or(|engine| engine == e));
-        for engine in asked {
-            // An engine that is not installed or not running has no voices.
-            match Cast::voices_of(engine, options) {
-                Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
-                // Servers and recordings are only there for those who ask for them.
-                Err(error) if self.engine.is_some() || error.is::<Missing>() => {
-                    missing.add(&Missing::of(&error));
-                }
-                Err(_) => {}
+/// Lists voices: of an engine, else of every installed one.
+pub(super) fn list(
+    engine: Option<&str>,
+    options: &EngineOptions,
+    format: Format,
+) -> Result<Outcome> {
+    let mut rows = Vec::new();
+    let mut missing = Missing::default();
+    let asked = ENGINES
+        .into_iter()
+        .filter(|e| engine.is_none_or(|engine| engine == *e));
+    for name in asked {
+        // An engine that is not installed or not running has no voices.
+        match Cast::voices_of(name, options) {
+            Ok(voices) => rows.extend(voices.into_iter().map(|v| (name, v))),
+            // Servers and recordings are only there for those who ask for them.
+            Err(error) if engine.is_some() || error.is::<Missing>() => {
+                missing.add(&Missing::of(&error));
             }
+            Err(_) => {}
         }
-        if rows.is_empty() && !missing.is_empty() {
-            writeln!(terminal::err(), "there is no voice here: {missing}")?;
-        }
-        let mut out = terminal::out();
-        if self.format == Format::Json {
-            let voices: Vec<_> = rows
-                .iter()
-                .map(|(engine, voice)| row(engine, voice))
-                .collect();
-            writeln!(out, "{}", terminal::json(&voices)?)?;
-            return Ok(Outcome::Fine);
-        }
-        for (engine, voice) in rows {
-            writeln!(
-                out,
-                "{engine}:{:32} {:8} {}",
-                voice.name, voice.language, voice.what
-            )?;
-        }
-        Ok(Outcome::Fine)
     }
+    if rows.is_empty() && !missing.is_empty() {
+        writeln!(terminal::err(), "there is no voice here: {missing}")?;
+    }
+    let mut out = terminal::out();
+    if format == Format::Json {
+        let voices: Vec<_> = rows
+            .iter()
+            .map(|(engine, voice)| row(engine, voice))
+            .collect();
+        writeln!(out, "{}", terminal::json(&voices)?)?;
+        return Ok(Outcome::Fine);
+    }
+    for (engine, voice) in rows {
+        writeln!(
+            out,
+            "{engine}:{:32} {:8} {}",
+            voice.name, voice.language, voice.what
+        )?;
+    }
+    Ok(Outcome::Fine)
 }
 
 fn row(engine: &str, voice: &VoiceInfo) -> Value {

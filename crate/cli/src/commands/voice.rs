@@ -9,6 +9,7 @@ use raconteur_voice::Source;
 use raconteur_voice::markup::{sable, ssml};
 use serde_json::json;
 
+use super::bake::list;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome, terminal};
 use raconteur_voice::bake::engine::{ENGINES, EngineOptions};
@@ -24,12 +25,37 @@ pub(crate) struct Voice {
 
 #[derive(Subcommand)]
 enum What {
+    /// List the voices of an engine, or of all that are installed.
+    List(List),
     /// Measure what markup and emotions do to a voice; fail when a setting misses its target.
     Measure(Measure),
     /// Draw a sentence: its spectrum with words, phones and pitch over it.
     Picture(Picture),
     /// Print what a story says as documents of SSML 1.1, one after the other.
     Ssml(Ssml),
+}
+
+#[derive(Args)]
+struct List {
+    /// The speech engine; without it, all.
+    #[arg(long, value_parser = ENGINES)]
+    engine: Option<String>,
+    /// Address of a MaryTTS server.
+    #[arg(long, default_value = "localhost:59125")]
+    server: String,
+    /// How to report.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+impl List {
+    fn run(&self) -> Result<Outcome> {
+        let options = EngineOptions {
+            server: self.server.clone(),
+            recordings: None,
+        };
+        list(self.engine.as_deref(), &options, self.format)
+    }
 }
 
 #[derive(Args)]
@@ -61,7 +87,7 @@ impl Ssml {
 /// Whose voice.
 #[derive(Args)]
 struct Who {
-    /// The speech engine; without it, festival or the first that is installed.
+    /// The speech engine; without it, kokoro or the first that is installed.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
     /// The voice, as its engine calls it; without it, the engine's first in
@@ -114,6 +140,7 @@ struct Picture {
 impl Voice {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.what {
+            What::List(list) => list.run(),
             What::Measure(measure) => measure.run(),
             What::Picture(picture) => picture.run(),
             What::Ssml(ssml) => ssml.run(),

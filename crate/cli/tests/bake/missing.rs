@@ -90,7 +90,7 @@ fn without_festival_another_installed_engine_speaks() {
     let told = said(&out);
     assert!(out.status.success(), "{told}");
     assert!(
-        told.contains("spoken by ") && told.contains("as festival is not here: "),
+        told.contains("spoken by ") && told.contains("as kokoro and festival are not here: "),
         "{told}"
     );
     let text = fs::read(workshop.path("story/voice/speech.json")).unwrap();

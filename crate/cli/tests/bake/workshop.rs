@@ -58,7 +58,7 @@ impl Workshop {
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path();
-        for inner in ["story", "takes", "bin", "tmp"] {
+        for inner in ["story", "takes", "bin", "tmp", "library"] {
             fs::create_dir(path.join(inner)).unwrap();
         }
         for (name, script) in [("opusenc", OPUSENC), ("ffmpeg", FFMPEG)] {
@@ -94,7 +94,9 @@ impl Workshop {
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
         let path = format!("{}:/usr/bin:/bin", self.path("bin").display());
+        // Whether this machine has the natural voice makes no difference.
         command
+            .args(["--assets", "library"])
             .args(arguments)
             .env("PATH", path)
             .env("TMPDIR", self.path("tmp"))

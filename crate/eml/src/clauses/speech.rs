@@ -392,6 +392,14 @@ impl VoiceSay {
 }
 
 record! {
+    /// Says how tense the story is from here on (extension).
+    Beat = "beat" {
+        /// From 0, at ease, to 1, the climax; none: as the text tells.
+        tension: Option<f64> = "tension",
+    }
+}
+
+record! {
     /// Changes the voice of all speech from now on (GEVH D.4.15).
     VoiceChange = "voice-change" {
         /// The voice's name, such as `don_diphone`.

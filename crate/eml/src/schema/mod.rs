@@ -17,6 +17,7 @@ mod arg;
 mod ask;
 mod attribute;
 mod audio;
+mod beat;
 mod bg;
 mod body;
 mod body_animate_adsr_control_parameter;
@@ -357,6 +358,7 @@ pub static ELEMENTS: &[&Element] = &[
     &arg::ELEMENT,
     &ask::ELEMENT,
     &audio::ELEMENT,
+    &beat::ELEMENT,
     &bg::ELEMENT,
     &body::ELEMENT,
     &body_animate_adsr_control_parameter::ELEMENT,

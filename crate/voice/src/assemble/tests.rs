@@ -79,21 +79,21 @@ fn lead_tail_and_the_pause_between_sentences_are_ours() {
     let track = assemble(&plan, &[one(), one()], &[], &[], RATE_HZ);
     assert_eq!(
         show(&track),
-        "pau 0.120, ow 0.420, pau 0.870, ow 1.170, pau 1.320"
+        "pau 0.120, ow 0.420, pau 1.020, ow 1.320, pau 1.470"
     );
     let u = &track.utterance;
-    assert_eq!((u.duration_secs, track.samples.len()), (1.32, 21_120));
+    assert_eq!((u.duration_secs, track.samples.len()), (1.47, 23_520));
     let words: Vec<_> = u
         .words
         .iter()
         .map(|w| (w.text.as_str(), w.start_secs, w.end_secs))
         .collect();
-    assert_eq!(words, [("Oh.", 0.12, 0.42), ("Ah.", 0.87, 1.17)]);
+    assert_eq!(words, [("Oh.", 0.12, 0.42), ("Ah.", 1.02, 1.32)]);
     assert_eq!(u.text, "Oh. Ah.");
     assert_eq!(u.text_starts, [0, 4]);
     assert_eq!((u.syllables[1].first_phone, u.accents[1].syllable), (3, 1));
     assert_eq!((u.sentences.len(), u.phrases.len()), (2, 2));
-    assert_eq!(u.f0.len(), 133);
+    assert_eq!(u.f0.len(), 148);
 }
 
 #[test]

@@ -53,34 +53,38 @@ fn keep(engines: &mut Engines, name: &str, one: Known) -> &'static Known {
     one
 }
 
+/// What a system brings by itself: meant where no engine is here.
+const PACKAGED: &str = "festival";
+
 /// The engine of a story that chooses none, a voice of it if not the first is meant,
-/// and what the usual engine lacks.
+/// and what the engines lack that are better.
 fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
-    let [best, others @ ..] = engine::local();
-    let name = best.0.to_owned();
-    let lacks = match &best.1 {
-        Ok(_) => return (name, None, None),
-        Err(lacks) => Some(lacks.clone()),
-    };
-    if let Some(voice) = voice {
-        return match engine::find_voice(voice) {
-            Some((engine, _)) => (engine, None, lacks),
-            None => (name, None, None),
-        };
+    let mut lacks: Option<Missing> = None;
+    for (engine, voices) in engine::local() {
+        match voices {
+            Ok(voices) if voice.is_none() => {
+                let american = |v: &&VoiceInfo| v.language.eq_ignore_ascii_case("en-US");
+                // Kokoro's and Festival's first voices are the ones that they are set to.
+                let chosen = !["kokoro", "festival"].contains(engine);
+                let first = voices.iter().find(american).or(voices.first());
+                let first = first.filter(|_| chosen).map(|v| v.name.clone());
+                return ((*engine).to_owned(), first, lacks);
+            }
+            Ok(_) => break,
+            Err(one) => lacks.get_or_insert_default().add(one),
+        }
     }
-    let there = others.iter().find_map(|(engine, voices)| {
-        let voices = voices.as_ref().ok()?;
-        let english = voices
-            .iter()
-            .find(|v| v.language.eq_ignore_ascii_case("en-US"));
-        let voice = english.or(voices.first())?.name.clone();
-        // Festival's first voice is the one that it is set to.
-        let voice = (*engine != "festival").then_some(voice);
-        Some(((*engine).to_owned(), voice))
-    });
-    match there {
-        Some((engine, voice)) => (engine, voice, lacks),
-        None => (name, None, None),
+    let named = voice.and_then(engine::find_voice).map(|(engine, _)| engine);
+    match named {
+        Some(engine) => (engine, None, lacks),
+        None => {
+            let local = engine::local().iter();
+            let there = local
+                .filter(|(_, voices)| voices.is_ok())
+                .map(|(n, _)| *n)
+                .next();
+            (there.unwrap_or(PACKAGED).to_owned(), None, None)
+        }
     }
 }
 
@@ -308,9 +312,12 @@ impl Cast {
         let Some((engine, voice)) = engine::find_voice(name) else {
             // It may be a voice of one that is not installed.
             let mut missing = Missing::default();
-            let absent = engine::local().iter().filter_map(|(_, v)| v.as_ref().err());
+            let local = engine::local().iter();
+            let absent = local
+                .filter(|(engine, _)| *engine != "kokoro" || engine::kokoro::is_name(name))
+                .filter_map(|(_, v)| v.as_ref().err());
             absent.for_each(|one| missing.add(one));
-            if missing.is_empty() || name.contains(':') {
+            if self.is_alone || missing.is_empty() || name.contains(':') {
                 bail!("no engine has a voice {name}; {}", engine::voice_hint(name));
             }
             missing.add(&Missing::of(&anyhow!(

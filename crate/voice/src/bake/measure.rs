@@ -216,6 +216,7 @@ impl Lab<'_> {
             content,
             role: self.role,
             emotion: named.as_ref(),
+            tension: None,
             pace: 1.0,
         };
         let casting = speak::cast(&work, self.cast, &Lexicon::default())?;

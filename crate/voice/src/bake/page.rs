@@ -141,6 +141,7 @@ fn say_one(
         content: &wanted.content,
         role: &wanted.role,
         emotion: request.emotion.as_ref(),
+        tension: request.tension,
         pace: options.pace,
     };
     let none = |_: f64| Ok(Vec::new());

@@ -42,6 +42,7 @@ pub fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
         content: &content,
         role: &cast.lead,
         emotion: None,
+        tension: None,
         pace: 1.0,
     };
     let casting = speak::cast(&work, cast, &Lexicon::default())?;

@@ -2,6 +2,7 @@
 
 use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
 use crate::content::{Age, Content, Gender, Setting, Speaker};
+use crate::delivery::deliver;
 use crate::feel::{felt, moved_pauses, place_of, word_phrases};
 use crate::plan::{Plan, Planned, plan};
 use crate::prosody::Prosody;
@@ -17,6 +18,7 @@ use raconteur_speech::bundle::FRAME_SECS;
 use raconteur_speech::emotion::EmotionPoint;
 use raconteur_speech::phones::{find, translate};
 
+use super::STORY_PACE;
 use super::cast::{Cast, Role};
 
 /// Loudness of plain speech without its pauses, root mean square against full scale: as loud
@@ -44,6 +46,8 @@ pub(super) struct Work<'a> {
     pub role: &'a Role,
     /// In which emotion.
     pub emotion: Option<&'a (String, EmotionPoint)>,
+    /// How tense the story is, 0 to 1, where its author says it.
+    pub tension: Option<f64>,
     /// Pace of everything; 1 is the voice's own.
     pub pace: f64,
 }
@@ -65,6 +69,7 @@ pub(super) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Ca
     let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
     let language = own.unwrap_or(&work.role.voice.language);
     let mut plan = plan(work.content, language, &work.role.engine, lexicon)?;
+    deliver(&mut plan, work.tension);
     let mut warnings = Vec::new();
     let mut roles = Vec::with_capacity(plan.sentences.len());
     let mut unread = Vec::new();
@@ -164,7 +169,7 @@ pub(super) fn speak(
         // What the engine has already done is not done again.
         let pace = match cast.engine(&roles[i])?.keeps_pace() {
             true => 1.0,
-            false => work.pace,
+            false => work.pace * planned.sentence.pace,
         };
         let styles: Vec<Style> = planned
             .sentence
@@ -181,7 +186,8 @@ pub(super) fn speak(
         guest(&mut spoken, &work.role.voice.phone_set);
         parts.push(SpokenSentence {
             spoken,
-            pauses: pauses(&styled, &own),
+            // The lengths of pauses are those of a storyteller, whatever the engine does.
+            pauses: pauses(&styled, &own) * pace * STORY_PACE / work.pace,
             moved_pauses,
         });
     }
@@ -284,7 +290,7 @@ fn by_role(sentences: &[Planned], roles: &[Role], pace: f64, cast: &Cast) -> Res
             .iter()
             .map(|s| {
                 let mut sentence = s.sentence.clone();
-                sentence.pace = pace;
+                sentence.pace *= pace;
                 let tokens = sentence.tokens.iter_mut();
                 tokens.for_each(|t| t.emphasis = NO_EMPHASIS);
                 sentence

@@ -118,6 +118,7 @@ pub(super) fn want<'a>(
         content: &content,
         role: &role,
         emotion: said.emotion.as_ref(),
+        tension: said.tension,
         pace: options.pace,
     };
     let casting = speak::cast(&work, &options.cast, &options.lexicon)
@@ -125,7 +126,10 @@ pub(super) fn want<'a>(
     let mut sounds = Vec::new();
     let mut digest = Digest::new();
     digest.number(u64::from(REVISION));
-    digest.text(&format!("{} {:?}", options.pace, said.emotion));
+    digest.text(&format!(
+        "{} {:?} {:?}",
+        options.pace, said.emotion, said.tension
+    ));
     digest.text(&options.lexicon_text);
     let mut source = digest.clone();
     source.text(&format!("{:?} {:?}", said.voice, content));

@@ -6,14 +6,14 @@ use raconteur_base::ops;
 
 /// `y = b0 x + b1 x₋₁ + b2 x₋₂ − a1 y₋₁ − a2 y₋₂`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Biquad {
-    pub(super) b: [f64; 3],
-    pub(super) a: [f64; 2],
+pub(crate) struct Biquad {
+    pub(crate) b: [f64; 3],
+    pub(crate) a: [f64; 2],
 }
 
 impl Biquad {
     /// Butterworth high-pass of second order, by the bilinear transform.
-    pub(super) fn high_pass(rate_hz: f64, corner_hz: f64) -> Self {
+    pub(crate) fn high_pass(rate_hz: f64, corner_hz: f64) -> Self {
         let k = ops::tan(PI * (corner_hz / rate_hz).clamp(1e-6, 0.49));
         let norm = 1.0 + SQRT_2 * k + k * k;
         Self {
@@ -26,7 +26,7 @@ impl Biquad {
     }
 
     /// Power of a steady tone after the filter over that before it.
-    pub(super) fn power_gain(&self, hz: f64, rate_hz: f64) -> f64 {
+    pub(crate) fn power_gain(&self, hz: f64, rate_hz: f64) -> f64 {
         let angle = 2.0 * PI * hz / rate_hz;
         let power = |c: [f64; 3]| {
             let (s1, c1) = ops::sincos(angle);
@@ -38,7 +38,7 @@ impl Biquad {
     }
 
     /// The sound filtered, beginning at rest.
-    pub(super) fn run(&self, samples: &[f64]) -> Vec<f64> {
+    pub(crate) fn run(&self, samples: &[f64]) -> Vec<f64> {
         let (mut s1, mut s2) = (0.0, 0.0);
         samples
             .iter()

@@ -14,7 +14,7 @@ pub mod bursts;
 mod click;
 pub mod epochs;
 pub mod f0;
-mod filter;
+pub(crate) mod filter;
 pub mod intensity;
 pub mod loudness;
 pub mod psola;
@@ -22,7 +22,7 @@ mod resample;
 mod rigid;
 pub mod spectrogram;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 mod time_map;
 
 pub use f0::{PitchOptions, PitchTrack};

@@ -7,7 +7,7 @@ use raconteur_base::ops;
 use super::{PitchTrack, scatter};
 
 /// One stretch of a made utterance.
-pub(super) struct Segment {
+pub(crate) struct Segment {
     secs: f64,
     kind: Kind,
 }
@@ -20,7 +20,7 @@ enum Kind {
 }
 
 impl Segment {
-    pub(super) fn silence(secs: f64) -> Self {
+    pub(crate) fn silence(secs: f64) -> Self {
         Self {
             secs,
             kind: Kind::Silence,
@@ -28,7 +28,7 @@ impl Segment {
     }
 
     /// A fricative: noise without its lower frequencies.
-    pub(super) fn noise(secs: f64) -> Self {
+    pub(crate) fn noise(secs: f64) -> Self {
         Self {
             secs,
             kind: Kind::Noise,
@@ -36,7 +36,7 @@ impl Segment {
     }
 
     /// A vowel whose frequency goes evenly from one value to another, in hertz.
-    pub(super) fn vowel(secs: f64, from_hz: f64, to_hz: f64) -> Self {
+    pub(crate) fn vowel(secs: f64, from_hz: f64, to_hz: f64) -> Self {
         Self {
             secs,
             kind: Kind::Vowel(from_hz, to_hz),
@@ -44,7 +44,7 @@ impl Segment {
     }
 
     /// A plosive's release: noise that starts at once and dies away within its 20 ms.
-    pub(super) fn burst() -> Self {
+    pub(crate) fn burst() -> Self {
         Self {
             secs: 0.02,
             kind: Kind::Burst,
@@ -92,7 +92,7 @@ pub(super) fn vowel(rate_hz: f64, secs: f64, hz: impl Fn(f64) -> f64) -> Vec<f64
 
 /// Parts one after another with ramps of 5 ms at both ends of each (a burst starts at
 /// once), and the frequency truly in it every millisecond.
-pub(super) fn utterance(rate_hz: f64, parts: &[Segment]) -> (Vec<f64>, PitchTrack) {
+pub(crate) fn utterance(rate_hz: f64, parts: &[Segment]) -> (Vec<f64>, PitchTrack) {
     let mut sound = Vec::new();
     let mut hz = Vec::new();
     let mut end_secs = 0.0;

@@ -17,7 +17,7 @@ use ort::value::Tensor;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::super::program::Missing;
+use super::super::program::{Missing, Program};
 use super::flite::{self, Host as _};
 use super::kokoro::{Host, Output};
 use super::labels::is_silence;
@@ -36,6 +36,11 @@ const VOICES: &str = "voices.json";
 const DICTIONARIES: [&str; 2] = ["us_gold.json", "us_silver.json"];
 /// The output that `npm run voice` adds to the model.
 const FRAMES: &str = "/encoder/Clip_output_0";
+/// Reads languages that the dictionaries are not of; its licence is that of a program that is run.
+const ESPEAK: Program = Program {
+    name: "espeak-ng",
+    package: "espeak-ng",
+};
 /// Numbers of a style.
 const STYLE: usize = 256;
 
@@ -69,6 +74,7 @@ struct Speaker {
 #[derive(Default)]
 pub(super) struct Installed {
     speaker: OnceLock<Speaker>,
+    opening: Mutex<()>,
     /// Of each voice a style for so many tokens.
     styles: Mutex<HashMap<String, Arc<[f32]>>>,
     /// Those that are not at work.
@@ -129,7 +135,11 @@ impl Installed {
         if let Some(speaker) = self.speaker.get() {
             return Ok(speaker);
         }
-        // Two threads may both read; the first one's is kept.
+        // There may be one environment in a program: the others wait for who opens it.
+        let _open = self.opening.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(speaker) = self.speaker.get() {
+            return Ok(speaker);
+        }
         let read = Speaker::open()?;
         Ok(self.speaker.get_or_init(|| read))
     }
@@ -201,6 +211,12 @@ impl Host for Installed {
                     Some((of("DEFAULT")?, of("None")))
                 }
             }))
+    }
+
+    fn ipa(&self, language: &str, text: &str) -> Result<String> {
+        let mut command = ESPEAK.command();
+        command.args(["-q", "--ipa", "-v", language, "--", text]);
+        ESPEAK.run(command)
     }
 
     fn guess(&self, word: &str) -> Result<String> {

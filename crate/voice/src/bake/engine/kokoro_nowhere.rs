@@ -18,6 +18,10 @@ impl Host for Installed {
         Err(missing())
     }
 
+    fn ipa(&self, _language: &str, _text: &str) -> Result<String> {
+        Err(missing())
+    }
+
     fn guess(&self, _word: &str) -> Result<String> {
         Err(missing())
     }

@@ -171,6 +171,7 @@ mod tests {
             tokens: vec![token("Ja", ","), token("\"gut\"", "")],
             kind: SentenceKind::Question,
             language: "de".to_owned(),
+            ..Sentence::default()
         };
         Server(Fake(times)).speak("ann", &[sentence])
     }

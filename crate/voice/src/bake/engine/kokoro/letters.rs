@@ -89,11 +89,38 @@ pub(super) fn word(labels: &mut Labels, marks: &[Mark], ends: &[f64], token: usi
         });
         stresses.push(std::mem::take(&mut stress));
     }
-    syllables(labels, first, &stresses);
+    syllables(labels, first, &stresses, Set::Radio);
+}
+
+/// The same of a word whose letters are those of the IPA, in the phones of a set.
+pub(super) fn word_of(labels: &mut Labels, marks: &[Mark], ends: &[f64], token: usize, set: Set) {
+    let first = labels.phones.len();
+    let letters: Vec<char> = marks.iter().map(|m| m.letter).collect();
+    let mut stresses = Vec::new();
+    let mut at = 0;
+    let mut begins = labels.phones.last().map_or(0.0, |p| p.end_secs);
+    for (count, stress, names) in ipa::spans(&letters, set) {
+        at += count;
+        let end_secs = ends[at - 1];
+        let names: Vec<&str> = names.split_ascii_whitespace().collect();
+        // Several phones share the time of their letters.
+        let share = (end_secs - begins) / names.len().max(1) as f64;
+        for (i, name) in names.into_iter().enumerate() {
+            labels.phones.push(Phone {
+                symbol: name.to_owned(),
+                end_secs: begins + share * (i + 1) as f64,
+                token: Some(token),
+                syllable: None,
+            });
+            stresses.push(if i == 0 { stress } else { 0 });
+        }
+        begins = end_secs;
+    }
+    syllables(labels, first, &stresses, set);
 }
 
 /// Parts the phones from `first` on into syllables; `stresses` are those of each.
-fn syllables(labels: &mut Labels, first: usize, stresses: &[u8]) {
+fn syllables(labels: &mut Labels, first: usize, stresses: &[u8], set: Set) {
     let symbols: Vec<String> = labels.phones[first..]
         .iter()
         .map(|p| p.symbol.clone())
@@ -101,7 +128,7 @@ fn syllables(labels: &mut Labels, first: usize, stresses: &[u8]) {
     if symbols.is_empty() {
         return;
     }
-    let mut starts = ipa::starts(symbols.iter().map(String::as_str), Set::Radio);
+    let mut starts = ipa::starts(symbols.iter().map(String::as_str), set);
     starts.push(symbols.len());
     for pair in starts.windows(2) {
         let stress = stresses[pair[0]..pair[1]]

@@ -45,6 +45,74 @@ pub(super) fn written(sentence: &Sentence, host: &dyn Host) -> Result<Vec<String
     Ok(out)
 }
 
+/// The letters of each token as espeak-ng reads it in a language of its own. A sentence is read as
+/// one text, in which words run into each other, unless that leaves another number of words.
+pub(super) fn of_espeak(
+    sentence: &Sentence,
+    language: &str,
+    host: &dyn Host,
+) -> Result<Vec<String>> {
+    let plain = |token: &Token| -> String {
+        let letters = token.text.chars();
+        letters
+            .filter(|c| c.is_alphanumeric() || "'-".contains(*c))
+            .collect()
+    };
+    let texts: Vec<String> = sentence.tokens.iter().map(plain).collect();
+    let read = |text: &str| -> Result<Vec<String>> {
+        let said = host.ipa(language, text)?;
+        Ok(said.split_whitespace().map(in_letters).collect())
+    };
+    let spoken: Vec<&str> = texts
+        .iter()
+        .map(String::as_str)
+        .filter(|t| !t.is_empty())
+        .collect();
+    let together = read(&spoken.join(" "))?;
+    let mut together = (together.len() == spoken.len()).then_some(together.into_iter());
+    sentence
+        .tokens
+        .iter()
+        .zip(&texts)
+        .map(|(token, text)| {
+            let own = match &mut together {
+                _ if text.is_empty() => return Ok(String::new()),
+                Some(words) => words.next().unwrap_or_default(),
+                None => read(text)?.concat(),
+            };
+            Ok(token.ipa.as_deref().map_or(own, in_letters))
+        })
+        .collect()
+}
+
+/// The IPA in the network's letters: diphthongs and affricates are one, as its makers' reader of
+/// espeak-ng has them; what is no letter of it is left out.
+fn in_letters(ipa: &str) -> String {
+    const ONE: [(&str, &str); 7] = [
+        ("aɪ", "I"),
+        ("aʊ", "W"),
+        ("eɪ", "A"),
+        ("oʊ", "O"),
+        ("ɔɪ", "Y"),
+        ("tʃ", "ʧ"),
+        ("dʒ", "ʤ"),
+    ];
+    const LETTERS: &str =
+        "AIOWYabcdefhijklmnopqrstuvwxyzɑɐɒæβɔɕçɖðʤəɚɛɜɟɡɥɨɪʝɯɰŋɳɲɴøɸθœɹɾɻʁɽʂʃʈʧʊʋʌɣɤχʎʒʔˈˌː\u{303}";
+    let mut out = ipa
+        .replace(['\u{200d}', '\u{361}', '_'], "")
+        .replace('g', "ɡ");
+    // A nasal vowel is two letters of the network's.
+    for (one, vowel) in [('ã', 'a'), ('ẽ', 'e'), ('ĩ', 'i'), ('õ', 'o'), ('ũ', 'u')] {
+        out = out.replace(one, &format!("{vowel}\u{303}"));
+    }
+    for (two, one) in ONE {
+        out = out.replace(two, one);
+    }
+    out.retain(|c| LETTERS.contains(c));
+    out
+}
+
 /// A pronunciation of the author.
 fn of_ipa(ipa: &str) -> Result<String> {
     let syllables = ipa::syllables(ipa, Set::Radio)?;

@@ -1,0 +1,44 @@
+//! `beat`: how tense the story is.
+
+use super::{Attribute, Element};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: super::shown(
+        "Says how tense the story is from here on: a voice tells tense parts faster and with shorter pauses.",
+    ),
+    decision: super::shown(
+        "From here on means further down in the document, as with voice-change. Without one, and after one that names no tension, punctuation, paragraphs and direct speech tell it.",
+    ),
+    source: super::shown("Extension"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:beat time='0' tension='0.8'/><voice-text time='0'>He ran.</voice-text></body></eml>",
+    ),
+    extension: true,
+    attributes: &[Attribute::between(
+        "tension",
+        0.0,
+        1.0,
+        "From 0, at ease, to 1, the climax; the text tells it when left out.",
+    )],
+    ..Element::record("beat", || ClauseKind::Beat(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::extended;
+
+    #[test]
+    fn tension_is_read_and_may_be_left_to_the_text() {
+        for (eml, tension) in [
+            ("<x:beat time='1' tension='0.25'/>", Some(0.25)),
+            ("<x:beat time='1'/>", None),
+        ] {
+            let ClauseKind::Beat(beat) = extended(eml) else {
+                panic!("{eml}")
+            };
+            assert_eq!(beat.tension, tension);
+        }
+    }
+}
