@@ -94,6 +94,7 @@ const checks = {
     const raconteur = await program('raconteur');
     await unlessPassed('voices', [...sources('raconteur-cli'), 'web/tools/voices.mjs'], () => node('web/tools/voices.mjs', ['--check', raconteur]));
   },
+  witness: () => node('web/tools/witness.mjs'),
   people: async () => node('web/tools/people.mjs', [await program('raconteur')]),
   wasm: async () => buildWasm(kind, await program('raconteur-bindgen')),
   types: () => node('node_modules/typescript/bin/tsc', ['--noEmit']),
@@ -130,7 +131,7 @@ const checks = {
 };
 
 /** Checks of the long tier alone. */
-const LONG = ['doc', 'fresh', 'fuzz', 'people', 'size'];
+const LONG = ['doc', 'fresh', 'fuzz', 'witness', 'people', 'size'];
 /** Checks after which there is more to keep, and no compiler is at work. */
 const COMPILES = ['compile', 'clippy', 'clippy-wasm', 'wasm'];
 /** Checks that run what `built` makes. */
