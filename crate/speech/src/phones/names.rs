@@ -119,6 +119,7 @@ oj oI OI
 aw aU aU
 ow oU @U
 6~w~ &U~ aU
+- &~U~ aU
 - &I~ aI
 o~j~ oI~ OI
 e~j~ eI~ eI

@@ -166,8 +166,10 @@ pub(super) fn speak(
         // Absolute values are against what this voice does in this utterance.
         let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
         let own = Own::of(same.map(|k| (&spoken[k], &tracks[k])));
+        let engine = cast.engine(&roles[i])?;
+        let feeling = engine.feeling();
         // What the engine has already done is not done again.
-        let pace = match cast.engine(&roles[i])?.keeps_pace() {
+        let pace = match engine.keeps_pace() {
             true => 1.0,
             false => work.pace * planned.sentence.pace,
         };
@@ -180,7 +182,7 @@ pub(super) fn speak(
         let styled: Vec<(&Style, EmotionPoint)> = styles
             .iter()
             .zip(&planned.sentence.tokens)
-            .map(|(style, token)| (style, place(token.word)))
+            .map(|(style, token)| (style, place(token.word).scaled(feeling)))
             .collect();
         let mut spoken = realise(&spoken[i], &tracks[i], &styled, &own);
         guest(&mut spoken, &work.role.voice.phone_set);

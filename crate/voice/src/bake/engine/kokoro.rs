@@ -28,6 +28,10 @@ const LEAD_SECS: f64 = 0.085;
 /// Its voices speak that much faster than others at a pace of 1. *Measured* on stories: 230 words a
 /// minute instead of some 200 between pauses.
 const OWN_PACE: f64 = 0.95;
+/// A person's voice is lively by itself, and sounds the less like one the more it is changed.
+/// *Measured* by DNSMOS P.808 on three sentences: 4.15 plain, 3.9, 3.8 and 3.4 in joy, anger and
+/// surprise as F&H have them.
+const FEELING: f64 = 0.4;
 /// A mark of punctuation that lasts longer is heard as a pause, seconds. *Designed*.
 const PAUSE_SECS: f64 = 0.04;
 /// Most letters that it is given at a time; the network takes 510.
@@ -90,6 +94,10 @@ impl<H: Host> Engine for Kokoro<H> {
 
     fn keeps_pace(&self) -> bool {
         true
+    }
+
+    fn feeling(&self) -> f64 {
+        FEELING
     }
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {

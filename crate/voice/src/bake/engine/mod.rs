@@ -114,6 +114,11 @@ pub trait Engine: Sync {
         false
     }
 
+    /// How much of what an emotion does to a voice is done to its sound, 0 to 1.
+    fn feeling(&self) -> f64 {
+        1.0
+    }
+
     /// A voice of this name, whether or not [`Engine::voices`] lists it.
     ///
     /// # Errors
