@@ -64,7 +64,7 @@ test('a mind makes the storyteller speak a baked line and raise a hand', async (
   await told(mind, (t) => t.kind === 'clause' && t['element'] === 'voice-text' && t['phase'] === 'end');
   const sounds = await page.evaluate(() => window.record.starts.map((s) => s.secs));
   expect(sounds).toHaveLength(1);
-  expect(sounds[0]).toBeCloseTo(1.111, 1);
+  expect(sounds[0]).toBeCloseTo(1.316, 1);
   const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { text: string } }).word.text));
   expect(words).toEqual(['Hello', 'world!']);
   const heard = mind.told.filter((t) => t.kind === 'word').map((t) => t['text']);
