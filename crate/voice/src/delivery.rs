@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_base::noise::{hash, unit};
+use raconteur_base::noise::{hash, signed, unit};
 use raconteur_base::ops;
 
 use crate::content::{Setting, Speaker};
@@ -97,7 +97,7 @@ fn told(planned: &Planned, quoted: &[bool], opens: bool, closes: bool) -> f64 {
         .tokens
         .last()
         .is_some_and(|t| t.punctuation.contains("..."));
-    let chance = 2.0 * unit(seed(&sentence.tokens), 1, 0) - 1.0;
+    let chance = signed(seed(&sentence.tokens), 1, 0);
     let tension = CALM
         + kind
         + when(quoted.contains(&true), QUOTED)
