@@ -17,6 +17,7 @@ use crate::figure::{
 use crate::gpu::{bind_group, binding, empty_buffer};
 use crate::layouts::Layouts;
 use crate::lid::LidEdge;
+use crate::lip::Lips;
 use crate::morph::{MorphedMesh, ShapeVertex};
 use crate::strands;
 use crate::texture::{self, Role};
@@ -30,6 +31,7 @@ pub(crate) struct GpuFigure {
     /// A joint of its face, if it has one.
     face: Option<usize>,
     lids: [Option<LidEdge>; 4],
+    lips: Lips,
     shape: Buffer,
     fixed: Buffer,
     indices: Buffer,
@@ -187,6 +189,7 @@ impl GpuFigure {
             joint_from_bind: figure.inverse_bind.clone(),
             face: face_joint(figure),
             lids: LidEdge::of(figure),
+            lips: Lips::of(figure),
             shape: filled("shape", shape, BufferUsages::VERTEX),
             fixed: filled("fixed", fixed, BufferUsages::VERTEX),
             indices: filled("indices", indices, BufferUsages::INDEX),
@@ -260,6 +263,7 @@ impl GpuFigure {
         self.stature_m = after.skeleton.stature_m();
         self.face = face_joint(after);
         self.lids = LidEdge::of(after);
+        self.lips = Lips::of(after);
         true
     }
 
@@ -371,6 +375,11 @@ impl GpuFigure {
     pub(crate) fn lids(&self, world_from_joint: &[DAffine3]) -> [[f32; 4]; 4] {
         self.lids
             .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
+    }
+
+    /// How far its lips are apart at a moment, as [`Lips::apart_mm`] tells.
+    pub(crate) fn lips_apart_mm(&self, nodes: &[NodeState]) -> f32 {
+        self.lips.apart_mm(nodes)
     }
 
     /// Sends joints, morphs and tissue of a moment for a level of detail; `rows` is room to

@@ -28,6 +28,7 @@ mod gpu_figure;
 mod layouts;
 mod lid;
 mod lines;
+mod lip;
 mod morph;
 mod overlay;
 mod pipeline;

@@ -308,6 +308,7 @@ impl Renderer {
         let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, size);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);
+            uniform.eyes[1] = figure.lips_apart_mm(&frame.tissue);
         }
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));

@@ -41,7 +41,8 @@ pub(crate) struct FrameUniform {
     viewport: [f32; 4],
     ambient: [[f32; 4]; 9],
     head_up: [f32; 4],
-    eyes: [f32; 4],
+    /// Radius of the pupil over that of the globe, then how far the lips are apart, mm.
+    pub(crate) eyes: [f32; 4],
     /// Edges of the lids, as `LidEdge::plane` tells.
     pub(crate) lids: [[f32; 4]; 4],
 }

@@ -144,6 +144,11 @@ impl Default for PhoneRow {
     }
 }
 
+/// The targets of every row of the table.
+pub fn all() -> impl Iterator<Item = &'static PhoneTargets> {
+    TABLE.iter()
+}
+
 /// Targets by the name of their row; `None` for another name.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static PhoneTargets> {

@@ -3,6 +3,7 @@
 
 use core::ops::Range;
 
+use super::cord;
 use super::junction::{Junctions, own_share};
 use super::lanes::{Vector, vector};
 use super::tissue::{Attachment, Course, Fibre, FibrePoint, Tissue};
@@ -19,6 +20,9 @@ const BACK_MM: [f32; 2] = [3.2, 0.8];
 const CORNER_FORWARD_MM: f32 = 2.4;
 /// How far protruding lips turn out and retracted ones roll in.
 const ROLL_MM: f32 = 0.9;
+/// How far the border of the red goes to the other lip's when lips roll in, more than the edge: they
+/// look thinner (AU 23, 24 and 28 of FACS). Designed.
+const THIN_MM: f32 = 2.2;
 
 /// Thickness of a mimic muscle, by which stretching thins it: millimetres on the reference head.
 /// Designed, within the 1 to 4 mm that ultrasound shows of them.
@@ -41,6 +45,10 @@ pub(super) struct Muscles {
     segments: Vec<Segment>,
     /// How strongly each point asks to be where its own muscle has it, 0 to 1.
     tension: Vec<f32>,
+    /// What their own muscles make the points move by.
+    asked: Vec<[f32; 3]>,
+    /// Rows of one fibre's spreading.
+    rows: Vec<([f32; 3], f32)>,
     /// Places of the points of one fibre.
     scratch: Vec<[f32; 3]>,
 }
@@ -117,6 +125,8 @@ impl Muscles {
                 .collect(),
             moved: vec![[0.0; 3]; tissue.points.len()],
             own: vec![1.0; tissue.points.len()],
+            asked: vec![[0.0; 3]; tissue.points.len()],
+            rows: Vec::with_capacity(usize::from(u8::MAX)),
             segments: vec![Segment::default(); tissue.points.len()],
             tension: vec![0.0; tissue.points.len()],
             scratch: Vec::with_capacity(usize::from(u8::MAX)),
@@ -142,9 +152,16 @@ impl Muscles {
         for (k, fibre) in tissue.fibres.iter().enumerate() {
             self.ask(tissue, k, of(fibre.muscle), &lips);
         }
+        self.asked.copy_from_slice(&self.moved);
         self.junctions.meet(&self.tension, &mut self.moved);
         for fibre in &tissue.fibres {
             if let Course::Oris { out, .. } = fibre.course {
+                let own = range_of(fibre);
+                cord::spread(
+                    &self.asked[own.clone()],
+                    &mut self.moved[own],
+                    &mut self.rows,
+                );
                 self.thin_out(tissue, fibre, out);
             }
         }
@@ -400,7 +417,9 @@ impl Lip {
         let forth = self.protrusion.max(0.0);
         let back = (-self.protrusion).max(0.0);
         let free = 1.0 - self.corner;
-        let roll = ROLL_MM * mm * (1.0 - self.out) * free * self.down * self.protrusion;
+        let border = 4.0 * self.out * (1.0 - self.out);
+        let roll = ROLL_MM * (1.0 - self.out) * self.protrusion - THIN_MM * border * back;
+        let roll = roll * mm * free * self.down;
         let forward = between(FORWARD_MM) + CORNER_FORWARD_MM * self.corner;
         let mut moved = [
             -c * from[0] + 0.05 * back * from[0],

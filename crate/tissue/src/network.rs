@@ -4,6 +4,7 @@ use super::contact::{Contacts, Depths, JawPlace};
 use super::lanes::{LANES, Vector, squares, vector, whole_fours, xyz};
 use super::layout::STEPS_PER_S;
 use super::muscles::Muscles;
+use super::smoothing::Smoothing;
 use super::springs::{Hold, Springs};
 use super::tissue::{Column, LipNode};
 use super::{Anatomy, FaceControls, Jaw, Muscle, NodeState, Tissue};
@@ -86,6 +87,7 @@ pub struct Network {
     contraction: Vec<f64>,
     blush: f32,
     depths: Depths,
+    smoothing: Smoothing,
     /// Places between the last two steps, as they were written last.
     shown: Vec<Vector>,
     normals: Vec<Vector>,
@@ -127,6 +129,7 @@ impl Network {
             gaps: vec![[0.0; 3]; tissue.columns.len()],
             pulls: vec![Vector::default(); places.len()],
             folds: Fold::all(tissue, anatomy),
+            smoothing: Smoothing::new(tissue),
             shown: vec![Vector::default(); nodes],
             contraction: vec![0.0; anatomy.count()],
             blush: 0.0,
@@ -269,6 +272,7 @@ impl Network {
         for (shown, (a, b)) in self.shown.iter_mut().zip(steps) {
             *shown = *a + (*b - *a) * share;
         }
+        self.smoothing.apply(&tissue.rest, &mut self.shown);
         normals_of(&tissue.quads, &self.shown, &mut self.normals);
         for (i, node) in nodes.iter_mut().enumerate() {
             node.displacement = xyz(self.shown[i] - vector(tissue.rest[i]));

@@ -43,11 +43,11 @@ pub(super) const fn m(muscle: M, percent: i8) -> Share {
 /// AU 6, 12 and a little 25 and 26.
 const JOY: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 80),
-    m(M::ZygomaticusMinorLeft, 25),
+    m(M::ZygomaticusMinorLeft, 30),
     m(M::LevatorAnguliLeft, 20),
-    m(M::LevatorLabiiLeft, 10),
-    m(M::OrbicularisOculiLeft, 65),
-    (Dial::LOWER_LID_LEFT, 30),
+    m(M::LevatorLabiiLeft, 25),
+    m(M::OrbicularisOculiLeft, 85),
+    (Dial::LOWER_LID_LEFT, 45),
     (Dial::JAW, 10),
 ];
 
@@ -61,10 +61,10 @@ const SURPRISE: &[Share] = &[
 
 /// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
 const DISGUST: &[Share] = &[
-    m(M::LevatorLabiiAlaequeLeft, 70),
-    m(M::LevatorLabiiLeft, 40),
+    m(M::LevatorLabiiAlaequeLeft, 90),
+    m(M::LevatorLabiiLeft, 45),
     m(M::ZygomaticusMinorLeft, 10),
-    m(M::NasalisLeft, 60),
+    m(M::NasalisLeft, 50),
     m(M::Procerus, 55),
     m(M::CorrugatorLeft, 40),
     m(M::DepressorSuperciliiLeft, 50),
@@ -77,16 +77,19 @@ const DISGUST: &[Share] = &[
 
 /// AU 4, 5, 7, 23, 24 with a little 17 and 38, jaw forwards (AU 29).
 const ANGER: &[Share] = &[
-    m(M::CorrugatorLeft, 90),
-    m(M::DepressorSuperciliiLeft, 85),
-    m(M::Procerus, 70),
-    m(M::OrbicularisOculiLeft, 40),
-    m(M::OrbicularisOrisUpper, 55),
-    m(M::OrbicularisOrisLower, 60),
-    m(M::MentalisLeft, 25),
-    m(M::NasalisLeft, 20),
-    m(M::LevatorLabiiAlaequeLeft, 10),
-    (Dial::LOWER_LID_LEFT, 50),
+    m(M::CorrugatorLeft, 95),
+    m(M::DepressorSuperciliiLeft, 95),
+    m(M::Procerus, 75),
+    m(M::OrbicularisOculiLeft, 35),
+    m(M::OrbicularisOrisUpper, 14),
+    m(M::OrbicularisOrisLower, 16),
+    m(M::DepressorAnguliLeft, 22),
+    m(M::MentalisLeft, 35),
+    m(M::NasalisLeft, 25),
+    m(M::LevatorLabiiAlaequeLeft, 8),
+    (Dial::LIP_PROTRUSION_UPPER, -80),
+    (Dial::LIP_PROTRUSION_LOWER, -80),
+    (Dial::LOWER_LID_LEFT, 60),
     (Dial::UPPER_LID_LEFT, -35),
     (Dial::JAW_FORWARD, 25),
 ];
@@ -110,7 +113,7 @@ const SADNESS: &[Share] = &[
     m(M::FrontalisMedialLeft, 90),
     m(M::CorrugatorLeft, 50),
     m(M::DepressorAnguliLeft, 60),
-    m(M::MentalisLeft, 40),
+    m(M::MentalisLeft, 65),
     m(M::OrbicularisOculiLeft, 12),
     (Dial::UPPER_LID_LEFT, 25),
     (Dial::LOWER_LID_LEFT, 10),

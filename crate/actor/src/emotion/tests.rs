@@ -187,17 +187,17 @@ fn midway_between_two_the_equations_stand_as_printed() {
 #[test]
 fn the_equations_as_printed_by_hand() {
     // Joy and sadness in the middle, each at its own distance from the middle of the disc:
-    // zygomaticus 0.8 against depressor anguli 0.6, mentalis 0.4 against nothing.
+    // zygomaticus 0.8 against depressor anguli 0.6, mentalis 0.65 against nothing.
     let face = Mixture::printed([Basic::Sadness, Basic::Joy], 0.5, [1.0, 1.0]).expression();
     let value = |m: Muscle| face.values[m.index()];
     assert!((value(Muscle::ZygomaticusMajorLeft) - 0.2).abs() < 1e-12);
     assert_eq!(value(Muscle::DepressorAnguliLeft), 0.0);
-    assert!((value(Muscle::MentalisRight) - 0.4).abs() < 1e-12);
-    // Without antagonist: the mean of 0.12 and 0.65, and half of 0.5.
-    assert!((value(Muscle::OrbicularisOculiLeft) - 0.385).abs() < 1e-12);
+    assert!((value(Muscle::MentalisRight) - 0.65).abs() < 1e-12);
+    // Without antagonist: the mean of 0.12 and 0.85, and half of 0.5.
+    assert!((value(Muscle::OrbicularisOculiLeft) - 0.485).abs() < 1e-12);
     assert!((value(Muscle::CorrugatorLeft) - 0.25).abs() < 1e-12);
-    // Anger at half its distance and fear at twice: orbicularis oris 0.5 · (0.55 + 0.60) for
-    // a sum of 0.575, risorius 2 · 0.65 on both sides for 2.6: left are 2.025 of 2.6.
+    // Anger at half its distance and fear at twice: orbicularis oris 0.5 · (0.14 + 0.16) for
+    // a sum of 0.15, risorius 2 · 0.65 on both sides for 2.6: left are 2.45 of 2.6.
     let mixture = Mixture::printed([Basic::Anger, Basic::Fear], 0.25, [0.5, 2.0]);
     let mut face = Expression::default();
     for basic in [Basic::Anger, Basic::Fear] {
@@ -206,10 +206,10 @@ fn the_equations_as_printed_by_hand() {
     }
     face.settle();
     let value = |m: Muscle| face.values[m.index()];
-    assert!((value(Muscle::RisoriusLeft) - 1.3 * 2.025 / 2.6).abs() < 1e-12);
+    assert!((value(Muscle::RisoriusLeft) - 1.3 * 2.45 / 2.6).abs() < 1e-12);
     assert_eq!(value(Muscle::OrbicularisOrisUpper), 0.0);
-    // Corrugator: three quarters of 0.5 · 0.9 and one of 2 · 0.5.
-    assert!((value(Muscle::CorrugatorLeft) - (0.75 * 0.45 + 0.25)).abs() < 1e-12);
+    // Corrugator: three quarters of 0.5 · 0.95 and one of 2 · 0.5.
+    assert!((value(Muscle::CorrugatorLeft) - (0.75 * 0.475 + 0.25)).abs() < 1e-12);
 }
 
 #[test]

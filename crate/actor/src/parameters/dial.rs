@@ -46,8 +46,9 @@ impl Dial {
     pub const LOWER_LID_LEFT: Self = Self::direct(6);
     /// The jaw forwards (positive) or back.
     pub const JAW_FORWARD: Self = Self::direct(2);
-
-    /// The lower lip pushed forwards (positive) or drawn back.
+    /// The upper lip pushed forwards (positive) or drawn back and rolled in.
+    pub const LIP_PROTRUSION_UPPER: Self = Self::direct(8);
+    /// The same of the lower lip.
     pub const LIP_PROTRUSION_LOWER: Self = Self::direct(9);
 
     const fn direct(place: usize) -> Self {

@@ -3,10 +3,11 @@
 
 use std::ops::RangeInclusive;
 
-use raconteur_body::face::{FaceControls, Network, Tissue};
+use raconteur_body::Figure;
+use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_speech::phones::Class;
 
-use super::{Check, RATE_HZ, frames};
+use super::{Check, DEEPEST_FOLD_MM, Folds, RATE_HZ, frames};
 use crate::lower::cues::CueKind;
 use crate::play::player::Player;
 
@@ -85,6 +86,8 @@ pub(super) struct FaceSweep {
     teeth: Check,
     bone: Check,
     stretch: Check,
+    folded: Check,
+    folds: Option<Folds>,
 }
 
 impl FaceSweep {
@@ -100,6 +103,8 @@ impl FaceSweep {
             teeth: Check::new("lip-in-teeth", 1.0, "mm"),
             bone: Check::new("skin-in-bone", 1.0, "mm"),
             stretch: Check::new("skin-stretched", 2.5, ""),
+            folded: Check::new("skin-folded", DEEPEST_FOLD_MM, "mm"),
+            folds: Folds::new(player.figure()),
         }
     }
 
@@ -146,6 +151,14 @@ impl FaceSweep {
             .measure(f64::from(network.most_stretched()), "face", t);
     }
 
+    /// Looks for dents in the skin of the figure that the sweep began with, as it is drawn.
+    pub(super) fn look_for_folds(&mut self, figure: &Figure, nodes: &[NodeState], t: f64) {
+        if let Some(folds) = &mut self.folds {
+            let depth_mm = 1e3 * f64::from(folds.deepest(figure, nodes).depth_m);
+            self.folded.measure(depth_mm, "face", t);
+        }
+    }
+
     /// Looks at the lids that are controlled to close.
     pub(super) fn look_at_lids(
         &mut self,
@@ -171,6 +184,7 @@ impl FaceSweep {
             self.teeth,
             self.bone,
             self.stretch,
+            self.folded,
         ]
     }
 }
@@ -191,7 +205,7 @@ pub(super) fn fast(player: &Player, secs: &RangeInclusive<f64>) -> Vec<Check> {
         sweep.look((tissue, &network), &controls, t);
     }
     let mut checks = sweep.checks();
-    checks.retain(|c| c.name != "lids-apart");
+    checks.retain(|c| !matches!(c.name, "lids-apart" | "skin-folded"));
     for check in &mut checks {
         check.name = match check.name {
             "lips-apart" => "lips-apart-fast",

@@ -7,6 +7,7 @@
 //! It reports the worst of each with its location and time.
 
 mod face;
+mod folds;
 mod framing;
 mod hair;
 mod solids;
@@ -23,6 +24,7 @@ use raconteur_body::{Bone, Figure, Skeleton};
 
 use crate::Player;
 use face::FaceSweep;
+pub use folds::{DEEPEST_FOLD_MM, Fold, Folds};
 use framing::{Framing, Places};
 use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
@@ -134,6 +136,9 @@ pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Chec
         if let (Some(face), Some(tissue)) = (&mut face, player.face()) {
             let controls = player.face_controls(t);
             face.look(tissue, &controls, t);
+            if every(folds::RATE_HZ, i) {
+                face.look_for_folds(&figure, &player.last_frame().tissue, t);
+            }
             face.look_at_lids(&controls, player.lids_rad(), t);
         }
     }

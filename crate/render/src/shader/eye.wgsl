@@ -32,7 +32,7 @@ fn lid_shade(v: VertexOut) -> f32 {
 // the part above.
 fn meniscus(v: VertexOut) -> f32 {
     let d = over_edge(v, 1u) - 0.01;
-    return exp(-d * d * 2600.0);
+    return 0.4 * exp(-d * d * 4200.0);
 }
 
 // Corneal normal: the bulge over the iris is steeper than the globe.

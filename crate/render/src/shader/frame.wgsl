@@ -28,7 +28,8 @@ struct Frame {
     viewport: vec4<f32>,       // width, height, 1/width, 1/height
     ambient: array<vec4<f32>, 9>, // irradiance over pi, spherical harmonics by factor of the basis
     head_up: vec4<f32>,        // w: distance of the camera's target, metres
-    eyes: vec4<f32>,           // x: radius of the pupil over that of the globe
+    eyes: vec4<f32>,           // x: radius of the pupil over that of the globe,
+                               // y: how far the lips are apart, mm
     // Planes through the middle of the eye and the edge of each lid, normals towards what it
     // covers: upper and lower, left eye, then right; 0 where there is no lid.
     lids: array<vec4<f32>, 4>,

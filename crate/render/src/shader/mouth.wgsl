@@ -4,7 +4,8 @@ fn wet(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, wrap: f32, gloss: f32) -> 
     let view = to_eye(v.world);
     // Without shadows, the lips' own is taken for granted.
     let share = select(key_share(v.world, n, v.clip.xy), 0.35, SHADOWS < 1u);
-    let ao = v.color.a;
+    // Between lips that are hardly apart little light gets in.
+    let ao = v.color.a * (1.0 - 0.88 * exp(-0.6 * frame.eyes.y));
     let occlusion = tinted_occlusion(ao, albedo);
     let key_d = saturate1((dot(n, frame.key_dir.xyz) + wrap) / (1.0 + wrap));
     let fill_d = saturate1((dot(n, frame.fill_dir.xyz) + wrap) / (1.0 + wrap));

@@ -46,7 +46,7 @@ fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<
         return vec3<f32>(0.0);
     }
     let s = thinness(light, p - n * 0.0008, at);
-    return vec3<f32>(0.8 * s, 0.24 * s * s, 0.12 * s * s * s) * (away * 0.7);
+    return vec3<f32>(0.62 * s, 0.24 * s * s, 0.13 * s * s * s) * (away * 0.4 * s);
 }
 
 // How oily the skin is, 0..1, from where on the face it lies: forehead, nose and chin more
@@ -139,7 +139,9 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // Lips are redder than any other skin, smoother, and moist.
     let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4))
         * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
-    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip;
+    // Where they roll in they are wet.
+    let wet = lip * smoothstep(0.50, 0.62, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4));
+    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip - 0.14 * wet;
     // White hairs of a beard do not blush.
     let bare = smoothstep(0.06, 0.2, (albedo.r - albedo.b) / (albedo.r + albedo.b + 1e-4));
     // Vessels widen further than they narrow.
@@ -171,8 +173,8 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
             let q = (v.bind - material.face.xyz) / max(material.face.w, 1e-3);
             let fan = vec3<f32>(v.bind.x * (1.0 - 0.18 * abs(q.y + 1.05)), v.bind.y * 0.12, v.bind.z * 0.12);
             let fold = noise_gradient(fan * 1500.0);
-            n = bumped(n, vec3<f32>(fold.x, 0.0, 0.0) * (0.20 * folds));
-            albedo *= 1.0 - 0.22 * folds * smoothstep(0.55, 0.25, fold.w);
+            n = bumped(n, vec3<f32>(fold.x, 0.0, 0.0) * (0.14 * folds));
+            albedo *= 1.0 - 0.10 * folds * smoothstep(0.55, 0.25, fold.w);
         }
         // Fine creases a few millimetres apart hold at medium distance.
         let creases = own * (1.0 - smoothstep(0.25, 0.7, footprint * 280.0));
@@ -218,7 +220,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
     let tight = filtered_roughness(n, rough * 0.62);
     rough = filtered_roughness(n, rough);
-    let film = 0.10 + 0.09 * oil + 0.30 * lip;
+    let film = 0.10 + 0.09 * oil + 0.30 * lip + 0.25 * wet;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
     let fill_s = specular(n, view, fill_l, rough);
     let rim_s = specular(n, view, rim_l, rough);

@@ -114,7 +114,7 @@ pub(crate) fn eye(
     let wet = dome(&even(12, 1.25), |a| cornea_radius(a).max(GLOBE_RADIUS_MM));
     // Flattened ball in the inner corner, seen from the front only.
     let mut flesh = dome(&even(6, 2.2), |_| 1.0);
-    let size = DVec3::new(2.0, 1.3, 1.5);
+    let size = DVec3::new(1.9, 1.0, 0.9);
     for p in &mut flesh.points {
         *p *= size;
     }
@@ -140,10 +140,10 @@ pub(crate) fn eye(
         part(
             &format!("caruncle_{letter}"),
             MaterialKind::Mouth,
-            0.3,
+            0.5,
             flesh,
             caruncle_mm,
-            [0.40, 0.19, 0.16],
+            [0.36, 0.17, 0.14],
             Drive::Bone(Bone::Skull),
         ),
     ]

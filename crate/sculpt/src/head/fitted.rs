@@ -5,6 +5,7 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::binding::Bound;
 use super::cage::{Key, LAST_COLUMN, LAST_ROW, Points};
+use super::ear_relief;
 use super::lining::{
     CANTHUS, GLOBE_RADIUS_MM, LIP_BULGE_MM, line_lids, line_mouth, nostril, ring, upward,
 };
@@ -44,6 +45,7 @@ pub(crate) struct Fitted {
 pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted {
     let mut points = bound.symmetric();
     smooth_helix(&mut points);
+    ear_relief::shape(&mut points);
     join_neck(&mut points, neck);
     let globe = lids(&mut points, bound.globe());
     line_lids(&mut points, globe);

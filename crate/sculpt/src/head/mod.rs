@@ -9,6 +9,7 @@
 mod binding;
 mod cage;
 mod chart;
+mod ear_relief;
 mod eye;
 mod field;
 mod fitted;

@@ -111,10 +111,26 @@ fn tube(part: &mut MeshPart, base: u32, rings: u32, n: u32, cap: u32) {
     }
 }
 
-/// Light that reaches a place in the mouth: less the further behind the lips.
+/// Light that reaches a place in the mouth: less the further behind the lips, where cheeks and
+/// corners keep it out.
 fn light(p: DVec3, lips_z: f64) -> f64 {
-    0.18 + 0.72 * smooth(48.0, 6.0, lips_z - p.z)
+    0.10 + 0.72 * smooth(36.0, 4.0, lips_z - p.z)
 }
+
+/// Light left at a place of a crown, by its share of the way from gum to edge and by how far it
+/// has turned to the neighbour, 0 in front to 1: lips shade its neck and crowns the gaps
+/// between them. Designed.
+fn between(rise: f64, aside: f64) -> f64 {
+    (0.64 + 0.36 * smooth(0.0, 0.8, rise)) * (1.0 - 0.6 * smooth(0.55, 1.0, aside))
+}
+
+/// Dentine through enamel: linear RGB of a crown's front in its middle, and what the neck and the edge
+/// have of it. Neither is white (shade A2 of the usual guides, measured by eye).
+const CROWN: [f64; 3] = [0.70, 0.625, 0.49];
+const NECK: [f64; 3] = [0.82, 0.76, 0.66];
+const EDGE: [f64; 3] = [0.90, 0.95, 1.02];
+/// The canine is the darkest of the front.
+const CANINE: [f64; 3] = [0.93, 0.89, 0.82];
 
 const AROUND: u32 = 12;
 /// Heights of a crown's rings: −0.25 is inside the gum, 1 at the edge.
@@ -146,23 +162,20 @@ fn tooth(part: &mut MeshPart, arch: &Arch, crown: Crown, middle: f64, lips_z: f6
             let p = centre
                 + along * (half * square(ops::cos(turn)))
                 + out * (thick / 2.0 * square(ops::sin(turn)));
-            let tone = 1.0 - 0.10 * smooth(0.4, 0.0, rise);
-            let warm = 1.0 - 0.16 * smooth(0.6, 0.0, rise);
-            push(
-                part,
-                p,
-                [
-                    0.74 * tone,
-                    0.68 * tone,
-                    0.57 * tone * warm,
-                    light(p, lips_z),
-                ],
-                &weights,
-            );
+            let (neck, tip) = (smooth(0.55, 0.0, rise), smooth(0.75, 1.0, rise));
+            let canine = smooth(0.7, 0.5, narrow);
+            let [r, g, b] = [0, 1, 2].map(|i| {
+                let own = 1.0 + (CANINE[i] - 1.0) * canine;
+                let along = (1.0 + (NECK[i] - 1.0) * neck) * (1.0 + (EDGE[i] - 1.0) * tip);
+                CROWN[i] * own * along
+            });
+            let lit = light(p, lips_z) * between(rise, ops::cos(turn).abs());
+            push(part, p, [r, g, b, lit], &weights);
         }
         cap = centre - DVec3::Y * (arch.up * if molar { -0.3 } else { 0.15 });
     }
-    let tip = push(part, cap, [0.74, 0.69, 0.6, light(cap, lips_z)], &weights);
+    let [r, g, b] = CROWN;
+    let tip = push(part, cap, [r, g, b, light(cap, lips_z)], &weights);
     tube(part, base, LEVELS.len() as u32, AROUND, tip);
 }
 
@@ -190,7 +203,7 @@ fn gums(part: &mut MeshPart, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
         }
         let across = ((s.abs() - start) / crown[0] * 2.0 - 1.0).clamp(-1.0, 1.0);
         // Papillae reach down between the crowns.
-        let margin = crown[1] - 2.2 * across * across * across.abs();
+        let margin = crown[1] - 1.5 * across * across * across.abs();
         let (foot, _, out) = station(arch, s);
         let profile = [
             [0.15, margin],
@@ -205,7 +218,7 @@ fn gums(part: &mut MeshPart, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
             push(
                 part,
                 p,
-                [0.52, 0.21, 0.19, light(p, lips_z) * 0.9],
+                [0.50, 0.23, 0.20, light(p, lips_z) * 0.7],
                 &weights,
             );
         }

@@ -68,7 +68,7 @@ const CORD_MM: [f64; 2] = [1.5, 8.0];
 /// Places that little light reaches, which the mesh is too coarse to shade: corner of the
 /// mouth, groove behind the ala. Radius in mm and share of light lost; *designed*.
 const HOLLOWS: [([f64; 3], [f64; 3], f64); 2] = [
-    ([27.0, -48.6, 90.5], [2.6, 1.9, 4.0], 0.30),
+    ([27.0, -48.6, 90.5], [2.2, 1.6, 4.0], 0.16),
     ([21.5, -17.0, 93.0], [2.2, 7.0, 6.0], 0.14),
 ];
 
@@ -158,6 +158,9 @@ impl FacePainter<'_> {
         let fade = 1.0 - 0.7 * ops::exp(-(half - corner).length_squared() / (2.0 * 2.6 * 2.6));
         let lip = rise(0.72, 1.5, mouth + edge) * fade;
         self.lip(&mut tissue, lip, p, seed);
+        // Redder and darker where the lips roll in, to the line where they meet.
+        tissue.ln_blood += 0.35 * rise(2.2, 4.2, mouth) * fade;
+        tissue.light *= 1.0 - 0.3 * rise(2.8, 4.6, mouth);
         // A pale line where the red begins.
         tissue.ln_blood -= 0.14 * ops::exp(-((mouth - 0.72) / 0.26) * ((mouth - 0.72) / 0.26));
 

@@ -1,0 +1,309 @@
+//! Narrow folds of moved skin where faces have none: dents.
+//!
+//! A fold of width w is half a wave of 2 w. Against the surface at rest, its depth at a place is
+//! how far that lies below (or above) the middle of the two places on both sides of it, less
+//! what the wider curve through twice as far ones has of that: for a wave of depth D
+//! and length four times the way `s`, D / 4, for one of 2 `s`, all of it.
+
+use raconteur_base::DVec3;
+use raconteur_body::face::tissue::Course;
+use raconteur_body::face::{Muscle, NodeState, Tissue};
+use raconteur_body::{Figure, Mesh};
+
+/// Ways to the sides of a place, millimetres on the reference head. The widest finds waves up to
+/// 12 mm, folds up to 6 mm wide, with more than half of their depth.
+const WAYS_MM: [f64; 3] = [2.0, 3.0, 4.0];
+/// The deepest that such a fold may be, millimetres on the reference head.
+pub const DEEPEST_FOLD_MM: f64 = 0.4;
+/// Frames a second that a sweep looks at.
+pub(super) const RATE_HZ: f64 = 12.0;
+const DIRECTIONS: usize = 8;
+/// Triangles farther from a place than this are not looked at, millimetres: twice the widest way and an edge.
+const AROUND_MM: f64 = 12.0;
+
+/// A place of the surface: three vertices and their shares.
+type Place = [(u32, f32); 3];
+/// Places at a way and at twice of it, to both sides.
+type Across = [Place; 4];
+
+/// Where a face is measured.
+#[derive(Clone, Debug)]
+pub struct Folds {
+    /// Index of the mesh.
+    mesh: usize,
+    vertices: Vec<Measured>,
+    displacements: Vec<[f32; 3]>,
+}
+
+#[derive(Clone, Debug)]
+struct Measured {
+    vertex: u32,
+    normal: [f32; 3],
+    across: Vec<Across>,
+}
+
+/// The deepest of the folds of a face.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fold {
+    /// Depth, metres.
+    pub depth_m: f32,
+    /// Where, bind pose, metres.
+    pub place: [f32; 3],
+}
+
+impl Folds {
+    /// Those of a figure's face; `None` without tissue or mesh that follows it.
+    #[must_use]
+    pub fn new(figure: &Figure) -> Option<Self> {
+        let tissue = figure.tissue.as_ref()?;
+        let bound = |m: &Mesh| m.binding.as_ref().map_or(0, |b| b.vertices.len());
+        let (index, mesh) = (figure.meshes.iter().enumerate()).max_by_key(|(_, m)| bound(m))?;
+        let smooth = Smooth::of(tissue)?;
+        let scale = f64::from(tissue.scale) * 1e-3;
+        let surface = Surface::of(mesh);
+        let vertices = mesh.binding.as_ref()?.vertices.iter().copied();
+        let vertices = vertices
+            .filter(|&v| smooth.has(mesh.positions[v as usize]))
+            .map(|v| Measured {
+                vertex: v,
+                normal: mesh.normals[v as usize],
+                across: surface.around(v, scale),
+            })
+            .filter(|m| !m.across.is_empty())
+            .collect();
+        Some(Self {
+            mesh: index,
+            vertices,
+            displacements: vec![[0.0; 3]; mesh.positions.len()],
+        })
+    }
+
+    /// How many vertices are measured.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The deepest fold of the figure that [`Self::new`] was given, its tissue so.
+    pub fn deepest(&mut self, figure: &Figure, nodes: &[NodeState]) -> Fold {
+        let mesh = &figure.meshes[self.mesh];
+        let Some(binding) = &mesh.binding else {
+            return Fold::default();
+        };
+        self.displacements.fill([0.0; 3]);
+        for (v, moved, _) in binding.apply(nodes) {
+            self.displacements[v] = moved;
+        }
+        let mut deepest = Fold::default();
+        for own in &self.vertices {
+            let out = |d: [f32; 3]| (0..3).map(|k| d[k] * own.normal[k]).sum::<f32>();
+            let height = |place: &Place| -> f32 {
+                let shares = place.iter();
+                shares
+                    .map(|&(v, share)| share * out(self.displacements[v as usize]))
+                    .sum()
+            };
+            let here = out(self.displacements[own.vertex as usize]);
+            for across in &own.across {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|k| height(&across[k]));
+                let depth = (here - 0.5 * (a + b)) - 0.25 * (here - 0.5 * (c + d));
+                if depth.abs() > deepest.depth_m {
+                    deepest = Fold {
+                        depth_m: depth.abs(),
+                        place: mesh.positions[own.vertex as usize],
+                    };
+                }
+            }
+        }
+        deepest
+    }
+}
+
+/// Where skin is to stay smooth: cheeks, temples, forehead, chin and neck. Lips, lids, nose and
+/// the folds that have names are left out: between the brows, crow's feet, the nasolabial fold
+/// and the creases about the corners of the mouth.
+struct Smooth {
+    scale: f64,
+    eyes: Vec<DVec3>,
+    lips: Vec<DVec3>,
+    corners: [DVec3; 2],
+    /// Of the nose, the side of its wing.
+    wings: [DVec3; 2],
+}
+
+impl Smooth {
+    fn of(tissue: &Tissue) -> Option<Self> {
+        let at = |p: [f32; 3]| DVec3::from_array(p.map(f64::from));
+        let eyes: Vec<DVec3> = tissue
+            .fibres
+            .iter()
+            .filter_map(|f| match f.course {
+                Course::Towards(centre) => Some(at(centre)),
+                _ => None,
+            })
+            .collect();
+        let lips: Vec<DVec3> = (tissue.lips.iter())
+            .map(|l| at(tissue.rest[usize::from(l.node)]))
+            .collect();
+        let far = |sign: f64| {
+            let order = |a: &&DVec3, b: &&DVec3| (sign * a.x).total_cmp(&(sign * b.x));
+            lips.iter().max_by(order).copied()
+        };
+        let wing = |muscle: Muscle, sign: f64| {
+            let fibres = tissue.fibres.iter().filter(|f| f.muscle == muscle);
+            let points = fibres.flat_map(|f| {
+                let first = usize::from(f.first);
+                tissue.points[first..first + usize::from(f.count)].iter()
+            });
+            let points: Vec<DVec3> = points.map(|p| at(p.rest)).collect();
+            let low = points.iter().map(|p| p.y).fold(f64::MAX, f64::min);
+            let out = points.iter().map(|p| sign * p.x).fold(0.0, f64::max);
+            let z = points.iter().map(|p| p.z).fold(f64::MIN, f64::max);
+            (!points.is_empty()).then(|| DVec3::new(sign * out, low, z))
+        };
+        Some(Self {
+            scale: f64::from(tissue.scale) * 1e-3,
+            corners: [far(1.0)?, far(-1.0)?],
+            wings: [
+                wing(Muscle::NasalisLeft, 1.0)?,
+                wing(Muscle::NasalisRight, -1.0)?,
+            ],
+            eyes,
+            lips,
+        })
+    }
+
+    /// Whether skin at this place is to stay smooth.
+    fn has(&self, place: [f32; 3]) -> bool {
+        let p = DVec3::from_array(place.map(f64::from));
+        let mm = self.scale;
+        let side = usize::from(p.x < 0.0);
+        let sign = if side == 0 { 1.0 } else { -1.0 };
+        let nearest = |all: &[DVec3]| all.iter().map(|q| q.distance(p)).fold(f64::MAX, f64::min);
+        if nearest(&self.lips) < 6.0 * mm {
+            return false;
+        }
+        let Some(eye) = self.eyes.iter().min_by(|a, b| {
+            let far = |q: &DVec3| q.distance(p);
+            far(a).total_cmp(&far(b))
+        }) else {
+            return false;
+        };
+        let off = p - *eye;
+        let aside = sign * off.x;
+        // The orbit up to the brow; crow's feet beyond its outer edge.
+        if off.x.hypot(off.y) < 22.0 * mm
+            || (aside > 0.0 && aside < 38.0 * mm && off.y.abs() < 16.0 * mm)
+        {
+            return false;
+        }
+        let (corner, wing) = (self.corners[side], self.wings[side]);
+        // Between the brows, and the nose down to its base.
+        let between = sign * eye.x - 12.0 * mm;
+        if sign * p.x < between && p.y < eye.y + 30.0 * mm && p.y > wing.y - 4.0 * mm
+            || sign * p.x < sign * wing.x + 6.0 * mm && p.y < eye.y && p.y > wing.y - 6.0 * mm
+        {
+            return false;
+        }
+        // From the wing of the nose past the corner of the mouth and down beside the chin.
+        let past = corner + DVec3::new(sign * 8.0, 0.0, 0.0) * mm;
+        let down = corner + DVec3::new(sign * 4.0, -18.0, 0.0) * mm;
+        let off_line = |a: DVec3, b: DVec3| {
+            let (way, from) = ((b - a).truncate(), (p - a).truncate());
+            let on = (from.dot(way) / way.dot(way)).clamp(0.0, 1.0);
+            (from - way * on).length()
+        };
+        off_line(wing, past) > 7.0 * mm && off_line(past, down) > 6.0 * mm
+    }
+}
+
+/// A mesh whose triangles are found by place.
+struct Surface<'a> {
+    mesh: &'a Mesh,
+    /// The triangles of each vertex.
+    own: Vec<Vec<u32>>,
+}
+
+impl<'a> Surface<'a> {
+    fn of(mesh: &'a Mesh) -> Self {
+        let mut own = vec![Vec::new(); mesh.positions.len()];
+        for (i, triangle) in (0u32..).zip(mesh.indices.chunks_exact(3)) {
+            for &v in triangle {
+                own[v as usize].push(i);
+            }
+        }
+        Self { mesh, own }
+    }
+
+    fn at(&self, v: u32) -> DVec3 {
+        DVec3::from_array(self.mesh.positions[v as usize].map(f64::from))
+    }
+
+    fn triangle(&self, i: u32) -> [u32; 3] {
+        let first = 3 * i as usize;
+        [0, 1, 2].map(|k| self.mesh.indices[first + k])
+    }
+
+    /// The triangles that hang together with a vertex and are near it.
+    fn near(&self, v: u32, within: f64) -> Vec<[u32; 3]> {
+        let middle = self.at(v);
+        let (mut open, mut seen) = (vec![v], std::collections::BTreeSet::from([v]));
+        let mut all = std::collections::BTreeSet::new();
+        while let Some(v) = open.pop() {
+            for &i in &self.own[v as usize] {
+                all.insert(i);
+                for w in self.triangle(i) {
+                    if self.at(w).distance(middle) < within && seen.insert(w) {
+                        open.push(w);
+                    }
+                }
+            }
+        }
+        all.into_iter().map(|i| self.triangle(i)).collect()
+    }
+
+    /// What lies on both sides of a vertex, in all directions in which the surface goes on.
+    fn around(&self, v: u32, scale: f64) -> Vec<Across> {
+        let middle = self.at(v);
+        let normal = DVec3::from_array(self.mesh.normals[v as usize].map(f64::from));
+        let u = normal.any_orthonormal_vector();
+        let w = normal.cross(u);
+        let flat = |v: u32| {
+            let off = self.at(v) - middle;
+            [off.dot(u), off.dot(w)]
+        };
+        let near = self.near(v, AROUND_MM * scale);
+        let near: Vec<_> = near.iter().map(|t| (*t, t.map(flat))).collect();
+        let find = |x: f64, y: f64| near.iter().find_map(|(t, flat)| within(*t, flat, [x, y]));
+        let mut all = Vec::new();
+        for direction in 0..DIRECTIONS {
+            let angle = core::f64::consts::PI * direction as f64 / DIRECTIONS as f64;
+            let (y, x) = (
+                raconteur_base::ops::sin(angle),
+                raconteur_base::ops::cos(angle),
+            );
+            for way in WAYS_MM {
+                let at = |k: f64| find(k * way * scale * x, k * way * scale * y);
+                let found = at(1.0).zip(at(-1.0)).zip(at(2.0).zip(at(-2.0)));
+                if let Some(((a, b), (c, d))) = found {
+                    all.push([a, b, c, d]);
+                }
+            }
+        }
+        all
+    }
+}
+
+/// The place in a triangle of a plane; `None` outside, or where it is seen from behind.
+fn within(triangle: [u32; 3], [a, b, c]: &[[f64; 2]; 3], p: [f64; 2]) -> Option<Place> {
+    let cross = |a: &[f64; 2], b: &[f64; 2], c: &[f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    let all = cross(a, b, c);
+    if all <= 1e-12 {
+        return None;
+    }
+    let shares = [cross(b, c, &p), cross(c, a, &p), cross(a, b, &p)].map(|x| x / all);
+    let is_in = shares.iter().all(|s| *s >= -1e-9);
+    is_in.then(|| [0, 1, 2].map(|k| (triangle[k], shares[k] as f32)))
+}
