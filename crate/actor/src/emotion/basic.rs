@@ -44,10 +44,10 @@ pub(super) const fn m(muscle: M, percent: i8) -> Share {
 const JOY: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 80),
     m(M::ZygomaticusMinorLeft, 30),
-    m(M::LevatorAnguliLeft, 20),
+    m(M::LevatorAnguliLeft, 35),
     m(M::LevatorLabiiLeft, 25),
     m(M::OrbicularisOculiLeft, 85),
-    (Dial::LOWER_LID_LEFT, 45),
+    (Dial::LOWER_LID_LEFT, 60),
     (Dial::JAW, 10),
 ];
 
@@ -55,8 +55,8 @@ const JOY: &[Share] = &[
 const SURPRISE: &[Share] = &[
     m(M::FrontalisMedialLeft, 95),
     m(M::FrontalisLateralLeft, 95),
-    (Dial::UPPER_LID_LEFT, -75),
-    (Dial::JAW, 45),
+    (Dial::UPPER_LID_LEFT, -95),
+    (Dial::JAW, 55),
 ];
 
 /// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
@@ -64,8 +64,8 @@ const DISGUST: &[Share] = &[
     m(M::LevatorLabiiAlaequeLeft, 90),
     m(M::LevatorLabiiLeft, 45),
     m(M::ZygomaticusMinorLeft, 10),
-    m(M::NasalisLeft, 50),
-    m(M::Procerus, 55),
+    m(M::NasalisLeft, 60),
+    m(M::Procerus, 75),
     m(M::CorrugatorLeft, 40),
     m(M::DepressorSuperciliiLeft, 50),
     m(M::OrbicularisOculiLeft, 50),
@@ -97,15 +97,15 @@ const ANGER: &[Share] = &[
 /// AU 1, 2, 4, 5, 20, 26, the lips a little parted (AU 25).
 const FEAR: &[Share] = &[
     m(M::FrontalisMedialLeft, 90),
-    m(M::FrontalisLateralLeft, 60),
+    m(M::FrontalisLateralLeft, 35),
     m(M::CorrugatorLeft, 50),
     m(M::RisoriusLeft, 65),
     m(M::PlatysmaLeft, 45),
     m(M::BuccinatorLeft, 15),
     m(M::DepressorLabiiLeft, 30),
-    (Dial::UPPER_LID_LEFT, -80),
-    (Dial::LOWER_LID_LEFT, 25),
-    (Dial::JAW, 25),
+    (Dial::UPPER_LID_LEFT, -90),
+    (Dial::LOWER_LID_LEFT, 45),
+    (Dial::JAW, 18),
 ];
 
 /// AU 1, 4, 15, 17 with a little 6, the lids low.

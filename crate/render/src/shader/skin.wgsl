@@ -141,7 +141,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
         * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
     // Where they roll in they are wet.
     let wet = lip * smoothstep(0.50, 0.62, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4));
-    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip - 0.14 * wet;
+    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip - 0.06 * wet;
     // White hairs of a beard do not blush.
     let bare = smoothstep(0.06, 0.2, (albedo.r - albedo.b) / (albedo.r + albedo.b + 1e-4));
     // Vessels widen further than they narrow.
@@ -220,7 +220,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
     let tight = filtered_roughness(n, rough * 0.62);
     rough = filtered_roughness(n, rough);
-    let film = 0.10 + 0.09 * oil + 0.30 * lip + 0.25 * wet;
+    let film = 0.10 + 0.09 * oil + 0.30 * lip + 0.14 * wet;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
     let fill_s = specular(n, view, fill_l, rough);
     let rim_s = specular(n, view, rim_l, rough);

@@ -140,10 +140,10 @@ pub(crate) fn eye(
         part(
             &format!("caruncle_{letter}"),
             MaterialKind::Mouth,
-            0.5,
+            0.65,
             flesh,
             caruncle_mm,
-            [0.36, 0.17, 0.14],
+            [0.20, 0.10, 0.085],
             Drive::Bone(Bone::Skull),
         ),
     ]

@@ -35,6 +35,10 @@ const LOWER: [Crown; 7] = [
     [10.4, 6.8, 9.8, 8.8, 0.92],
 ];
 
+/// How far each crown's edge stands back from the row's level, towards its gums, mm: lateral
+/// incisors are shorter, and behind the canines the upper row rises as the smile does. Designed.
+const EDGES: [f64; 7] = [0.0, 0.8, 0.1, 0.5, 0.7, 1.0, 1.3];
+
 /// One row: where the incisors' front face and edge lie, the ellipse, which way gums lie.
 struct Arch {
     front: DVec3,
@@ -136,9 +140,11 @@ const AROUND: u32 = 12;
 /// Heights of a crown's rings: −0.25 is inside the gum, 1 at the edge.
 const LEVELS: [f64; 6] = [-0.25, 0.05, 0.35, 0.65, 0.9, 1.0];
 
-fn tooth(part: &mut MeshPart, arch: &Arch, crown: Crown, middle: f64, lips_z: f64) {
+fn tooth(part: &mut MeshPart, arch: &Arch, (crown, back): (Crown, f64), middle: f64, lips_z: f64) {
     let [width, height, gum, edge, narrow] = crown;
     let (foot, along, out) = station(arch, middle);
+    let foot = foot + DVec3::Y * (arch.up * back);
+    let height = height - back;
     let molar = edge > 4.0;
     let weights = [(JointRef(arch.joint), 1.0)];
     let base = part.vertices.len() as u32;
@@ -266,11 +272,11 @@ pub(crate) fn mouth(contact: DVec3) -> Vec<MeshPart> {
     let mut soft = empty(GUMS, MaterialKind::Mouth, 0.35);
     for (arch, crowns) in &rows {
         let mut start = 0.0;
-        for &crown in crowns.iter() {
+        for (&crown, back) in crowns.iter().zip(EDGES) {
             let middle = start + crown[0] / 2.0;
             start += crown[0];
             for side in [1.0, -1.0] {
-                tooth(&mut teeth, arch, crown, middle * side, lips_z);
+                tooth(&mut teeth, arch, (crown, back), middle * side, lips_z);
             }
         }
         gums(&mut soft, arch, crowns, lips_z);

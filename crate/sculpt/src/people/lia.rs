@@ -46,7 +46,7 @@ fn skin() -> SkinParams {
         blood: 0.55,
         contrast: 1.15,
         age_years: PERSON.age_years,
-        freckles: 0.45,
+        freckles: 0.1,
         moles: 2,
         lips: 0.38,
         lash_line: 0.35,

@@ -46,12 +46,12 @@ fn skin() -> SkinParams {
         blood: 0.5,
         contrast: 1.25,
         age_years: PERSON.age_years,
-        freckles: 0.5,
+        freckles: 1.1,
         moles: 3,
         sun: 0.1,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.3,
+        lips: 0.22,
         lash_line: 0.35,
         seed: 11,
         ..SkinParams::plain()
@@ -66,7 +66,7 @@ fn hair() -> HairParams {
             pheomelanin: 0.24,
             grey: 0.0,
         },
-
+        volume: 0.7,
         seed: 31,
         square: true,
         ..HairParams::default()
@@ -75,13 +75,13 @@ fn hair() -> HairParams {
 
 fn brow() -> BrowParams {
     BrowParams {
-        colour: [0.15, 0.075, 0.036],
-        density: 0.85,
-        length: 0.8,
-        height: 0.85,
+        colour: [0.115, 0.055, 0.026],
+        density: 1.1,
+        length: 0.95,
+        height: 1.0,
         unruly: 0.25,
         asymmetry: 0.3,
-        lash_length: 0.82,
+        lash_length: 0.68,
         lash_tone: 0.4,
     }
 }

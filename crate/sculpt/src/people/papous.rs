@@ -67,14 +67,14 @@ fn hair() -> HairParams {
             pheomelanin: 0.0,
             grey: 0.94,
         },
-        recession: 0.75,
+        recession: 0.8,
         thinning: 0.3,
         beard: Some(BeardParams {
             length_m: 0.018,
             cut: BeardCut::Full,
-            density: 1.0,
+            density: 0.88,
         }),
-        seed: 23,
+        seed: 29,
         square: true,
         ..HairParams::default()
     }

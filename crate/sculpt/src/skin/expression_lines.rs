@@ -19,6 +19,8 @@ const FIRST: u64 = 100_000;
 
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
 const CHIN: [DVec3; 2] = [DVec3::new(0.0, -79.0, 98.0), DVec3::new(20.0, 13.0, 18.0)];
+/// Least depth of the folds of the nose, mm.
+const LEAST_NOSE_MM: f64 = 0.42;
 /// Size of its dimples, mm.
 const DIMPLES_MM: f64 = 2.7;
 
@@ -47,9 +49,11 @@ impl ExpressionMarks {
             cheek(&mut scribe, side, deep);
         }
         let green = scribe.take();
-        nose_root(&mut scribe, deep);
+        // A nose wrinkles at any age.
+        let nose = deep.max(LEAST_NOSE_MM);
+        nose_root(&mut scribe, nose);
         for side in Side::BOTH {
-            bunny(&mut scribe, side, deep);
+            bunny(&mut scribe, side, nose);
             lips(&mut scribe, side, deep);
         }
         let blue = scribe.take();

@@ -156,13 +156,13 @@ impl FacePainter<'_> {
         let edge = 0.10 * space_noise(seed + 21, p / 1.3);
         let corner = DVec3::new(25.6, -48.4, 91.8);
         let fade = 1.0 - 0.7 * ops::exp(-(half - corner).length_squared() / (2.0 * 2.6 * 2.6));
-        let lip = rise(0.72, 1.5, mouth + edge) * fade;
+        let lip = rise(0.55, 1.75, mouth + 1.6 * edge) * fade;
         self.lip(&mut tissue, lip, p, seed);
         // Redder and darker where the lips roll in, to the line where they meet.
         tissue.ln_blood += 0.35 * rise(2.2, 4.2, mouth) * fade;
         tissue.light *= 1.0 - 0.3 * rise(2.8, 4.6, mouth);
         // A pale line where the red begins.
-        tissue.ln_blood -= 0.14 * ops::exp(-((mouth - 0.72) / 0.26) * ((mouth - 0.72) / 0.26));
+        tissue.ln_blood -= 0.08 * ops::exp(-((mouth - 0.72) / 0.26) * ((mouth - 0.72) / 0.26));
 
         let lid = rise(0.6, 2.0, eye);
         let smoothness = (1.0 - lip) * (1.0 - 0.6 * lid) * (1.0 - rise(0.4, 2.0, nostril));
