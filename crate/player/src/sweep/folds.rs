@@ -192,7 +192,7 @@ impl Smooth {
         let off = p - *eye;
         let aside = sign * off.x;
         // The orbit up to the brow; crow's feet beyond its outer edge.
-        if off.x.hypot(off.y) < 22.0 * mm
+        if off.truncate().length() < 22.0 * mm
             || (aside > 0.0 && aside < 38.0 * mm && off.y.abs() < 16.0 * mm)
         {
             return false;

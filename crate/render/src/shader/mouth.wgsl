@@ -15,7 +15,7 @@ fn wet(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, wrap: f32, gloss: f32) -> 
         + (frame.fill.xyz * fill_d + ambient(n) * front) * occlusion);
     let f = fresnel(0.035, dot(n, view));
     light += (frame.key.xyz * (specular(n, view, frame.key_dir.xyz, gloss) * share)
-        + frame.fill.xyz * specular(n, view, frame.fill_dir.xyz, gloss)) * (f * PI * ao);
+        + frame.fill.xyz * specular(n, view, frame.fill_dir.xyz, gloss)) * (f * PI * ao * ao);
     light += mirrored(reflect(-view, n)) * (f * 0.6 * ao * ao);
     return light;
 }

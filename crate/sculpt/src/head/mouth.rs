@@ -118,7 +118,7 @@ fn tube(part: &mut MeshPart, base: u32, rings: u32, n: u32, cap: u32) {
 /// Light that reaches a place in the mouth: less the further behind the lips, where cheeks and
 /// corners keep it out.
 fn light(p: DVec3, lips_z: f64) -> f64 {
-    0.10 + 0.72 * smooth(36.0, 4.0, lips_z - p.z)
+    0.08 + 0.74 * smooth(27.0, 3.0, lips_z - p.z)
 }
 
 /// Light left at a place of a crown, by its share of the way from gum to edge and by how far it
@@ -133,6 +133,8 @@ fn between(rise: f64, aside: f64) -> f64 {
 const CROWN: [f64; 3] = [0.70, 0.625, 0.49];
 const NECK: [f64; 3] = [0.82, 0.76, 0.66];
 const EDGE: [f64; 3] = [0.90, 0.95, 1.02];
+/// What the light of the mouth's walls does to teeth behind the front ones.
+const FLUSHED: [f64; 3] = [0.95, 0.74, 0.66];
 /// The canine is the darkest of the front.
 const CANINE: [f64; 3] = [0.93, 0.89, 0.82];
 
@@ -173,7 +175,9 @@ fn tooth(part: &mut MeshPart, arch: &Arch, (crown, back): (Crown, f64), middle: 
             let [r, g, b] = [0, 1, 2].map(|i| {
                 let own = 1.0 + (CANINE[i] - 1.0) * canine;
                 let along = (1.0 + (NECK[i] - 1.0) * neck) * (1.0 + (EDGE[i] - 1.0) * tip);
-                CROWN[i] * own * along
+                // What light comes so far back has been on red flesh.
+                let flushed = 1.0 + (FLUSHED[i] - 1.0) * smooth(8.0, 24.0, lips_z - p.z);
+                CROWN[i] * own * along * flushed
             });
             let lit = light(p, lips_z) * between(rise, ops::cos(turn).abs());
             push(part, p, [r, g, b, lit], &weights);
