@@ -67,7 +67,7 @@ fn hair() -> HairParams {
             grey: 0.0,
         },
         wave: 0.55,
-        seed: 21,
+        seed: 22,
         ..HairParams::default()
     }
 }

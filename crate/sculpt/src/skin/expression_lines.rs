@@ -20,7 +20,7 @@ const FIRST: u64 = 100_000;
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
 const CHIN: [DVec3; 2] = [DVec3::new(0.0, -79.0, 98.0), DVec3::new(20.0, 13.0, 18.0)];
 /// Least depth of the folds of the nose, mm.
-const LEAST_NOSE_MM: f64 = 0.42;
+const LEAST_NOSE_MM: f64 = 0.26;
 /// Size of its dimples, mm.
 const DIMPLES_MM: f64 = 2.7;
 

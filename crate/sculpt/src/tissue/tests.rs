@@ -9,7 +9,7 @@ use raconteur_tissue::{Anatomy, FaceControls, MUSCLES, Muscle, Network, NodeStat
 
 const MUSCLES_TABLE: &str = include_str!("../../../tissue/src/muscles.tsv");
 /// A made-up muscle that draws the cheek to the front of the ear, and folds it.
-const ROW: &str = "Wiggler\tpair\tWiggler\t0.3\t1.0\t1:0.5\t-\t-\t0\tEars\tWiggler\twiggles\n";
+const ROW: &str = "Wiggler\tpair\tWiggler\t0.4\t1.0\t1:0.5\t-\t-\t0\tEars\tWiggler\twiggles\n";
 const FIBRE: &str = "Wiggler\tline\t6:14\t0.9\t-\tface\t66,-18,52 58,-19,70 50,-20,82 42,-20,86\n";
 /// Where it ends on the mean head, metres.
 const END: DVec3 = DVec3::new(0.042, -0.020, 0.086);
