@@ -7,7 +7,7 @@ const SPREAD_POINTS: f32 = 4.5;
 
 /// Spreads what has been done to a fibre along it. `asked` holds what its own muscle made its
 /// points move by and `moved` where they have come; the ends stay there. The difference is the
-/// one of least bending about what it was: a tridiagonal system, solved by elimination.
+/// one that least changes from point to point while it stays near what it was: a tridiagonal system, solved by elimination.
 pub(super) fn spread(asked: &[[f32; 3]], moved: &mut [[f32; 3]], work: &mut Vec<([f32; 3], f32)>) {
     let Some(last) = moved.len().checked_sub(1).filter(|last| *last > 1) else {
         return;
