@@ -130,8 +130,10 @@ describe('the disc of types', () => {
 
 describe('the text', () => {
   it('holds what is chosen', () => {
-    const eml = write({ emotion: 'anger', potential: 3.5, camera: true, light: false, music: true, set: 'night' });
+    const eml = write({ emotion: 'anger', potential: 3.5, camera: true, light: false, music: true, set: 'night', thesis: false });
     expect(eml).toContain('<r:environment camera="true" light="false" music="true" set="night"/>');
+    const strict = write({ emotion: 'anger', potential: 3.5, camera: true, light: true, music: true, set: 'night', thesis: true });
+    expect(strict).toContain('set="night" fidelity="thesis"/>');
     expect(eml).toContain('<r:emotion time="0" type="anger" potential="3.5" duration="24"/>');
     expect(write({ ...beginning().a, emotion: 'neutral' })).not.toContain('r:emotion');
   });

@@ -188,13 +188,15 @@ fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
         (all.any(|e| e.angle == Angle::Low), strongest.expect(name))
     };
     let (low, anger) = find("anger");
-    let [red, green, _] = anger.light.color;
-    assert!(low && red == 1.0 && green < 0.3, "{anger:?}");
+    // A gel: the room is red, the face is not.
+    let ([red, green, _], [_, on_walls, _]) = (anger.light.color, anger.light.room_color);
+    assert!(low && red == 1.0 && green > 0.8 && green < 0.9, "{anger:?}");
+    assert!(on_walls < 0.6, "{anger:?}");
     let (_, sorrow) = find("sorry-for");
     assert!(sorrow.light.brightness < 1.0, "{sorrow:?}");
     let (_, joy) = find("joy");
     assert!(
-        joy.light.brightness >= 1.0 && joy.light.color[2] < 0.7,
+        joy.light.brightness >= 1.0 && joy.light.room_color[2] < 0.7,
         "{joy:?}"
     );
     let shots: Vec<Shot> = felt.iter().map(|e| e.shot).collect();

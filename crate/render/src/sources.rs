@@ -3,7 +3,7 @@
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-pub(crate) const STAGE: [&str; 14] = [
+pub(crate) const STAGE: [&str; 18] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
@@ -16,6 +16,10 @@ pub(crate) const STAGE: [&str; 14] = [
     include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/sets.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/fireside.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/garden.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/night.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/school.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/simple.wgsl")),
 ];

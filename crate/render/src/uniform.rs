@@ -72,7 +72,15 @@ impl FrameUniform {
     pub(crate) fn of_backdrop(&self) -> Self {
         let to_cm = |p: [f32; 4]| p.map(|x| (x * 100.0).round() / 100.0);
         let [x, y, z, _] = self.eye_in_world;
+        let [.., number] = self.backdrop_low;
+        // Of all places the night alone has ground that the edge's light falls on.
+        let rim = if number == number_of(SetKind::Night) {
+            self.rim
+        } else {
+            [0.0; 4]
+        };
         Self {
+            rim,
             shadow_from_world: [[0.0; 16]; 2],
             eye_in_world: [x, y, z, 0.0],
             stand: to_cm(self.stand),
@@ -120,7 +128,7 @@ impl FrameUniform {
             ray_forward: point(view.forward, 0.0),
             ray_right: point(view.right, 0.0),
             ray_up: point(view.up, 0.0),
-            eye_in_world: point(frame.camera.eye_in_world, frame.time_secs as f32),
+            eye_in_world: point(frame.camera.eye_in_world, frame.set.time_secs as f32),
             key_dir: direction(light.key.towards_light_in_world),
             key: color(light.key.irradiance, 0.0),
             fill_dir: direction(light.fill.towards_light_in_world),

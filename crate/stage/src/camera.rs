@@ -3,7 +3,7 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span};
+use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span, aside_in};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,11 +34,19 @@ impl Default for Camera {
 
 impl Camera {
     /// The camera that shows a span of a figure at `feet_in_world` from where this one stands.
-    fn narrowed_to(&self, span: Span, feet_in_world: DVec3, stature_m: f64, aspect: f64) -> Self {
+    /// The figure stands `aside` of the middle, share of half the picture's width, positive to the right.
+    fn narrowed_to(
+        &self,
+        span: Span,
+        feet_in_world: DVec3,
+        stature_m: f64,
+        aspect: f64,
+        aside: f64,
+    ) -> Self {
         let [bottom, top] = [span.bottom, span.top].map(|s| feet_in_world.y + s * stature_m);
         let half_width = 0.5 * (top - bottom) * aspect;
         // It follows a figure that leaves the middle only as far as it must.
-        let play = half_width - 0.5 * AT_REST * stature_m;
+        let play = half_width * (1.0 - aside.abs()) - 0.5 * AT_REST * stature_m;
         let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
         let eye = self.eye_in_world.with_x(across * feet_in_world.x);
         let depth = eye.z - FOLLOWED_DEPTH * feet_in_world.z;
@@ -46,7 +54,12 @@ impl Camera {
         let pitch = 0.5 * (down + up);
         Self {
             eye_in_world: eye,
-            target_in_world: DVec3::new(eye.x, eye.y + depth * ops::tan(pitch), eye.z - depth),
+            // It turns from where it stands, so that whom the figure looks at stays.
+            target_in_world: DVec3::new(
+                eye.x - aside * half_width,
+                eye.y + depth * ops::tan(pitch),
+                eye.z - depth,
+            ),
             fov_y_rad: up - down,
             ..*self
         }
@@ -99,7 +112,7 @@ pub enum Shot {
     Long,
     /// Head to feet.
     Full,
-    /// Head to waist, the eyes on the upper third; wider while a gesture needs it.
+    /// Head to chest, the eyes on the upper third; wider while a gesture needs it.
     Storyteller,
     /// Head to mid thigh; gestures stay in the picture.
     Medium,
@@ -122,6 +135,9 @@ pub struct Room {
     /// Share of the picture's height that captions take at its lower edge: hands and feet stay above
     /// it. 0 to [`MOST_CAPTIONS`].
     pub captions: f64,
+    /// How far aside the figure stands in a broad picture of the storyteller's shot, share of half its
+    /// width, positive to the right.
+    pub aside: f64,
 }
 
 /// Captions that take more of a picture may cover something.
@@ -181,7 +197,7 @@ impl Shot {
             Self::Medium => BUST.with_head(stature_m, aspect),
             Self::Close => HEAD.with_head(stature_m, aspect),
             Self::ExtremeClose => FACE.with_head(stature_m, aspect),
-            _ => Span::default(),
+            _ => Span::at_rest(aspect),
         }
     }
 
@@ -196,7 +212,8 @@ impl Shot {
         if self == Self::Storyteller {
             let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
             let span = room.span.above_captions_in(captions, aspect);
-            return from.narrowed_to(span, feet_in_world, stature_m, aspect);
+            let aside = aside_in(aspect, room.aside);
+            return from.narrowed_to(span, feet_in_world, stature_m, aspect, aside);
         }
         let mut extent = self.extent();
         if matches!(self, Self::Full | Self::Medium) {
@@ -324,10 +341,9 @@ mod tests {
     #[test]
     fn a_raised_hand_is_in_the_picture() {
         let room = Room {
-            span: Span::default(),
-            captions: 0.0,
             top_m: 2.05,
             half_width_m: 0.7,
+            ..Room::default()
         };
         for aspect in [0.46, 1.0, 1.78] {
             let c = Shot::Medium.frame(DVec3::ZERO, 1.66, aspect, room);

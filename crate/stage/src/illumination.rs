@@ -11,9 +11,16 @@ const SHARED_TINT: f32 = 0.35;
 /// How much white is in every key light. Designed: no gel is pure, and what has none of its colour
 /// would be black.
 const WHITE: f32 = 0.10;
-/// How the colour grows with the intensity, an exponent of its share of [`FULL_MANNER`]. Designed: a
-/// weak emotion tinges, a strong one drenches.
+/// How the colour grows with the intensity, an exponent of its share of [`FULL_MANNER`]. Designed.
 const TINGE: f64 = 0.7;
+/// The most that a key light and what lights the room take of an emotion's colour. Designed: a face
+/// and its clothes keep their hue, as behind a pale gel; the walls tell the rest.
+const KEY_GEL: f64 = 0.19;
+const ROOM_GEL: f64 = 0.60;
+/// How far an emotion darkens and brightens a stage at most. Designed: nothing is black, and no
+/// forehead white.
+const DIMMEST: f64 = 0.40;
+const BRIGHTEST: f64 = 1.45;
 /// Lamps follow a brightness as a lens opens: in part, so that a face is read in the dark and not
 /// burnt in the light; exponents of the key and of the rest. Designed.
 const KEY_FOLLOWS: f64 = 0.5;
@@ -36,6 +43,8 @@ const FRONTAL: DVec3 = DVec3::new(0.0, 0.242_535_625, 0.970_142_5);
 pub struct Illumination {
     /// The key's colour, linear RGB; 1, 1, 1 leaves it.
     pub color: [f32; 3],
+    /// The colour of what lights the room and the figure's edge, likewise.
+    pub room_color: [f32; 3],
     /// The key's brightness; 1 leaves it.
     pub brightness: f64,
     /// How far the key lamp goes round, away from the front, radians.
@@ -55,6 +64,7 @@ impl Default for Illumination {
     fn default() -> Self {
         Self {
             color: [1.0; 3],
+            room_color: [1.0; 3],
             brightness: 1.0,
             turn_rad: 0.0,
             lift_rad: 0.0,
@@ -66,16 +76,17 @@ impl Default for Illumination {
 }
 
 impl Illumination {
-    /// How an emotion lights the stage at an intensity, 0 to 10: colour by table 3.2, brightness by
-    /// equations 3.1 and 3.2, and shadows.
+    /// How an emotion lights the stage at an intensity, 0 to 10: a share of the colour of table 3.2,
+    /// brightness by equations 3.1 and 3.2 within bounds, and shadows.
     #[must_use]
     pub fn of(emotion: &EmotionType, intensity: f64) -> Self {
         let share = (intensity / FULL_MANNER).clamp(0.0, 1.0);
         let tinge = ops::pow(share, TINGE);
         let lamp = emotion.lamp;
         Self {
-            color: linear(emotion.key_color).map(|c| lerp(1.0, f64::from(c), tinge) as f32),
-            brightness: emotion.brightness(intensity),
+            color: gel(emotion.key_color, KEY_GEL * tinge),
+            room_color: gel(emotion.key_color, ROOM_GEL * tinge),
+            brightness: emotion.brightness(intensity).clamp(DIMMEST, BRIGHTEST),
             turn_rad: share * lamp.turn_rad,
             lift_rad: share * lamp.lift_rad,
             softness: lerp(1.0, lamp.softness, share),
@@ -95,6 +106,17 @@ impl Illumination {
         }
     }
 
+    /// What a script lights: the key takes all of its colour, the room a part.
+    #[must_use]
+    pub fn written(color: [f32; 3], brightness: f64) -> Self {
+        Self {
+            color,
+            room_color: color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT),
+            brightness,
+            ..Self::default()
+        }
+    }
+
     /// The light of the thesis where nothing is felt: white, from the front.
     #[must_use]
     pub fn strict_default() -> Self {
@@ -108,8 +130,11 @@ impl Illumination {
     #[must_use]
     pub fn towards(&self, to: &Self, s: f64) -> Self {
         let share = s as f32;
+        let mixed =
+            |a: [f32; 3], b: [f32; 3]| std::array::from_fn(|c| a[c] + (b[c] - a[c]) * share);
         Self {
-            color: std::array::from_fn(|c| self.color[c] + (to.color[c] - self.color[c]) * share),
+            color: mixed(self.color, to.color),
+            room_color: mixed(self.room_color, to.room_color),
             brightness: lerp(self.brightness, to.brightness, s),
             turn_rad: lerp(self.turn_rad, to.turn_rad, s),
             lift_rad: lerp(self.lift_rad, to.lift_rad, s),
@@ -126,13 +151,15 @@ impl Illumination {
         let made_up = ops::pow(f64::from(most).max(1e-3), MADE_UP);
         let power = ops::pow(self.brightness.max(0.0), KEY_FOLLOWS) / made_up;
         let key = self.color.map(|c| (c + (most - c) * WHITE) * power as f32);
-        let (tint, gain) = self.shared();
+        let tint = self.color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT);
+        let gain = self.rest_gain();
         // The thesis's secondary and back lights are no part of the expression.
         let strict = self.strict as f32;
         let mixed = |designed: [f32; 3], plain: [f32; 3]| -> [f32; 3] {
             std::array::from_fn(|c| designed[c] + (plain[c] - designed[c]) * strict)
         };
         let rest = mixed(tint.map(|c| c * gain), [1.0; 3]);
+        let edge = mixed(self.room_color.map(|c| c * gain), [1.0; 3]);
         let key = mixed(key, self.color.map(|c| c * self.brightness.max(0.0) as f32));
         let towards = self.moved(lighting.key.towards_light_in_world);
         Lighting {
@@ -145,7 +172,7 @@ impl Illumination {
                 ..lighting.fill
             },
             rim: DirectedLight {
-                irradiance: times(lighting.rim.irradiance, rest),
+                irradiance: times(lighting.rim.irradiance, edge),
                 ..lighting.rim
             },
             sky: times(lighting.sky, rest),
@@ -161,17 +188,15 @@ impl Illumination {
         if *self == Self::default() {
             return set;
         }
-        let (tint, gain) = self.shared();
+        let gain = self.rest_gain();
         let share = self.strict as f32;
-        let tint = tint.map(|c| c + (1.0 - c) * share);
+        let tint = self.room_color.map(|c| c + (1.0 - c) * share);
         set.lit(tint, gain + (1.0 - gain) * share, self.mist as f32)
     }
 
-    /// Colour and brightness of everything but the key.
-    fn shared(&self) -> ([f32; 3], f32) {
-        let tint = self.color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT);
-        let gain = ops::pow(self.brightness.max(0.0), REST_FOLLOWS) as f32;
-        (tint, gain)
+    /// Brightness of everything but the key.
+    fn rest_gain(&self) -> f32 {
+        ops::pow(self.brightness.max(0.0), REST_FOLLOWS) as f32
     }
 
     /// The direction of the key lamp where this light moves it.
@@ -188,6 +213,14 @@ impl Illumination {
         let ((rise, out), (aside, front)) = (ops::sincos(lift), ops::sincos(turn));
         DVec3::new(out * aside, rise, out * front)
     }
+}
+
+/// White light through so much of a colour in sRGB, as bright as white: linear RGB. The brightest channel is 1,
+/// so that grey, which has no colour, leaves it white.
+fn gel(srgb: [u8; 3], share: f64) -> [f32; 3] {
+    let color = linear(srgb);
+    let most = color.iter().copied().fold(1e-3, f32::max);
+    color.map(|c| lerp(1.0, f64::from(c / most), share) as f32)
 }
 
 fn times(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
@@ -296,6 +329,81 @@ mod tests {
                 let all = [lit.key.irradiance, lit.fill.irradiance, lit.sky];
                 let all = all.iter().flatten();
                 assert!(all.clone().all(|c| (0.0..4.0).contains(c)), "{name}");
+            }
+        }
+    }
+
+    /// CIE L*a*b* of linear sRGB under D65.
+    fn lab([r, g, b]: [f64; 3]) -> [f64; 3] {
+        let root = |t: f64| {
+            if t > 0.008_856 {
+                ops::pow(t, 1.0 / 3.0)
+            } else {
+                7.787 * t + 16.0 / 116.0
+            }
+        };
+        let x = root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505);
+        let y = root(0.2126 * r + 0.7152 * g + 0.0722 * b);
+        let z = root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// How far a paint's colour goes in a light, ΔE at the lightness that it has in white light; and its hue,
+    /// degrees.
+    fn shifted(paint: [f64; 3], light: [f32; 3]) -> (f64, f64) {
+        let y = |c: [f64; 3]| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+        let lit: [f64; 3] = std::array::from_fn(|i| paint[i] * f64::from(light[i]));
+        let lit = lit.map(|c| c * y(paint) / y(lit));
+        let ([_, a0, b0], [_, a1, b1]) = (lab(paint), lab(lit));
+        let turn = (ops::atan2(b1, a1) - ops::atan2(b0, a0)).to_degrees().abs();
+        (ops::hypot(a1 - a0, b1 - b0), turn.min(360.0 - turn))
+    }
+
+    #[test]
+    fn skin_stays_skin_and_clothes_keep_their_hue_in_every_emotion() {
+        // Of the palest to the darkest of figures, linear.
+        let skins = [
+            [0.56, 0.37, 0.28],
+            [0.46, 0.28, 0.20],
+            [0.38, 0.22, 0.14],
+            [0.20, 0.105, 0.060],
+            [0.085, 0.042, 0.026],
+        ];
+        // Teal, red, mustard, navy, pink.
+        let clothes = [
+            [0.010, 0.130, 0.125],
+            [0.210, 0.012, 0.014],
+            [0.560, 0.240, 0.015],
+            [0.022, 0.040, 0.100],
+            [0.380, 0.045, 0.130],
+        ];
+        for emotion in &EMOTIONS {
+            for tenths in [5, 20, 50, 80, 100] {
+                let intensity = 0.1 * f64::from(tenths);
+                let own = Lighting::default();
+                let light = Illumination::of(emotion, intensity);
+                let lit = light.lamps(&own);
+                let key: [f32; 3] =
+                    std::array::from_fn(|c| lit.key.irradiance[c] / own.key.irradiance[c]);
+                for skin in skins {
+                    let (delta, turn) = shifted(skin, key);
+                    assert!(
+                        delta < 9.0 && turn < 16.0,
+                        "{} {delta} {turn}",
+                        emotion.name
+                    );
+                }
+                for cloth in clothes {
+                    let (delta, turn) = shifted(cloth, key);
+                    assert!(
+                        delta < 12.0 && turn < 16.0,
+                        "{} {delta} {turn}",
+                        emotion.name
+                    );
+                }
+                // Nothing is black, and nothing white.
+                let most = key.iter().copied().fold(0.0, f32::max);
+                assert!((0.55..1.35).contains(&most), "{} {most}", emotion.name);
             }
         }
     }

@@ -28,4 +28,4 @@ pub use line::Line;
 pub use mood::{Feelings, Felt, Mood};
 pub use set::{Set, SetKind};
 pub use shown::{Fill, Shown};
-pub use storyteller::{BROAD, Gesture, QUICK_ZOOM, SLOW_ZOOM, Span, TakenSpace};
+pub use storyteller::{BROAD, Gesture, QUICK_ZOOM, SLOW_ZOOM, Span, TakenSpace, aside_in};

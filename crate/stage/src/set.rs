@@ -1,5 +1,7 @@
 //! Floor and backdrop.
 
+use raconteur_base::ops;
+
 use crate::Lighting;
 use crate::light::lamp;
 
@@ -38,6 +40,8 @@ pub struct Set {
     pub fog: [f32; 3],
     /// How fast it does, per metre beyond the figure; 0 for clear air.
     pub fog_density: f32,
+    /// How long fire and leaves have moved, seconds; 0 where they are to be still.
+    pub time_secs: f64,
 }
 
 /// Density of the thickest fog, per metre: a third is left of a wall three metres behind.
@@ -107,6 +111,7 @@ impl Set {
             glow,
             fog: [0.0; 3],
             fog_density: 0.0,
+            time_secs: 0.0,
         }
     }
 
@@ -116,47 +121,73 @@ impl Set {
     pub fn lighting(&self) -> Lighting {
         match self.kind {
             SetKind::Curtain => Lighting::default(),
-            // The key from the hearth's side, as if a lamp stood before it.
+            // From the hearth's side, as wide as its light on the walls.
             SetKind::Fireside => Lighting {
-                key: lamp([-0.72, 0.42, 0.80], [1.12, 0.88, 0.64]),
-                fill: lamp([0.80, 0.15, 0.85], [0.12, 0.115, 0.125]),
-                rim: lamp([-0.70, 0.30, -0.90], [1.30, 0.70, 0.32]),
-                sky: [0.135, 0.120, 0.110],
-                ground: [0.130, 0.085, 0.055],
+                key: lamp([-0.86, 0.36, 0.62], [1.16, 0.88, 0.62]),
+                fill: lamp([0.80, 0.15, 0.85], [0.15, 0.145, 0.155]),
+                rim: lamp([-0.80, 0.20, -0.85], [1.40, 0.72, 0.30]),
+                sky: [0.140, 0.120, 0.108],
+                ground: [0.135, 0.085, 0.052],
                 exposure: 1.08,
-                softness: 1.0,
+                softness: 1.7,
             },
             // A high sun behind a shoulder, and the open sky before the face.
             SetKind::Garden => Lighting {
-                key: lamp([-0.52, 0.74, 0.78], [1.00, 0.94, 0.82]),
+                key: lamp([-0.56, 0.74, 0.74], [1.00, 0.95, 0.84]),
                 fill: lamp([0.80, 0.20, 0.85], [0.20, 0.23, 0.26]),
-                rim: lamp([0.60, 0.85, -0.80], [1.30, 1.22, 0.98]),
+                rim: lamp([0.60, 0.85, -0.80], [1.45, 1.32, 1.02]),
                 sky: [0.24, 0.27, 0.31],
                 ground: [0.125, 0.145, 0.085],
                 exposure: 1.0,
-                softness: 1.0,
+                softness: 1.5,
             },
-            // A lantern's warmth on the face against the moon's cool edge.
+            // The lantern's warmth on the face against the moon's cool edge.
             SetKind::Night => Lighting {
-                key: lamp([-0.62, 0.55, 0.85], [0.98, 0.90, 0.82]),
-                fill: lamp([0.80, 0.15, 0.85], [0.10, 0.14, 0.22]),
+                key: lamp([-0.82, 0.36, 0.64], [1.16, 0.84, 0.56]),
+                fill: lamp([0.80, 0.15, 0.85], [0.11, 0.15, 0.23]),
                 rim: lamp([0.55, 0.70, -0.95], [0.85, 1.20, 1.75]),
                 sky: [0.105, 0.130, 0.190],
                 ground: [0.065, 0.070, 0.085],
-                exposure: 1.05,
-                softness: 1.0,
+                exposure: 1.08,
+                softness: 1.4,
             },
-            // White panels under a ceiling and a row of windows at one side.
+            // A window at one side, and the white panels of the ceiling.
             SetKind::School => Lighting {
-                key: lamp([-0.62, 0.72, 0.80], [0.94, 0.93, 0.90]),
-                fill: lamp([0.80, 0.25, 0.80], [0.22, 0.225, 0.23]),
-                rim: lamp([0.50, 0.90, -0.85], [0.70, 0.74, 0.80]),
-                sky: [0.26, 0.265, 0.27],
+                key: lamp([-0.80, 0.50, 0.70], [0.97, 0.97, 0.96]),
+                fill: lamp([0.80, 0.25, 0.80], [0.22, 0.22, 0.22]),
+                rim: lamp([-0.65, 0.60, -0.85], [0.80, 0.84, 0.90]),
+                sky: [0.25, 0.255, 0.26],
                 ground: [0.150, 0.130, 0.105],
                 exposure: 1.0,
-                softness: 1.0,
+                softness: 2.0,
             },
             SetKind::Studio => Lighting::named("studio").unwrap_or_default(),
+        }
+    }
+
+    /// How bright a fire that lights the figure's edge is now, about 1. Its waves are of 0.9 and 1.6 Hz: nothing
+    /// flashes (WCAG 2.2, success criterion 2.3.1).
+    #[must_use]
+    pub fn flicker(&self) -> f32 {
+        if self.kind != SetKind::Fireside {
+            return 1.0;
+        }
+        let wave = |hz: f64| ops::sincos(core::f64::consts::TAU * hz * self.time_secs).0;
+        (1.0 + 0.05 * wave(0.9) + 0.04 * wave(1.6)) as f32
+    }
+
+    /// How far aside the speaker stands, so that the place is seen: share of half the picture's width,
+    /// positive to the right. Designed.
+    #[must_use]
+    pub fn aside(&self) -> f64 {
+        match self.kind {
+            // The hearth lies at the left.
+            SetKind::Fireside => 0.24,
+            // The lantern and the window, less of the desk.
+            SetKind::Night | SetKind::School => 0.16,
+            // The tree stands at the right.
+            SetKind::Garden => -0.20,
+            SetKind::Curtain | SetKind::Studio => 0.0,
         }
     }
 

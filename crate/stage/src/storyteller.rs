@@ -1,5 +1,5 @@
-//! The storyteller's shot: head to waist with the eyes on the upper third of the picture, wider
-//! only while a gesture needs it.
+//! The storyteller's shot: head to chest with the eyes on the upper third of the picture, wider
+//! only while a gesture needs it; on a phone held upright to the waist.
 //!
 //! The camera stands where that of a medium shot does and zooms, so that whom the figure looks at
 //! does not depend on what its hands do.
@@ -10,12 +10,16 @@ use raconteur_base::ops;
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
 const EYES: f64 = 0.933;
 /// Height of the picture about the eyes while no gesture needs more, share of stature: a head
-/// takes more than a fifth of it. Designed.
-pub(crate) const AT_REST: f64 = 0.58;
-/// Height of the lower edge of hands that rest before the waist, share of stature; and how much
-/// lower the picture is while all it shows lies above its lower edge by that. Designed.
-const RESTING_HANDS: f64 = 0.605;
+/// takes more than a quarter of it. In a narrow one it is [`AT_REST_NARROW`], which goes to the waist.
+/// Designed.
+pub(crate) const AT_REST: f64 = 0.47;
+const AT_REST_NARROW: f64 = 0.54;
+/// Height of the throat, share of stature: captions may lie below it while hands rest. Designed.
+const THROAT: f64 = 0.80;
+/// How much lower the picture is at least while hands come near its lower edge, and how near that is,
+/// shares of stature. Designed.
 const PULLED: f64 = 0.05;
+const NEAR_EDGE: f64 = 0.10;
 /// Share of the picture above the eyes.
 const ABOVE: f64 = 1.0 / 3.0;
 /// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
@@ -33,11 +37,11 @@ pub const BROAD: f64 = 1.0;
 const NARROW_MOST: f64 = 0.64;
 /// How much of the room for captions a narrow picture makes: hands may rest behind them. Designed.
 const NARROW_CAPTIONS: f64 = 0.4;
-/// What pictures that emotions ask for show, shares of stature: from the waist up, head and shoulders, and
+/// What pictures that emotions ask for show, shares of stature: from the chest up, head and shoulders, and
 /// the face with room for nods. Designed.
 pub(crate) const BUST: Span = Span {
-    bottom: 0.61,
-    top: 1.09,
+    bottom: 0.66,
+    top: 1.08,
 };
 pub(crate) const HEAD: Span = Span {
     bottom: 0.76,
@@ -49,6 +53,10 @@ pub(crate) const FACE: Span = Span {
 };
 /// How far hands are held out, share of stature. Designed.
 const HELD_OUT: f64 = 0.22;
+/// A picture narrower than the first has the figure in its middle, one broader than the second as far
+/// aside as its set asks for, width over height. Designed.
+const MIDDLE: f64 = 1.2;
+const ASIDE: f64 = 1.6;
 /// Half the width of a head that turns, share of stature.
 const HEAD_HALF_WIDTH: f64 = 0.085;
 /// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
@@ -66,6 +74,13 @@ const HELD_M: f64 = 1e-4;
 /// How narrow a picture of `aspect` is, 0 to 1.
 fn narrow(aspect: f64) -> f64 {
     ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0)
+}
+
+/// How far aside a figure stands in a picture of `aspect` (width over height), where a set asks for
+/// `aside`: share of half the picture's width, positive to the right.
+#[must_use]
+pub fn aside_in(aspect: f64, aside: f64) -> f64 {
+    aside * smooth((aspect - MIDDLE) / (ASIDE - MIDDLE))
 }
 
 /// The space that hands or the whole body take, metres from the floor and from the middle of the
@@ -132,14 +147,25 @@ pub struct Span {
 impl Default for Span {
     /// While no gesture needs more.
     fn default() -> Self {
-        Self {
-            bottom: EYES - (1.0 - ABOVE) * AT_REST,
-            top: EYES + ABOVE * AT_REST,
-        }
+        Self::about_eyes(AT_REST)
     }
 }
 
 impl Span {
+    /// A height about the eyes, share of stature.
+    fn about_eyes(height: f64) -> Self {
+        Self {
+            bottom: EYES - (1.0 - ABOVE) * height,
+            top: EYES + ABOVE * height,
+        }
+    }
+
+    /// What a picture of `aspect` (width over height) shows while no gesture needs more.
+    #[must_use]
+    pub fn at_rest(aspect: f64) -> Self {
+        Self::about_eyes(lerp(AT_REST, AT_REST_NARROW, narrow(aspect)))
+    }
+
     /// The same with a head that turns, in a picture of `aspect`.
     #[must_use]
     pub(crate) fn with_head(self, stature_m: f64, aspect: f64) -> Self {
@@ -164,12 +190,12 @@ impl Span {
         }
     }
 
-    /// What keeps hands above a share of the picture's height at its lower edge.
+    /// What keeps hands above a share of the picture's height at its lower edge, of a picture that shows
+    /// `at_rest` while they rest.
     #[must_use]
-    pub(crate) fn above_captions(self, share: f64) -> Self {
-        let at_rest = Self::default().bottom;
+    fn above_captions(self, share: f64, at_rest: f64) -> Self {
         // A gesture that widens the picture comes down to its lower edge.
-        let spare = (RESTING_HANDS - at_rest) * (1.0 - smooth((at_rest - self.bottom) / PULLED));
+        let spare = (THROAT - at_rest) * (1.0 - smooth((at_rest - self.bottom) / PULLED));
         // A nearer picture has as much less to spare.
         let lowest = self.bottom + spare * (self.height() / AT_REST).min(1.0);
         Self {
@@ -220,13 +246,18 @@ impl Span {
     /// that it costs the face.
     #[must_use]
     pub(crate) fn above_captions_in(self, share: f64, aspect: f64) -> Self {
-        self.above_captions(share * lerp(1.0, NARROW_CAPTIONS, narrow(aspect)))
+        let at_rest = Self::at_rest(aspect).bottom;
+        self.above_captions(share * lerp(1.0, NARROW_CAPTIONS, narrow(aspect)), at_rest)
     }
 
     /// What is shown for a gesture: all of it, but in a narrow picture no more than from below the waist
     /// up for hands. A whole body is shown whole.
     fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
-        let needed = self.with(space, stature_m, aspect);
+        let mut needed = self.with(space, stature_m, aspect);
+        // Hands near the lower edge get air below them, and are not behind captions.
+        if space.bottom_m < (self.bottom + NEAR_EDGE) * stature_m {
+            needed.bottom = needed.bottom.min(self.bottom - PULLED);
+        }
         // What reaches lower than hands are followed is a body, or is held.
         let is_body = space.bottom_m < LOWEST * stature_m - 0.5 * HELD_M;
         let more = needed.height() - self.height();
@@ -291,36 +322,59 @@ mod tests {
     }
 
     #[test]
-    fn the_eyes_lie_on_the_upper_third_and_the_head_takes_a_fifth() {
+    fn the_eyes_lie_on_the_upper_third_and_the_head_takes_a_quarter() {
         for aspect in [0.46, 0.75, 1.0, 1.78] {
-            let at = seen(Span::default(), aspect);
+            let at = seen(Span::at_rest(aspect), aspect);
             let y = |share: f64| at(DVec3::Y * (share * STATURE_M))[1];
             assert!((y(EYES) - 1.0 / 3.0).abs() < 0.02, "{aspect}: {}", y(EYES));
             // From menton to vertex.
-            assert!(0.5 * (y(1.0) - y(0.868)) > 0.2, "{aspect}");
+            let least = if aspect < BROAD { 0.23 } else { 0.27 };
+            assert!(0.5 * (y(1.0) - y(0.868)) > least, "{aspect}");
+        }
+        // On a phone the waist is seen, on a desktop it is not (ANSUR: 0.61 to 0.62).
+        assert!(Span::at_rest(0.46).bottom < 0.6 && Span::at_rest(1.78).bottom > 0.61);
+    }
+
+    #[test]
+    fn a_figure_aside_stays_so_and_its_hands_are_seen() {
+        let room = Room {
+            aside: 0.24,
+            ..Room::default()
+        };
+        for (aspect, expected) in [(0.46, 0.0), (1.0, 0.0), (1.78, 0.24), (2.4, 0.24)] {
+            let c = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, room);
+            let middle = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, Room::default());
+            assert_eq!(
+                c.eye_in_world, middle.eye_in_world,
+                "it is looked at the same"
+            );
+            let half = ops::tan(0.5 * c.fov_y_rad) * (c.eye_in_world.z - c.target_in_world.z);
+            let x = (DVec3::ZERO - c.target_in_world).x / (half * aspect);
+            assert!((x - expected).abs() < 0.02, "{aspect}: {x}");
         }
     }
 
     #[test]
-    fn hands_are_above_captions_and_the_head_stays_a_fifth() {
+    fn hands_and_throat_are_above_captions_and_the_head_stays_a_fifth() {
         for captions in [0.0, 0.1, 0.2] {
-            let span = Span::default().above_captions(captions);
+            let at_rest = Span::default().bottom;
+            let span = Span::default().above_captions(captions, at_rest);
             let share = |y: f64| (y - span.bottom) / span.height();
-            assert!(share(RESTING_HANDS) >= captions - 1e-9, "{captions}");
-            assert!(share(1.0) - share(0.868) > 0.2, "{captions}");
-            let space = TakenSpace {
-                top_m: 2.0,
-                bottom_m: 0.8,
-                half_width_m: 0.5,
-            };
-            let wide = Span::default().with(&space, STATURE_M, 1.78);
-            let above = wide.above_captions(captions);
-            let hands = 0.8 / STATURE_M;
-            assert!(
-                (hands - above.bottom) / above.height() >= captions - 1e-9,
-                "{captions}"
-            );
-            assert_eq!(above.top, wide.top);
+            assert!(share(THROAT) >= captions - 1e-9, "{captions}");
+            assert!(share(1.0) - share(0.868) > 0.25, "{captions}");
+            // Hands of a gesture, wherever they are.
+            for bottom in [0.40, 0.56, 0.60, 0.65, 0.70] {
+                let space = TakenSpace {
+                    top_m: 0.9 * STATURE_M,
+                    bottom_m: bottom * STATURE_M,
+                    half_width_m: 0.3,
+                };
+                let wide = Span::default().for_gesture(&space, STATURE_M, 1.78);
+                let above = wide.above_captions(captions, at_rest);
+                let hands = (bottom - above.bottom) / above.height();
+                assert!(hands >= captions - 1e-9, "{captions} {bottom}: {hands}");
+                assert_eq!(above.top, wide.top);
+            }
         }
     }
 
@@ -368,7 +422,7 @@ mod tests {
                 to_secs: 2.0,
                 space,
             }];
-            let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
+            let at = |t: f64| Span::at_rest(aspect).at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             (at(1.5).height(), at(1.5))
         };
         let hands = TakenSpace {
@@ -387,7 +441,7 @@ mod tests {
         }
         let (between, all) = (of(hands, 0.95).0, of(hands, 1.0).0);
         assert!(
-            between.min(all) >= Span::default().height(),
+            between.min(all) >= Span::at_rest(1.0).height(),
             "{between} {all}"
         );
         let (body, _) = of(TakenSpace::of_body(STATURE_M), 0.46);

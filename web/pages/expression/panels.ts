@@ -42,6 +42,9 @@ export function setting(app: App): TemplateResult {
       <ul class="ticks" aria-hidden="true">${BANDS.slice(1).map(tick)}</ul>
     </div>
     <div class="channels" role="group" aria-label="What expresses it besides the face"><span class="name" aria-hidden="true">Channels</span>${(Object.keys(CHANNELS) as (keyof Channels)[]).map(channel)}</div>
+    <div class="channels" role="group" aria-label="How closely the light keeps to the thesis">
+      <span class="name" aria-hidden="true">Colour</span>${check('To the letter', app.edited.thesis, (on) => app.set(app.edit((s) => (s.thesis = on))))}
+    </div>
     ${choice('set', 'Set', set, SETS, (to) => app.set(app.edit((s) => (s.set = to))))}`;
 }
 

@@ -17,6 +17,8 @@ export interface Setting extends Channels {
   potential: number;
   /** Where the story is told. */
   set: SetName;
+  /** Whether the light is that of GEVH to the letter, in full colour, and not a gel. */
+  thesis: boolean;
 }
 
 export type Side = 'a' | 'b';
@@ -33,7 +35,7 @@ export interface State {
 
 /** What a new page shows. */
 export const beginning = (): State => ({
-  a: { emotion: 'joy', potential: 3, camera: true, light: true, music: true, set: 'curtain' },
+  a: { emotion: 'joy', potential: 3, camera: true, light: true, music: true, set: 'curtain', thesis: false },
   b: null,
   compares: false,
   edits: 'a',

@@ -19,8 +19,8 @@ const OPENING = tag('gesture-key', { time: 'said+0.5s', duration: 1.6, handednes
 ]);
 
 /** A whole script: the emotion from its beginning on, and a sentence that says nothing of it. */
-export function write({ emotion, potential, camera, light, music, set }: Setting): string {
+export function write({ emotion, potential, camera, light, music, set, thesis }: Setting): string {
   const felt = emotion === 'neutral' ? [] : [tag('r:emotion', { time: 0, type: emotion, potential, duration: LENGTH_SECS })];
   const clauses = [...felt, tag('voice-text', { time: SPEAKS_SECS, timeId: 'said' }, ['Now listen to what happened next.']), OPENING, tag('null', { time: LENGTH_SECS })];
-  return script('expression', true, clauses, [tag('r:environment', { camera, light, music, set })]);
+  return script('expression', true, clauses, [tag('r:environment', { camera, light, music, set, ...(thesis && { fidelity: 'thesis' }) })]);
 }

@@ -7,7 +7,7 @@ pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Takes a shot."),
     source: super::shown("Extension; GEVH 3.5.4.1"),
     decision: super::shown(
-        "Without one, and after by='emotion', the strongest emotion chooses shot and angle by the rules of GEVH 3.5.4.1, unless r:environment says otherwise; where nothing is felt it is the shot of whoever shows the story, which players begin with: storyteller, head to waist with the eyes on the upper third, that widens slowly where a gesture or a dance needs it. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
+        "Without one, and after by='emotion', the strongest emotion chooses shot and angle by the rules of GEVH 3.5.4.1, unless r:environment says otherwise; where nothing is felt it is the shot of whoever shows the story, which players begin with: storyteller, head to chest (on a phone held upright to the waist) with the eyes on the upper third, that widens slowly where a gesture or a dance needs it. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
     ),
     example: super::shown(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>",

@@ -106,10 +106,11 @@ impl LampSequence {
                 let transition_secs = match leader {
                     Leader::Script(i) => {
                         let cue = &cues[i];
+                        let color = cue.color.unwrap_or(now.color);
+                        let brightness = cue.brightness.unwrap_or(now.brightness);
                         now = Illumination {
-                            color: cue.color.unwrap_or(now.color),
-                            brightness: cue.brightness.unwrap_or(now.brightness),
-                            ..channel.own()
+                            strict: channel.own().strict,
+                            ..Illumination::written(color, brightness)
                         };
                         cue.transition_secs
                     }

@@ -110,6 +110,11 @@ impl Picture {
         self.captions = share;
     }
 
+    /// Whether what is about the figure moves by itself.
+    pub(crate) fn moves(&self) -> bool {
+        self.moves
+    }
+
     /// The shots of the performance.
     pub(crate) fn shots(&self) -> &ShotSequence {
         &self.shots
@@ -142,7 +147,7 @@ impl Picture {
             };
             shot.frame(floor_in_world, stature_m, aspect, room)
         };
-        let usual = || room((Span::default(), SLOW_ZOOM));
+        let usual = || room((Span::at_rest(aspect), SLOW_ZOOM));
         let of = |take: &Take| {
             let elevation_rad = take.angle.elevation_rad();
             let room = |rest| {
@@ -159,7 +164,7 @@ impl Picture {
                     let zoom = if self.moves { QUICK_ZOOM } else { SLOW_ZOOM };
                     frame(Shot::Storyteller, room((rest, zoom)))
                 }
-                shot => frame(shot, room((Span::default(), SLOW_ZOOM))),
+                shot => frame(shot, room((Span::at_rest(aspect), SLOW_ZOOM))),
             }
         };
         match self.view {

@@ -8,7 +8,9 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Scenery, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Camera, Feelings, Frame, Lighting, Set, SetKind, View, pupil};
+use raconteur_stage::{
+    Camera, Feelings, Frame, Lighting, Room, Set, SetKind, View, aside_in, pupil,
+};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -423,8 +425,16 @@ impl Player {
         let set = self.set();
         let lamps = self.lighting.unwrap_or_else(|| set.lighting());
         let light = self.picture.illumination(time_secs);
+        self.frame.set = Set {
+            // Who asks for less motion sees the place stand still.
+            time_secs: if self.picture.moves() { time_secs } else { 0.0 },
+            ..light.set(set)
+        };
         self.frame.lighting = light.lamps(&lamps);
-        self.frame.set = light.set(set);
+        let flicker = self.frame.set.flicker();
+        for channel in &mut self.frame.lighting.rim.irradiance {
+            *channel *= flicker;
+        }
     }
 
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower
@@ -443,7 +453,13 @@ impl Player {
             floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
             stature_m,
         };
-        let room = |rest| self.layers.room_at(time_secs, rest, stature_m, aspect);
+        let aside = self.set().aside();
+        // What lies aside has as much less room at its side.
+        let held = aspect * (1.0 - aside_in(aspect, aside).abs());
+        let room = |rest| Room {
+            aside,
+            ..self.layers.room_at(time_secs, rest, stature_m, held)
+        };
         self.picture.camera(time_secs, aspect, &subject, room)
     }
 

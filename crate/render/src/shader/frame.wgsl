@@ -7,7 +7,7 @@ struct Frame {
     ray_forward: vec4<f32>,
     ray_right: vec4<f32>,
     ray_up: vec4<f32>,
-    eye_in_world: vec4<f32>,   // w: story time, seconds
+    eye_in_world: vec4<f32>,   // w: how long fire and leaves have moved, seconds
     key_dir: vec4<f32>,
     key: vec4<f32>,
     fill_dir: vec4<f32>,

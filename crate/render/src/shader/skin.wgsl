@@ -141,7 +141,8 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
         * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
     // Where they roll in they are wet.
     let wet = lip * smoothstep(0.50, 0.62, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4));
-    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip - 0.06 * wet;
+    // Without its fine relief skin is the rougher for it: what a pixel does not show spreads the shine.
+    var rough = max(material.params.x, 0.5) + 0.10 - 0.09 * oil - 0.20 * lip - 0.06 * wet;
     // White hairs of a beard do not blush.
     let bare = smoothstep(0.06, 0.2, (albedo.r - albedo.b) / (albedo.r + albedo.b + 1e-4));
     // Vessels widen further than they narrow.
@@ -155,16 +156,20 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let own = mix(1.0, 0.35, material.params.w);
     // Blood and pigment vary over centimetres.
     let blotch = noise(v.bind * 60.0) * 0.6 + noise(v.bind * 170.0) * 0.4 - 0.5;
-    albedo *= 1.0 + blotch * vec3<f32>(0.05, 0.10, 0.09) * own;
+    albedo *= 1.0 + blotch * vec3<f32>(0.06, 0.13, 0.11) * own;
+    // The film of oil is uneven, too: a cheek does not shine as one.
+    var sheen = 0.72 + 0.56 * (0.5 + blotch);
 
     if FINE_DETAIL == 1u {
         let pores = own * (1.0 - smoothstep(0.25, 0.7, footprint * 900.0));
         if pores > 0.0 {
             let a = noise_gradient(v.bind * 900.0);
             let b = noise_gradient(v.bind * vec3<f32>(2300.0, 1700.0, 2000.0));
-            n = bumped(n, (a.xyz * 0.085 + b.xyz * 0.05) * pores);
-            albedo *= 1.0 - 0.06 * pores * smoothstep(0.55, 0.9, a.w);
-            rough += 0.08 * pores * (b.w - 0.5);
+            n = bumped(n, (a.xyz * 0.10 + b.xyz * 0.06) * pores);
+            albedo *= 1.0 - 0.07 * pores * smoothstep(0.55, 0.9, a.w);
+            rough += pores * (0.12 * (b.w - 0.5) - 0.08 * (1.0 - lip));
+            // No oil stands in a pore.
+            sheen *= 1.0 - 0.45 * pores * smoothstep(0.50, 0.85, a.w);
         }
         // Lips fold across the mouth, a millimetre apart; on their way to the corners the folds fan
         // out.
@@ -220,14 +225,14 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
     let tight = filtered_roughness(n, rough * 0.62);
     rough = filtered_roughness(n, rough);
-    let film = 0.10 + 0.09 * oil + 0.30 * lip + 0.14 * wet;
+    let film = 0.05 + 0.10 * oil + 0.34 * lip + 0.14 * wet;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
     let fill_s = specular(n, view, fill_l, rough);
     let rim_s = specular(n, view, rim_l, rough);
     // The fill has no shadow of its own: hollows keep it out.
     var shine = frame.key.xyz * (key_s * share) + frame.fill.xyz * (fill_s * ao)
         + frame.rim.xyz * (rim_s * rim_in * ao);
-    shine *= f * PI * 0.62 * ao * ao;
+    shine *= f * PI * 0.62 * ao * ao * mix(sheen, 1.0, lip);
     // Of the room little is mirrored: more would lie on the skin as a grey haze.
     shine += mirrored(reflect(-view, n)) * (f * ao * ao * ao * mix(0.22, 0.45, max(0.7 * oil, lip)));
 
