@@ -9,9 +9,12 @@ import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test } from './stage.js';
 
-const STILL = join(import.meta.dirname, '../../web/pages/still.webp');
-/** Wider than any stage, so that its height alone frames it. */
-const SIZE = { width: 1728, height: 720 } as const;
+const still = (name: string): string => join(import.meta.dirname, '../../web/pages', name);
+/** The first wider than any stage, so that its height alone frames it; on a phone the figure stands in the middle and is seen to the waist. */
+const STILLS = [
+  { name: 'still.webp', width: 1728, height: 720 },
+  { name: 'still-narrow.webp', width: 576, height: 720 },
+] as const;
 /** As portraits are packed. */
 const WEBP_QUALITY = 0.84;
 /** Mean difference of pictures, of 255: packing and another size make 3, arms that hang otherwise 3, another light or shot from 13 on (software drawing). */
@@ -40,10 +43,10 @@ async function look(page: Page, opacity: '0' | '1'): Promise<Buffer> {
 }
 
 /** Takes the picture on stage as it is packed for the page. */
-async function packed(page: Page): Promise<Buffer> {
+async function packed(page: Page, size: { width: number; height: number }): Promise<Buffer> {
   await page.locator('raconteur-player').evaluate((p: RaconteurPlayer, { width, height }) => {
     Object.assign(p.style, { position: 'fixed', inset: '0', zIndex: '9', width: `${width}px`, height: `${height}px`, maxHeight: 'none', borderRadius: '0' });
-  }, SIZE);
+  }, size);
   // The larger picture is drawn.
   await page.waitForTimeout(1500);
   const png = (await look(page, '1')).toString('base64');
@@ -68,8 +71,10 @@ test.use({ deviceScaleFactor: 1 });
 test('the still before the first picture is the first picture', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   if (process.env['UPDATE'] !== undefined) {
-    await open(page, SIZE.width, SIZE.height);
-    writeFileSync(STILL, await packed(page));
+    for (const { name, width, height } of STILLS) {
+      await open(page, width, height);
+      writeFileSync(still(name), await packed(page, { width, height }));
+    }
     return;
   }
   for (const [width, height] of [

@@ -34,7 +34,7 @@ impl Default for Camera {
 
 impl Camera {
     /// The camera that shows a span of a figure at `feet_in_world` from where this one stands.
-    /// The figure stands `aside` of the middle, share of half the picture's width, positive to the right.
+    /// The figure stands `aside` of the middle, share of half the picture's height, positive to the right.
     fn narrowed_to(
         &self,
         span: Span,
@@ -44,9 +44,10 @@ impl Camera {
         aside: f64,
     ) -> Self {
         let [bottom, top] = [span.bottom, span.top].map(|s| feet_in_world.y + s * stature_m);
-        let half_width = 0.5 * (top - bottom) * aspect;
+        let half_height = 0.5 * (top - bottom);
+        let half_width = half_height * aspect;
         // It follows a figure that leaves the middle only as far as it must.
-        let play = half_width * (1.0 - aside.abs()) - 0.5 * AT_REST * stature_m;
+        let play = half_width - half_height * aside.abs() - 0.5 * AT_REST * stature_m;
         let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
         let eye = self.eye_in_world.with_x(across * feet_in_world.x);
         let depth = eye.z - FOLLOWED_DEPTH * feet_in_world.z;
@@ -56,7 +57,7 @@ impl Camera {
             eye_in_world: eye,
             // It turns from where it stands, so that whom the figure looks at stays.
             target_in_world: DVec3::new(
-                eye.x - aside * half_width,
+                eye.x - aside * half_height,
                 eye.y + depth * ops::tan(pitch),
                 eye.z - depth,
             ),
@@ -136,7 +137,7 @@ pub struct Room {
     /// it. 0 to [`MOST_CAPTIONS`].
     pub captions: f64,
     /// How far aside the figure stands in a broad picture of the storyteller's shot, share of half its
-    /// width, positive to the right.
+    /// height, positive to the right.
     pub aside: f64,
 }
 

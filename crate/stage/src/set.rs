@@ -69,13 +69,12 @@ impl Set {
     #[must_use]
     pub fn of(kind: SetKind) -> Self {
         let [floor, backdrop_low, backdrop_high, glow] = match kind {
-            // An evening stage, dark about the speaker: aubergine above, a low pool of warm light
-            // behind.
+            // An evening stage: velvet of a dark red, a low pool of warm light behind the speaker.
             SetKind::Curtain => [
                 [0.115, 0.070, 0.046],
-                [0.0165, 0.0085, 0.0105],
-                [0.0065, 0.0050, 0.0085],
-                [0.080, 0.045, 0.032],
+                [0.030, 0.0070, 0.0085],
+                [0.012, 0.0045, 0.0070],
+                [0.080, 0.025, 0.019],
             ],
             SetKind::Fireside => [
                 [0.115, 0.060, 0.033],
@@ -176,17 +175,17 @@ impl Set {
         (1.0 + 0.05 * wave(0.9) + 0.04 * wave(1.6)) as f32
     }
 
-    /// How far aside the speaker stands, so that the place is seen: share of half the picture's width,
-    /// positive to the right. Designed.
+    /// How far aside the speaker stands, so that the place is seen: share of half the picture's height,
+    /// positive to the right; of the height, so that pictures of all widths lie over each other. Designed.
     #[must_use]
     pub fn aside(&self) -> f64 {
         match self.kind {
             // The hearth lies at the left.
-            SetKind::Fireside => 0.24,
+            SetKind::Fireside => 0.38,
             // The lantern and the window, less of the desk.
-            SetKind::Night | SetKind::School => 0.16,
+            SetKind::Night | SetKind::School => 0.28,
             // The tree stands at the right.
-            SetKind::Garden => -0.20,
+            SetKind::Garden => -0.36,
             SetKind::Curtain | SetKind::Studio => 0.0,
         }
     }

@@ -55,8 +55,8 @@ pub(crate) const FACE: Span = Span {
 const HELD_OUT: f64 = 0.22;
 /// A picture narrower than the first has the figure in its middle, one broader than the second as far
 /// aside as its set asks for, width over height. Designed.
-const MIDDLE: f64 = 1.2;
-const ASIDE: f64 = 1.6;
+const MIDDLE: f64 = 1.0;
+const ASIDE: f64 = 1.25;
 /// Half the width of a head that turns, share of stature.
 const HEAD_HALF_WIDTH: f64 = 0.085;
 /// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
@@ -77,7 +77,7 @@ fn narrow(aspect: f64) -> f64 {
 }
 
 /// How far aside a figure stands in a picture of `aspect` (width over height), where a set asks for
-/// `aside`: share of half the picture's width, positive to the right.
+/// `aside`: share of half the picture's height, positive to the right.
 #[must_use]
 pub fn aside_in(aspect: f64, aside: f64) -> f64 {
     aside * smooth((aspect - MIDDLE) / (ASIDE - MIDDLE))
@@ -338,10 +338,16 @@ mod tests {
     #[test]
     fn a_figure_aside_stays_so_and_its_hands_are_seen() {
         let room = Room {
-            aside: 0.24,
+            aside: 0.36,
             ..Room::default()
         };
-        for (aspect, expected) in [(0.46, 0.0), (1.0, 0.0), (1.78, 0.24), (2.4, 0.24)] {
+        for (aspect, expected) in [
+            (0.46, 0.0),
+            (1.0, 0.0),
+            (1.25, 0.36),
+            (1.78, 0.36),
+            (2.4, 0.36),
+        ] {
             let c = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, room);
             let middle = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, Room::default());
             assert_eq!(
@@ -349,7 +355,7 @@ mod tests {
                 "it is looked at the same"
             );
             let half = ops::tan(0.5 * c.fov_y_rad) * (c.eye_in_world.z - c.target_in_world.z);
-            let x = (DVec3::ZERO - c.target_in_world).x / (half * aspect);
+            let x = (DVec3::ZERO - c.target_in_world).x / half;
             assert!((x - expected).abs() < 0.02, "{aspect}: {x}");
         }
     }

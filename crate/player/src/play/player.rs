@@ -455,7 +455,7 @@ impl Player {
         };
         let aside = self.set().aside();
         // What lies aside has as much less room at its side.
-        let held = aspect * (1.0 - aside_in(aspect, aside).abs());
+        let held = aspect - aside_in(aspect, aside).abs();
         let room = |rest| Room {
             aside,
             ..self.layers.room_at(time_secs, rest, stature_m, held)

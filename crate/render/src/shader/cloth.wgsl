@@ -75,6 +75,13 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
         albedo = mix(albedo, albedo * 1.5 + 0.012, saturate1(worn));
     }
     if FINE_DETAIL == 1u {
+        // Folds that hang: down the body, across a sleeve.
+        let sleeve = smoothstep(0.20, 0.27, abs(v.bind.x));
+        let hang = noise_gradient(v.bind * mix(vec3<f32>(19.0, 5.0, 19.0), vec3<f32>(27.0, 11.0, 11.0), sleeve));
+        let slack = mix(1.0, 0.55, f32(kind == 0u || kind == 1u)) * mix(0.7, 1.0, smoothstep(1.32, 1.12, v.bind.y));
+        n = bumped(n, hang.xyz * mix(vec3<f32>(1.0, 0.3, 1.0), vec3<f32>(1.0, 0.45, 0.45), sleeve) * (0.42 * slack));
+        // Less light comes into their bottoms.
+        albedo *= 1.0 - 0.22 * slack * smoothstep(0.55, 0.20, hang.w);
         // Small creases that the mesh is too coarse for; knits hardly keep any.
         let crisp = select(0.10, 0.24, kind == 2u || is_denim || kind == 4u);
         n = bumped(n, noise_gradient(v.bind * vec3<f32>(44.0, 62.0, 44.0)).xyz * crisp);

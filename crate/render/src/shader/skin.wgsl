@@ -223,7 +223,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // Two lobes, oily film over rough skin, f0 0.028 (d'Eon and Luebke 2007).
     // Rough skin mirrors less at grazing angles than Schlick's smooth surface.
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
-    let tight = filtered_roughness(n, rough * 0.62);
+    let tight = filtered_roughness(n, rough * mix(0.76, 0.62, lip));
     rough = filtered_roughness(n, rough);
     let film = 0.05 + 0.10 * oil + 0.34 * lip + 0.14 * wet;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);

@@ -23,8 +23,27 @@ fn folds(arc: f32, height: f32) -> vec2<f32> {
     // Folds swing a little as they fall, and no two are the same.
     let sway = 0.30 * sin(arc * 1.7 + 0.8 + 0.35 * height) + 0.16 * sin(arc * 4.1 - 0.5 * height + 2.0);
     let phase = arc * 15.0 + sway * 2.6;
-    // The lens is focused on the speaker: of the folds, what is as wide as its blur is left.
-    return vec2<f32>(0.55 * cos(phase), 0.5 + 0.30 * sin(phase));
+    // Cloth that hangs is round before and narrow behind; the lens, which is focused on the speaker, leaves less of it.
+    let s = sin(phase);
+    return vec2<f32>(0.75 * cos(phase) * (1.0 - 0.45 * s), 0.56 + 0.36 * s - 0.12 * s * s);
+}
+
+// The valance above: swags with a fringe of gold. How much it covers is in w.
+fn valance(arc: f32, y: f32, tone: vec3<f32>, light: vec3<f32>) -> vec4<f32> {
+    let blur = 0.014;
+    let swag = fract(arc / 1.16 + 0.5) - 0.5;
+    let edge = 2.03 + 0.62 * swag * swag;
+    // Folds run from both upper corners to the middle.
+    let fall = (2.75 - y) / max(2.75 - edge, 0.1);
+    let fold = sin(24.0 * fall + 9.0 * swag * swag);
+    let cloth = (tone * 1.35 + light * 0.30) * (0.85 + 0.35 * fold) * mix(1.0, 0.55, smoothstep(0.36, 0.5, abs(swag)));
+    let gold = light * vec3<f32>(1.5, 1.9, 1.1) + vec3<f32>(0.030, 0.019, 0.006);
+    let threads = 0.75 + 0.35 * sin(arc * 190.0);
+    let d = y - edge;
+    let fringe = smoothstep(-0.075 - blur, -0.075 + blur, d) * smoothstep(0.012, -0.012, d);
+    let braid = smoothstep(-0.014 - blur, 0.014 - blur, d) * smoothstep(0.040 + blur, 0.040 - blur, d);
+    let shown = mix(cloth, gold * mix(threads, 1.3, braid), max(fringe, braid));
+    return vec4<f32>(shown, smoothstep(-0.075 - blur, -0.075 + blur, d));
 }
 
 fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
@@ -46,7 +65,11 @@ fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
     var light = tone * (0.55 + 0.75 * from_key) + frame.glow.xyz * (pool * (0.55 + 0.6 * from_key));
     light += (tone + frame.glow.xyz * pool) * (0.35 * pile * pile);
     // The foot of the curtain darkens to the floor.
-    return light * cavity * mix(0.55, 1.0, smoothstep(0.0, 0.5, p.y));
+    light *= cavity * mix(0.55, 1.0, smoothstep(0.0, 0.5, p.y));
+    let above = valance(arc, p.y, tone, frame.glow.xyz * exp(-0.5 * arc * arc));
+    // Its shadow lies on the cloth below.
+    let shade = smoothstep(0.30, 0.0, 1.98 + 0.50 * pow(fract(arc / 1.16 + 0.5) - 0.5, 2.0) - p.y);
+    return mix(light * (1.0 - 0.45 * shade), above.xyz, above.w);
 }
 
 // How much of the air's colour is in the way from a place `distance` metres off.

@@ -92,12 +92,38 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     drape(&mut cloth, &params, wearer.field, &thickness);
     out.sheet.shell = cloth.shell;
     out.sheet.shell.relax(1);
+    bridge_chest(&mut out.sheet.shell, wearer);
     let lay = Lay::new(below);
     for _ in 0..2 {
         clear(&mut out.sheet.shell, &lay, 0.55 * unit);
     }
     keep_out(&mut out.sheet.shell, wearer.field, 0.2 * unit);
     out
+}
+
+/// Rows of the cage between which cloth is taut over the chest, and how often it is drawn. Chosen by eye.
+const TAUT: (f64, f64) = (0.675, 0.815);
+const TAUT_ROUNDS: usize = 40;
+
+/// Cloth lies over the hollows of a chest, about its muscles and under the collar bones, and not in them.
+fn bridge_chest(shell: &mut Shell, wearer: &Wearer<'_>) {
+    let unit = CM * wearer.scale;
+    let [low, high] = [TAUT.0, TAUT.1].map(|at| wearer.cage.row_height(Cage::row_at(at)));
+    let shares: Vec<f64> = shell
+        .points
+        .iter()
+        .zip(arm_share(shell))
+        .map(|(p, arm)| {
+            let body = fade(arm, 0.35, 0.05);
+            body * fade(p.y, low, low + 4.0 * unit) * fade(p.y, high + 3.0 * unit, high)
+        })
+        .collect();
+    let outward: Vec<DVec3> = shell
+        .points
+        .iter()
+        .map(|p| wearer.field.value_and_normal(*p, Regions::ALL, 1.0).1)
+        .collect();
+    shell.bridge(TAUT_ROUNDS, &shares, &outward);
 }
 
 /// Brings what relaxing drew into the body, as in the armpit's crease, out again.

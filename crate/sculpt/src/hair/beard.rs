@@ -52,14 +52,14 @@ const LAYERS: [BeardLayer; 3] = [
         spacing: 0.0075,
         length: 0.6,
         width: 0.0095,
-        strips: [5, 10],
+        strips: [7, 12],
         light: 0.8,
     },
     BeardLayer {
         spacing: 0.0050,
         length: 0.85,
         width: 0.0072,
-        strips: [9, 13],
+        strips: [10, 14],
         light: 0.95,
     },
     BeardLayer {
@@ -274,7 +274,8 @@ impl Growing<'_> {
         let strip = first + (dice(9) * f64::from(last - first)) as u32;
         let across = direction.cross(n).normalize_or_zero();
         let base = self.part.vertices.len() as u32;
-        let tone = 0.3 + 0.4 * dice(10);
+        // Tufts that differ much would show as flakes.
+        let tone = 0.42 + 0.18 * dice(10);
         // Among many a short tuft as broad as a long one would look like a chip.
         let (narrow, sunk) = if self.density > 1.0 {
             (lerp(0.35, 0.9, slope(0.003, 0.016, length)), 0.0002)
@@ -285,7 +286,7 @@ impl Growing<'_> {
             let t = f64::from(row) / f64::from(self.spans);
             // The tips hang.
             let middle = root - n * sunk + direction * (length * t) + sag * (length * t * t);
-            let half = 0.5 * layer.width * narrow * lerp(1.0, 0.6, t);
+            let half = 0.5 * layer.width * narrow * lerp(1.0, 0.4, t);
             let [r, g, b] = self.palette.shade(0.35 + 0.4 * t, tone, grey);
             let light = lerp(0.72, 1.0, t) * layer.light;
             for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {

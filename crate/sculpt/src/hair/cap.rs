@@ -1,6 +1,7 @@
 //! The under-cap: what is painted onto the scalp below the cards, so that no skin shines through.
 //! Short strokes along the combing, over a ground that is even further inside the line.
 
+use raconteur_base::curve::lerp;
 use raconteur_base::{DVec2, DVec3, noise, ops};
 
 use super::comb::{Field, step};
@@ -20,6 +21,8 @@ const STEPS: usize = 9;
 const STROKE: f64 = 0.62;
 /// Share of the even ground.
 const GROUND: f64 = 0.93;
+/// Share of what is painted that lies on a parting.
+const ON_PARTING: f64 = 0.60;
 /// Tone where nothing is drawn.
 const PLAIN: f64 = 0.45;
 /// A place of the skin farther from the head without ears than this is an ear, metres.
@@ -71,14 +74,14 @@ impl Cap {
         for (i, root) in (0i64..).zip(places.iter().take(STROKES * 3)) {
             let dice = |k: u64| noise::unit(self.seed + 5, k, i);
             let dense =
-                ops::pow(step(-0.004, 0.009, root.inside), 1.3) * self.off_parting(root.position);
+                ops::pow(step(-0.007, 0.010, root.inside), 1.3) * self.off_parting(root.position);
             if dice(0) > dense {
                 continue;
             }
             let reach = 0.5 + 0.8 * dice(1);
-            let own = reach * (0.45 + 0.55 * step(-0.004, 0.008, root.inside));
-            let share = 0.30 + 0.7 * step(-0.003, 0.010, root.inside);
-            let width = STROKE * (0.55 + 0.45 * step(-0.002, 0.01, root.inside));
+            let own = reach * (0.40 + 0.60 * step(-0.006, 0.008, root.inside));
+            let share = 0.16 + 0.84 * step(-0.006, 0.012, root.inside);
+            let width = STROKE * (0.50 + 0.50 * step(-0.004, 0.01, root.inside));
             let tone = (0.5 + 0.24 * normal(self.seed + 6, 3, i)).clamp(0.0, 1.0);
             let mut at = root.position;
             for k in 0..(own * STEPS as f64) as usize {
@@ -116,10 +119,14 @@ impl Cap {
         }
     }
 
-    /// 0 on the parting, where skin shows, 1 beside it.
+    /// Share of what is painted on the parting, where skin shows between roots, and beside it, where it is 1.
     fn off_parting(&self, p: DVec3) -> f64 {
-        let ragged = 0.0004 * space_noise(self.seed + 2, p * 500.0);
-        step(0.0001, 0.0014, self.field.off_parting(p) + ragged)
+        let ragged = 0.0003 * space_noise(self.seed + 2, p * 500.0);
+        lerp(
+            ON_PARTING,
+            1.0,
+            step(0.0, 0.0024, self.field.off_parting(p) + ragged),
+        )
     }
 
     /// Colour of hair at a place of the head's skin, in the frame of the head, metres, and the share

@@ -48,7 +48,7 @@ impl Field {
 
     /// x of the parting at a depth: not drawn with a ruler.
     fn parting_at(&self, z: f64) -> f64 {
-        lerp(self.crown.x, self.parting, step(self.crown.z, 0.05, z)) + 0.0012 * ops::sin(300.0 * z)
+        lerp(self.crown.x, self.parting, step(self.crown.z, 0.05, z)) + 0.0007 * ops::sin(110.0 * z)
     }
 
     /// Distance from the parting, metres; that from the crown behind it, and far off where there

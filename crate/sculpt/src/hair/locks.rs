@@ -231,7 +231,8 @@ impl Grower<'_> {
         let spread = f64::from(layer.strips[1] - layer.strips[0]);
         let mut strip = layer.strips[0] + (dice(5) * spread) as u32;
         // Dense strips would end on the bare skin like chips.
-        if root.inside < 0.007 && dice(6) < 0.75 || is_short && length < 0.02 {
+        if root.inside < 0.006 || root.inside < 0.010 && dice(6) < 0.6 || is_short && length < 0.02
+        {
             strip = 9 + (dice(7) * 5.0) as u32;
         }
         let taper = if is_short {
@@ -406,6 +407,7 @@ impl Grower<'_> {
             let is_line = r.inside > -0.0015 && r.inside < 0.006;
             let is_front = p.y > -0.002 && p.z > 0.0;
             match (is_line, is_front) {
+                (true, true) if is_hanging => 0.0036,
                 (true, true) => 0.0048,
                 (true, false) if !is_hanging => 0.0075,
                 _ => 0.0,
@@ -417,7 +419,7 @@ impl Grower<'_> {
             .map(|(i, r)| {
                 let dice = |k: u64| noise::unit(seed, k, i);
                 let length =
-                    (0.012 + 0.03 * ops::pow(dice(0), 1.5)).min(0.8 * self.length(r.position));
+                    (0.016 + 0.03 * ops::pow(dice(0), 1.5)).min(0.8 * self.length(r.position));
                 let g = Growth {
                     root: r.position,
                     normal: r.normal,
@@ -437,12 +439,13 @@ impl Grower<'_> {
                     &Laid {
                         length,
                         width: 0.0042 * (0.7 + 0.6 * dice(3)),
-                        taper: [0.6, 1.0, 0.5],
+                        taper: [0.5, 1.0, 0.35],
                         spans: 3,
                         strip: 12 + (dice(4) * 4.0) as u32,
                         is_mirrored: dice(5) < 0.5,
                         roll: 0.3 * normal(seed, 9, i),
-                        tint: (0.5 + 0.15 * normal(seed, 8, i)).clamp(0.0, 1.0),
+                        // Fine hair is pale.
+                        tint: (0.8 + 0.15 * normal(seed, 8, i)).clamp(0.0, 1.0),
                         layer: self.style.layers.len(),
                         whole: 0.12,
                     },

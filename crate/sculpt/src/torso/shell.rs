@@ -101,6 +101,22 @@ impl Shell {
         }
     }
 
+    /// Moves every inner point outwards to the mean of its neighbours where that lies farther out, as cloth that is
+    /// taut bridges hollows, `rounds` times, by a share 0..1 of each point; `outward` is a unit vector.
+    pub fn bridge(&mut self, rounds: usize, shares: &[f64], outward: &[DVec3]) {
+        let (around, rim) = self.neighbours();
+        for _ in 0..rounds {
+            let before = self.points.clone();
+            for (v, p) in self.points.iter_mut().enumerate() {
+                if !rim[v] && shares[v] > 0.0 && !around[v].is_empty() {
+                    let sum: DVec3 = around[v].iter().map(|&i| before[i as usize]).sum();
+                    let out = (sum / around[v].len() as f64 - *p).dot(outward[v]);
+                    *p += outward[v] * (shares[v] * out.max(0.0));
+                }
+            }
+        }
+    }
+
     /// Boundary loops, each in the direction of its faces' edges.
     #[must_use]
     pub fn loops(&self) -> Vec<Vec<u32>> {
