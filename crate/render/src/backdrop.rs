@@ -1,20 +1,27 @@
 //! The stage without a figure as a still picture: while the camera stands, the lowest quality draws
-//! curtain and boards once and lays them under every picture.
+//! the place once and lays it under every picture, turned and scaled as the camera turns and zooms.
 
+use glam::{Vec3, Vec4};
 use wgpu::{Device, TextureFormat, TextureUsages, TextureView};
 
 use crate::gpu::{bind_group, binding};
 use crate::layouts::Layouts;
 use crate::uniform::FrameUniform;
 
-/// Curtain and boards of one picture size.
+/// How much wider a still is than the picture that it is drawn for, so that it serves while the camera goes on.
+pub(crate) const STILL_MARGIN: f32 = 1.15;
+/// How far a still is enlarged at most; what lies behind the speaker is out of focus. Chosen by eye.
+const MOST_ENLARGED: f32 = 1.7;
+
+/// A place of one picture size.
 pub(crate) struct Backdrop {
     pub(crate) view: TextureView,
     /// What the pass that lays it down reads.
     pub(crate) group: wgpu::BindGroup,
-    /// What the picture before showed.
+    /// What the picture before showed, but for the way that its camera looked.
     last: Option<FrameUniform>,
-    is_drawn: bool,
+    /// Rays of the still, as those of a picture.
+    drawn: Option<[Vec3; 3]>,
 }
 
 /// How the backdrop of a picture comes about.
@@ -35,14 +42,15 @@ impl Backdrop {
         frame: &wgpu::Buffer,
         sampler: &wgpu::Sampler,
         format: TextureFormat,
-        (width, height): (u32, u32),
+        size: (u32, u32),
     ) -> Self {
+        let wider = |n: u32| (n as f32 * STILL_MARGIN).ceil() as u32;
         let view = device
             .create_texture(&wgpu::TextureDescriptor {
                 label: Some("backdrop"),
                 size: wgpu::Extent3d {
-                    width,
-                    height,
+                    width: wider(size.0),
+                    height: wider(size.1),
                     depth_or_array_layers: 1,
                 },
                 mip_level_count: 1,
@@ -67,23 +75,95 @@ impl Backdrop {
             view,
             group,
             last: None,
-            is_drawn: false,
+            drawn: None,
         }
     }
 
-    /// How the next picture's comes about.
-    pub(crate) fn next(&mut self, uniform: &FrameUniform) -> Drawn {
+    /// How the next picture's comes about; tells the picture where its rays lie in the still.
+    pub(crate) fn next(&mut self, uniform: &mut FrameUniform) -> Drawn {
         let shown = uniform.of_backdrop();
         let is_same = self
             .last
             .is_some_and(|last| bytemuck::bytes_of(&last) == bytemuck::bytes_of(&shown));
         self.last = Some(shown);
-        let drawn = match (is_same, self.is_drawn) {
-            (false, _) => Drawn::Directly,
-            (true, false) => Drawn::Now,
-            (true, true) => Drawn::Before,
-        };
-        self.is_drawn = is_same;
-        drawn
+        if !is_same {
+            self.drawn = None;
+            return Drawn::Directly;
+        }
+        let rays = uniform.rays();
+        if let Some(still) = self.drawn.filter(|still| serves(*still, rays)) {
+            uniform.still = places(still);
+            return Drawn::Before;
+        }
+        let [forward, right, up] = rays;
+        let still = [forward, right * STILL_MARGIN, up * STILL_MARGIN];
+        uniform.still = places(still);
+        self.drawn = Some(still);
+        Drawn::Now
+    }
+}
+
+/// What a ray is multiplied with for its place in a still.
+fn places([forward, right, up]: [Vec3; 3]) -> [[f32; 4]; 3] {
+    let over = |v: Vec3| (v / v.length_squared()).extend(0.0).to_array();
+    [over(right), over(up), over(forward)]
+}
+
+/// Whether a still shows all that a picture does, and not too coarsely.
+fn serves(still: [Vec3; 3], [forward, right, up]: [Vec3; 3]) -> bool {
+    let [across, upwards, over] = places(still).map(Vec4::from_array).map(Vec4::truncate);
+    let is_in = |(x, y): (f32, f32)| {
+        let ray = forward + right * x + up * y;
+        let depth = ray.dot(over);
+        depth > 0.0 && ray.dot(across).abs() <= depth && ray.dot(upwards).abs() <= depth
+    };
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+    corners.into_iter().all(is_in) && up.length() * MOST_ENLARGED >= still[2].length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rays(turn: f32, tilt: f32, half: f32) -> [Vec3; 3] {
+        let forward = Vec3::new(
+            turn.sin() * tilt.cos(),
+            tilt.sin(),
+            -turn.cos() * tilt.cos(),
+        );
+        let right = forward.cross(Vec3::Y).normalize();
+        [forward, right * (half * 1.78), right.cross(forward) * half]
+    }
+
+    #[test]
+    fn a_still_serves_while_all_of_a_picture_lies_in_it() {
+        let still = rays(0.0, -0.05, 0.2 * STILL_MARGIN);
+        for (turn, tilt, half, expected) in [
+            (0.0, -0.05, 0.2, true),
+            (0.02, -0.05, 0.2, true),
+            (0.0, -0.04, 0.17, true),
+            (0.2, -0.05, 0.2, false),
+            (0.0, 0.1, 0.2, false),
+            (0.0, -0.05, 0.24, false),
+            (0.0, -0.05, 0.1, false),
+            (3.14, -0.05, 0.2, false),
+        ] {
+            assert_eq!(
+                serves(still, rays(turn, tilt, half)),
+                expected,
+                "{turn} {tilt} {half}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_ray_lies_where_the_still_has_it() {
+        let still = rays(0.1, -0.05, 0.25);
+        let [across, upwards, over] = places(still).map(|r| Vec4::from_array(r).truncate());
+        for (x, y) in [(0.0, 0.0), (0.7, -0.3), (-1.0, 1.0)] {
+            let ray = (still[0] + still[1] * x + still[2] * y) * 2.5;
+            assert!((ray.dot(across) / ray.dot(over) - x).abs() < 1e-5);
+            assert!((ray.dot(upwards) / ray.dot(over) - y).abs() < 1e-5);
+        }
     }
 }

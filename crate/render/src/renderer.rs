@@ -310,10 +310,10 @@ impl Renderer {
             uniform.lids = figure.lids(&frame.world_from_joint);
             uniform.eyes[1] = figure.lips_apart_mm(&frame.tissue);
         }
+        let backdrop = self.backdrop.as_mut();
+        self.backdrop_drawn = backdrop.map_or(Drawn::Directly, |b| b.next(&mut uniform));
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
-        let backdrop = self.backdrop.as_mut();
-        self.backdrop_drawn = backdrop.map_or(Drawn::Directly, |b| b.next(&uniform));
         if let Some(figure) = &mut self.figure {
             let place = figure.face(&frame.world_from_joint);
             let near = place.and_then(|p| detail::pixels_per_m(&frame.camera, &view, size.1, p));

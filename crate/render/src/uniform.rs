@@ -1,6 +1,7 @@
 //! The uniform block that all passes share: `Frame` of `shader/frame.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
 use raconteur_base::DVec3;
 use raconteur_body::Bone;
 use raconteur_stage::{Frame, SetKind};
@@ -45,6 +46,8 @@ pub(crate) struct FrameUniform {
     pub(crate) eyes: [f32; 4],
     /// Edges of the lids, as `LidEdge::plane` tells.
     pub(crate) lids: [[f32; 4]; 4],
+    /// A ray's place in the still of the backdrop: across, upwards, and what both are over.
+    pub(crate) still: [[f32; 4]; 3],
 }
 
 /// Where the figure stands, from its joints; the stage's middle without joints.
@@ -67,8 +70,8 @@ fn number_of(kind: SetKind) -> f32 {
 }
 
 impl FrameUniform {
-    /// What of it curtain and boards depend on where nothing casts a shadow: soles and the place
-    /// under the figure to a centimetre, as it sways.
+    /// What of it a place depends on where nothing casts a shadow, but for the way that the camera looks: soles
+    /// and the place under the figure to a centimetre, as it sways.
     pub(crate) fn of_backdrop(&self) -> Self {
         let to_cm = |p: [f32; 4]| p.map(|x| (x * 100.0).round() / 100.0);
         let [x, y, z, _] = self.eye_in_world;
@@ -90,6 +93,11 @@ impl FrameUniform {
             head_up: [0.0; 4],
             eyes: [0.0; 4],
             lids: [[0.0; 4]; 4],
+            still: [[0.0; 4]; 3],
+            clip_from_world: [0.0; 16],
+            ray_forward: [0.0; 4],
+            ray_right: [0.0; 4],
+            ray_up: [0.0; 4],
             ..*self
         }
     }
@@ -169,7 +177,13 @@ impl FrameUniform {
                 0.0,
             ],
             lids: [[0.0; 4]; 4],
+            still: [[0.0; 4]; 3],
         }
+    }
+
+    /// Rays through the middle, and half a picture right and up.
+    pub(crate) fn rays(&self) -> [Vec3; 3] {
+        [self.ray_forward, self.ray_right, self.ray_up].map(|r| Vec3::new(r[0], r[1], r[2]))
     }
 }
 

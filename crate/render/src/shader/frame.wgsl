@@ -33,6 +33,8 @@ struct Frame {
     // Planes through the middle of the eye and the edge of each lid, normals towards what it
     // covers: upper and lower, left eye, then right; 0 where there is no lid.
     lids: array<vec4<f32>, 4>,
+    // A ray's place in the still of the backdrop: across, upwards, and what both are over.
+    still: array<vec4<f32>, 3>,
 };
 
 @group(0) @binding(0) var<uniform> frame: Frame;

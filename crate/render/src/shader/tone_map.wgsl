@@ -14,15 +14,25 @@ fn vs_tone_map(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
     return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-// The backdrop as it was drawn before, behind everything.
+struct StillOut {
+    @builtin(position) clip: vec4<f32>,
+    // Place in the still, and what it is over: both are linear in the picture.
+    @location(0) place: vec3<f32>,
+};
+
+// The backdrop as it was drawn before, behind everything: the camera has turned and zoomed since.
 @vertex
-fn vs_still(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
-    return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 1.0, 1.0);
+fn vs_still(@builtin(vertex_index) i: u32) -> StillOut {
+    let q = vec2<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
+    let ray = frame.ray_forward.xyz + frame.ray_right.xyz * q.x + frame.ray_up.xyz * q.y;
+    let place = vec3<f32>(dot(ray, frame.still[0].xyz), dot(ray, frame.still[1].xyz), dot(ray, frame.still[2].xyz));
+    return StillOut(vec4<f32>(q, 1.0, 1.0), place);
 }
 
 @fragment
-fn fs_still(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
-    return textureLoad(picture, vec2<i32>(at.xy), 0);
+fn fs_still(v: StillOut) -> @location(0) vec4<f32> {
+    let q = v.place.xy / v.place.z;
+    return textureSampleLevel(picture, picture_sampler, vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y), 0.0);
 }
 
 fn light_at(uv: vec2<f32>) -> vec3<f32> {
