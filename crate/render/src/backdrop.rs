@@ -20,8 +20,11 @@ pub(crate) struct Backdrop {
     pub(crate) group: wgpu::BindGroup,
     /// What the picture before showed, but for the way that its camera looked.
     last: Option<FrameUniform>,
-    /// Rays of the still, as those of a picture.
-    drawn: Option<[Vec3; 3]>,
+    /// How it looked.
+    last_rays: Option<[Vec3; 3]>,
+    still: Option<Still>,
+    /// That of pictures.
+    size: (u32, u32),
 }
 
 /// How the backdrop of a picture comes about.
@@ -44,7 +47,6 @@ impl Backdrop {
         format: TextureFormat,
         size: (u32, u32),
     ) -> Self {
-        let wider = |n: u32| (n as f32 * STILL_MARGIN).ceil() as u32;
         let view = device
             .create_texture(&wgpu::TextureDescriptor {
                 label: Some("backdrop"),
@@ -75,7 +77,9 @@ impl Backdrop {
             view,
             group,
             last: None,
-            drawn: None,
+            last_rays: None,
+            still: None,
+            size,
         }
     }
 
@@ -87,20 +91,59 @@ impl Backdrop {
             .is_some_and(|last| bytemuck::bytes_of(&last) == bytemuck::bytes_of(&shown));
         self.last = Some(shown);
         if !is_same {
-            self.drawn = None;
+            self.still = None;
+            self.last_rays = Some(uniform.rays());
             return Drawn::Directly;
         }
         let rays = uniform.rays();
-        if let Some(still) = self.drawn.filter(|still| serves(*still, rays)) {
-            uniform.still = places(still);
+        let stands = self.last_rays.replace(rays) == Some(rays);
+        let serving = self.still.filter(|still| match stands {
+            // A picture of a camera that stands is the same whenever it is drawn.
+            true => still.is_own && still.rays == rays,
+            false => serves(still.rays, rays),
+        });
+        let still = serving.unwrap_or_else(|| Still::of(rays, stands));
+        uniform.still = places(still.rays);
+        uniform.still[2][3] = f32::from(u8::from(stands));
+        if serving.is_some() {
             return Drawn::Before;
         }
-        let [forward, right, up] = rays;
-        let still = [forward, right * STILL_MARGIN, up * STILL_MARGIN];
-        uniform.still = places(still);
-        self.drawn = Some(still);
+        uniform.still[0][3] = if stands { 0.0 } else { STILL_MARGIN - 1.0 };
+        self.still = Some(still);
         Drawn::Now
     }
+
+    /// The part of the still's picture that is drawn to, pixels.
+    pub(crate) fn drawn_size(&self) -> (f32, f32) {
+        let (width, height) = self.size;
+        match self.still {
+            Some(Still { is_own: true, .. }) | None => (width as f32, height as f32),
+            Some(_) => (wider(width) as f32, wider(height) as f32),
+        }
+    }
+}
+
+/// What a still shows.
+#[derive(Clone, Copy)]
+struct Still {
+    /// As those of a picture.
+    rays: [Vec3; 3],
+    /// Whether it is the picture's own, pixel by pixel, and no wider.
+    is_own: bool,
+}
+
+impl Still {
+    fn of([forward, right, up]: [Vec3; 3], is_own: bool) -> Self {
+        let margin = if is_own { 1.0 } else { STILL_MARGIN };
+        Self {
+            rays: [forward, right * margin, up * margin],
+            is_own,
+        }
+    }
+}
+
+fn wider(n: u32) -> u32 {
+    (n as f32 * STILL_MARGIN).ceil() as u32
 }
 
 /// What a ray is multiplied with for its place in a still.

@@ -405,6 +405,8 @@ impl Renderer {
             })],
             ..Default::default()
         });
+        let (width, height) = backdrop.drawn_size();
+        pass.set_viewport(0.0, 0.0, width, height, 0.0, 1.0);
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
         pass.set_pipeline(still);
         pass.draw(0..3, 0..1);

@@ -122,7 +122,7 @@ impl Set {
             SetKind::Curtain => Lighting::default(),
             // From the hearth's side, as wide as its light on the walls.
             SetKind::Fireside => Lighting {
-                key: lamp([-0.86, 0.36, 0.62], [1.16, 0.88, 0.62]),
+                key: lamp([-0.92, 0.26, 0.52], [1.20, 0.86, 0.56]),
                 fill: lamp([0.80, 0.15, 0.85], [0.15, 0.145, 0.155]),
                 rim: lamp([-0.80, 0.20, -0.85], [1.40, 0.72, 0.30]),
                 sky: [0.140, 0.120, 0.108],
@@ -142,9 +142,9 @@ impl Set {
             },
             // The lantern's warmth on the face against the moon's cool edge.
             SetKind::Night => Lighting {
-                key: lamp([-0.82, 0.36, 0.64], [1.16, 0.84, 0.56]),
-                fill: lamp([0.80, 0.15, 0.85], [0.11, 0.15, 0.23]),
-                rim: lamp([0.55, 0.70, -0.95], [0.85, 1.20, 1.75]),
+                key: lamp([-0.88, 0.30, 0.50], [1.28, 0.80, 0.42]),
+                fill: lamp([0.80, 0.15, 0.85], [0.12, 0.15, 0.22]),
+                rim: lamp([0.55, 0.70, -0.95], [0.55, 0.78, 1.15]),
                 sky: [0.105, 0.130, 0.190],
                 ground: [0.065, 0.070, 0.085],
                 exposure: 1.08,

@@ -6,7 +6,6 @@ use wgpu::{Device, RenderPipeline};
 use super::{
     BEHIND, PipelineDescription, Pipelines, SharedResources, full_screen, pipeline_layout,
 };
-use crate::backdrop::STILL_MARGIN;
 
 /// What draws one place.
 pub(crate) struct Theatre {
@@ -73,11 +72,7 @@ impl Pipelines {
             .build(device)
         };
         match known {
-            Some(theatre) => {
-                let margin = ("STILL_MARGIN", f64::from(STILL_MARGIN));
-                let constants = [&self.constants[..], &[margin]].concat();
-                theatre.still = Some(make(&constants, 1, None));
-            }
+            Some(theatre) => theatre.still = Some(make(&self.constants, 1, None)),
             None => {
                 let behind = make(&self.constants, target.samples, BEHIND);
                 self.theatres.push(Theatre {

@@ -1,6 +1,9 @@
 // By the fire: a chimney of stone with its hearth, a mantelpiece, shelves of books.
 
-const HEARTH_X = -0.98;
+const HEARTH_X = -1.04;
+// Where the chimney ends and the shelves begin, metres.
+const CHIMNEY_X = -0.30;
+const SHELVES_X = 0.34;
 // Height of the hearth's floor, metres.
 const HEARTH_Y = 0.64;
 
@@ -16,9 +19,9 @@ fn masonry(p: vec2<f32>, blur: f32) -> vec2<f32> {
     let tint = hash_unit(vec3<i32>(i32(cell), i32(row), 11));
     let f = vec2<f32>(x - cell, bent.y / 0.165 - row);
     let d = min(min(f.x, 1.0 - f.x) * wide, min(f.y, 1.0 - f.y) * 0.165);
-    let joint = smoothstep(0.002, 0.014 + blur, d + 0.25 * blur);
+    let joint = smoothstep(0.0, 0.020 + 1.4 * blur, d + 0.5 * blur);
     // Lit from below: its lower half bends towards the fire.
-    let face = mix(1.25, 0.80, f.y);
+    let face = mix(1.18, 0.86, f.y);
     let rough = patches(vec2<f32>(0.8 * p.x + 0.6 * p.y, 0.8 * p.y - 0.6 * p.x) * 17.0);
     return vec2<f32>((0.62 + 0.62 * tint + 0.22 * (rough - 0.5)) * face, joint);
 }
@@ -34,12 +37,12 @@ fn fire(x: f32, y: f32, blur: f32) -> vec3<f32> {
     let tall = vec3<f32>(0.40, 0.25, 0.29);
     let inside = exp(-a * a) * tall - vec3<f32>(y);
     let flame = max(inside.x, max(inside.y, inside.z)) + 0.15 * (rise - 0.5) * saturate1(4.0 * y);
-    let edge = 0.035 + 2.0 * blur;
+    let edge = 0.060 + 3.0 * blur;
     let heat = smoothstep(-edge, edge, flame) * smoothstep(-0.03, 0.03, y);
-    let core = smoothstep(0.02, 0.16, flame);
+    let core = smoothstep(-0.02, 0.20, flame);
     let g = vec2<f32>(x / 0.42, (y - 0.02) / 0.40);
     var light = frame.glow.xyz * (0.85 * exp(-dot(g, g)));
-    light += heat * frame.glow.xyz * mix(vec3<f32>(2.6, 2.2, 1.2), vec3<f32>(4.2, 8.2, 9.0), core);
+    light += heat * frame.glow.xyz * mix(vec3<f32>(2.4, 1.9, 1.0), vec3<f32>(4.6, 9.0, 10.5), core);
     // Two logs on each other, embers between.
     let low = drawn(from_piece(vec2<f32>(x, y), vec2<f32>(-0.27, 0.035), vec2<f32>(0.24, 0.045)), 0.040, blur);
     let high = drawn(from_piece(vec2<f32>(x, y), vec2<f32>(-0.17, 0.125), vec2<f32>(0.25, 0.075)), 0.034, blur);
@@ -103,8 +106,19 @@ fn bookshelf(u: f32, y: f32, blur: f32) -> vec3<f32> {
     light *= mix(0.45, 1.0, smoothstep(0.34, 0.20, h));
     let board = max(within(h, 0.016, blur), within(h - 0.36, 0.016, blur));
     light = mix(light, wood * 0.95, board);
-    let upright = within(abs(u - 0.66) - 0.86, 0.022, blur) + within(u - 0.66, 0.016, blur);
+    let upright = within(abs(u - 1.10) - 0.75, 0.022, blur) + within(u - 1.10, 0.016, blur);
     return mix(light, wood * 0.80, saturate1(upright));
+}
+
+// Panels of wood below a plain wall.
+fn plaster(u: f32, y: f32, blur: f32) -> vec3<f32> {
+    let wood = frame.floor.xyz;
+    let mottled = 0.92 + 0.16 * patches(vec2<f32>(u * 3.1, y * 2.3));
+    let wall = frame.backdrop_low.xyz * 1.5 * mottled;
+    let panel = abs(fract(u / 0.27 + 0.35) - 0.5) * 0.27;
+    let below = wood * (0.42 + 0.16 * smoothstep(0.095 + blur, 0.095 - blur, panel));
+    let rail = within(y - 1.02, 0.030, blur);
+    return mix(mix(below, wall, smoothstep(-blur, blur, y - 1.02)), wood * 0.8, rail);
 }
 
 // The wall: shelves at the right, the chimney at the left.
@@ -118,10 +132,15 @@ fn hearth_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     let lit = frame.glow.xyz * (warm * flicker);
     let candle = vec2<f32>(x + 0.47, y - 1.80);
     let halo = exp(-dot(candle, candle) * 16.0);
-    if u > -0.23 + blur {
-        // What light there is falls on the shelves from the fire's side.
-        return bookshelf(u, y, blur) * (0.26 + 1.15 * exp(-1.1 * (u + 0.2)) * vec3<f32>(1.0, 0.86, 0.70) + 0.30 * halo)
-            * smoothstep(-0.23, -0.19 + 2.0 * blur, u);
+    // What light there is falls on wall and shelves from the fire's side.
+    let from_fire = 0.26 + 1.05 * exp(-0.9 * (u + 0.4)) * vec3<f32>(1.0, 0.86, 0.70) + 0.30 * halo;
+    let shelves = smoothstep(SHELVES_X - blur, SHELVES_X + blur, u);
+    var beyond = vec3<f32>(0.0);
+    if shelves > 0.0 {
+        beyond = bookshelf(u, y, blur) * from_fire;
+    }
+    if u > CHIMNEY_X + blur {
+        return mix(plaster(u, y, blur) * from_fire, beyond, shelves) * smoothstep(CHIMNEY_X - 0.01, CHIMNEY_X + 0.10, u);
     }
     let stone = masonry(vec2<f32>(u, y), blur);
     let tone = (low * 1.7 + lit * 0.34 + frame.glow.xyz * (0.16 * halo)) * stone.x;

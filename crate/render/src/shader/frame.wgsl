@@ -33,7 +33,8 @@ struct Frame {
     // Planes through the middle of the eye and the edge of each lid, normals towards what it
     // covers: upper and lower, left eye, then right; 0 where there is no lid.
     lids: array<vec4<f32>, 4>,
-    // A ray's place in the still of the backdrop: across, upwards, and what both are over.
+    // A ray's place in the still of the backdrop: across, upwards, and what both are over. In w of the first how much
+    // wider the still that is drawn now is than the picture, of the last 1 where it is the picture's very own.
     still: array<vec4<f32>, 3>,
 };
 

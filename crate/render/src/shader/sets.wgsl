@@ -4,7 +4,7 @@
 // reaches everything.
 
 // Diameter of the lens, metres: what is behind the speaker is out of focus by as much.
-const APERTURE = 0.019;
+const APERTURE = 0.023;
 
 // Half the width of an edge at a place this far off, metres, as the lens blurs it; a pixel at least.
 fn edge_blur(distance: f32) -> f32 {
@@ -57,7 +57,8 @@ fn floor_light(p: vec3<f32>, at: vec2<f32>, even: f32) -> vec3<f32> {
     let from_stand = p.xz - frame.stand.xz;
     let r2 = dot(from_stand, from_stand);
     let pool = mix(exp(-r2 * 0.55), 1.0, even);
-    let share = key_share(p, vec3<f32>(0.0, 1.0, 0.0), at);
+    // A lamp as wide as a hearth or a window leaves half of its light in the shadow on a floor.
+    let share = 0.55 + 0.45 * key_share(p, vec3<f32>(0.0, 1.0, 0.0), at);
     let body = 1.0 - 0.35 * exp(-r2 / 0.10);
     return frame.key.xyz * (frame.key_dir.y * share * (0.10 + 0.95 * pool))
         + frame.sky.xyz * ((0.25 + 0.45 * pool) * contact_shade(p, 0.62) * body);

@@ -167,7 +167,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
             let b = noise_gradient(v.bind * vec3<f32>(2300.0, 1700.0, 2000.0));
             n = bumped(n, (a.xyz * 0.10 + b.xyz * 0.06) * pores);
             albedo *= 1.0 - 0.07 * pores * smoothstep(0.55, 0.9, a.w);
-            rough += pores * (0.12 * (b.w - 0.5) - 0.08 * (1.0 - lip));
+            rough += pores * (0.10 * (b.w - 0.5) - 0.04 * (1.0 - lip));
             // No oil stands in a pore.
             sheen *= 1.0 - 0.45 * pores * smoothstep(0.50, 0.85, a.w);
         }

@@ -3,9 +3,6 @@
 
 const CURTAIN_RADIUS = 3.1;
 
-// How much wider a still of the stage is than the picture that it is drawn for.
-override STILL_MARGIN: f32 = 1.0;
-
 struct TheatreOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) ray: vec3<f32>,
@@ -17,7 +14,7 @@ fn vs_theatre(@builtin(vertex_index) i: u32) -> TheatreOut {
     let q = vec2<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
     var o: TheatreOut;
     o.clip = vec4<f32>(q, 1.0, 1.0);
-    o.ray = frame.ray_forward.xyz + (frame.ray_right.xyz * q.x + frame.ray_up.xyz * q.y) * STILL_MARGIN;
+    o.ray = frame.ray_forward.xyz + (frame.ray_right.xyz * q.x + frame.ray_up.xyz * q.y) * (1.0 + frame.still[0].w);
     return o;
 }
 

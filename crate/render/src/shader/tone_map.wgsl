@@ -31,6 +31,9 @@ fn vs_still(@builtin(vertex_index) i: u32) -> StillOut {
 
 @fragment
 fn fs_still(v: StillOut) -> @location(0) vec4<f32> {
+    if frame.still[2].w == 1.0 {
+        return textureLoad(picture, vec2<i32>(v.clip.xy), 0);
+    }
     let q = v.place.xy / v.place.z;
     return textureSampleLevel(picture, picture_sampler, vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y), 0.0);
 }

@@ -26,6 +26,8 @@ pub struct TopCut {
     pub gather: f64,
     /// Thickness of the garment below it, above and below the waist.
     pub over_cm: [f64; 2],
+    /// Whether it lies taut over the chest, as a knit does; what is cut wide hangs.
+    pub is_taut: bool,
     /// Seed of its folds.
     pub seed: u64,
 }

@@ -96,6 +96,7 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
         slack: 0.045,
         gather: 1.25,
         over_cm: [0.0, 1.1],
+        is_taut: true,
         seed: 1,
     };
     let mut top = top(wearer, &cut, &trousers);
@@ -173,6 +174,7 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
         slack: 0.06,
         gather: 1.15,
         over_cm: [0.45, 1.0],
+        is_taut: true,
         seed: 11,
     };
     let mut top = top(wearer, &cut, &trousers);
@@ -342,6 +344,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         slack: 0.10,
         gather: 1.35,
         over_cm: [0.2, 1.0],
+        is_taut: false,
         seed: 21,
     };
     let mut top = top(wearer, &cut, &trousers);

@@ -92,7 +92,9 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     drape(&mut cloth, &params, wearer.field, &thickness);
     out.sheet.shell = cloth.shell;
     out.sheet.shell.relax(1);
-    bridge_chest(&mut out.sheet.shell, wearer);
+    if cut.is_taut {
+        bridge_chest(&mut out.sheet.shell, wearer);
+    }
     let lay = Lay::new(below);
     for _ in 0..2 {
         clear(&mut out.sheet.shell, &lay, 0.55 * unit);
