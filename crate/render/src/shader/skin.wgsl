@@ -158,16 +158,16 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let blotch = noise(v.bind * 60.0) * 0.6 + noise(v.bind * 170.0) * 0.4 - 0.5;
     albedo *= 1.0 + blotch * vec3<f32>(0.06, 0.13, 0.11) * own;
     // The film of oil is uneven, too: a cheek does not shine as one.
-    var sheen = 0.72 + 0.56 * (0.5 + blotch);
+    var sheen = 0.50 + 0.50 * (0.5 + blotch);
 
     if FINE_DETAIL == 1u {
         let pores = own * (1.0 - smoothstep(0.25, 0.7, footprint * 900.0));
         if pores > 0.0 {
             let a = noise_gradient(v.bind * 900.0);
             let b = noise_gradient(v.bind * vec3<f32>(2300.0, 1700.0, 2000.0));
-            n = bumped(n, (a.xyz * 0.10 + b.xyz * 0.06) * pores);
+            n = bumped(n, (a.xyz * 0.085 + b.xyz * 0.05) * pores);
             albedo *= 1.0 - 0.07 * pores * smoothstep(0.55, 0.9, a.w);
-            rough += pores * (0.10 * (b.w - 0.5) - 0.04 * (1.0 - lip));
+            rough += pores * (0.08 * (b.w - 0.5) - 0.03 * (1.0 - lip));
             // No oil stands in a pore.
             sheen *= 1.0 - 0.45 * pores * smoothstep(0.50, 0.85, a.w);
         }
