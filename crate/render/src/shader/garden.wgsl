@@ -65,8 +65,10 @@ fn roses(p: vec2<f32>, blur: f32) -> vec4<f32> {
     let dye = hash_unit(id + vec3<i32>(0, 0, 4));
     let color = mix(mix(vec3<f32>(0.42, 0.045, 0.06), vec3<f32>(0.60, 0.22, 0.27), step(0.4, dye)), vec3<f32>(0.62, 0.56, 0.48), step(0.75, dye));
     let size = 0.024 + 0.012 * dye;
+    // No rose is cut off by its bush's edge, however near the lens is focused.
+    let soft = min(0.7 * blur, 0.030);
     let shade = 0.55 + 0.55 * smoothstep(-size, size, (q - cell - 0.5 - at).y * 0.24);
-    return vec4<f32>(color * shade, smoothstep(size + 0.7 * blur, size - 0.7 * blur, d) * there * min(1.0, 0.5 + size / max(2.0 * blur, 1e-3)));
+    return vec4<f32>(color * shade, smoothstep(size + soft, size - soft, d) * there * min(1.0, 0.5 + size / max(2.0 * blur, 1e-3)));
 }
 
 @fragment

@@ -57,7 +57,7 @@ fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     let lit = flame * (0.030 / (0.10 + 3.0 * r2));
     var seen = vec4<f32>(0.0);
     seen = mix(seen, vec4<f32>(dark * 0.22 + lit * vec3<f32>(0.5, 0.42, 0.35), 1.0), max(bough, trunk));
-    seen = mix(seen, vec4<f32>(dark * (0.14 + 0.10 * leaf.x) + lit * vec3<f32>(0.32, 0.42, 0.22) * leaf.x, 1.0), leaf.z);
+    seen = mix(seen, vec4<f32>(dark * (0.14 + 0.10 * leaf.x) + lit * vec3<f32>(0.16, 0.21, 0.10) * leaf.x, 1.0), leaf.z);
     // Chain, cap, four rods, foot.
     let chain = within(l.x, 0.005, blur) * step(0.10, l.y) * step(at.y, bend) * min(1.0, 0.4 + 0.005 / blur);
     let cap = within(l.x, 0.085 - 0.55 * (l.y - 0.085), blur) * within(l.y - 0.125, 0.042, blur);
