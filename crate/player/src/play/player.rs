@@ -454,8 +454,8 @@ impl Player {
             stature_m,
         };
         let aside = self.set().aside();
-        // What lies aside has as much less room at its side.
-        let held = aspect - aside_in(aspect, aside).abs();
+        // What lies aside has as much less room at one side; few hands go as far as gestures are given room for.
+        let held = aspect - 0.5 * aside_in(aspect, aside).abs();
         let room = |rest| Room {
             aside,
             ..self.layers.room_at(time_secs, rest, stature_m, held)
