@@ -10,11 +10,16 @@ import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test } from './stage.js';
 
 const still = (name: string): string => join(import.meta.dirname, '../../web/pages', name);
-/** The first wider than any stage, so that its height alone frames it; on a phone the figure stands in the middle and is seen to the waist. */
+/**
+ * As high as stages are, with captions of the size that those have: shots keep hands above them. The first is wider than any stage, so that its height alone frames
+ * it; on a phone the figure stands in the middle and is seen to the waist.
+ */
 const STILLS = [
-  { name: 'still.webp', width: 1728, height: 720 },
-  { name: 'still-narrow.webp', width: 576, height: 720 },
+  { name: 'still.webp', width: 1200, height: 500, caption: '20.8px' },
+  { name: 'still-narrow.webp', width: 390, height: 488, caption: '15px' },
 ] as const;
+/** Pixels of a still to one of the page. */
+const DENSITY = 1.44;
 /** As portraits are packed. */
 const WEBP_QUALITY = 0.84;
 /** Mean difference of pictures, of 255: packing and another size make 3, arms that hang otherwise 3, another light or shot from 13 on (software drawing). */
@@ -43,8 +48,9 @@ async function look(page: Page, opacity: '0' | '1'): Promise<Buffer> {
 }
 
 /** Takes the picture on stage as it is packed for the page. */
-async function packed(page: Page, size: { width: number; height: number }): Promise<Buffer> {
-  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer, { width, height }) => {
+async function packed(page: Page, size: { width: number; height: number; caption: string }): Promise<Buffer> {
+  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer, { width, height, caption }) => {
+    p.style.setProperty('--raconteur-caption-size', caption);
     Object.assign(p.style, { position: 'fixed', inset: '0', zIndex: '9', width: `${width}px`, height: `${height}px`, maxHeight: 'none', borderRadius: '0' });
   }, size);
   // The larger picture is drawn.
@@ -68,13 +74,17 @@ async function packed(page: Page, size: { width: number; height: number }): Prom
 // As it is seen.
 test.use({ deviceScaleFactor: 1 });
 
-test('the still before the first picture is the first picture', async ({ stage, page }) => {
+test('the still before the first picture is the first picture', async ({ stage, page, browser, baseURL }) => {
   expect(stage.backend).toBe('page');
   if (process.env['UPDATE'] !== undefined) {
-    for (const { name, width, height } of STILLS) {
-      await open(page, width, height);
-      writeFileSync(still(name), await packed(page, { width, height }));
+    await page.goto('/');
+    const context = await browser.newContext({ deviceScaleFactor: DENSITY, ...(baseURL === undefined ? {} : { baseURL }) });
+    const dense = await context.newPage();
+    for (const { name, ...size } of STILLS) {
+      await open(dense, size.width, size.height);
+      writeFileSync(still(name), await packed(dense, size));
     }
+    await context.close();
     return;
   }
   for (const [width, height] of [
