@@ -166,14 +166,13 @@ fn serves(still: [Vec3; 3], [forward, right, up]: [Vec3; 3]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use raconteur_base::{DVec3, ops};
+
     use super::*;
 
-    fn rays(turn: f32, tilt: f32, half: f32) -> [Vec3; 3] {
-        let forward = Vec3::new(
-            turn.sin() * tilt.cos(),
-            tilt.sin(),
-            -turn.cos() * tilt.cos(),
-        );
+    fn rays(turn: f64, tilt: f64, half: f32) -> [Vec3; 3] {
+        let ((sine, cosine), (rise, level)) = (ops::sincos(turn), ops::sincos(tilt));
+        let forward = DVec3::new(sine * level, rise, -cosine * level).as_vec3();
         let right = forward.cross(Vec3::Y).normalize();
         [forward, right * (half * 1.78), right.cross(forward) * half]
     }
@@ -189,7 +188,7 @@ mod tests {
             (0.0, 0.1, 0.2, false),
             (0.0, -0.05, 0.24, false),
             (0.0, -0.05, 0.1, false),
-            (3.14, -0.05, 0.2, false),
+            (3.0, -0.05, 0.2, false),
         ] {
             assert_eq!(
                 serves(still, rays(turn, tilt, half)),
