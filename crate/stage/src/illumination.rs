@@ -111,7 +111,7 @@ impl Illumination {
     pub fn written(color: [f32; 3], brightness: f64) -> Self {
         Self {
             color,
-            room_color: color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT),
+            room_color: shared(color),
             brightness,
             ..Self::default()
         }
@@ -151,7 +151,7 @@ impl Illumination {
         let made_up = ops::pow(f64::from(most).max(1e-3), MADE_UP);
         let power = ops::pow(self.brightness.max(0.0), KEY_FOLLOWS) / made_up;
         let key = self.color.map(|c| (c + (most - c) * WHITE) * power as f32);
-        let tint = self.color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT);
+        let tint = shared(self.color);
         let gain = self.rest_gain();
         // The thesis's secondary and back lights are no part of the expression.
         let strict = self.strict as f32;
@@ -221,6 +221,11 @@ fn gel(srgb: [u8; 3], share: f64) -> [f32; 3] {
     let color = linear(srgb);
     let most = color.iter().copied().fold(1e-3, f32::max);
     color.map(|c| lerp(1.0, f64::from(c / most), share) as f32)
+}
+
+/// What fill and room take on of the key's colour.
+fn shared(color: [f32; 3]) -> [f32; 3] {
+    color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT)
 }
 
 fn times(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {

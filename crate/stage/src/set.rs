@@ -122,9 +122,9 @@ impl Set {
             SetKind::Curtain => Lighting::default(),
             // From the hearth's side, as wide as its light on the walls.
             SetKind::Fireside => Lighting {
-                key: lamp([-0.92, 0.26, 0.52], [1.20, 0.86, 0.56]),
-                fill: lamp([0.80, 0.15, 0.85], [0.15, 0.145, 0.155]),
-                rim: lamp([-0.80, 0.20, -0.85], [1.40, 0.72, 0.30]),
+                key: lamp([-0.93, 0.12, 0.48], [1.30, 0.84, 0.48]),
+                fill: lamp([0.80, 0.15, 0.85], [0.135, 0.130, 0.145]),
+                rim: lamp([-0.90, 0.05, -0.70], [2.30, 1.05, 0.38]),
                 sky: [0.140, 0.120, 0.108],
                 ground: [0.135, 0.085, 0.052],
                 exposure: 1.08,
@@ -142,8 +142,8 @@ impl Set {
             },
             // The lantern's warmth on the face against the moon's cool edge.
             SetKind::Night => Lighting {
-                key: lamp([-0.88, 0.30, 0.50], [1.28, 0.80, 0.42]),
-                fill: lamp([0.80, 0.15, 0.85], [0.12, 0.15, 0.22]),
+                key: lamp([-0.93, 0.12, 0.46], [1.34, 0.78, 0.36]),
+                fill: lamp([0.80, 0.15, 0.85], [0.10, 0.14, 0.23]),
                 rim: lamp([0.55, 0.70, -0.95], [0.55, 0.78, 1.15]),
                 sky: [0.105, 0.130, 0.190],
                 ground: [0.065, 0.070, 0.085],
@@ -152,8 +152,8 @@ impl Set {
             },
             // A window at one side, and the white panels of the ceiling.
             SetKind::School => Lighting {
-                key: lamp([-0.80, 0.50, 0.70], [0.97, 0.97, 0.96]),
-                fill: lamp([0.80, 0.25, 0.80], [0.22, 0.22, 0.22]),
+                key: lamp([-0.94, 0.38, 0.46], [1.10, 1.10, 1.08]),
+                fill: lamp([0.80, 0.25, 0.80], [0.17, 0.168, 0.162]),
                 rim: lamp([-0.65, 0.60, -0.85], [0.80, 0.84, 0.90]),
                 sky: [0.25, 0.255, 0.26],
                 ground: [0.150, 0.130, 0.105],

@@ -31,6 +31,9 @@ const REPEATS = array<vec2<f32>, 6>(
     vec2<f32>(480.0, 620.0), vec2<f32>(185.0, 620.0), vec2<f32>(900.0, 900.0),
     vec2<f32>(560.0, 560.0), vec2<f32>(300.0, 300.0), vec2<f32>(800.0, 1000.0));
 
+// Wales in a metre of a jersey.
+const WALES = 165.0;
+
 fn weave_of(kind: u32, q: vec2<f32>) -> vec3<f32> {
     switch kind {
         case 1u: {
@@ -78,10 +81,10 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
         // Folds that hang: down the body, across a sleeve.
         let sleeve = smoothstep(0.20, 0.27, abs(v.bind.x));
         let hang = noise_gradient(v.bind * mix(vec3<f32>(19.0, 5.0, 19.0), vec3<f32>(27.0, 11.0, 11.0), sleeve));
-        let slack = mix(1.0, 0.55, f32(kind == 0u || kind == 1u)) * mix(0.7, 1.0, smoothstep(1.32, 1.12, v.bind.y));
+        let slack = mix(1.0, 0.55, f32(kind == 0u || kind == 1u)) * mix(mix(0.7, 1.0, smoothstep(1.32, 1.12, v.bind.y)), 1.9, sleeve);
         n = bumped(n, hang.xyz * mix(vec3<f32>(1.0, 0.3, 1.0), vec3<f32>(1.0, 0.45, 0.45), sleeve) * (0.42 * slack));
         // Less light comes into their bottoms.
-        albedo *= 1.0 - 0.22 * slack * smoothstep(0.55, 0.20, hang.w);
+        albedo *= 1.0 - 0.22 * min(slack, 1.0) * smoothstep(0.55, 0.20, hang.w);
         // Small creases that the mesh is too coarse for; knits hardly keep any.
         let crisp = select(0.10, 0.24, kind == 2u || is_denim || kind == 4u);
         n = bumped(n, noise_gradient(v.bind * vec3<f32>(44.0, 62.0, 44.0)).xyz * crisp);
@@ -90,6 +93,15 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
             let k = weave_of(kind, q);
             n = normalize(n - (right * k.x + up * k.y) * (0.13 * near));
             albedo *= mix(1.0, 0.66 + 0.5 * k.z, near);
+        }
+        // Wales of a jersey, broad enough to be seen from where its stitches are not.
+        let wale = v.uv.x * WALES;
+        let wale_px = length(vec2<f32>(dpdx(wale), dpdy(wale)));
+        let seen = f32(kind == 0u) * (1.0 - smoothstep(0.20, 0.42, wale_px)) * mix(0.6, 1.0, smoothstep(0.03, 0.10, wale_px));
+        if seen > 0.0 {
+            let r = ridges(wale + 0.10 * noise(v.bind * 60.0));
+            n = normalize(n - right * (r.x * 0.070 * seen));
+            albedo *= 1.0 - 0.19 * seen * (1.0 - r.z);
         }
         let slub = 1.0 - smoothstep(0.3, 0.9, repeat_px * 0.4);
         n = bumped(n, noise_gradient(v.bind * vec3<f32>(160.0, 240.0, 160.0)).xyz * (0.05 * slub));

@@ -19,11 +19,14 @@ fn masonry(p: vec2<f32>, blur: f32) -> vec2<f32> {
     let tint = hash_unit(vec3<i32>(i32(cell), i32(row), 11));
     let f = vec2<f32>(x - cell, bent.y / 0.165 - row);
     let d = min(min(f.x, 1.0 - f.x) * wide, min(f.y, 1.0 - f.y) * 0.165);
-    let joint = smoothstep(0.0, 0.020 + 1.4 * blur, d + 0.5 * blur);
+    let joint = smoothstep(0.0, 0.009 + 1.3 * blur, d + 0.55 * blur);
     // Lit from below: its lower half bends towards the fire.
-    let face = mix(1.18, 0.86, f.y);
+    let face = mix(1.07, 0.95, f.y);
     let rough = patches(vec2<f32>(0.8 * p.x + 0.6 * p.y, 0.8 * p.y - 0.6 * p.x) * 17.0);
-    return vec2<f32>((0.62 + 0.62 * tint + 0.22 * (rough - 0.5)) * face, joint);
+    // A lens out of focus leaves nothing of the finest.
+    let keen = saturate1(1.4 - 28.0 * blur);
+    let chipped = patches(vec2<f32>(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y) * 41.0);
+    return vec2<f32>((0.72 + 0.42 * tint + 0.40 * (rough - 0.5) + 0.24 * keen * (chipped - 0.5)) * face, joint);
 }
 
 // Flames over logs, and the glow about them, from the middle of the hearth's floor.
@@ -32,14 +35,16 @@ fn fire(x: f32, y: f32, blur: f32) -> vec3<f32> {
     // Tongues that sway and rise; the lower a place, the steadier.
     let rise = patches(vec2<f32>(x * 8.0 + 4.0, y * 6.5 - t * 1.9));
     let sway = patches(vec2<f32>(x * 3.0 - 9.0, y * 3.0 - t * 1.1)) - 0.5;
-    let q = x + 0.26 * sway * saturate1(2.5 * y);
-    let a = vec3<f32>(q + 0.02, q + 0.16, q - 0.15) / vec3<f32>(0.115, 0.075, 0.080);
-    let tall = vec3<f32>(0.40, 0.25, 0.29);
-    let inside = exp(-a * a) * tall - vec3<f32>(y);
-    let flame = max(inside.x, max(inside.y, inside.z)) + 0.15 * (rise - 0.5) * saturate1(4.0 * y);
+    let q = x + 0.22 * sway * saturate1(2.5 * y);
+    // Tongues of uneven height under one hood, others behind them.
+    let front = patches(vec2<f32>(q * 15.0 + 7.0, y * 2.2 - t * 1.0));
+    let behind = patches(vec2<f32>(q * 22.0 - 3.0, y * 2.6 - t * 1.3));
+    let hood = exp(-q * q * 14.0);
+    let tall = hood * (0.05 + 0.42 * front * (0.35 + behind));
+    let flame = tall - y + 0.12 * (rise - 0.5) * saturate1(4.0 * y);
     let edge = 0.060 + 3.0 * blur;
     let heat = smoothstep(-edge, edge, flame) * smoothstep(-0.03, 0.03, y);
-    let core = smoothstep(-0.02, 0.20, flame);
+    let core = smoothstep(-0.01, 0.17, flame);
     let g = vec2<f32>(x / 0.42, (y - 0.02) / 0.40);
     var light = frame.glow.xyz * (0.85 * exp(-dot(g, g)));
     light += heat * frame.glow.xyz * mix(vec3<f32>(2.4, 1.9, 1.0), vec3<f32>(4.6, 9.0, 10.5), core);
@@ -139,12 +144,14 @@ fn hearth_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     if shelves > 0.0 {
         beyond = bookshelf(u, y, blur) * from_fire;
     }
-    if u > CHIMNEY_X + blur {
-        return mix(plaster(u, y, blur) * from_fire, beyond, shelves) * smoothstep(CHIMNEY_X - 0.01, CHIMNEY_X + 0.10, u);
+    let wall = mix(plaster(u, y, blur) * from_fire, beyond, shelves) * smoothstep(CHIMNEY_X - 0.04, CHIMNEY_X + 0.10 + blur, u);
+    let chimney = smoothstep(CHIMNEY_X + blur, CHIMNEY_X - blur, u);
+    if chimney <= 0.0 {
+        return wall;
     }
     let stone = masonry(vec2<f32>(u, y), blur);
     let tone = (low * 1.7 + lit * 0.34 + frame.glow.xyz * (0.16 * halo)) * stone.x;
-    var light = mix(low * 0.75 + lit * 0.10, tone, stone.y);
+    var light = mix(low * 0.95 + lit * 0.14, tone, stone.y);
     // An arch of long stones about the opening, black with soot inside.
     let arch = 1.22 - 0.55 * x * x;
     let side = within(x, 0.43, blur) * step(HEARTH_Y, y);
@@ -168,7 +175,7 @@ fn hearth_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     // The candle's flame, the whiter for being small.
     let f = vec2<f32>(x + 0.47, (y - 1.80) * 0.55);
     let flame = smoothstep(0.020 + blur, 0.004, length(f)) * min(1.0, 0.45 + 0.008 / blur);
-    return light + frame.glow.xyz * vec3<f32>(4.0, 7.0, 7.0) * flame;
+    return mix(wall, light + frame.glow.xyz * vec3<f32>(4.0, 7.0, 7.0) * flame, chimney);
 }
 
 fn hearth_floor(p: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f32> {

@@ -1,5 +1,9 @@
 // Night on a meadow: hills, stars, the moon; a lantern hangs near the speaker.
 
+// Where the lantern hangs, metres.
+const LANTERN = vec3<f32>(-0.62, 1.36, -0.9);
+const LANTERN_COLOR = vec3<f32>(4.2, 2.3, 0.75);
+
 // A lamp far away.
 fn spot(d: vec2<f32>, blur: f32) -> f32 {
     let size = 0.0012 + 0.30 * blur;
@@ -39,17 +43,17 @@ fn night_sky(q: vec2<f32>, blur: f32) -> vec3<f32> {
 // A lantern that hangs from a bough at the left, and the light about it: colour in xyz, how much is covered
 // in w; what shines is added beyond it.
 fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
-    let at = upright(ray, -0.9);
+    let at = upright(ray, LANTERN.z);
     if at.z < 0.0 {
         return array<vec4<f32>, 2>(vec4<f32>(0.0), vec4<f32>(0.0));
     }
     let blur = edge_blur(at.z * length(ray));
     let dark = frame.backdrop_low.xyz;
-    let flame = frame.glow.xyz * vec3<f32>(4.2, 2.3, 0.75);
-    let l = at.xy - vec2<f32>(-0.62, 1.50);
+    let flame = frame.glow.xyz * LANTERN_COLOR;
+    let l = at.xy - LANTERN.xy;
     let r2 = dot(l, l);
     // Bough and leaves before the sky, lit from the lantern's side.
-    let bend = 1.86 + 0.10 * sin(at.x * 2.6 + 0.6) - 0.05 * at.x;
+    let bend = 1.72 + 0.10 * sin(at.x * 2.6 + 0.6) - 0.05 * at.x;
     let bough = drawn(abs(at.y - bend), 0.020 + 0.018 * saturate1(-at.x - 0.2), blur) * smoothstep(-0.20, -0.45, at.x);
     let trunk = within(at.x + 1.16 + 0.04 * sin(at.y * 2.0), 0.115, blur);
     let there = 0.9 * smoothstep(0.34, 0.0, abs(at.y - bend - 0.13)) * smoothstep(-0.05, -0.5, at.x);
@@ -59,7 +63,7 @@ fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     seen = mix(seen, vec4<f32>(dark * 0.22 + lit * vec3<f32>(0.5, 0.42, 0.35), 1.0), max(bough, trunk));
     seen = mix(seen, vec4<f32>(dark * (0.14 + 0.10 * leaf.x) + lit * vec3<f32>(0.16, 0.21, 0.10) * leaf.x, 1.0), leaf.z);
     // Chain, cap, four rods, foot.
-    let chain = within(l.x, 0.005, blur) * step(0.10, l.y) * step(at.y, bend) * min(1.0, 0.4 + 0.005 / blur);
+    let chain = within(l.x, 0.010, blur) * step(0.10, l.y) * step(at.y, bend) * min(1.0, 0.7 + 0.007 / blur);
     let cap = within(l.x, 0.085 - 0.55 * (l.y - 0.085), blur) * within(l.y - 0.125, 0.042, blur);
     let foot = within_box(l + vec2<f32>(0.0, 0.105), vec2<f32>(0.074, 0.018), blur);
     let rods = max(within(abs(l.x) - 0.062, 0.006, blur), within(l.x, 0.004, blur) * 0.5) * within(l.y, 0.095, blur);
@@ -71,6 +75,32 @@ fn lantern(ray: vec3<f32>) -> array<vec4<f32>, 2> {
     let flicker = 1.0 + 0.06 * (patches(vec2<f32>(set_time() * 1.6, 0.5)) - 0.5);
     let halo = flame * (flicker * (0.20 * exp(-r2 * 30.0) + 0.055 * exp(-r2 * 4.0)));
     return array<vec4<f32>, 2>(seen, vec4<f32>(halo, 0.0));
+}
+
+// A fence with tall grass at its foot, in the lantern's light on this side and the moon's from beyond: how much
+// it covers in w.
+fn fence(ray: vec3<f32>) -> vec4<f32> {
+    let at = upright(ray, -3.3);
+    if at.z < 0.0 {
+        return vec4<f32>(0.0);
+    }
+    let p = at.xy;
+    let blur = edge_blur(at.z * length(ray));
+    let d = vec3<f32>(p, -3.3) - LANTERN;
+    let lit = frame.glow.xyz * LANTERN_COLOR * (2.6 / (1.0 + 0.42 * dot(d, d)));
+    let post = (fract(p.x / 1.30 + 0.35) - 0.5) * 1.30;
+    let stake = within(post, 0.050, blur) * smoothstep(blur, -blur, p.y - 1.06);
+    let sag = 0.02 * sin(p.x * 2.1);
+    let rails = max(within(p.y - 0.90 - sag, 0.036, blur), within(p.y - 0.56 + sag, 0.036, blur));
+    let grain = 0.75 + 0.5 * patches(vec2<f32>(p.x * 5.0, p.y * 70.0));
+    // The moon lies on upper edges.
+    let edge = max(within(p.y - 0.93 - sag, 0.010, blur) * rails, 0.7 * within(post - 0.045, 0.010, blur) * stake);
+    let wood = vec3<f32>(0.105, 0.078, 0.055) * grain * (lit + frame.sky.xyz * 0.5) + frame.rim.xyz * (0.085 * saturate1(edge));
+    var seen = vec4<f32>(wood, max(stake, rails));
+    let top = 0.20 + 0.26 * patches(vec2<f32>(p.x * 3.1, 1.5)) + 0.13 * patches(vec2<f32>(p.x * 17.0, 4.5));
+    let blades = 0.55 + 0.9 * patches(vec2<f32>(p.x * 34.0, p.y * 5.0));
+    let green = vec3<f32>(0.040, 0.060, 0.024) * blades * (lit + frame.sky.xyz) + frame.rim.xyz * (0.050 * smoothstep(0.10, 0.0, top - p.y));
+    return mix(seen, vec4<f32>(green, 1.0), smoothstep(-blur - 0.03, blur + 0.03, top - p.y));
 }
 
 @fragment
@@ -88,12 +118,14 @@ fn fs_night(v: TheatreOut) -> @location(0) vec4<f32> {
         let px = distance * frame.viewport.w * 1.2 + edge_blur(distance);
         let r = length(p.xz);
         let ground = frame.floor.xyz * (grass(p, px)) * (floor_light(p, v.clip.xy, 0.22) + frame.rim.xyz * 0.35);
-        let near = mix(ground, frame.backdrop_low.xyz * 0.34, smoothstep(1.5, 20.0, r));
+        let meadow = mix(ground, frame.backdrop_low.xyz * 0.34, smoothstep(1.5, 20.0, r));
         // The lantern's light on the grass.
-        let d = p.xz - vec2<f32>(-0.62, -0.9);
+        let d = p.xz - LANTERN.xz;
         let lit = frame.floor.xyz * frame.glow.xyz * vec3<f32>(4.2, 2.6, 0.9) * (0.9 * grass(p, px) / (1.0 + 1.6 * dot(d, d)));
-        light = mix(light, fogged(near + lit, distance), smoothstep(-0.002, -0.004 - blur, q.y));
+        light = mix(light, fogged(meadow + lit, distance), smoothstep(-0.002, -0.004 - blur, q.y));
     }
+    let near = fence(v.ray);
+    light = mix(light, fogged(near.xyz, 4.0), near.w);
     let lamp = lantern(v.ray);
     light = mix(light, lamp[0].xyz, lamp[0].w) + lamp[1].xyz;
     return written(light, 1.0, v.clip.xy);

@@ -131,10 +131,13 @@ fn foliage(p: vec2<f32>, there: f32, blur: f32) -> vec3<f32> {
         let along = vec2<f32>(cos(turn), sin(turn));
         let d = q - cell - 0.5 - 0.10 * vec2<f32>(along.y, along.x);
         let l = vec2<f32>(dot(d, along), dot(d, vec2<f32>(-along.y, along.x)));
-        let b = min(blur * (11.0 + 2.5 * f), 0.12);
-        let blade = smoothstep(0.38 + b, 0.38 - b, length(l * vec2<f32>(1.0, 1.9 + 1.2 * l.x)));
+        let b = min(blur * (11.0 + 2.5 * f), 0.17);
+        // What is blurred must not reach beyond its cell.
+        let half = 0.33 - 0.4 * b;
+        let blade = smoothstep(half + b, half - b, length(l * vec2<f32>(1.0, 1.9 + 1.2 * l.x)));
         let grows = step(hash_unit(id + vec3<i32>(0, 0, 9)), there);
         seen = mix(seen, vec3<f32>(0.7 + 0.9 * bright, bright * bright, 1.0), blade * grows);
     }
-    return seen;
+    // Mixed over nothing, tones are weighted with what they cover.
+    return vec3<f32>(seen.xy / max(seen.z, 1e-3), seen.z);
 }

@@ -49,6 +49,13 @@ fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<
     return vec3<f32>(0.62 * s, 0.24 * s * s, 0.13 * s * s * s) * (away * 0.4 * s);
 }
 
+// Whether a place is near enough to the mouth to be of the lips, 0..1: cheeks of dark skin are as red.
+fn about_mouth(bind: vec3<f32>) -> f32 {
+    let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
+    let near = smoothstep(0.75, 0.58, abs(q.x)) * smoothstep(0.46, 0.32, abs(q.y + 1.07));
+    return select(0.0, near, material.face.w > 0.0);
+}
+
 // How oily the skin is, 0..1, from where on the face it lies: forehead, nose and chin more
 // than cheeks (the "T zone").
 fn oiliness(bind: vec3<f32>) -> f32 {
@@ -137,8 +144,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let ao = v.color.a * (1.0 - 0.45 * furrow);
     let oil = oiliness(v.bind);
     // Lips are redder than any other skin, smoother, and moist.
-    let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4))
-        * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
+    let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4)) * about_mouth(v.bind);
     // Where they roll in they are wet.
     let wet = lip * smoothstep(0.50, 0.62, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4));
     // Without its fine relief skin is the rougher for it: what a pixel does not show spreads the shine.

@@ -43,13 +43,13 @@ fn sleeve_folds(out: &mut Vec<(ClothZone, Fold)>, wearer: &Wearer<'_>, cut: &Top
         out.push((ClothZone::Sleeve(side), Fold::Ring(fold)));
     };
     // Soft diagonals on the upper arm, from the armpit outwards.
-    ring(0, 0.56 * upper, front + 2.6, 1.5, 1.5, 0.32);
-    ring(1, 0.74 * upper, front - 2.2, 1.6, -1.3, 0.36);
+    ring(0, 0.56 * upper, front + 2.6, 1.5, 1.5, 0.42);
+    ring(1, 0.74 * upper, front - 2.2, 1.6, -1.3, 0.48);
     // A zigzag over the inside of the elbow.
     for i in 0..4 {
         let way = if i % 2 == 0 { 1.0 } else { -1.0 };
         let along = upper + (i as f64 - 1.6) * 2.7 * unit;
-        ring(2 + i, along, front + 0.5 * way, 2.0, 1.2 * way, 0.52);
+        ring(2 + i, along, front + 0.5 * way, 2.0, 1.2 * way, 0.70);
     }
     // The forearm's cloth stacks on the cuff.
     for i in 0..4 {
@@ -61,7 +61,7 @@ fn sleeve_folds(out: &mut Vec<(ClothZone, Fold)>, wearer: &Wearer<'_>, cut: &Top
             front + 1.9 * way,
             2.3,
             0.9 * way,
-            0.36 + 0.06 * i as f64,
+            0.50 + 0.06 * i as f64,
         );
     }
 }

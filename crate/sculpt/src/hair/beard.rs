@@ -51,8 +51,8 @@ const LAYERS: [BeardLayer; 3] = [
     BeardLayer {
         spacing: 0.0075,
         length: 0.6,
-        width: 0.0095,
-        strips: [7, 12],
+        width: 0.0085,
+        strips: [9, 13],
         light: 0.8,
     },
     BeardLayer {

@@ -15,6 +15,9 @@ use crate::skin::texture::space_noise;
 
 /// Distance of a path's points, metres.
 const STEP_M: f64 = 0.002;
+/// Radius of a tuft's coil and its length for each turn, metres.
+const COIL_M: f64 = 0.0022;
+const COIL_TURN_M: f64 = 0.011;
 
 impl Grower<'_> {
     /// Cards of coily hair, from the scalp outwards.
@@ -62,11 +65,17 @@ impl Grower<'_> {
         let aside = (spread - n * spread.dot(n)).normalize_or_zero();
         let d = (n + aside * (layer.lift + 0.3 * dice(1))).normalize_or(n);
         let bend = DVec3::new(bell(3), bell(4), bell(5)) * 8.0;
+        let e1 = d.any_orthonormal_vector();
+        let e2 = d.cross(e1);
         let count = (length / STEP_M) as usize + 3;
         let path: Vec<DVec3> = (0..count)
             .map(|k| {
                 let s = k as f64 * STEP_M;
-                let p = root.position + n * (thick * layer.offset) + d * s + bend * (s * s);
+                // A coil winds about its own middle, wider towards its tip.
+                let turn = TAU * (s / COIL_TURN_M + dice(2));
+                let wound =
+                    (e1 * ops::cos(turn) + e2 * ops::sin(turn)) * (COIL_M * (s / 0.006).min(1.0));
+                let p = root.position + n * (thick * layer.offset) + d * s + bend * (s * s) + wound;
                 self.space.pushed(p, 0.0008)
             })
             .collect();

@@ -14,6 +14,15 @@ const DRAWN: f64 = 0.25;
 /// Share of what it is too low by that it is pushed out in a step.
 const PUSHED: f64 = 0.55;
 
+/// How far ahead of itself hair feels a shoulder, metres.
+const AHEAD_M: f64 = 0.03;
+/// From which height hair may lie on a shoulder, and below which it does, metres.
+const UNDER_JAW_M: [f64; 2] = [-0.08, -0.12];
+/// Breadth from the middle within which hair hangs past the neck, metres.
+const BESIDE_NECK_M: [f64; 2] = [0.072, 0.110];
+/// Hair rooted before this falls before the shoulders, metres.
+const TEMPLE_Z_M: f64 = -0.070;
+
 /// How one hair grows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth {
@@ -50,6 +59,7 @@ pub(super) fn grow(space: &Space, field: &Field, g: &Growth, seed: u64) -> Vec<D
         let fade = step(0.0, 0.03, arc);
         let wanted = comb * (1.0 - w)
             + DVec3::NEG_Y * w
+            + draped(space, g.root, at)
             + stray(seed + 21, at, g.bend[1]) * (g.bend[0] * fade);
         direction = direction
             .lerp(wanted.normalize_or(direction), share)
@@ -69,6 +79,19 @@ pub(super) fn grow(space: &Space, field: &Field, g: &Growth, seed: u64) -> Vec<D
         out.push(at);
     }
     out
+}
+
+/// Where hair that comes down on a shoulder turns: that of the temples before it, the rest behind it,
+/// and all of it towards the neck. Without it hair would slide down the arms and fan out.
+fn draped(space: &Space, root: DVec3, at: DVec3) -> DVec3 {
+    let below = at + DVec3::NEG_Y * AHEAD_M;
+    let near = step(2.0 * AHEAD_M, 0.3 * AHEAD_M, space.height(below));
+    let level =
+        step(0.15, 0.75, space.normal(below).y) * step(UNDER_JAW_M[0], UNDER_JAW_M[1], at.y);
+    let way = if root.z > TEMPLE_Z_M { 1.0 } else { -1.0 };
+    let beside = step(BESIDE_NECK_M[0], BESIDE_NECK_M[1], at.x.abs());
+    let inwards = DVec3::X * (-0.7 * at.x.signum() * beside * step(-0.02, UNDER_JAW_M[0], at.y));
+    DVec3::Z * (1.6 * way * near * level) + inwards
 }
 
 /// Evens a path out, its first two points left where they are.

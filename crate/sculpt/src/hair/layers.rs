@@ -53,6 +53,7 @@ pub(super) const FALLING: [Layer; 6] = [
         spans: 8,
         lift: 0.14,
         gather: 0.1,
+        uneven: 0.2,
         ..LAYER
     },
     Layer {
@@ -63,6 +64,7 @@ pub(super) const FALLING: [Layer; 6] = [
         spans: 15,
         lift: 0.25,
         gather: 0.3,
+        uneven: 0.45,
         roll: 0.10,
         inside: 0.0012,
         ..LAYER
@@ -339,11 +341,11 @@ pub(super) const COILY: [Layer; 5] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0066,
+        spacing: 0.0052,
         offset: 0.10,
-        width: 0.0130,
-        strips: [0, 10],
-        spans: 3,
+        width: 0.0072,
+        strips: [3, 12],
+        spans: 4,
         lift: 0.45,
         length: 1.0,
         roll: 1.2,
@@ -351,11 +353,11 @@ pub(super) const COILY: [Layer; 5] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0105,
+        spacing: 0.0066,
         offset: 0.40,
-        width: 0.0105,
+        width: 0.0062,
         strips: [5, 12],
-        spans: 3,
+        spans: 4,
         lift: 0.8,
         length: 1.03,
         roll: 1.2,

@@ -33,6 +33,7 @@ fn cut(like: &str, style: HairStyle) -> Option<FigureParams> {
         thinning: 0.0,
         square: person.person.sex < 0.5,
         colour: HairParams::default().colour,
+        length: HairParams::default().length,
         ..person.hair
     };
     Some(person)

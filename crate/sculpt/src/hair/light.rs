@@ -17,6 +17,9 @@ use super::space::{SkinPoint, Space};
 const PITCH_M: f64 = 0.005;
 /// Optical depth of a metre of hair whose cards cover a square metre in a cubic one.
 const DEPTH: f64 = 0.33;
+/// Area of cards in a cubic metre beyond which they only overlap: where all hair of a side comes
+/// together over a shoulder, it would be black.
+const MOST_DENSE: f32 = 600.0;
 /// Directions on the sphere.
 const DIRECTIONS: usize = 40;
 /// Steps of a ray and their length, metres.
@@ -77,10 +80,11 @@ impl<'a> Shade<'a> {
                 }
             }
         }
-        Self {
-            space,
-            density: density.blurred(1),
+        let mut density = density.blurred(1);
+        for d in &mut density.values {
+            *d = d.min(MOST_DENSE);
         }
+        Self { space, density }
     }
 
     /// Share of light that comes to `p` from `d`, starting `off` metres on.

@@ -30,6 +30,8 @@ const MOST_TURN: f64 = 0.70;
 const CURL_M: f64 = 0.08;
 const MOST_OUTWARD: f64 = 0.55;
 const MOST_HEIGHT_M: f64 = 0.036;
+/// Hair that lies farther out on a shoulder is dropped, metres.
+const WIDEST_M: f64 = 0.122;
 
 /// A lock: its root, the way its middle goes, and its own character.
 struct Lock {
@@ -223,7 +225,7 @@ impl Grower<'_> {
             }
         }
         if is_hanging {
-            smooth(&mut path, 1);
+            smooth(&mut path, 2);
         }
         if !self.is_wearable(&path, length) {
             return None;
@@ -238,7 +240,11 @@ impl Grower<'_> {
         let taper = if is_short {
             [lerp(0.35, 0.75, edge), 1.0, 0.22]
         } else {
-            [lerp(0.2, 0.45, edge), 1.0, 0.8]
+            [
+                lerp(0.2, 0.45, edge),
+                1.0,
+                if is_hanging { 0.45 } else { 0.8 },
+            ]
         };
         // Tones of short cards that differ much would show as scales.
         let vary = if is_short { 0.07 } else { 0.15 };
@@ -369,6 +375,8 @@ impl Grower<'_> {
         if matches!(self.style.length, Length::Hem { .. }) {
             for (k, p) in path.iter_mut().enumerate() {
                 let e = ((k as f64 * step_m - cut + 0.05) / 0.05).clamp(0.0, 1.0);
+                // On a shoulder there is no room to turn in.
+                let e = e * step(0.012, 0.03, self.space.whole.at(*p));
                 *p -= self.space.hull_normal(*p) * (0.009 * e * e);
             }
         }
@@ -389,6 +397,9 @@ impl Grower<'_> {
                 return false;
             }
             let p = path[k];
+            if p.x.abs() > WIDEST_M {
+                return false;
+            }
             if p.y > -0.09 && k as f64 * step_m > 0.03 {
                 let out = tangent(path, k).dot(self.space.hull_normal(p));
                 if out > MOST_OUTWARD || self.space.height_without_ears(p) > MOST_HEIGHT_M {

@@ -111,7 +111,7 @@ pub(super) fn style(of: HairStyle) -> Option<Style> {
         HairStyle::Long => Style {
             length: Length::Hem {
                 hem: -0.235,
-                layered: 0.03,
+                layered: 0.05,
                 front: 0.0,
             },
             wave: [0.0012, 0.12],

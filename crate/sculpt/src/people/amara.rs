@@ -57,12 +57,13 @@ fn skin() -> SkinParams {
 
 fn hair() -> HairParams {
     HairParams {
-        style: HairStyle::Bun,
+        style: HairStyle::Coily,
         colour: HairColour {
             eumelanin: 1.5,
             pheomelanin: 0.1,
             grey: 0.0,
         },
+        length: 0.8,
         seed: 17,
         ..HairParams::default()
     }

@@ -63,7 +63,8 @@ fn hair() -> HairParams {
             pheomelanin: 0.18,
             grey: 0.0,
         },
-
+        // To the shoulders.
+        length: 0.74,
         seed: 37,
         ..HairParams::default()
     }

@@ -58,10 +58,11 @@ impl HandPainter<'_> {
         let seed = (self.skin.seed << 8) + 128;
         let mut tissue = self.base;
         let k = self.skin.contrast;
-        // The palm has a thick clear horn layer and a fifth of the melanin (Jacques 1998).
-        tissue.ln_melanosomes -= (0.55 + 1.1 * self.skin.melanin) * palm;
+        // The palm has a thick clear horn layer and less melanin: a fifth (Jacques 1998), drawn with a
+        // third, or dark skin's palms would look grey.
+        tissue.ln_melanosomes -= (0.50 + 0.65 * self.skin.melanin) * palm;
         tissue.ln_melanosomes += 0.10 * (1.0 - palm);
-        tissue.ln_blood += k * palm * (0.05 + 0.5 * cushion + 0.55 * tip);
+        tissue.ln_blood += k * palm * (0.24 + 0.5 * cushion + 0.55 * tip);
         tissue.ln_blood += k * (0.34 * knuckle + 0.40 * nail) * (1.0 - 0.5 * palm);
         tissue.ln_melanosomes += 0.16 * knuckle * (1.0 - palm);
         tissue.ln_blood += 0.16 * space_noise(seed + 1, p / 11.0)
