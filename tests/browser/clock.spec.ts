@@ -4,8 +4,8 @@
  */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import type { PlayerEventMap } from '../../web/element/events.js';
-import { stretch } from '../../web/element/stretch.js';
+import type { PlayerEventMap } from '../../web/element/base/events.js';
+import { stretch } from '../../web/element/sound/stretch.js';
 import { isLong, sized } from '../../web/test/tier.js';
 import { find, loudness } from './sought.js';
 import { bundle, expect, test } from './stage.js';

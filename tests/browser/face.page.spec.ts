@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { curvesOf, type DirectControl, type FaceCurves } from '../../web/element/course.js';
+import { curvesOf, type DirectControl, type FaceCurves } from '../../web/element/face/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, ready, test } from './stage.js';

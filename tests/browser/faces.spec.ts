@@ -1,6 +1,6 @@
 /** A face of the model on the figure that performs. */
 
-import type { Faces } from '../../web/element/faces.js';
+import type { Faces } from '../../web/element/face/faces.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test, type Stage } from './stage.js';
 

@@ -1,7 +1,7 @@
 /** The workshop for gestures: dragging, sliders, typing and undo. */
 
 import type { Locator, Page } from '@playwright/test';
-import { curvesOf } from '../../web/element/course.js';
+import { curvesOf } from '../../web/element/face/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, lookAt, LOOKS, partsIn } from './access.js';
 import { expect, moved, poseOf, ready, test } from './stage.js';

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { test as base, expect, type BrowserContext, type Locator, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { decodePose, type PoseNow } from '../../web/element/pose.js';
+import { decodePose, type PoseNow } from '../../web/element/engine/pose.js';
 import { visitedAt, visits } from '../../web/tools/graph.mjs';
 
 export { expect };

@@ -1,8 +1,8 @@
 /** The state of the composite editor: the history of a face, what of it is chosen, and the face on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/faces.js';
-import type { FaceLook, FaceMark, FigureFace, Light } from '../element/types.js';
+import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/face/faces.js';
+import type { FaceLook, FaceMark, FigureFace, Light } from '../element/base/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { AGEING, changedBy, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';

@@ -2,14 +2,14 @@
 
 import { LitElement, unsafeCSS, type PropertyDeclarations, type PropertyValues, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Faces } from '../element/faces.js';
-import { openFaces } from '../element/open-faces.js';
-import type { Backend, Quality } from '../element/types.js';
+import type { Faces } from '../element/face/faces.js';
+import { openFaces } from '../element/face/open-faces.js';
+import type { Backend, Quality } from '../element/base/types.js';
 import base from '../pages/base.css?inline';
 import casting from '../pages/cast.css?inline';
 import controls from '../pages/controls.css?inline';
 import { SIDES } from '../pages/head-view.js';
-import { cast } from '../pages/home-cast.js';
+import { cast } from '../pages/cast.js';
 import { Tabs } from '../pages/tabs.js';
 import viewerControls from '../pages/viewer/controls.css?inline';
 import { onUndoKeys } from '../pages/workbench.js';

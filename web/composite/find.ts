@@ -3,7 +3,7 @@
  * marks and panels, by whole words and their beginnings, accents folded.
  */
 
-import type { FacePack } from '../element/faces.js';
+import type { FacePack } from '../element/face/faces.js';
 import table from './words.tsv?raw';
 
 type Attribute = FacePack['attributes'][number];

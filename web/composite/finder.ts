@@ -1,8 +1,8 @@
 /** What is shown where somebody has typed what is looked for: the features that are meant, and ways to all else. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FacePack } from '../element/faces.js';
-import type { FaceMark } from '../element/types.js';
+import type { FacePack } from '../element/face/faces.js';
+import type { FaceMark } from '../element/base/types.js';
 import type { App, Tab } from './app.js';
 import { indexOf, nearest, search, TABLE, type Index, type Row, type Thing } from './find.js';
 import { BEARDS, HAIR, MARKS, WEAR } from './look.js';

@@ -1,6 +1,6 @@
 /** What a pointer does on the face: it turns the head, chooses segments, moves them, and places marks. */
 
-import { readPose } from '../element/pose.js';
+import { readPose } from '../element/engine/pose.js';
 import { lookAround } from '../pages/head-view.js';
 import type { App } from './app.js';
 import { place } from './marks-panel.js';

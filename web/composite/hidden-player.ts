@@ -1,7 +1,7 @@
 /** A player that nobody sees, for pictures of faces that are not on stage. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Quality } from '../element/types.js';
+import type { Quality } from '../element/base/types.js';
 import { HeadView, type Look } from '../pages/head-view.js';
 import { REST_SECS, still } from './script.js';
 

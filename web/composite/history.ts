@@ -1,6 +1,6 @@
 /** The history of a face: a tree, because who goes back and does something else keeps what was there. */
 
-import type { FacePart } from '../element/faces.js';
+import type { FacePart } from '../element/face/faces.js';
 import type { Act } from './acts.js';
 import { faultOf } from './checks.js';
 import { LIMITS } from './limits.js';

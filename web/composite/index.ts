@@ -3,7 +3,7 @@
 import { register } from './register.js';
 
 export { RaconteurPlayer } from '../element/element.js';
-export type { Faces } from '../element/faces.js';
+export type { Faces } from '../element/face/faces.js';
 export { RaconteurComposite, type CompositeEventMap } from './element.js';
 export type { Saved } from './history.js';
 

@@ -1,11 +1,11 @@
 /** Hair, beard, brows, and what the head wears. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/types.js';
+import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/base/types.js';
 import { numberField, vars } from '../pages/fields.js';
 import type { App } from './app.js';
-import { hexOf, linearOf } from '../element/colour.js';
-import { plainLook } from '../element/face-look.js';
+import { hexOf, linearOf } from '../element/base/colour.js';
+import { plainLook } from '../element/face/face-look.js';
 import { BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
 
 /** What of a look has a colour of hair. */

@@ -1,8 +1,8 @@
 /** Hair, beard, what is worn, marks and light in words, for reports. */
 
-import type { FaceMark, HairColour, NaturalHair } from '../element/types.js';
+import type { FaceMark, HairColour, NaturalHair } from '../element/base/types.js';
 import type { App } from './app.js';
-import { plainLook } from '../element/face-look.js';
+import { plainLook } from '../element/face/face-look.js';
 import { BEARDS, HAIR, MARKS, SHAPES, WEAR } from './look.js';
 import { LIGHTS } from './scene.js';
 

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import type { FacePack, FacePart } from '../element/faces.js';
+import type { FacePack, FacePart } from '../element/face/faces.js';
 import { check, numberField } from '../pages/fields.js';
 import type { App } from './app.js';
 import type { Index } from './find.js';

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { FacePart } from '../element/faces.js';
+import type { FacePart } from '../element/face/faces.js';
 import { check, choice, numberField } from '../pages/fields.js';
 import type { Act } from './acts.js';
 import type { App } from './app.js';

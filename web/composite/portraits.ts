@@ -1,8 +1,8 @@
 /** Small pictures of faces of the database, drawn by a player of their own, one after another. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { FaceConstraint } from '../element/faces.js';
-import type { FigureFace } from '../element/types.js';
+import type { FaceConstraint } from '../element/face/faces.js';
+import type { FigureFace } from '../element/base/types.js';
 import type { App } from './app.js';
 import { openHidden, wait } from './hidden-player.js';
 import { Latest } from './latest.js';

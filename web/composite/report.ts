@@ -1,6 +1,6 @@
 /** The report of a face: what it looks like and all that it is made of. */
 
-import type { FacePart, Faces } from '../element/faces.js';
+import type { FacePart, Faces } from '../element/face/faces.js';
 import { label, signed, where } from './acts.js';
 import type { App } from './app.js';
 import { lookFacts } from './look-words.js';

@@ -1,6 +1,6 @@
 /** Saved sessions as text, from a file or an address. */
 
-import { fetchText } from '../element/fetching.js';
+import { fetchText } from '../element/base/fetching.js';
 import { LIMITS } from './limits.js';
 
 /** What a text holds; throws an `Error` for people. */

@@ -1,6 +1,6 @@
 /** How a face is shown besides its steps: on whose body, in which light, and from where. It belongs to the session. */
 
-import type { Light } from '../element/types.js';
+import type { Light } from '../element/base/types.js';
 import type { Look } from '../pages/head-view.js';
 
 export interface Scene {

@@ -1,6 +1,6 @@
 /** Small pictures of a face with one segment lit, to choose segments by. */
 
-import type { Faces } from '../element/faces.js';
+import type { Faces } from '../element/face/faces.js';
 
 /** Size of a picture, pixels, and what of the head it shows: left and right of the middle, and heights, metres. */
 const WIDTH = 84;

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Light } from '../element/types.js';
+import type { Light } from '../element/base/types.js';
 import { lookFrom } from '../pages/head-view.js';
 import type { App } from './app.js';
 import { LIGHTS } from './scene.js';

@@ -1,6 +1,6 @@
 /** How much of each attribute the face has that is edited. */
 
-import type { FacePart, Faces } from '../element/faces.js';
+import type { FacePart, Faces } from '../element/face/faces.js';
 import type { Act } from './acts.js';
 
 /** Values of the attributes of a face, by part. */

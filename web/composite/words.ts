@@ -1,6 +1,6 @@
 /** The words that people have for features, and what a feature is apart from. */
 
-import type { FacePack } from '../element/faces.js';
+import type { FacePack } from '../element/face/faces.js';
 import { TABLE } from './find.js';
 
 type Attribute = FacePack['attributes'][number];

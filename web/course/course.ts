@@ -1,9 +1,9 @@
 /** A story as a course: follows the player, brings the learner back to where they were, and tells a record of it. */
 
-import { newSeed } from '../element/chance.js';
+import { newSeed } from '../element/lesson/chance.js';
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Answered, Score } from '../element/lesson.js';
-import { united, type Span } from '../element/ranges.js';
+import type { Answered, Score } from '../element/base/answers.js';
+import { united, type Span } from '../element/base/ranges.js';
 import { bestOf, NOTHING, type Memory, type Remembered } from './memory.js';
 import type { Happening, Known, Record, Report } from './report.js';
 import { shareOf } from './seen.js';

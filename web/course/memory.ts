@@ -1,8 +1,8 @@
 /** What brings a learner back to where they were, as a text that a system keeps: read, written, and put together from two. */
 
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
-import type { Score } from '../element/lesson.js';
-import { lengthOf, united, type Span } from '../element/ranges.js';
+import type { Score } from '../element/base/answers.js';
+import { lengthOf, united, type Span } from '../element/base/ranges.js';
 
 /** What is read of a memory is bounded: it comes from outside. */
 const MOST_SPANS = 200;

@@ -2,7 +2,7 @@
 
 import { html, nothing, render } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Answered } from '../element/lesson.js';
+import type { Answered } from '../element/base/answers.js';
 import type { Course } from './course.js';
 import { RecordError, type Known, type Record } from './report.js';
 import { showResult } from './result.js';

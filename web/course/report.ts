@@ -1,8 +1,8 @@
 /** What a course tells of a learner, whoever keeps it. */
 
-import type { Answered, Score } from '../element/lesson.js';
-import type { Span } from '../element/ranges.js';
-import type { Question } from '../element/types.js';
+import type { Answered, Score } from '../element/base/answers.js';
+import type { Span } from '../element/base/ranges.js';
+import type { Question } from '../element/base/types.js';
 import type { Memory } from './memory.js';
 import type { Troubles } from './trouble.js';
 

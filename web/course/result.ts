@@ -1,10 +1,10 @@
 /** What a learner has reached, once the story has ended: points by question, and the ways on from there. */
 
 import { html, nothing, render, type TemplateResult } from 'lit';
-import type { Answered, Score } from '../element/lesson.js';
-import { rightAnswer } from '../element/feedback.js';
-import { wordsOf } from '../element/question-words.js';
-import type { Question } from '../element/types.js';
+import type { Answered, Score } from '../element/base/answers.js';
+import { rightAnswer } from '../element/lesson/feedback.js';
+import { wordsOf } from '../element/lesson/question-words.js';
+import type { Question } from '../element/base/types.js';
 import { givenText } from './given.js';
 import type { CourseWords } from './words.js';
 

@@ -1,7 +1,7 @@
 /** Statements of the video profile of xAPI (https://w3id.org/xapi/video, version 1.0.3) about a story. */
 
-import type { Score } from '../element/lesson.js';
-import type { Span } from '../element/ranges.js';
+import type { Score } from '../element/base/answers.js';
+import type { Span } from '../element/base/ranges.js';
 import type { Statement } from './store.js';
 
 const ADL = 'http://adlnet.gov/expapi/verbs/';

@@ -1,6 +1,6 @@
 /** A course on a plain site: the browser itself keeps what the learner did. */
 
-import type { Score } from '../element/lesson.js';
+import type { Score } from '../element/base/answers.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import type { Known, Record, Report } from './report.js';
 import { FOLLOW_MS, Slot, type Shelf } from './shelf.js';

@@ -3,7 +3,7 @@
  * (https://aicc.github.io/CMI-5_Spec_Current, 8 to 11), whose session has rules of its own.
  */
 
-import type { Score } from '../element/lesson.js';
+import type { Score } from '../element/base/answers.js';
 import { answeredOf } from './answered.js';
 import { StateKeeper } from './keeper.js';
 import { launchOf, linkOf, textOf, type Launch, type Link } from './launch.js';

@@ -1,13 +1,14 @@
 /** What the controls and the keys of a player do. */
 
-import type { BarActions } from './controls.js';
-import { wordsFor, type PlayerContext } from './context.js';
-import type { KeyActions } from './keyboard.js';
-import { hasCaptions } from './show.js';
+import type { BarActions } from './controls/controls.js';
+import type { KeyActions } from './controls/keyboard.js';
+import type { RaconteurPlayer } from './element.js';
+import { wordsFor, type PlayerContext } from './story/context.js';
+import { hasCaptions } from './story/show.js';
 
 /** The actions of a player. */
-export function actionsOf(context: PlayerContext): KeyActions & BarActions {
-  const { player, say } = context;
+export function actionsOf(player: RaconteurPlayer, context: PlayerContext): KeyActions & BarActions {
+  const { say } = context;
   const isFullscreen = () => document.fullscreenElement === player;
   const actions: KeyActions & BarActions = {
     toggle: () => {

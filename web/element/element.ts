@@ -2,35 +2,35 @@
 
 import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
-import { attributes } from './attributes.js';
-import { Away } from './away.js';
-import { FigureLoader } from './figure-loader.js';
-import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
-import { passTransport } from './cues.js';
-import type { ElementEventMap, Listener } from './events.js';
-import { Diagnostics } from './diagnostics.js';
+import { attributes } from './media/attributes.js';
+import { Away } from './story/away.js';
+import { FigureLoader } from './story/figure-loader.js';
+import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './story/context.js';
+import { passTransport } from './story/cues.js';
+import type { ElementEventMap, Listener } from './base/events.js';
+import { Diagnostics } from './base/diagnostics.js';
 import look from './element.css?inline';
-import { interrupt, perform, Sender } from './fragments.js';
+import { interrupt, perform, Sender } from './story/fragments.js';
 import { template } from './template.js';
-import { Idle } from './idle.js';
-import { handleKey } from './keyboard.js';
+import { Idle } from './controls/idle.js';
+import { handleKey } from './controls/keyboard.js';
 import { MediaElement, type Parts } from './media-element.js';
-import { after, dispatch } from './media-events.js';
-import { MindConnection } from './mind-connection.js';
-import { soundOf } from './outlet.js';
-import { OwnText } from './own-text.js';
-import { Playback } from './playback.js';
-import { hasCaptions, statisticsOf } from './show.js';
-import { StandIn } from './stand-in.js';
-import { StoryLoader } from './story-loader.js';
-import { reducesMotion, Surroundings } from './surroundings.js';
-import { spare } from './fetching.js';
-import type { Answered, Score } from './lesson.js';
-import questionLook from './question.css?inline';
-import { Questioner } from './questioner.js';
-import type { Span } from './ranges.js';
-import type { Part } from './text-tracks.js';
-import { FrameLoop } from './frame-loop.js';
+import { after, dispatch } from './media/media-events.js';
+import { MindConnection } from './mind/mind-connection.js';
+import { soundOf } from './sound/outlet.js';
+import { OwnText } from './story/own-text.js';
+import { Playback } from './media/playback.js';
+import { hasCaptions, statisticsOf } from './story/show.js';
+import { StandIn } from './story/stand-in.js';
+import { StoryLoader } from './story/story-loader.js';
+import { reducesMotion, Surroundings } from './base/surroundings.js';
+import { spare } from './base/fetching.js';
+import type { Answered, Score } from './base/answers.js';
+import questionLook from './lesson/question.css?inline';
+import { Questioner } from './lesson/questioner.js';
+import type { Span } from './base/ranges.js';
+import type { Part } from './media/text-tracks.js';
+import { FrameLoop } from './story/frame-loop.js';
 import {
   PlayerError,
   type Answer,
@@ -51,7 +51,7 @@ import {
   type View,
   type Words,
   type Expressed,
-} from './types.js';
+} from './base/types.js';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
 const MOST_CAPTIONS = 0.2;
@@ -223,7 +223,7 @@ export class RaconteurPlayer extends MediaElement {
     () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
     () => this.requestUpdate(),
   );
-  readonly #actions = actionsOf(this.#context);
+  readonly #actions = actionsOf(this, this.#context);
   readonly #around = new Surroundings(
     () => this.#resize(),
     (isNear) => this.#appeared(isNear),
@@ -244,7 +244,7 @@ export class RaconteurPlayer extends MediaElement {
   }
 
   protected override get parts(): Parts {
-    return { context: this.#context, playback: this.#playback, stories: this.#stories };
+    return { context: this.#context, playback: this.#playback, stories: this.#stories, lesson: this.#questioner.lesson };
   }
 
   protected override showCaptions(shown: boolean): void {
@@ -337,7 +337,7 @@ export class RaconteurPlayer extends MediaElement {
   async figureFile(name: string): Promise<Blob> {
     const parts = await this.#context.show?.picture.faceFile(name);
     if (parts === undefined) throw new PlayerError('The figure on stage has its own face.');
-    const { faceFile } = await import('./avatar.js').catch((error: unknown) => {
+    const { faceFile } = await import('./face/avatar.js').catch((error: unknown) => {
       throw new PlayerError('The part that writes figures could not be fetched: is the network there?', { cause: error });
     });
     return new Blob([(await faceFile(parts)) as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
@@ -367,7 +367,7 @@ export class RaconteurPlayer extends MediaElement {
   tell(words: Words): Telling {
     const end = new AbortController();
     const tell = async (): Promise<void> => {
-      const [{ tellWords }, show] = await Promise.all([import('./tell.js'), this.#stories.stage()]);
+      const [{ tellWords }, show] = await Promise.all([import('./story/tell.js'), this.#stories.stage()]);
       await tellWords(this.#context, show, words, end.signal);
     };
     return {

@@ -7,12 +7,13 @@ export { naturalVoice } from '../speech/natural.js';
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
-export type { Answered, LessonState, Score } from './lesson.js';
-export type { ElementEventMap, MediaEventMap, PlayerEventMap } from './events.js';
-export type { Part } from './text-tracks.js';
-export { openFaces } from './open-faces.js';
-export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './faces.js';
-export { PlayerError } from './types.js';
+export type { Answered, Score } from './base/answers.js';
+export type { LessonState } from './lesson/lesson.js';
+export type { ElementEventMap, MediaEventMap, PlayerEventMap } from './base/events.js';
+export type { Part } from './media/text-tracks.js';
+export { openFaces } from './face/open-faces.js';
+export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './face/faces.js';
+export { PlayerError } from './base/types.js';
 export type {
   AudioFile,
   Backend,
@@ -32,7 +33,7 @@ export type {
   View,
   Way,
   Word,
-} from './types.js';
+} from './base/types.js';
 
 // The library lies beside the script, wherever that comes from. A name of its own for the script, so
 // that the build leaves the folder alone; and nothing else may import this file, which would then be

@@ -1,24 +1,26 @@
 /** The interface of `HTMLMediaElement` and what of `HTMLVideoElement` applies (HTML, 4.8.8 to 4.8.11), over a player's parts. */
 
 import { LitElement } from 'lit';
-import { mediaAttributes } from './attributes.js';
-import type { PlayerContext } from './context.js';
-import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './media.js';
-import { dispatch, isPending } from './media-events.js';
-import { openDevice } from './outlet.js';
-import { Capture, FrameCallbacks, PictureInPicture } from './outputs.js';
-import type { Playback } from './playback.js';
-import { Ranges, without } from './ranges.js';
-import type { StoryLoader } from './story-loader.js';
-import type { StoryTextTrack } from './text-track.js';
-import { StoryTextTracks } from './text-tracks.js';
-import type { PlayerError } from './types.js';
+import { mediaAttributes } from './media/attributes.js';
+import type { PlayerContext } from './story/context.js';
+import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './engine/media.js';
+import { dispatch, isPending } from './media/media-events.js';
+import { openDevice } from './sound/outlet.js';
+import { Capture, FrameCallbacks, PictureInPicture } from './sound/outputs.js';
+import type { Playback } from './media/playback.js';
+import { Ranges, without } from './base/ranges.js';
+import type { Lesson } from './lesson/lesson.js';
+import type { StoryLoader } from './story/story-loader.js';
+import type { StoryTextTrack } from './media/text-track.js';
+import { StoryTextTracks } from './media/text-tracks.js';
+import type { PlayerError } from './base/types.js';
 
 /** The parts of a player that the interface speaks for. */
 export interface Parts {
   readonly context: PlayerContext;
   readonly playback: Playback;
   readonly stories: StoryLoader;
+  readonly lesson: Lesson;
 }
 
 /** Properties that are attributes. */
@@ -251,7 +253,7 @@ export abstract class MediaElement extends LitElement {
     this.#look();
     this.settleAttributes();
     if (this.error !== null) return Promise.reject(new DOMException(this.error.message, 'NotSupportedError'));
-    if (this.parts.context.questioner.lesson.asked !== undefined) return Promise.reject(new DOMException('The story waits for an answer.', 'InvalidStateError'));
+    if (this.parts.lesson.asked !== undefined) return Promise.reject(new DOMException('The story waits for an answer.', 'InvalidStateError'));
     return this.parts.playback.play();
   }
 
@@ -431,7 +433,7 @@ export abstract class MediaElement extends LitElement {
   protected begin(language: string, shown: boolean): void {
     const { show } = this.parts.context;
     this.#tracks.setStory(language, shown);
-    this.#tracks.setParts(this.parts.context.questioner.lesson.parts, language);
+    this.#tracks.setParts(this.parts.lesson.parts, language);
     show?.voice.keepPitch(this.#keepsPitch);
     if (this.#startSecs > 0) this.currentTime = this.#startSecs;
     this.#startSecs = 0;

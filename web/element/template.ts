@@ -2,14 +2,14 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
-import type { captionAt } from './captions.js';
-import { controlLanguage, wordsFor } from './context.js';
-import * as controls from './controls.js';
+import type { captionAt } from './captions/captions.js';
+import { controlLanguage, wordsFor } from './story/context.js';
+import * as controls from './controls/controls.js';
 import type { RaconteurPlayer } from './element.js';
-import type { Idle } from './idle.js';
-import type { Questioner } from './questioner.js';
-import { hasCaptions, type Show } from './show.js';
-import type { StoryLoader } from './story-loader.js';
+import type { Idle } from './controls/idle.js';
+import type { Questioner } from './lesson/questioner.js';
+import { hasCaptions, type Show } from './story/show.js';
+import type { StoryLoader } from './story/story-loader.js';
 
 /** What the template reads besides the element's own properties. */
 export interface TemplateState {

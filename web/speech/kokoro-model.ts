@@ -3,7 +3,7 @@
 import * as ort from 'onnxruntime-web/wasm';
 import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
 import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
-import { fetchBytes, SCRIPT } from '../element/fetching.js';
+import { fetchBytes, SCRIPT } from '../element/base/fetching.js';
 import { voiceFile } from './serve.js';
 import { trustOwnScripts } from './trusted.js';
 

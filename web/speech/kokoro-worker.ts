@@ -1,6 +1,6 @@
 /** Speaks with Kokoro; the worker's name is the address of its folder. */
 
-import { fetchText } from '../element/fetching.js';
+import { fetchText } from '../element/base/fetching.js';
 import { Flite } from './flite-program.js';
 import { type Model, openModel, type Spoken, styleFor } from './kokoro-model.js';
 import { Later } from './later.js';

@@ -1,6 +1,6 @@
 /** Kokoro, a natural voice of English, in a worker of the page. */
 
-import { fetchText } from '../element/fetching.js';
+import { fetchText } from '../element/base/fetching.js';
 import { isEnglish } from './english.js';
 import type { SpeechSource } from './source.js';
 import workerUrl from './kokoro-worker.ts?worker&url';

@@ -2,7 +2,7 @@
 
 import instantiate from '../pkg/say/raconteur.js';
 import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
-import { fetchBytes, fetchModule, type Fetching, SCRIPT } from '../element/fetching.js';
+import { fetchBytes, fetchModule, type Fetching, SCRIPT } from '../element/base/fetching.js';
 import type { Ask, Part, Reply } from './messages.js';
 
 /** So long after a part the next one is sent, ms; what is made sooner goes together. */

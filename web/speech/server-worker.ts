@@ -1,6 +1,6 @@
 /** Speaks by a server; the worker's name tells where that is and which voices it has. */
 
-import { fetchText } from '../element/fetching.js';
+import { fetchText } from '../element/base/fetching.js';
 import { Later } from './later.js';
 import { type Host, serve } from './serve.js';
 

@@ -1,7 +1,7 @@
 /** What a page with trusted types lets become a script: files beside this one. */
 
-import { common } from '../element/common.js';
-import { placeOf, SCRIPT, spare } from '../element/fetching.js';
+import { common } from '../element/base/common.js';
+import { placeOf, SCRIPT, spare } from '../element/base/fetching.js';
 
 interface Rules {
   createScriptURL(address: string): string;

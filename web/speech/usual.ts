@@ -1,6 +1,6 @@
 /** What speaks where a page has added nothing: flite, which is built into the site. The player's package has `web/package/player/usual.ts` instead, which looks for it. */
 
-import type { Diagnostic } from '../element/types.js';
+import type { Diagnostic } from '../element/base/types.js';
 import { flite } from './flite.js';
 import type { SpeechSource } from './source.js';
 

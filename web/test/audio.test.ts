@@ -1,8 +1,8 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { RecordedVoice } from '../element/audio.js';
-import { LiveScript } from '../element/live.js';
-import { latency } from '../element/outlet.js';
-import type { Utterance } from '../element/types.js';
+import { RecordedVoice } from '../element/sound/audio.js';
+import { LiveScript } from '../element/engine/live.js';
+import { latency } from '../element/sound/outlet.js';
+import type { Utterance } from '../element/base/types.js';
 
 afterEach(() => {
   vi.unstubAllGlobals();

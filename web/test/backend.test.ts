@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from 'vitest';
-import { type Adapter, chooseBackends } from '../element/backend.js';
+import { type Adapter, chooseBackends } from '../element/engine/backend.js';
 
 const answer = (requestAdapter: () => Promise<Adapter | null>) => vi.stubGlobal('navigator', { gpu: { requestAdapter } });
 

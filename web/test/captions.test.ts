@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { captionAt, captionsOf } from '../element/captions.js';
-import type { Utterance } from '../element/types.js';
+import { captionAt, captionsOf } from '../element/captions/captions.js';
+import type { Utterance } from '../element/base/types.js';
 
 /** An utterance of half a second a word, with a pause of a tenth between words. */
 function say(text: string, startSecs = 0): Utterance {

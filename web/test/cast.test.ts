@@ -1,15 +1,15 @@
 /** Who performs: the story's choice, and who does where it cannot be had. */
 
 import { beforeEach, expect, test, vi } from 'vitest';
-import { PlayerError, type Diagnostic } from '../element/types.js';
+import { PlayerError, type Diagnostic } from '../element/base/types.js';
 
 const performerOf = vi.fn(() => Promise.resolve({ figure: 'nuno' }));
 const fetchFigure = vi.fn((name: string, _library: URL, _wanted: unknown, url?: URL) =>
   name === 'nobody' ? Promise.reject(new PlayerError('The figure was not found.')) : Promise.resolve({ name, where: String(url), glb: new Uint8Array(), diagnostics: [] }),
 );
-vi.mock('../element/backend.js', () => ({ performerOf }));
-vi.mock('../element/loader.js', () => ({ fetchFigure }));
-const { fetchChoice, figureOf, USUAL_FIGURE } = await import('../element/cast.js');
+vi.mock('../element/engine/backend.js', () => ({ performerOf }));
+vi.mock('../element/engine/loader.js', () => ({ fetchFigure }));
+const { fetchChoice, figureOf, USUAL_FIGURE } = await import('../element/story/cast.js');
 
 beforeEach(() => vi.clearAllMocks());
 

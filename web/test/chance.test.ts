@@ -1,11 +1,11 @@
 /** What is by chance for a learner: the order of options, and what is drawn of pools. */
 
 import { describe, expect, it } from 'vitest';
-import { shuffled } from '../element/chance.js';
-import { Lesson } from '../element/lesson.js';
-import { shownOf } from '../element/question-fields.js';
-import { addressOf } from '../element/question-picture.js';
-import type { Question, QuestionKind, Way } from '../element/types.js';
+import { shuffled } from '../element/lesson/chance.js';
+import { Lesson } from '../element/lesson/lesson.js';
+import { shownOf } from '../element/lesson/question-fields.js';
+import { addressOf } from '../element/lesson/question-picture.js';
+import type { Question, QuestionKind, Way } from '../element/base/types.js';
 
 const NAMES = ['a', 'b', 'c'];
 const question = (name: string, order: number, more: Partial<Question> = {}): Question => ({

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { clampRate, formatTime, spokenTime, StoryClock } from '../element/clock.js';
+import { clampRate, formatTime, spokenTime, StoryClock } from '../element/base/clock.js';
 
 test('rests where it was put, and waits for its anchor', () => {
   const clock = new StoryClock();

@@ -4,15 +4,15 @@ import { expect, test } from 'vitest';
 import type { Act } from '../composite/acts.js';
 import { Cache } from '../composite/cache.js';
 import { isAct } from '../composite/checks.js';
-import { hexOf, linearOf } from '../element/colour.js';
+import { hexOf, linearOf } from '../element/base/colour.js';
 import { changeOf } from '../composite/hands.js';
 import { History } from '../composite/history.js';
 import { LIMITS } from '../composite/limits.js';
 import { BEARDS, HAIR, toggled } from '../composite/look.js';
 import { chosen, describe, figureOf, lookOf } from '../composite/people.js';
 import { skinOf } from '../composite/skin.js';
-import { lendersOf, paintOf, plainLook, toldLook } from '../element/face-look.js';
-import type { FaceLook, FigureFace } from '../element/types.js';
+import { lendersOf, paintOf, plainLook, toldLook } from '../element/face/face-look.js';
+import type { FaceLook, FigureFace } from '../element/base/types.js';
 
 const pack = { faces: 10, vertices: 5 };
 const add = (amount: number): Act => ({ kind: 'add', part: 'shape', name: 'weight', amount, region: {} });

@@ -2,9 +2,10 @@
 
 import { setMaxListeners } from 'node:events';
 import type { RaconteurPlayer } from '../element/element.js';
-import { Lesson, type Answered, type Score } from '../element/lesson.js';
-import { Ranges, united, type Span } from '../element/ranges.js';
-import type { PlayerState, Question } from '../element/types.js';
+import { Lesson } from '../element/lesson/lesson.js';
+import type { Answered, Score } from '../element/base/answers.js';
+import { Ranges, united, type Span } from '../element/base/ranges.js';
+import type { PlayerState, Question } from '../element/base/types.js';
 
 // Node takes more listeners of one signal for a leak; browsers do not.
 setMaxListeners(50);

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { joined, NOTHING, readMemory, writeMemory, type Memory, type Remembered } from '../course/memory.js';
 import { MOST_MEMORY } from '../course/scorm.js';
 import { shareOf } from '../course/seen.js';
-import { lengthOf, united, type Span } from '../element/ranges.js';
+import { lengthOf, united, type Span } from '../element/base/ranges.js';
 import { random, randomText, type Next } from './course-questions.js';
 import { sized } from './tier.js';
 

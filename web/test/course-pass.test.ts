@@ -7,9 +7,9 @@ import type { Known, Record, Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12 } from '../course/scorm.js';
 import { Troubles } from '../course/trouble.js';
 import type { RaconteurPlayer } from '../element/element.js';
-import type { Answered } from '../element/lesson.js';
-import { Ranges, type Span } from '../element/ranges.js';
-import type { Question } from '../element/types.js';
+import type { Answered } from '../element/base/answers.js';
+import { Ranges, type Span } from '../element/base/ranges.js';
+import type { Question } from '../element/base/types.js';
 
 const question = (name: string, atSecs: number): Question => ({
   order: 0,

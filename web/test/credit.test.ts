@@ -1,12 +1,12 @@
 /** Points of answers that are right in part, and what is read of answers. */
 
 import { describe, expect, it } from 'vitest';
-import { pointsOf } from '../element/credit.js';
-import { feedbackOf, rightAnswer } from '../element/feedback.js';
-import { judge } from '../element/judge.js';
-import { Lesson, LIVE } from '../element/lesson.js';
-import { wordsOf } from '../element/question-words.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/types.js';
+import { pointsOf } from '../element/lesson/credit.js';
+import { feedbackOf, rightAnswer } from '../element/lesson/feedback.js';
+import { judge } from '../element/lesson/judge.js';
+import { Lesson, LIVE } from '../element/lesson/lesson.js';
+import { wordsOf } from '../element/lesson/question-words.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
 import { KINDS, random, randomGiven, randomQuestion } from './course-questions.js';
 import { sized } from './tier.js';
 

@@ -1,8 +1,8 @@
 /** The numbers of a pose and of a course, decoded by name. */
 
 import { expect, test } from 'vitest';
-import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/course.js';
-import { decodePose } from '../element/pose.js';
+import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/face/course.js';
+import { decodePose } from '../element/engine/pose.js';
 
 test('a pose has its camera, units, joints and targets', () => {
   const camera = [0, 1, 4, 0, 1.2, 0, 0.5, 1.25, 0.1, 40];

@@ -24,7 +24,7 @@ describe('What the element is said to be', () => {
   it('is what its styles and templates have', () => {
     expect(names(element.cssProperties)).toEqual(found(read('web/element/element.css'), /var\((--raconteur-[\w-]+)/g));
     expect(names(element.cssParts)).toEqual(
-      found(['controls', 'template', 'question', 'question-fields'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g),
+      found(['controls/controls', 'template', 'lesson/question', 'lesson/question-fields'].map((part) => read(`web/element/${part}.ts`)).join(''), /part="([\w -]+)"/g),
     );
   });
 
@@ -37,18 +37,18 @@ describe('What the element is said to be', () => {
   it('has the events that are dispatched', () => {
     const told = [
       'media-element',
-      'story-loader',
-      'playback',
-      'cues',
+      'story/story-loader',
+      'media/playback',
+      'story/cues',
       'element',
-      'transport',
-      'clock',
-      'outputs',
-      'sound',
-      'figure-loader',
-      'mind-connection',
-      'diagnostics',
-      'questioner',
+      'media/transport',
+      'base/clock',
+      'sound/outputs',
+      'story/sound',
+      'story/figure-loader',
+      'mind/mind-connection',
+      'base/diagnostics',
+      'lesson/questioner',
     ]
       .map((part) => read(`web/element/${part}.ts`))
       .join('\n');

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import type { Expressed } from '../element/types.js';
+import type { Expressed } from '../element/base/types.js';
 import { BANDS, bandOf, rulesOf, told } from '../pages/expression/rules.js';
 import { beginning, settingOf } from '../pages/expression/state.js';
 import { BAD, feltAt, GOOD, RAYS, rayOf, spotOf, stepFrom } from '../pages/expression/types.js';

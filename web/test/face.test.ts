@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/course.js';
+import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/face/course.js';
 import { dominance, liveliest } from '../pages/face/course.js';
 import { ALL, MUSCLE_ORDER, MUSCLES, musclesOf, namesOf } from '../pages/face/dials.js';
 import { at, inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS } from '../pages/face/disc.js';

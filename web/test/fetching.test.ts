@@ -1,7 +1,7 @@
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import { fetchBytes, fetchModule, fetchText, spare, type Fetching } from '../element/fetching.js';
+import { fetchBytes, fetchModule, fetchText, spare, type Fetching } from '../element/base/fetching.js';
 
 /** Answers by path; some never end. */
 const ANSWERS: { [path: string]: (response: ServerResponse) => unknown } = {

@@ -1,8 +1,8 @@
 /** Palms, courses and the camera of the pages, against what the engine does. */
 
 import { expect, test } from 'vitest';
-import type { PalmFunctions } from '../element/backend.js';
-import { cross, dot, Lens, type Vector } from '../element/pose.js';
+import type { PalmFunctions } from '../element/engine/backend.js';
+import { cross, dot, Lens, type Vector } from '../element/engine/pose.js';
 import type { Triple } from '../pages/gestures/gesture.js';
 import { Palms } from '../pages/gestures/palm.js';
 import { wayAt } from '../pages/gestures/profile.js';

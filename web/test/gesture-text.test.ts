@@ -7,7 +7,7 @@ import { addKey, addPhase, removeKey, removePhase, setCourse, setDuration, setHa
 import { EXAMPLES } from '../pages/gestures/examples.js';
 import { gestureOf, joined, mirror, toldApart, trackOf, type Gesture } from '../pages/gestures/gesture.js';
 import { SHAPE_NAMES } from '../pages/gestures/shape-names.js';
-import { apply, difference, read, within, type Change } from '../pages/gestures/source.js';
+import { apply, difference, read, within, type Change } from '../pages/source.js';
 import { parseSecs, timesOf } from '../pages/gestures/time.js';
 
 const gesture = (text: string): Gesture => gestureOf(read(text));

@@ -1,7 +1,7 @@
 /** The angles that the viewer reads from a pose, against those that the engine was given. */
 
 import { expect, test } from 'vitest';
-import type { PoseNow, Vector } from '../element/pose.js';
+import type { PoseNow, Vector } from '../element/engine/pose.js';
 import { jointsNow } from '../pages/viewer/joints.js';
 import { LIMBS, type LimbName } from '../pages/viewer/state.js';
 

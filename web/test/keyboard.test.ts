@@ -1,5 +1,5 @@
 import { beforeEach, expect, test, vi } from 'vitest';
-import { handleKey, type KeyActions } from '../element/keyboard.js';
+import { handleKey, type KeyActions } from '../element/controls/keyboard.js';
 
 /** As much of an element as the keys look at. */
 class FakeElement {

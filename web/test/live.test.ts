@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { captionAt, captionsOf } from '../element/captions.js';
-import { LiveScript } from '../element/live.js';
-import type { Utterance } from '../element/types.js';
+import { captionAt, captionsOf } from '../element/captions/captions.js';
+import { LiveScript } from '../element/engine/live.js';
+import type { Utterance } from '../element/base/types.js';
 
 /** An utterance of half a second a word. */
 function say(text: string, startSecs: number): Utterance {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { arranged, MARK, type Box } from '../element/markers.js';
+import { arranged, MARK, type Box } from '../element/lesson/markers.js';
 import { random } from './course-questions.js';
 
 const PICTURE: Box = { left: 0, top: 0, right: 360, bottom: 608 };

@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Caption } from '../element/captions.js';
-import { canPlay, crossOriginOf, preloadOf } from '../element/media.js';
-import { after, dispatch, isPending, takeBack, takeBackSeek } from '../element/media-events.js';
-import { FrameCallbacks } from '../element/outputs.js';
-import { Ranges, without, type Span } from '../element/ranges.js';
-import { StoryTextTracks } from '../element/text-tracks.js';
+import type { Caption } from '../element/captions/captions.js';
+import { canPlay, crossOriginOf, preloadOf } from '../element/engine/media.js';
+import { after, dispatch, isPending, takeBack, takeBackSeek } from '../element/media/media-events.js';
+import { FrameCallbacks } from '../element/sound/outputs.js';
+import { Ranges, without, type Span } from '../element/base/ranges.js';
+import { StoryTextTracks } from '../element/media/text-tracks.js';
 
 const spansOf = (ranges: TimeRanges) => Array.from({ length: ranges.length }, (_, i) => [ranges.start(i), ranges.end(i)]);
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { levelAt, placeIn, steer } from '../element/music.js';
+import { levelAt, placeIn, steer } from '../element/sound/music.js';
 
 describe('levelAt', () => {
   const line = [

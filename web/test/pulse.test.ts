@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { Pulse } from '../element/pulse.js';
+import { Pulse } from '../element/picture/pulse.js';
 
 let page: { hidden: boolean };
 let frames: (() => void)[];

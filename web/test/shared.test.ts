@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { Shared } from '../element/shared.js';
+import { Shared } from '../element/base/shared.js';
 
 /** Work whose end the test decides. */
 function work() {

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Spoken } from '../element/spoken.js';
-import type { Utterance } from '../element/types.js';
+import { Spoken } from '../element/sound/spoken.js';
+import type { Utterance } from '../element/base/types.js';
 
 /** What was given to the browser to say. */
 class FakeSpeech {

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { stretch } from '../element/stretch.js';
+import { stretch } from '../element/sound/stretch.js';
 
 const RATE = 16000;
 

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from 'vitest';
-import type { Voice } from '../element/voice.js';
-import { Transport } from '../element/transport.js';
+import type { Voice } from '../element/sound/voice.js';
+import { Transport } from '../element/media/transport.js';
 
 /** A voice with a hand-wound clock that is heard 0.1 s late. */
 class FakeVoice implements Voice {

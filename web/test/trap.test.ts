@@ -3,9 +3,9 @@
 import { afterEach, expect, test, vi } from 'vitest';
 
 const engine = vi.hoisted(() => ({ doing: 0, panic: undefined as string | undefined }));
-vi.mock('../element/backend.js', () => ({ doingOf: () => engine.doing, panicOf: () => engine.panic }));
+vi.mock('../element/engine/backend.js', () => ({ doingOf: () => engine.doing, panicOf: () => engine.panic }));
 vi.stubGlobal('location', { origin: 'https://example.org' });
-const { Doing, trapError } = await import('../element/trap.js');
+const { Doing, trapError } = await import('../element/engine/trap.js');
 
 const files = {
   story: new URL('https://example.org/tales/story.eml'),

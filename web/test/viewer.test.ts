@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { addressOf } from '../element/animations.js';
+import { addressOf } from '../element/engine/animations.js';
 import { SHELVED } from '../pages/viewer/clips.js';
 import { Paces } from '../pages/viewer/paces.js';
 import { beginning, GROUPS, track, type State } from '../pages/viewer/state.js';
 import { anglesOf, targetNow, toPlace, toWorld } from '../pages/viewer/turns.js';
 import { write } from '../pages/viewer/write.js';
-import type { PoseNow, Vector } from '../element/pose.js';
+import type { PoseNow, Vector } from '../element/engine/pose.js';
 
 const written = (edit: (state: State) => void): string => {
   const state = beginning();

@@ -1,7 +1,7 @@
 /** The clock of a figure that waits: it runs slowly, only where it is seen, and spares slow devices. */
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Welcome } from '../element/welcome.js';
+import { Welcome } from '../element/story/welcome.js';
 
 let callbacks = new Map<number, FrameRequestCallback>();
 let last = 0;

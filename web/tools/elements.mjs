@@ -7,7 +7,7 @@ import { create, ts } from '@custom-elements-manifest/analyzer';
 import { runnerImport } from 'vite';
 import { main, root } from './steps.mjs';
 
-const SOURCES = ['element', 'media-element', 'events'];
+const SOURCES = ['element', 'media-element', 'base/events'];
 const CLASS = 'RaconteurPlayer';
 const reference = join(root, 'docs/element.md');
 
@@ -27,7 +27,7 @@ function eventsOf(source) {
 
 /** The attributes and the properties that they become. */
 async function attributesOf(members) {
-  const { module } = await runnerImport(join(root, 'web/element/attributes.ts'), { root, configFile: false, logLevel: 'error' });
+  const { module } = await runnerImport(join(root, 'web/element/media/attributes.ts'), { root, configFile: false, logLevel: 'error' });
   return Object.entries({ ...module.mediaAttributes, ...module.attributes }).flatMap(([fieldName, { attribute = fieldName }]) => {
     if (attribute === false) return [];
     const { description, type, inheritedFrom } = members.find(({ name }) => name === fieldName) ?? {};

@@ -5,7 +5,7 @@ import { dirname, join } from 'node:path';
 import { root } from './steps.mjs';
 
 const assets = join(root, 'assets');
-/** Who performs where a story leaves that to others; `web/element/cast.ts` has the same. */
+/** Who performs where a story leaves that to others; `web/element/story/cast.ts` has the same. */
 const USUAL_FIGURE = 'sofia';
 
 /** The engine of a kind of build, without a picture. */

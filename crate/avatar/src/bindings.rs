@@ -8,14 +8,14 @@ use wasm_bindgen::prelude::*;
 
 use crate::FaceFile;
 
-/// An avatar as a figure file; `Converted` in `web/element/avatar.ts`.
+/// An avatar as a figure file; `Converted` in `web/element/face/avatar.ts`.
 #[derive(Serialize)]
 struct Converted {
     glb: Bytes,
     diagnostics: Vec<Diagnostic>,
 }
 
-/// What of an avatar could not be kept; `Diagnostic` in `web/element/types.ts`.
+/// What of an avatar could not be kept; `Diagnostic` in `web/element/base/types.ts`.
 #[derive(Serialize)]
 struct Diagnostic {
     code: &'static str,

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 use crate::lately::Lately;
 use crate::{Affine, Change, Constraint, Editor, Face, FaceModel, Half, Part, Region};
 
-/// What a pack holds; `FacePack` in `web/element/faces.ts`.
+/// What a pack holds; `FacePack` in `web/element/face/faces.ts`.
 #[derive(Serialize)]
 struct Contents<'a> {
     vertices: usize,
@@ -43,7 +43,7 @@ struct PersonEntry {
     ancestry: [f64; 3],
 }
 
-/// A constraint; `FaceConstraint` in `web/element/faces.ts`.
+/// A constraint; `FaceConstraint` in `web/element/face/faces.ts`.
 #[derive(Deserialize)]
 struct Held {
     part: String,

@@ -122,9 +122,9 @@ impl Set {
             SetKind::Curtain => Lighting::default(),
             // From the hearth's side, as wide as its light on the walls.
             SetKind::Fireside => Lighting {
-                key: lamp([-0.93, 0.12, 0.48], [1.30, 0.84, 0.48]),
+                key: lamp([-0.93, 0.12, 0.48], [1.26, 0.86, 0.53]),
                 fill: lamp([0.80, 0.15, 0.85], [0.135, 0.130, 0.145]),
-                rim: lamp([-0.90, 0.05, -0.70], [2.30, 1.05, 0.38]),
+                rim: lamp([-0.90, 0.05, -0.70], [1.95, 0.90, 0.33]),
                 sky: [0.140, 0.120, 0.108],
                 ground: [0.135, 0.085, 0.052],
                 exposure: 1.08,
@@ -142,7 +142,7 @@ impl Set {
             },
             // The lantern's warmth on the face against the moon's cool edge.
             SetKind::Night => Lighting {
-                key: lamp([-0.93, 0.12, 0.46], [1.34, 0.78, 0.36]),
+                key: lamp([-0.93, 0.12, 0.46], [1.30, 0.82, 0.45]),
                 fill: lamp([0.80, 0.15, 0.85], [0.10, 0.14, 0.23]),
                 rim: lamp([0.55, 0.70, -0.95], [0.55, 0.78, 1.15]),
                 sky: [0.105, 0.130, 0.190],

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use raconteur_player::LoadStage;
 use wasm_bindgen::prelude::*;
 
-/// Activities of an instance; the numbers are `Doing` in `web/element/trap.ts`.
+/// Activities of an instance; the numbers are `Doing` in `web/element/engine/trap.ts`.
 #[derive(Clone, Copy)]
 #[repr(u32)]
 pub(crate) enum Activity {

@@ -87,7 +87,7 @@ impl Player {
         }
     }
 
-    /// The moment shown last as numbers, in this order; `web/element/pose.ts` reads them. World,
+    /// The moment shown last as numbers, in this order; `web/element/engine/pose.ts` reads them. World,
     /// metres and radians; empty before a `load`.
     ///
     /// - 10 of the camera: eye, target, vertical field of view, aspect, near and far plane;

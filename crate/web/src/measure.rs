@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::player::{Player, plain};
 
-/// `PictureStatistics` of `web/element/types.ts`.
+/// `PictureStatistics` of `web/element/base/types.ts`.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Statistics<'a> {

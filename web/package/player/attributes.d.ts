@@ -1,7 +1,7 @@
 /** The attributes and events of `<raconteur-player>`, of which the types for frameworks are made. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
-import type { MediaEventMap, PlayerEventMap } from '../../element/events.js';
+import type { MediaEventMap, PlayerEventMap } from '../../element/base/events.js';
 
 export type { RaconteurPlayer };
 

@@ -6,10 +6,10 @@ export { addSpeechSource, speechServer } from '../../speech/added.js';
 export type { ServerVoice, SpeechServer } from '../../speech/server.js';
 export type { Said, Saying, SpeechRequest, SpeechSource } from '../../speech/source.js';
 export { RaconteurPlayer } from '../../element/element.js';
-export type { ElementEventMap, MediaEventMap, PlayerEventMap } from '../../element/events.js';
-export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../../element/faces.js';
-export { openFaces } from '../../element/open-faces.js';
-export * from '../../element/types.js';
+export type { ElementEventMap, MediaEventMap, PlayerEventMap } from '../../element/base/events.js';
+export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from '../../element/face/faces.js';
+export { openFaces } from '../../element/face/open-faces.js';
+export * from '../../element/base/types.js';
 
 // Where the library is, a page says by the attribute `assets`.
 register();

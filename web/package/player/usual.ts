@@ -1,7 +1,7 @@
 /** What speaks where a page has added nothing: flite, from its own package, where that was copied below the library. Looked for when it is needed. */
 
-import { shown } from '../../element/fetching.js';
-import type { Diagnostic } from '../../element/types.js';
+import { shown } from '../../element/base/fetching.js';
+import type { Diagnostic } from '../../element/base/types.js';
 import { isEnglish } from '../../speech/english.js';
 import type { SpeechSource } from '../../speech/source.js';
 import type { Place } from '../../speech/usual.js';

@@ -1,8 +1,7 @@
 /** The disc of activation and evaluation: the direction from its middle is the type, the distance its potential. */
 
 import { html, svg, type TemplateResult } from 'lit';
-import { keySteps, vars } from '../fields.js';
-import { follow } from '../gestures/fields.js';
+import { follow, keySteps, vars } from '../fields.js';
 import type { App } from './app.js';
 import { BANDS, bandOf, told } from './rules.js';
 import { feltAt, rayOf, RAYS, spotOf, stepFrom, STRONGEST, type Felt, type Ray } from './types.js';

@@ -1,6 +1,6 @@
 /** The rules by which the environment expresses what is felt (GEVH 3.5.4), as sentences about one moment. */
 
-import type { Expressed } from '../../element/types.js';
+import type { Expressed } from '../../element/base/types.js';
 import type { Channels } from './state.js';
 import { BAD, GOOD, STRONGEST } from './types.js';
 

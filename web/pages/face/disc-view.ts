@@ -1,8 +1,7 @@
 /** The disc of emotions as a picture to drag on: activation upwards, evaluation to the right (F&H figure 4.5). */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { keySteps, numberField, vars } from '../fields.js';
-import { follow } from '../gestures/fields.js';
+import { follow, keySteps, numberField, vars } from '../fields.js';
 import type { App } from './app.js';
 import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type EmotionPoint } from './disc.js';
 

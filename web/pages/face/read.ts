@@ -1,6 +1,6 @@
 /** From EML to what the face's controls can show of it. */
 
-import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../gestures/source.js';
+import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../source.js';
 import { ALL, namesOf } from './dials.js';
 import { at, WORDS, type Share } from './disc.js';
 import { ALL_AMOUNTS } from './manner.js';

@@ -1,7 +1,7 @@
 /** Speech over time: phones, their dominance over the mouth, and what the face does for it. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { curvesOf, segmentsOf, type Segment } from '../../element/course.js';
+import { curvesOf, segmentsOf, type Segment } from '../../element/face/course.js';
 import type { RaconteurPlayer } from '../../element/element.js';
 import { vars } from '../fields.js';
 import type { App } from './app.js';

@@ -1,6 +1,6 @@
 /** The face's settings as EML. */
 
-import { apply, insertInto, read as parse, setAttribute } from '../gestures/source.js';
+import { apply, insertInto, read as parse, setAttribute } from '../source.js';
 import { tag } from '../../speech/markup.js';
 import { ALL, namesOf, type Dial } from './dials.js';
 import { sharesAt } from './disc.js';

@@ -1,14 +1,14 @@
 /** The page's state: the text, its clauses, the selection, and the stage. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
-import type { Diagnostic } from '../../element/types.js';
-import { readPose, type PoseNow } from '../../element/pose.js';
+import type { Diagnostic } from '../../element/base/types.js';
+import { readPose, type PoseNow } from '../../element/engine/pose.js';
 import { Editor } from './editor.js';
 import { setValue } from './edit.js';
 import { FEATURES, gestureOf, joined, toldApart, trackOf, type Feature, type Gesture, type Hand, type Key, type Phase, type Track, type Value } from './gesture.js';
 import { remember } from './memory.js';
 import type { Palms } from './palm.js';
-import { read, type Change } from './source.js';
+import { read, type Change } from '../source.js';
 
 export type Tab = 'phase' | Feature | 'course';
 

@@ -1,9 +1,8 @@
 /** A palm on a ball: one rolls it with a finger or the arrow keys, and turns it by its rim. */
 
 import { html, svg, type TemplateResult } from 'lit';
-import { cross, dot } from '../../element/pose.js';
-import { keySteps, type Sink } from '../fields.js';
-import { follow } from './fields.js';
+import { cross, dot } from '../../element/engine/pose.js';
+import { follow, keySteps, type Sink } from '../fields.js';
 import type { Hand, Triple } from './gesture.js';
 import type { HandDirections } from './palm.js';
 import { radians, roll, twist } from './roll.js';

@@ -17,7 +17,7 @@ import {
   type Track,
   type Value,
 } from './gesture.js';
-import { attribute, insertInto, removeElement, setAttribute, type Change, type Element } from './source.js';
+import { attribute, insertInto, removeElement, setAttribute, type Change, type Element } from '../source.js';
 
 /** A number as people write it: at most this many decimals, no zeros behind. */
 export const written = (value: number, decimals = 2): string => {

@@ -11,9 +11,9 @@ import { lintGutter, setDiagnostics, type Diagnostic as Mark } from '@codemirror
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
-import type { Diagnostic, Place } from '../../element/types.js';
+import type { Diagnostic, Place } from '../../element/base/types.js';
 import { lineNumbers } from './line-numbers.js';
-import type { Change } from './source.js';
+import type { Change } from '../source.js';
 
 const look = EditorView.theme({
   '&': { color: 'var(--code-ink)', backgroundColor: 'var(--code)', height: '100%', fontSize: 'var(--code-size, 13px)' },

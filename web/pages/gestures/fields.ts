@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
-import { keySteps, vars, type NumberField } from '../fields.js';
+import { follow, keySteps, vars, type NumberField } from '../fields.js';
 
 /** Shows a number in an input, unless it is there already in other letters: who types `1.50` keeps the zero. */
 const shows = directive(
@@ -47,31 +47,6 @@ export interface Handle {
   /** A key; true when it was used. Steps are 1, or 5 with the shift key. */
   key(right: number, up: number, ahead: number): boolean;
   done(): void;
-}
-
-/** Follows a pointer from its press to its release. */
-export function follow(event: PointerEvent, frame: Element, move: (spot: { x: number; y: number }, rect: DOMRect, event: PointerEvent) => void, done: () => void): void {
-  if (event.button !== 0) return;
-  const target = event.currentTarget as HTMLElement;
-  event.preventDefault();
-  target.focus({ preventScroll: true });
-  // A pointer that leaves is still followed; one that is gone already cannot be.
-  try {
-    target.setPointerCapture(event.pointerId);
-  } catch {
-    return;
-  }
-  const moved = (e: PointerEvent): void => {
-    const rect = frame.getBoundingClientRect();
-    move({ x: e.clientX - rect.left, y: e.clientY - rect.top }, rect, e);
-  };
-  const end = (): void => {
-    target.removeEventListener('pointermove', moved);
-    target.removeEventListener('lostpointercapture', end);
-    done();
-  };
-  target.addEventListener('pointermove', moved);
-  target.addEventListener('lostpointercapture', end);
 }
 
 /** A handle over a frame, the nearest `.frame` around it. */

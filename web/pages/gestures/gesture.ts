@@ -1,6 +1,6 @@
 /** What the gestures of a text say, with their places in the text: the form is drawn from this. */
 
-import { attribute, within, type Element } from './source.js';
+import { attribute, within, type Element } from '../source.js';
 import { parseSecs, timesOf } from './time.js';
 
 /** The namespace of what GEVH's own syntax cannot say. */

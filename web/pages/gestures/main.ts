@@ -1,6 +1,6 @@
 /** The workshop for gestures: wires the stage, the timeline, the steps and the text to one state. */
 
-import type { View } from '../../element/types.js';
+import type { View } from '../../element/base/types.js';
 import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openEyesAt } from '../face/course.js';
@@ -11,7 +11,7 @@ import { remember, remembered } from './memory.js';
 import { overlay } from './overlay.js';
 import { Palms } from './palm.js';
 import { panels } from './panels.js';
-import { difference } from './source.js';
+import { difference } from '../source.js';
 import { timeline } from './timeline.js';
 
 /** Who can be on stage. */

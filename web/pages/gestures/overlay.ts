@@ -1,7 +1,7 @@
 /** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { along, type PoseNow, type Spot, type Vector } from '../../element/pose.js';
+import { along, type PoseNow, type Spot, type Vector } from '../../element/engine/pose.js';
 import type { App } from './app.js';
 import { handle } from './fields.js';
 import { mirror, mirrored, trackOf, HANDS, type Track, type Triple } from './gesture.js';

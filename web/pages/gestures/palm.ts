@@ -4,8 +4,8 @@
  * Engine axes: x to the character's left, y up, z to the front.
  */
 
-import { openInstance, type PalmFunctions } from '../../element/backend.js';
-import type { Backend } from '../../element/types.js';
+import { openInstance, type PalmFunctions } from '../../element/engine/backend.js';
+import type { Backend } from '../../element/base/types.js';
 import type { Hand, Triple } from './gesture.js';
 
 /** An orientation of a hand: where the palm looks and where the fingers point, unit vectors square to each other. */

@@ -1,6 +1,6 @@
 /** How a palm on a ball turns when the ball is rolled, and when it is turned by its rim. */
 
-import { along, cross, dot, unit } from '../../element/pose.js';
+import { along, cross, dot, unit } from '../../element/engine/pose.js';
 import type { Triple } from './gesture.js';
 import type { HandDirections } from './palm.js';
 

@@ -1,6 +1,6 @@
 /** When the clauses of a text begin, as far as the text alone tells. */
 
-import { attribute, type Element } from './source.js';
+import { attribute, type Element } from '../source.js';
 
 const UNITS: Readonly<Record<string, number>> = { '': 1, s: 1, m: 60, h: 3600 };
 

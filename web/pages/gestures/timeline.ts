@@ -1,10 +1,9 @@
 /** Phases and keys over time: one sees, selects and drags them; every one of them is a button or a slider, too. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { keySteps, vars } from '../fields.js';
+import { follow, keySteps, vars } from '../fields.js';
 import type { App } from './app.js';
 import { inSequence, ownTime, setDuration, setKeyTime, setStart, written } from './edit.js';
-import { follow } from './fields.js';
 import { FEATURES, HANDS, PHASES, toldApart, trackOf, type Feature, type Key, type Phase } from './gesture.js';
 import { shapeName } from './shapes.js';
 

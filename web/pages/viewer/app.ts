@@ -1,10 +1,10 @@
 /** The viewer's state: its settings, the limb in hand, and from where one looks. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
-import type { View } from '../../element/types.js';
+import type { View } from '../../element/base/types.js';
 import { PageState } from '../page-state.js';
 import { leastTilt } from '../pad.js';
-import { minus, readPose, type PoseNow } from '../../element/pose.js';
+import { minus, readPose, type PoseNow } from '../../element/engine/pose.js';
 import { jointsNow } from './joints.js';
 import { Paces } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';

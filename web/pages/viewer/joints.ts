@@ -4,7 +4,7 @@
  * `crate/actor/src/manipulator`), so that joints are led on from where they are.
  */
 
-import { cross, dot, minus, type PosedJoint, type PoseNow, type Vector } from '../../element/pose.js';
+import { cross, dot, minus, type PosedJoint, type PoseNow, type Vector } from '../../element/engine/pose.js';
 import { RANGES, type JointRange, type LimbName } from './state.js';
 import { bonesOf } from './turns.js';
 

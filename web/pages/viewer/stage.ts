@@ -3,7 +3,7 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, vars } from '../fields.js';
 import { TURN_PER_PIXEL, zoomByKey, zoomByWheel } from '../pad.js';
-import { along, type PoseNow, type Spot, type Vector } from '../../element/pose.js';
+import { along, type PoseNow, type Spot, type Vector } from '../../element/engine/pose.js';
 import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';

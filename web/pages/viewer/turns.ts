@@ -1,6 +1,6 @@
 /** Between the world and EML: places in units, and frames as yaw, pitch and roll. */
 
-import type { PosedJoint, PoseNow, Vector } from '../../element/pose.js';
+import type { PosedJoint, PoseNow, Vector } from '../../element/engine/pose.js';
 import type { LimbName, Triple } from './state.js';
 
 /** A place of EML's world coordinates (x left, y up, z back) in the world, metres. */

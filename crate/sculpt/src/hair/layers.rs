@@ -57,7 +57,7 @@ pub(super) const FALLING: [Layer; 6] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0142,
+        spacing: 0.0146,
         offset: 0.0144,
         width: 0.0190,
         strips: [0, 7],
@@ -70,7 +70,7 @@ pub(super) const FALLING: [Layer; 6] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0146,
+        spacing: 0.0151,
         offset: 0.0208,
         width: 0.0140,
         strips: [3, 10],
@@ -83,7 +83,7 @@ pub(super) const FALLING: [Layer; 6] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0181,
+        spacing: 0.0188,
         offset: 0.0222,
         width: 0.0088,
         strips: [6, 13],

@@ -1,0 +1,15 @@
+/** What a mind is sent. */
+
+import type { Answered } from './answers.js';
+import type { Answer, Cue, Question } from './types.js';
+
+/** Messages to a mind besides cues. */
+export type Note =
+  | { readonly kind: 'hello'; readonly version: 1; readonly timeSecs: number; readonly endSecs: number; readonly figure: string }
+  | { readonly kind: 'transport'; readonly event: string; readonly timeSecs: number }
+  | ({ readonly kind: 'question' } & Omit<Question, 'kind'> & { readonly type: Question['kind'] })
+  | ({ readonly kind: 'answered' } & Answered)
+  | { readonly kind: 'lost'; readonly count: number };
+
+/** Whatever is sent to a mind. */
+export type MindEvent = Cue | Answer | Note;

@@ -1,0 +1,201 @@
+/** What lies over the picture: captions, controls and messages, as templates of the element's state. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import { classMap } from 'lit/directives/class-map.js';
+import type { captionAt } from '../captions/captions.js';
+import { formatTime, spokenTime } from '../base/clock.js';
+import type { ControlWords } from './control-words.js';
+import { icons } from './icons.js';
+import type { Diagnostic, Place } from '../base/types.js';
+
+/** Speeds offered in the menu. */
+const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
+
+/** What the bar shows. */
+export interface BarState {
+  readonly words: ControlWords;
+  /** Of the words, a tag of BCP 47. */
+  readonly language: string;
+  readonly paused: boolean;
+  readonly ended: boolean;
+  readonly position: number;
+  readonly duration: number;
+  readonly volume: number;
+  readonly muted: boolean;
+  readonly rate: number;
+  readonly captions: boolean;
+  readonly fullscreen: boolean;
+  readonly canFullscreen: boolean;
+  readonly gone: boolean;
+}
+
+/** What the bar does. */
+export interface BarActions {
+  toggle(): void;
+  seekTo(secs: number): void;
+  setVolume(volume: number): void;
+  setRate(rate: number): void;
+  toggleMuted(): void;
+  toggleCaptions(): void;
+  toggleFullscreen(): void;
+}
+
+const number = (event: Event): number => Number((event.target as HTMLInputElement | HTMLSelectElement).value);
+
+/** How much of a slider is filled, percent. Lit's styleMap writes an inline style first, which a strict CSP refuses. */
+const filled = directive(
+  class extends Directive {
+    override update(part: ElementPart, [percent]: [number]): void {
+      (part.element as HTMLElement).style.setProperty('--_done', `${percent}%`);
+    }
+
+    render(_percent: number): void {}
+  },
+);
+
+/** The bar of controls. */
+export function bar(state: BarState, actions: BarActions): TemplateResult {
+  const { position, duration, words, language } = state;
+  const share = duration > 0 ? (100 * position) / duration : 0;
+  const silent = state.muted || state.volume === 0;
+  const playLabel = state.ended ? words.playAgain : state.paused ? words.play : words.pause;
+  const playIcon = state.ended ? icons.replay : state.paused ? icons.play : icons.pause;
+  const screenLabel = state.fullscreen ? words.leaveFullScreen : words.fullScreen;
+  const speeds = SPEEDS.includes(state.rate) ? SPEEDS : [...SPEEDS, state.rate].sort((a, b) => a - b);
+  return html`<div class=${classMap({ bar: true, gone: state.gone })} part="controls">
+    <input
+      class="seek"
+      part="seek"
+      type="range"
+      min="0"
+      max=${duration}
+      step="0.01"
+      .value=${String(position)}
+      ${filled(share)}
+      aria-label=${words.seek}
+      aria-valuetext=${words.of(spokenTime(position, language), spokenTime(duration, language))}
+      @input=${(event: Event) => actions.seekTo(number(event))}
+    />
+    <button part="button play" aria-label=${playLabel} title="${playLabel} (${words.space})" @click=${actions.toggle}>${playIcon}</button>
+    <span class="time" part="time">${formatTime(position)} / ${formatTime(duration)}</span>
+    <span></span>
+    <button
+      part="button mute"
+      aria-label=${words.mute}
+      aria-pressed=${state.muted ? 'true' : 'false'}
+      title="${silent ? words.soundOn : words.mute} (M)"
+      @click=${actions.toggleMuted}
+    >
+      ${silent ? icons.silent : icons.loud}
+    </button>
+    <input
+      class="volume"
+      part="volume"
+      type="range"
+      min="0"
+      max="1"
+      step="0.05"
+      .value=${String(silent ? 0 : state.volume)}
+      ${filled(silent ? 0 : state.volume * 100)}
+      aria-label=${words.volume}
+      aria-valuetext=${words.percent(Math.round(silent ? 0 : state.volume * 100))}
+      @input=${(event: Event) => actions.setVolume(number(event))}
+    />
+    <select class="speed" part="speed" aria-label=${words.speed} title=${words.speed} @change=${(event: Event) => actions.setRate(number(event))}>
+      ${speeds.map((s) => html`<option value=${s} .selected=${s === state.rate}>${s}×</option>`)}
+    </select>
+    <button
+      part="button captions-button"
+      aria-label=${words.captions}
+      aria-pressed=${state.captions ? 'true' : 'false'}
+      title="${words.captions} (C)"
+      @click=${actions.toggleCaptions}
+    >
+      ${icons.captions}
+    </button>
+    ${
+      state.canFullscreen
+        ? html`<button
+          part="button fullscreen"
+          aria-label=${screenLabel}
+          title="${screenLabel} (F)"
+          @click=${actions.toggleFullscreen}
+        >
+          ${state.fullscreen ? icons.leave : icons.enter}
+        </button>`
+        : html`<span></span>`
+    }
+  </div>`;
+}
+
+/** The caption with the word being spoken marked. */
+export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typeof nothing {
+  if (now === undefined) return nothing;
+  // A space between words, inside the line: `mark` alone would glue them.
+  const { words: all, second } = now.caption;
+  const words = all.map((w, i) => html`${i === 0 ? nothing : i === second ? html` <br />` : ' '}${i === now.word ? html`<mark part="caption-word">${w.text}</mark>` : w.text}`);
+  return html`<div class="captions" part="captions"><span>${words}</span></div>`;
+}
+
+/** The folded list of the problems of a story and its figure. */
+export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResult | typeof nothing {
+  if (diagnostics.length === 0) return nothing;
+  const errors = diagnostics.filter((d) => d.severity === 'error').length;
+  const plural = (n: number, name: string) => `${n} ${name}${n === 1 ? '' : 's'}`;
+  const title = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(diagnostics.length > errors ? [plural(diagnostics.length - errors, 'warning')] : [])];
+  // Thousands of lines would freeze the page without being of help.
+  const most = 50;
+  return html`<details class="note" part="diagnostics">
+    <summary>${title.join(' and ')}</summary>
+    <ol>
+      ${diagnostics.slice(0, most).map(
+        (d) => html`<li>
+          ${d.start ? html`<span class="where">${where(d.start)}</span> ` : nothing}${d.message}
+          ${d.hints.map((hint) => html`<span class="hint">${hint}</span>`)}
+        </li>`,
+      )}
+      ${diagnostics.length > most ? html`<li>… and ${diagnostics.length - most} more.</li>` : nothing}
+    </ol>
+  </details>`;
+}
+
+const where = (place: Place): string => `Line ${place.line}, column ${place.column}:`;
+
+/** A story that cannot be played at all. */
+export function failure(words: ControlWords, message: string, retry: () => void): TemplateResult {
+  return html`<div class="failure" part="error" role="alert">
+    <p><strong>${words.untold}</strong>${message}</p>
+    <button part="button retry" @click=${retry}>${words.tryAgain}</button>
+  </div>`;
+}
+
+/** The picture is lost, the story is not; a film may stand in for it. */
+export function pictureLost(words: ControlWords, recovering: boolean, hasFilm: boolean, retry: () => void): TemplateResult {
+  return html`<div class="note" part="picture-lost">
+    ${hasFilm ? words.filmShown : words.pictureLost}
+    ${recovering ? words.bringingBack : html`<button part="button retry" @click=${retry}>${hasFilm ? words.tryToDraw : words.bringBack}</button>`}
+  </div>`;
+}
+
+/** The big button before a story begins and after it ends. */
+export function bigButton(words: ControlWords, ended: boolean, play: (event: MouseEvent) => void): TemplateResult {
+  return html`<div class="overlay">
+    <button part="big-play" aria-label=${ended ? words.playStoryAgain : words.playStory} @click=${play}>
+      <span class="disc">${ended ? icons.replay : icons.play}</span>
+    </button>
+  </div>`;
+}
+
+/** How far loading is. */
+export function loadingProgress(words: ControlWords, share: number): TemplateResult {
+  return html`<div class="progress">
+    <progress max="1" .value=${share} aria-label=${words.loading}></progress>
+    <span>${words.gettingReady}</span>
+  </div>`;
+}
+
+/** The sound is not there yet. */
+export function waitingRing(): TemplateResult {
+  return html`<div class="progress"><span class="ring"></span></div>`;
+}

@@ -1,0 +1,81 @@
+/** Who performs: the bytes of a figure, and its pictures once it is read. */
+
+import { PlayerError, type Diagnostic, type Engine, type Hand } from '../base/types.js';
+
+/** A figure as it came, ready for an engine. */
+export interface FigureFile {
+  /** What the page calls it: a name of the library, an address, or the name of a user's file. */
+  readonly name: string;
+  /** Where it came from, for people. */
+  readonly where: string;
+  readonly glb: Uint8Array;
+  /** What of a foreign avatar could not be used. */
+  readonly diagnostics: readonly Diagnostic[];
+  /** The dominant hand, where the page chooses it. */
+  readonly handedness?: Hand | undefined;
+}
+
+/** A figure is not one that can be used. */
+export class FigureError extends PlayerError {}
+
+/** Why a figure cannot be used, with the file's name. */
+export function unusable(where: string, error: unknown): FigureError {
+  const reason = (error instanceof Error ? error.message : String(error)).replace(/[.\s]+$/, '');
+  return new FigureError(`The figure ${where} cannot be used: ${reason}.`, { cause: error });
+}
+
+const GLB_MAGIC = 0x46546c67;
+
+/** Whether the file is glTF as text: a brace, perhaps after a byte order mark and white space. The engine reads only the binary form. */
+function isText(bytes: Uint8Array): boolean {
+  const mark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;
+  const first = bytes.subarray(mark).find((byte) => byte !== 0x20 && (byte < 0x09 || byte > 0x0d));
+  return first === 0x7b;
+}
+
+/** Whether the engine reads these bytes itself; an avatar made elsewhere has other bones. Broken files are the engine's to name. */
+export function isNative(bytes: Uint8Array): boolean {
+  if (isText(bytes)) return false;
+  const header = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 20 || header.getUint32(0, true) !== GLB_MAGIC) return true;
+  const json = bytes.subarray(20, 20 + header.getUint32(12, true));
+  return new TextDecoder().decode(json).includes('"bone_sacroiliac"');
+}
+
+/** Makes a figure of a file's bytes; an avatar made elsewhere is converted by a part that is fetched only then. */
+export async function prepareFigure(name: string, where: string, bytes: Uint8Array): Promise<FigureFile> {
+  if (isNative(bytes)) return { name, where, glb: bytes, diagnostics: [] };
+  const { convertAvatar } = await import('../face/avatar.js').catch((error: unknown) => {
+    throw new PlayerError('The part that reads avatars made elsewhere could not be fetched: is the network there?', { cause: error });
+  });
+  try {
+    return { name, where, ...(await convertAvatar(where, bytes)) };
+  } catch (error) {
+    throw unusable(where, error);
+  }
+}
+
+/** Decodes the pictures of the figure that an engine has read, and hands them over while that figure is the `current` one; tells those that are broken. */
+export async function showImages(engine: Engine, current: () => boolean): Promise<Diagnostic[]> {
+  const broken: Diagnostic[] = [];
+  const images = Array.from({ length: engine.imageCount() }, (_, i) => i);
+  await Promise.all(
+    images.map(async (i) => {
+      try {
+        const picture = new Blob([engine.imageBytes(i) as Uint8Array<ArrayBuffer>], { type: engine.imageType(i) });
+        // Normal maps are numbers, not colours: nothing may be converted or multiplied.
+        const bitmap = await createImageBitmap(picture, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+        const { width, height } = bitmap;
+        const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+        if (context === null) throw new Error('this browser decodes no pictures');
+        context.drawImage(bitmap, 0, 0);
+        bitmap.close();
+        if (current()) engine.setImage(i, width, height, context.getImageData(0, 0, width, height).data);
+      } catch (error) {
+        const why = error instanceof Error ? error.message : String(error);
+        broken.push({ code: 'picture-unreadable', severity: 'warning', message: `Picture ${i + 1} of the figure cannot be shown: ${why}`, hints: [] });
+      }
+    }),
+  );
+  return broken;
+}

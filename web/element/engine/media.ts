@@ -1,0 +1,83 @@
+/** What numbers, texts and states of a media element are, by the HTML standard's interface. */
+
+import { RATES } from '../base/clock.js';
+
+const states = {
+  NETWORK_EMPTY: 0,
+  NETWORK_IDLE: 1,
+  NETWORK_LOADING: 2,
+  NETWORK_NO_SOURCE: 3,
+  HAVE_NOTHING: 0,
+  HAVE_METADATA: 1,
+  HAVE_CURRENT_DATA: 2,
+  HAVE_FUTURE_DATA: 3,
+  HAVE_ENOUGH_DATA: 4,
+} as const;
+
+/** The constants of `readyState` and `networkState`. */
+export type MediaStates = typeof states;
+
+/** Gives a class and its instances these constants. */
+export function addStates(element: { prototype: object }): void {
+  for (const target of [element, element.prototype]) {
+    for (const [name, value] of Object.entries(states)) Object.defineProperty(target, name, { value, enumerable: true });
+  }
+}
+
+/** A `double` of the interface. */
+export function finite(name: string, value: unknown): number {
+  const number = Number(value);
+  if (!Number.isFinite(number)) throw new TypeError(`Failed to set '${name}': the value is not a finite number.`);
+  return number;
+}
+
+/** The `volume` that a page sets. */
+export function checkedVolume(value: unknown): number {
+  const number = finite('volume', value);
+  if (number < 0 || number > 1) throw new DOMException(`Failed to set 'volume': ${number} is outside the range 0 to 1.`, 'IndexSizeError');
+  return number;
+}
+
+/** The `playbackRate` or `defaultPlaybackRate` that a page sets. */
+export function checkedRate(value: unknown, name = 'playbackRate'): number {
+  const number = finite(name, value);
+  if (number !== 0 && (number < RATES.min || number > RATES.max)) {
+    throw new DOMException(`Failed to set '${name}': ${number} is outside the range ${RATES.min} to ${RATES.max}, and not 0.`, 'NotSupportedError');
+  }
+  return number;
+}
+
+/** An attribute counts when it can be set, else it is as if it were not there. */
+const from = (check: (value: unknown) => number) => ({
+  fromAttribute(value: string | null): number {
+    try {
+      return value === null || value.trim() === '' ? 1 : check(value);
+    } catch {
+      return 1;
+    }
+  },
+});
+
+/** Lit converters of the two attributes. */
+export const volumeFrom = from(checkedVolume);
+export const rateFrom = from(checkedRate);
+
+/** What `preload` says: an attribute that is not there, or no word of the standard, is `metadata`. */
+export function preloadOf(attribute: string | null): 'none' | 'metadata' | 'auto' {
+  const word = attribute?.toLowerCase();
+  if (word === '') return 'auto';
+  return word === 'none' || word === 'auto' ? word : 'metadata';
+}
+
+/** What `crossorigin` says: whether credentials go to other origins. */
+export function crossOriginOf(attribute: string | null): 'anonymous' | 'use-credentials' | null {
+  if (attribute === null) return null;
+  return attribute.toLowerCase() === 'use-credentials' ? 'use-credentials' : 'anonymous';
+}
+
+/** How sure it is that a story of a MIME type can be told. */
+export function canPlay(type: string): CanPlayTypeResult {
+  const name = type.split(';')[0]?.trim().toLowerCase();
+  if (name === 'application/eml+xml') return 'probably';
+  return name === 'application/xml' || name === 'text/xml' ? 'maybe' : '';
+}

@@ -1,0 +1,80 @@
+/** Avatars made elsewhere; fetched only by pages that meet one. */
+
+import instantiate from '../../pkg/avatar/raconteur.js';
+import wasmUrl from '../../pkg/avatar/raconteur_bg.wasm?url';
+import { toldLook } from './face-look.js';
+import { fetchModule, SCRIPT } from '../base/fetching.js';
+import type { Diagnostic, FaceLook, FigureFace } from '../base/types.js';
+
+/** It is not larger. */
+const MOST_BYTES = 64e6;
+
+interface Instance {
+  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
+  /** `convert` of `crate/web`, feature `avatar`. */
+  convert(name: string, bytes: Uint8Array): { glb: Uint8Array; diagnostics: Diagnostic[] };
+  /** `convertAnimation` of the same. */
+  convertAnimation(name: string, bytes: Uint8Array): string;
+  /** `faceFile` of the same. */
+  faceFile(
+    name: string,
+    glb: Uint8Array,
+    skin: Float64Array,
+    organs: Float64Array,
+    factors: Float64Array,
+    look: FaceLook | undefined,
+    lenders: readonly string[],
+    files: readonly Uint8Array[],
+    painted: Uint8Array | undefined,
+  ): Uint8Array;
+  /** What the panic said that ended the instance. */
+  panicMessage(): string | undefined;
+}
+
+/** What a file of a figure with a face is made of. */
+export interface FaceFile {
+  /** The name of the new figure. */
+  readonly name: string;
+  /** The figure that gets the face. */
+  readonly glb: Uint8Array;
+  readonly face: FigureFace;
+  /** Files of figures that lend hair, by name. */
+  readonly lent: ReadonlyMap<string, Uint8Array>;
+  /** The painted picture of the skin. */
+  readonly painted: Uint8Array | undefined;
+}
+
+/** A fresh instance each time: a hostile file can at worst end this one. */
+async function open(): Promise<Instance> {
+  const instance = instantiate() as unknown as Instance;
+  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads avatars made elsewhere', most: MOST_BYTES });
+  await instance({ module_or_path: module });
+  return instance;
+}
+
+/** What an instance gives; where it ends by a panic, what that says is the error. */
+async function use<T>(work: (instance: Instance) => T): Promise<T> {
+  const instance = await open();
+  try {
+    return work(instance);
+  } catch (error) {
+    const panic = error instanceof WebAssembly.RuntimeError ? instance.panicMessage() : undefined;
+    throw panic === undefined ? error : new Error(panic, { cause: error });
+  }
+}
+
+/** The figure that an avatar makes; throws an `Error` that says what is wrong with the file. */
+export async function convertAvatar(name: string, bytes: Uint8Array): Promise<{ glb: Uint8Array; diagnostics: Diagnostic[] }> {
+  return await use((instance) => instance.convert(name, bytes));
+}
+
+/** The text of a clip that an animation of a foreign file makes: the one of this name, or the first. Throws an `Error` that says what is wrong. */
+export async function convertAnimation(name: string, bytes: Uint8Array): Promise<string> {
+  return await use((instance) => instance.convertAnimation(name, bytes));
+}
+
+/** A figure with a face as a figure file, which any story can use. Throws an `Error` that says what is wrong. */
+export async function faceFile({ name, glb, face, lent, painted }: FaceFile): Promise<Uint8Array> {
+  const { skin, organs, factors, look } = face;
+  return await use((instance) => instance.faceFile(name, glb, skin, organs, factors ?? new Float64Array(), toldLook(look), [...lent.keys()], [...lent.values()], painted));
+}

@@ -1,0 +1,122 @@
+/** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
+
+import type { PaintedSkin } from './marks.js';
+import type { Engine, FaceLook, FigureFace } from '../base/types.js';
+
+/** What is said of hair and is no file: the figure's own, none, none ever, and what is painted. */
+const NOT_LENT: readonly string[] = ['', 'own', 'none', 'bald'];
+
+/** Hair that figures lent themselves, before it had files of its own. */
+export const FORMER_HAIR: Readonly<Record<string, string>> = { sofia: 'bob', lia: 'long', amara: 'bun', kenji: 'crop', nuno: 'tousled', papous: 'swept' };
+/** The beards that one figure lent, by how much of it. */
+const FORMER_BEARDS = { full: 'full', moustache: 'moustache', goatee: 'goatee' } as const;
+/** It is painted on the skin. */
+const STUBBLE = 'stubble';
+
+/** Names of hair and beards of the library that a face needs. */
+export function lendersOf({ look }: FigureFace): string[] {
+  const { hair, beard } = plainLook(look) ?? {};
+  const names = [hair?.from, beard?.from === STUBBLE ? undefined : beard?.from].filter((name) => name !== undefined && !NOT_LENT.includes(name));
+  return [...new Set(names as string[])];
+}
+
+/** A look with names that hair has now, and without keys that have no value: to engines such a key has one. */
+export function plainLook(look: FaceLook | undefined): FaceLook | undefined {
+  if (look === undefined) return undefined;
+  const { cut = 'full', ...plain } = JSON.parse(JSON.stringify(look)) as FaceLook;
+  const [hair, beard] = [FORMER_HAIR[plain.hair?.from ?? ''], Object.hasOwn(FORMER_HAIR, plain.beard?.from ?? '') ? FORMER_BEARDS[cut] : undefined];
+  return { ...plain, ...(hair && { hair: { ...plain.hair, from: hair } }), ...(beard && { beard: { ...plain.beard, from: beard } }) };
+}
+
+/** A look as engines read it: what is painted is none of their strands. */
+export function toldLook(look: FaceLook | undefined): FaceLook | undefined {
+  const plain = plainLook(look);
+  return plain?.beard?.from === STUBBLE ? { ...plain, beard: { ...plain.beard, from: 'none' } } : plain;
+}
+
+/** Files of hair, by name. */
+export type Lent = ReadonlyMap<string, Uint8Array>;
+
+/** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
+export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
+  const { skin, organs, factors, look, moves = false } = face;
+  for (const name of lendersOf(face)) {
+    const glb = lent.get(name);
+    if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
+  }
+  engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look), moves);
+}
+
+/** What is painted on a skin besides marks. */
+export interface SkinPaint {
+  /** 0 to 1. */
+  readonly freckles: number;
+  readonly stubble: number;
+  /** How grey stubble is, 0 to 1. */
+  readonly grey: number;
+  /** 0 to 1. */
+  readonly ageSpots: number;
+  /** How many. */
+  readonly moles: number;
+  /** Of the places of freckles, spots and moles. */
+  readonly seed: number;
+}
+
+/** Steps of freckles and stubble: what changes less is not painted again. */
+const STEPS = 25;
+/** Under a beard of tufts the skin is as if it were shaved. */
+const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
+/** Nobody's face has more. */
+const MOST_MOLES = 12;
+const stepped = (x: number): number => Math.round(Math.min(1, Math.max(0, x)) * STEPS) / STEPS;
+
+/** What a look paints. */
+export function paintOf(look: FaceLook | undefined): SkinPaint {
+  const { freckles = 0, stubble = 0, ageSpots = 0, moles = 0, seed = 0, hair, beard } = plainLook(look) ?? {};
+  const grey = (beard?.colour ?? hair?.colour)?.grey ?? 0;
+  return {
+    freckles: stepped(freckles),
+    stubble: stepped(Math.max(stubble, UNDER[beard?.from ?? ''] ?? 0)),
+    grey: stepped(grey),
+    ageSpots: stepped(ageSpots),
+    moles: Math.min(MOST_MOLES, Math.max(0, Math.round(moles))),
+    seed,
+  };
+}
+
+const textOf = ({ marks = [], look }: Partial<FigureFace>): string => {
+  const { hair, beard } = plainLook(look) ?? {};
+  const { freckles, stubble, grey, ageSpots, moles, seed } = paintOf(look);
+  const isOwn = freckles > 0 || ageSpots > 0 || moles > 0;
+  return JSON.stringify([marks, hair?.from ?? 'own', hair?.colour ?? null, beard?.from ?? 'own', freckles, stubble, stubble > 0 ? grey : 0, ageSpots, moles, isOwn ? seed : 0]);
+};
+
+/** The text of no marks, and of the figure's own hair and skin. */
+const NOTHING = textOf({});
+
+/** The paint on the skin of one figure. */
+export class Paint {
+  /** What is painted now, as text, and whether it is so finely. */
+  #painted = NOTHING;
+  #isFine = true;
+  #fine: PaintedSkin | undefined;
+  #soon: PaintedSkin | undefined;
+
+  /** Paints marks, spots, stubble, and the scalp of other hair on the skin that an engine shows; what is there already is not painted again. That of a face that moves is painted soon rather than finely. `current` says whether the figure is still that one. */
+  async put(engine: Engine, face: Partial<FigureFace>, current: () => boolean): Promise<void> {
+    const wanted = textOf(face);
+    const isFine = face.moves !== true;
+    if (wanted === this.#painted && (this.#isFine || !isFine)) return;
+    [this.#painted, this.#isFine] = [wanted, isFine];
+    // Most players never paint.
+    const { openSkin } = await import('./marks.js');
+    const skin = isFine ? (this.#fine ??= await openSkin(engine, true)) : (this.#soon ??= await openSkin(engine, false));
+    if (skin === undefined || !current() || wanted !== this.#painted || isFine !== this.#isFine) return;
+    skin.paint(engine, face.marks ?? [], paintOf(face.look));
+  }
+
+  /** The painted picture as a JPEG; undefined where nothing is painted. */
+  async file(): Promise<Uint8Array | undefined> {
+    return this.#painted === NOTHING ? undefined : await this.#fine?.file();
+  }
+}

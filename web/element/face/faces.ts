@@ -1,0 +1,215 @@
+/** Faces as numbers: a face model and a face that is edited; fetched only by pages that edit faces. */
+
+import instantiate from '../../pkg/faces/raconteur.js';
+import wasmUrl from '../../pkg/faces/raconteur_bg.wasm?url';
+import { fetchBytes, fetchModule, SCRIPT, type Progress } from '../base/fetching.js';
+import type { FigureFace } from '../base/types.js';
+
+/** Neither the part that edits nor a file of a pack is larger. */
+const MOST_BYTES = 64e6;
+
+/** Shape or texture. */
+export type FacePart = 'shape' | 'texture';
+
+/** Where a change is let in: segments by their names, on a half or both; the whole head without. */
+export interface FaceRegion {
+  readonly segments?: readonly string[];
+  readonly half?: 'left' | 'right' | undefined;
+}
+
+/** A value of an attribute that is held. */
+export interface FaceConstraint extends FaceRegion {
+  readonly part: FacePart;
+  readonly name: string;
+  readonly value: number;
+}
+
+/** What a pack holds. */
+export interface FacePack {
+  /** Vertices of the skin. */
+  readonly vertices: number;
+  /** Faces in the database. */
+  readonly faces: number;
+  readonly attributes: readonly {
+    readonly part: FacePart;
+    readonly group: string;
+    readonly name: string;
+    /** Terms for −1 and for 1. */
+    readonly terms: readonly [string, string];
+    /** The formula of an impression that nobody rated. */
+    readonly derived: string | null;
+  }[];
+  /** Parents before their parts. */
+  readonly segments: readonly { readonly name: string; readonly parent: number | null }[];
+  /** Who the faces of the database are: sex from 0 (male) to 1, years, shares of European, Asian and African ancestry. */
+  readonly people: readonly { readonly sex: number; readonly ageYears: number; readonly ancestry: readonly [number, number, number] }[];
+  /** Figures whose colours are known. */
+  readonly figures: readonly string[];
+}
+
+/** `Faces` of `crate/faces`. */
+interface Model {
+  addTexture(bytes: Uint8Array): void;
+  contents(): FacePack;
+  average(): void;
+  random(seed: number): void;
+  randomPerson(seed: number): number | undefined;
+  example(index: number): void;
+  mask(segments: readonly string[]): Float64Array;
+  segmentAt(vertex: number): string | undefined;
+  value(part: FacePart, name: string): number;
+  values(part: FacePart): Float64Array;
+  add(part: FacePart, name: string, amount: number, withAll: boolean, segments: readonly string[], half?: string): void;
+  addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void;
+  addYears(years: number, segments: readonly string[], half?: string): void;
+  caricature(part: FacePart, level: number, segments: readonly string[], half?: string): void;
+  importFrom(index: number, part: FacePart, segments: readonly string[], half?: string): void;
+  transform(scale: Float64Array, turn: Float64Array, way: Float64Array, segments: readonly string[], half?: string): void;
+  addDetail(strength: number): void;
+  constrain(held: readonly FaceConstraint[]): void;
+  keep(): Uint8Array;
+  restore(bytes: Uint8Array): void;
+  skin(moves: boolean): Float64Array;
+  organs(): Float64Array;
+  factors(figure: string): Float64Array | undefined;
+}
+
+interface Instance {
+  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
+  Faces: new (bytes: Uint8Array) => Model;
+}
+
+/** Three numbers: along or about x, y and z. */
+type Three = readonly [number, number, number];
+
+/** A face model and the face that is edited. Methods throw an `Error` that says what is wrong, and change nothing then. */
+export class Faces {
+  readonly #model: Model;
+  readonly pack: FacePack;
+
+  private constructor(model: Model) {
+    this.#model = model;
+    this.pack = model.contents();
+  }
+
+  /** Fetches the model with its shapes and, beside them, its textures. */
+  static async open(shapes: URL, textures?: URL, { signal, progress }: { readonly signal?: AbortSignal; readonly progress?: Progress } = {}): Promise<Faces> {
+    const watched = { most: MOST_BYTES, signal };
+    const instance = instantiate() as unknown as Instance;
+    const [module, shape, texture] = await Promise.all([
+      fetchModule(new URL(wasmUrl, SCRIPT), { ...watched, what: 'The part that edits faces' }),
+      fetchBytes(shapes, { ...watched, what: 'The pack of faces', progress }),
+      textures === undefined ? undefined : fetchBytes(textures, { ...watched, what: 'The textures of the pack of faces' }),
+    ]);
+    await instance({ module_or_path: module });
+    const model = new instance.Faces(shape);
+    if (texture !== undefined) model.addTexture(texture);
+    return new Faces(model);
+  }
+
+  average(): void {
+    this.#model.average();
+  }
+
+  /** A face drawn at random; the same for the same seed, a whole number. */
+  random(seed: number): void {
+    this.#model.random(seed);
+  }
+
+  /** Whom the random face of a seed is most like, by the number of a face of the database; undefined where the pack does not tell. */
+  randomPerson(seed: number): number | undefined {
+    return this.#model.randomPerson(seed);
+  }
+
+  /** A face of the database. */
+  example(index: number): void {
+    this.#model.example(index);
+  }
+
+  /** 1 for the vertices of segments and of their parts, 0 for the others. */
+  mask(segments: readonly string[]): Float64Array {
+    return this.#model.mask(segments);
+  }
+
+  /** The smallest segment that a vertex lies in; undefined for the rest of the head. */
+  segmentAt(vertex: number): string | undefined {
+    return this.#model.segmentAt(vertex);
+  }
+
+  /** x, y and z of each vertex of the skin: metres, between the tragions, x left, y up, z front. */
+  skin(): Float64Array {
+    return this.#model.skin(false);
+  }
+
+  /** How much of an attribute the face has: 0 for the average, mostly −1 to 1. */
+  value(part: FacePart, name: string): number {
+    return this.#model.value(part, name);
+  }
+
+  /** How much of each attribute of a part the face has, in the order of `pack.attributes`. */
+  values(part: FacePart): Float64Array {
+    return this.#model.values(part);
+  }
+
+  /** Adds so much of an attribute; `withAll`: and of what goes with it in people, as a narrow mouth with a small nose. */
+  add(part: FacePart, name: string, amount: number, { segments = [], half }: FaceRegion = {}, withAll = false): void {
+    this.#model.add(part, name, amount, withAll, segments, half);
+  }
+
+  /**
+   * Adds so much of an attribute alone: of a feature what lies in its segments, and nothing elsewhere moves; of what a whole person is,
+   * sex or age, so that these others of its part keep their values.
+   */
+  addAlone(part: FacePart, name: string, amount: number, kept: readonly string[]): void {
+    this.#model.addAlone(part, name, amount, kept);
+  }
+
+  /** Makes the face so many years older, or younger below zero, as people of its sex get: growth to 20 years, ageing from then on; ages from 8 to 80. */
+  addYears(years: number, { segments = [], half }: FaceRegion = {}): void {
+    this.#model.addYears(years, segments, half);
+  }
+
+  /** Exaggerates what tells the face from the average: above 1 a caricature, below nearer to everybody. */
+  caricature(part: FacePart, level: number, { segments = [], half }: FaceRegion = {}): void {
+    this.#model.caricature(part, level, segments, half);
+  }
+
+  /** Takes over a region of a face of the database. */
+  importFrom(index: number, part: FacePart, { segments = [], half }: FaceRegion = {}): void {
+    this.#model.importFrom(index, part, segments, half);
+  }
+
+  /** Scales a region about its middle, turns it (radians) and moves it (metres). */
+  transform({ scale = [1, 1, 1], turn = [0, 0, 0], way = [0, 0, 0] }: { scale?: Three; turn?: Three; way?: Three }, { segments = [], half }: FaceRegion = {}): void {
+    const [s, t, w] = [scale, turn, way].map((numbers) => Float64Array.from(numbers)) as [Float64Array, Float64Array, Float64Array];
+    this.#model.transform(s, t, w, segments, half);
+  }
+
+  /** Adds a multiple of the texture's own detail; 0.7 is usual. */
+  addDetail(strength: number): void {
+    this.#model.addDetail(strength);
+  }
+
+  /** Brings the face to values of attributes; the error names the first that contradicts those before it. */
+  constrain(held: readonly FaceConstraint[]): void {
+    this.#model.constrain(held);
+  }
+
+  /** The face as bytes, to the bit. */
+  keep(): Uint8Array {
+    return this.#model.keep();
+  }
+
+  /** The face that `keep` kept of the same pack. */
+  restore(kept: Uint8Array): void {
+    this.#model.restore(kept);
+  }
+
+  /**
+   * The face as a figure takes it; with its colours where the pack knows those of this figure. Of one that `moves`, skin that would pass
+   * through skin gives way as in the face that was asked for last: that takes no time, and a face that rests is asked for anew.
+   */
+  face(figure: string, moves = false): FigureFace {
+    return { skin: this.#model.skin(moves), organs: this.#model.organs(), factors: this.#model.factors(figure), moves };
+  }
+}

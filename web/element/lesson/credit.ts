@@ -1,0 +1,44 @@
+/** What an answer counts: all points, none, or a share of them where what is right of it counts by itself. */
+
+import { isFilled, isMatched, type Judgement } from './judge.js';
+import type { Question } from '../base/types.js';
+
+/** Points are told to a hundredth, which records and people can read. */
+const STEPS = 100;
+/** Sums of fractions are a little less than they mean. */
+const NEARLY = 1e-6;
+
+/** The points of an answer: 0 to those of the question, and all of them only where it is right. */
+export function pointsOf(question: Question, { given, isRight }: Judgement): number {
+  const { points, isPartial } = question;
+  if (isRight === true) return points;
+  if (isRight === undefined || isPartial !== true) return 0;
+  const part = Math.floor(points * shareOf(question, given) * STEPS + NEARLY) / STEPS;
+  return part < points ? part : 0;
+}
+
+/** How much of an answer is right, 0 to 1. */
+function shareOf(question: Question, given: readonly string[]): number {
+  const { kind, options } = question;
+  const share = (isIt: (given: readonly string[], place: number) => boolean) => options.filter((_, place) => isIt(given, place)).length / options.length;
+  switch (kind) {
+    case 'several': {
+      // Who chooses all there is knows nothing: what is wrong takes away as much as what is right gives.
+      const right = options.filter(({ isRight }) => isRight).length;
+      const chosen = options.filter(({ name }) => given.includes(name));
+      const gained = chosen.reduce((sum, { isRight }) => sum + (isRight ? 1 : -1), 0);
+      return right > 0 ? Math.max(0, gained) / right : 0;
+    }
+    case 'match':
+      return share((all, place) => isMatched(question, all, place));
+    case 'gap':
+      return share((all, place) => isFilled(question, all, place));
+    case 'order': {
+      // One that is moved away does not make all behind it wrong.
+      const pairs = options.slice(1).filter(({ name }, i) => given.indexOf(name) === given.indexOf(options[i]?.name ?? '') + 1 && given.includes(name));
+      return options.length > 1 ? pairs.length / (options.length - 1) : 0;
+    }
+    default:
+      return 0;
+  }
+}

@@ -1,0 +1,28 @@
+/** Which items of a story's pools are performed for a learner, and what is passed over with the others. */
+
+import { shuffled } from './chance.js';
+import type { Question, Way } from '../base/types.js';
+
+/** The places of items that are not drawn, and of all that stands in them. */
+export function leftOut(questions: readonly Question[], ways: readonly Way[], seed: number): ReadonlySet<number> {
+  const items = new Map<number, number[]>();
+  for (const way of ways) if (way.kind === 'item') items.set(way.pool, [...(items.get(way.pool) ?? []), way.order]);
+  const out = new Set<number>();
+  // By numbers: the places change with what stands before them.
+  [...ways].filter(isPool).forEach(({ order, count }, nth) => {
+    const all = items.get(order) ?? [];
+    const numbers = all.map((_, i) => String(i));
+    for (const i of shuffled(numbers, `pool ${nth}`, seed).slice(count)) out.add(all[Number(i)] ?? -1);
+  });
+  if (out.size === 0) return out;
+  // What stands in something comes after it.
+  const inside: readonly (Way | Question)[] = [...ways, ...questions].sort((a, b) => a.order - b.order);
+  for (const it of inside) {
+    if (!out.has(it.order) && !(it.within !== undefined && out.has(it.within))) continue;
+    out.add(it.order);
+    if ('answers' in it) for (const { order } of it.answers) out.add(order);
+  }
+  return out;
+}
+
+const isPool = (way: Way): way is Way & { readonly kind: 'pool' } => way.kind === 'pool';

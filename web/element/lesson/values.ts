@@ -1,0 +1,76 @@
+/** The variables of a story, and the conditions on them. */
+
+import { isOutcome } from './judge.js';
+import type { Answered, Score } from '../base/answers.js';
+import type { Way } from '../base/types.js';
+
+export type Value = number | string | boolean;
+
+/** More variables than any story has; state from outside may hold no more. */
+const MOST_VALUES = 10_000;
+/** A longer text is cut. */
+const LONGEST = 1000;
+
+/** What is known where a condition is looked at. */
+export interface Known {
+  readonly score: Score;
+  /** What was answered to a question. */
+  answered(name: string): Answered | undefined;
+}
+
+/** A value as a document writes it. */
+function written(text: string): Value {
+  if (text === 'true' || text === 'false') return text === 'true';
+  const number = Number(text);
+  return text.trim() !== '' && Number.isFinite(number) ? number : text.slice(0, LONGEST);
+}
+
+const isValue = (value: unknown): value is Value => typeof value === 'string' || typeof value === 'boolean' || (typeof value === 'number' && Number.isFinite(value));
+
+export class Values {
+  readonly #values = new Map<string, Value>();
+
+  set({ name, value, by }: Way & { readonly kind: 'set' }): void {
+    if (value !== undefined) this.#values.set(name, written(value));
+    if (by !== undefined) this.#values.set(name, this.#number(name) + by);
+  }
+
+  #number(name: string): number {
+    const value = this.#values.get(name);
+    return typeof value === 'number' ? value : 0;
+  }
+
+  /** Whether all that a condition says holds. */
+  holds({ name, is, not, above = -Infinity, below = Infinity }: Way & { readonly kind: 'if' }, known: Known): boolean {
+    const answered = this.#values.has(name) ? undefined : known.answered(name);
+    const number = name === 'score' ? known.score.points : this.#number(name);
+    const compared = (text: string): boolean => {
+      if (name === 'score') return number === Number(text);
+      if (answered !== undefined) return holdsOf(answered, text);
+      return (this.#values.get(name) ?? '') === written(text);
+    };
+    return (is === undefined || compared(is)) && (not === undefined || !compared(not)) && above < number && number < below;
+  }
+
+  clear(): void {
+    this.#values.clear();
+  }
+
+  /** All of them, as data. */
+  get all(): { readonly [name: string]: Value } {
+    return Object.fromEntries(this.#values);
+  }
+
+  /** Takes what `all` gave; what is no value is left out. */
+  restore(all: unknown): void {
+    this.#values.clear();
+    for (const [name, value] of Object.entries((all ?? {}) as object).slice(0, MOST_VALUES)) {
+      if (isValue(value)) this.#values.set(name, typeof value === 'string' ? value.slice(0, LONGEST) : value);
+    }
+  }
+}
+
+/** What a question has to be. */
+function holdsOf({ isFinal, isRight, fits }: Answered, text: string): boolean {
+  return isFinal && (isOutcome(text, isRight) || fits.includes(text));
+}

@@ -1,0 +1,134 @@
+/**
+ * Playing as a media element promises it (HTML, section 4.8.11.8 “Playing the media resource”):
+ * `paused` changes at once, and what `play()` gave is kept when playing begins and broken by
+ * `pause()`, `load()` or an error.
+ */
+
+import type { Permission } from '../sound/outlet.js';
+import type { Transport } from './transport.js';
+
+/** Events of playing without a story; with one, the transport tells them. */
+export type PlaybackEvent = 'play' | 'waiting' | 'pause';
+
+interface Pending {
+  resolve(): void;
+  reject(error: DOMException): void;
+}
+
+/** Whether playing is wanted, and the promises that wait for it. */
+export class Playback {
+  readonly #permission: Permission;
+  readonly #emit: (event: PlaybackEvent) => unknown;
+  readonly #ensure: () => void;
+  readonly #after: (work: () => void) => void;
+  #transport: Transport | undefined;
+  #wanted = false;
+  #pending: Pending[] = [];
+  /** Changes when earlier calls are settled. */
+  #turn = {};
+  /** The attribute `autoplay` counts: neither `play` nor `pause` was called since loading began. */
+  mayAutoplay = true;
+
+  /** `ensure` begins to load missing parts, and must not throw; `after` does something once the events that are there have come. */
+  constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void, after: (work: () => void) => void) {
+    this.#permission = permission;
+    this.#emit = emit;
+    this.#ensure = ensure;
+    this.#after = after;
+  }
+
+  get paused(): boolean {
+    return this.#transport?.paused ?? !this.#wanted;
+  }
+
+  /** Plays; resolves when it really does. */
+  play(): Promise<void> {
+    this.mayAutoplay = false;
+    const kept = new Promise<void>((resolve, reject) => this.#pending.push({ resolve, reject }));
+    const turn = this.#turn;
+    // Within the click: some browsers start sound only from there.
+    const woken = this.#permission.wake();
+    if (this.#permission.likely) this.#begin();
+    this.#ensure();
+    void woken.then((allowed) => {
+      if (turn !== this.#turn) return;
+      if (allowed) this.#begin();
+      else this.#refuse();
+    });
+    return kept;
+  }
+
+  pause(): void {
+    this.mayAutoplay = false;
+    this.#rest();
+    this.#breakAfter('AbortError', 'The call of play() was interrupted by a call of pause().');
+  }
+
+  /** A story is there. */
+  attach(transport: Transport): void {
+    this.#transport = transport;
+    if (this.#wanted) transport.play(true);
+  }
+
+  /** The story goes, or is not wanted any more: promises are rejected, and no `pause` is dispatched. */
+  detach(): void {
+    this.#transport = undefined;
+    this.#wanted = false;
+    this.mayAutoplay = true;
+    reject(this.#settle(), 'AbortError', 'The call of play() was interrupted by a new load.');
+  }
+
+  /** There is no story to play. */
+  fail(message: string): void {
+    this.#breakAfter('NotSupportedError', message);
+  }
+
+  /** The sound has begun. */
+  started(): void {
+    const pending = this.#settle();
+    this.#after(() => {
+      for (const { resolve } of pending) resolve();
+    });
+  }
+
+  #begin(): void {
+    const transport = this.#transport;
+    if (transport !== undefined) {
+      if (transport.paused) transport.play();
+      else if (!transport.waiting) this.started();
+    } else if (!this.#wanted) {
+      this.#emit('play');
+      this.#emit('waiting');
+    }
+    this.#wanted = true;
+  }
+
+  #rest(): void {
+    const transport = this.#transport;
+    if (transport !== undefined) transport.pause();
+    else if (this.#wanted) this.#emit('pause');
+    this.#wanted = false;
+  }
+
+  #refuse(): void {
+    this.#rest();
+    this.#breakAfter('NotAllowedError', 'The browser allows sound only after the user has done something.');
+  }
+
+  /** Pages hear first of what has happened. */
+  #breakAfter(name: string, message: string): void {
+    const pending = this.#settle();
+    this.#after(() => reject(pending, name, message));
+  }
+
+  #settle(): Pending[] {
+    this.#turn = {};
+    const pending = this.#pending;
+    this.#pending = [];
+    return pending;
+  }
+}
+
+function reject(pending: readonly Pending[], name: string, message: string): void {
+  for (const { reject } of pending) reject(new DOMException(message, name));
+}

@@ -1,0 +1,239 @@
+/** Play, pause, seek and speed, as a media element understands them, on the voice's clock. */
+
+import { clampRate, StoryClock } from '../base/clock.js';
+import { Ranges, united, type Span } from '../base/ranges.js';
+import type { Voice } from '../sound/voice.js';
+
+/** From a command to the first sample, so that the browser has time to plan it. */
+const LEAD_SECS = 0.03;
+
+/** What a transport tells its element; the names of media events. */
+export type TransportEvent = 'play' | 'playing' | 'pause' | 'waiting' | 'seeking' | 'seeked' | 'ratechange' | 'ended';
+
+/** Where a performance is, and whether it moves. */
+export class Transport {
+  readonly #clock = new StoryClock();
+  readonly #voice: Voice;
+  #endSecs: number;
+  readonly #emit: (event: TransportEvent) => void;
+  /** The heard time never steps back while playing, though clocks wobble. */
+  #latest = 0;
+  /** A moment of this run at which all was ready. */
+  #ready = 0;
+  #paused = true;
+  #waiting = false;
+  #ended = false;
+  #rate = 1;
+  /** What was played, but for the present run, and where that began. */
+  #played: Span[] = [];
+  #since: number | undefined;
+  loop = false;
+  /** The clock may pass the end, because more may come. */
+  openEnded = false;
+
+  constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void, rate = 1) {
+    this.#voice = voice;
+    this.#endSecs = durationSecs;
+    this.#emit = emit;
+    this.#rate = clampRate(rate);
+  }
+
+  get paused(): boolean {
+    return this.#paused;
+  }
+
+  get ended(): boolean {
+    return this.#ended;
+  }
+
+  /** `play` was called, but the sound is not there yet. */
+  get waiting(): boolean {
+    return this.#waiting;
+  }
+
+  get rate(): number {
+    return this.#rate;
+  }
+
+  /** The story time that the listener hears. */
+  get position(): number {
+    if (this.#clock.running) {
+      this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
+    }
+    // What an open-ended performance has come to, it keeps.
+    if (this.openEnded) this.extend(this.#latest);
+    return Math.min(this.#latest, this.#endSecs);
+  }
+
+  /** What was played. */
+  get played(): Ranges {
+    return new Ranges(this.#since === undefined ? this.#played : [...this.#played, [this.#since, this.position]]);
+  }
+
+  /** When all that is known is over. */
+  get endSecs(): number {
+    return this.#endSecs;
+  }
+
+  /** There is something to perform until then. */
+  extend(endSecs: number): void {
+    if (endSecs <= this.#endSecs) return;
+    this.#endSecs = endSecs;
+    this.#ended = false;
+  }
+
+  /** Another text ends elsewhere; `spoken` when it also says something else, whose sounds are to be planned. */
+  replace(endSecs: number, spoken: boolean): void {
+    const running = this.#clock.running;
+    if (running && spoken) this.#rest();
+    this.#endSecs = endSecs;
+    if (!running && this.#latest < endSecs) this.#ended = false;
+    if (running && spoken) this.#run();
+  }
+
+  /** Plays, or waits until there is sound; again from the start after the end. `announced`: `play` was dispatched already. */
+  play(announced = false): void {
+    if (!this.#paused) return;
+    if (this.#ended) this.seek(0);
+    this.#ended = false;
+    this.#paused = false;
+    this.#waiting = announced;
+    if (!announced) this.#emit('play');
+    this.#run();
+  }
+
+  pause(): void {
+    if (this.#paused) return;
+    this.#rest();
+    this.#paused = true;
+    this.#waiting = false;
+    this.#emit('pause');
+  }
+
+  seek(secs: number): void {
+    const wasRunning = !this.#paused;
+    let target = Number.isFinite(secs) ? Math.min(this.#endSecs, Math.max(0, secs)) : 0;
+    this.#emit('seeking');
+    const isEnd = target >= this.#endSecs && this.#endSecs > 0 && !this.openEnded;
+    // What begins again at its end does so at once.
+    if (isEnd && this.loop) {
+      this.#emit('seeking');
+      target = 0;
+    }
+    this.#moveTo(target);
+    // At rest it has ended there; `ended` is told of what came there by itself.
+    this.#ended = isEnd && !this.loop && !wasRunning;
+    if (wasRunning) this.#run();
+    else this.#voice.prepare(target);
+    this.#emit('seeked');
+  }
+
+  setRate(rate: number): void {
+    const clamped = clampRate(rate);
+    if (clamped === this.#rate) return;
+    this.#rate = clamped;
+    this.replan();
+    this.#emit('ratechange');
+  }
+
+  /** What is planned is to be planned anew. */
+  replan(): void {
+    if (this.#paused || this.#waiting) return;
+    this.#rest();
+    this.#run(false);
+  }
+
+  /** Called for each picture and a few times a second when there is none; the story time heard. */
+  update(): number {
+    const position = this.position;
+    if (this.#paused) return position;
+    this.#voice.prepare(position);
+    if (this.#waiting) {
+      if (this.#mayRun(position)) this.#run();
+    } else if (!this.#mayRun(position)) {
+      // Better a pause than sound and lips that drift apart.
+      this.#rest(true);
+      this.#waiting = true;
+      if (this.#voice.running) this.#stopAt(this.#lastReady(position));
+      this.#emit('waiting');
+    } else if (position >= this.#endSecs && !this.openEnded) {
+      this.#finish();
+    } else {
+      this.#ready = position;
+    }
+    return this.position;
+  }
+
+  /** Where it had to stop: pictures may come slowly, and what begins between two of them is not to be passed. */
+  #lastReady(position: number): number {
+    let [ready, not] = [Math.min(this.#ready, position), position];
+    for (let i = 0; i < 12 && this.#voice.ready(ready); i++) {
+      const middle = (ready + not) / 2;
+      if (this.#voice.ready(middle)) ready = middle;
+      else not = middle;
+    }
+    return ready;
+  }
+
+  #stopAt(secs: number): void {
+    if (this.#since !== undefined) this.#played = united([...this.#played, [this.#since, this.position]]);
+    this.#since = undefined;
+    this.#latest = secs;
+    this.#clock.rest(secs);
+  }
+
+  /** The sound at a place is there, and so is what plays it: a browser may suspend or close that at any time. */
+  #mayRun(position: number): boolean {
+    return this.#voice.running && this.#voice.ready(position);
+  }
+
+  /** `told`: pages hear that it plays. */
+  #run(told = true): void {
+    const position = this.#latest;
+    this.#voice.prepare(position, this.#rate || 1);
+    if (!this.#mayRun(position)) {
+      if (!this.#waiting) this.#emit('waiting');
+      this.#waiting = true;
+      return;
+    }
+    this.#waiting = false;
+    this.#ready = position;
+    // At the speed 0 it plays, and time stands still.
+    if (this.#rate > 0) {
+      const at = this.#voice.now() + LEAD_SECS;
+      this.#voice.start(position, this.#rate, at);
+      this.#clock.start(position, at, this.#rate);
+      this.#since = position;
+    }
+    if (told) this.#emit('playing');
+  }
+
+  #rest(waits = false): void {
+    const position = this.position;
+    this.#voice.stop(waits);
+    this.#stopAt(position);
+  }
+
+  #moveTo(secs: number): void {
+    this.#voice.stop();
+    this.#stopAt(secs);
+  }
+
+  #finish(): void {
+    // Nothing that lasts no time can be repeated: it ends.
+    if (this.loop && this.#endSecs > 0) {
+      this.#emit('seeking');
+      // A listener may have gone elsewhere, or paused.
+      if (this.position < this.#endSecs) return;
+      this.#moveTo(0);
+      if (!this.#paused) this.#run();
+      this.#emit('seeked');
+      return;
+    }
+    this.#rest();
+    this.#paused = true;
+    this.#ended = true;
+    this.#emit('pause');
+    this.#emit('ended');
+  }
+}

@@ -1,0 +1,176 @@
+/** A mind: EML in by WebSocket, events out as JSON. Fetched only by players that have one. */
+
+import type { MindEvent, Note } from '../base/mind-events.js';
+import type { Answer, Diagnostic, MindState } from '../base/types.js';
+
+/** A longer message is no fragment; the engine takes a quarter of this. */
+const MOST_CHARACTERS = 65_536;
+/** Fragments refused for their pace, one after another, after which the connection is closed. */
+const MOST_REFUSED = 100;
+/** While this much is unsent, because the mind does not read, events are dropped and counted. */
+const MOST_UNREAD_BYTES = 1_000_000;
+/** Waits before connecting again: the first, and the longest; each is twice the one before. */
+const WAIT_MS = { first: 500, longest: 30_000 };
+/** A connection that has held this long was a good one: the next wait is the first again. */
+const STEADY_MS = 5_000;
+/** The performance stays open-ended for so long after a mind was lost, or first called. */
+const GRACE_MS = 30_000;
+
+/** The player, as a mind sees it. */
+export interface MindHost {
+  hello(): { timeSecs: number; endSecs: number; figure: string };
+  /** At once, or later where it has to be spoken first. */
+  perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
+  /** Whether a message ends fragments. */
+  interrupts(message: string): boolean;
+  /** Until fragments are interrupted the next time. */
+  turn(): AbortSignal;
+  /** The answer about a fragment that waited then. */
+  dropped(): readonly Answer[];
+  report(diagnostic: Diagnostic): void;
+  state(state: MindState): void;
+}
+
+/** The connection to one mind, made anew whenever it is lost. */
+export class MindLink {
+  readonly #url: URL;
+  readonly #host: MindHost;
+  #socket: WebSocket | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #failures = 0;
+  #refused = 0;
+  #lost = 0;
+  #openedMs = 0;
+  /** When a mind was last there, or first called. */
+  #seenMs = performance.now();
+  #closed = false;
+  /** Fragments that wait to be spoken, and the last of them. */
+  #speaking = 0;
+  #spoken: Promise<void> = Promise.resolve();
+
+  private constructor(url: URL, host: MindHost) {
+    this.#url = url;
+    this.#host = host;
+  }
+
+  /** Connects; undefined, with a diagnostic, where the address is none of a mind. */
+  static open(address: string, host: MindHost): MindLink | undefined {
+    const url = URL.canParse(address, document.baseURI) ? new URL(address, document.baseURI) : undefined;
+    // An address relative to the page means its server.
+    if (url?.protocol === 'https:' || url?.protocol === 'http:') url.protocol = url.protocol.replace('http', 'ws');
+    if (url === undefined || !/^wss?:$/.test(url.protocol) || url.username !== '') {
+      host.report({
+        code: 'mind-address',
+        severity: 'error',
+        message: 'The address of the mind is not one of a WebSocket.',
+        hints: ['Write mind="wss://…", or a path on this server.'],
+      });
+      return undefined;
+    }
+    url.hash = '';
+    const link = new MindLink(url, host);
+    // The element must know the link before it hears from it.
+    link.#timer = setTimeout(() => link.#connect());
+    return link;
+  }
+
+  /** Whether a mind is there, or was a moment ago. */
+  get listening(): boolean {
+    return this.#socket?.readyState === WebSocket.OPEN || performance.now() - this.#seenMs < GRACE_MS;
+  }
+
+  /** Tells the mind what happens, if it is there and reads. */
+  tell(event: MindEvent): void {
+    const socket = this.#socket;
+    if (socket?.readyState !== WebSocket.OPEN) return;
+    if (socket.bufferedAmount > MOST_UNREAD_BYTES) {
+      this.#lost += 1;
+      return;
+    }
+    if (this.#lost > 0) socket.send(JSON.stringify({ kind: 'lost', count: this.#lost } satisfies Note));
+    this.#lost = 0;
+    socket.send(JSON.stringify(event));
+  }
+
+  close(): void {
+    this.#closed = true;
+    clearTimeout(this.#timer);
+    this.#seenMs = -Infinity;
+    this.#socket?.close(1000);
+    this.#socket = undefined;
+  }
+
+  #connect(): void {
+    this.#host.state('connecting');
+    let socket: WebSocket;
+    try {
+      socket = new WebSocket(this.#url);
+    } catch {
+      // A page fetched by https may not use ws:.
+      this.#again();
+      return;
+    }
+    this.#socket = socket;
+    socket.onopen = () => {
+      this.#openedMs = performance.now();
+      this.#refused = 0;
+      this.tell({ kind: 'hello', version: 1, ...this.#host.hello() });
+      this.#host.state('open');
+    };
+    socket.onmessage = ({ data }) => this.#hear(socket, data);
+    socket.onclose = () => {
+      if (this.#closed) return;
+      if (this.#openedMs > 0) {
+        this.#seenMs = performance.now();
+        if (this.#seenMs - this.#openedMs > STEADY_MS && this.#refused < MOST_REFUSED) this.#failures = 0;
+      }
+      this.#again();
+    };
+  }
+
+  /** Waits, twice as long each time, and not as long as all others who lost the same mind. */
+  #again(): void {
+    this.#socket = undefined;
+    if (this.#openedMs > 0 || this.#failures === 0) {
+      this.#host.report({ code: 'mind-lost', severity: 'warning', message: `There is no connection to the mind at ${this.#url.host}.`, hints: ['It is tried again by itself.'] });
+    }
+    this.#openedMs = 0;
+    const wait = Math.min(WAIT_MS.longest, WAIT_MS.first * 2 ** this.#failures) * (0.5 + Math.random() / 2);
+    this.#failures += 1;
+    this.#host.state('closed');
+    this.#timer = setTimeout(() => this.#connect(), wait);
+  }
+
+  #hear(socket: WebSocket, data: unknown): void {
+    // Messages that had come before it was closed.
+    if (socket !== this.#socket || socket.readyState !== WebSocket.OPEN) return;
+    if (typeof data !== 'string' || data.length > MOST_CHARACTERS) {
+      socket.close(typeof data === 'string' ? 4009 : 4003);
+      return;
+    }
+    // What is said first is performed first; an interruption does not wait for it.
+    const turn = this.#host.turn();
+    const later = () => (turn.aborted ? this.#host.dropped() : this.#host.perform(data));
+    const interrupts = this.#host.interrupts(data);
+    if (interrupts) this.#spoken = Promise.resolve();
+    const waits = this.#speaking > 0 && !interrupts;
+    const answers = waits ? this.#spoken.then(later) : this.#host.perform(data);
+    if (!(answers instanceof Promise)) {
+      this.#answer(socket, answers);
+      return;
+    }
+    this.#speaking += 1;
+    if (this.#speaking > MOST_REFUSED) socket.close(4008);
+    this.#spoken = answers.then((all) => {
+      this.#speaking -= 1;
+      if (socket === this.#socket) this.#answer(socket, all);
+    });
+  }
+
+  #answer(socket: WebSocket, answers: readonly Answer[]): void {
+    this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
+    // What else is wrong was told as a cue.
+    for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.tell(answer);
+    if (this.#refused >= MOST_REFUSED) socket.close(4008);
+  }
+}

@@ -1,0 +1,585 @@
+/** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
+
+import { applyView, Asked } from './asked.js';
+import type { FaceFile } from '../face/avatar.js';
+import { createEngine } from '../engine/backend.js';
+import { applyFace, Paint, type Lent } from '../face/face-look.js';
+import { showImages, unusable, type FigureFile } from '../engine/figure.js';
+import type { StoryFiles } from '../engine/loader.js';
+import { giveBack } from './graphics.js';
+import type { PictureEvents } from './picture-events.js';
+import { isTrap, trapError } from '../engine/trap.js';
+import {
+  type Backend,
+  type Cue,
+  type Diagnostic,
+  type Engine,
+  type FaceCourse,
+  type FaceSpot,
+  type FigureFace,
+  type Interruption,
+  type Light,
+  type NaturalHair,
+  type Performance,
+  type PictureStatistics,
+  type Piece,
+  PlayerError,
+  type PoseNumbers,
+  type Quality,
+  type Story,
+  TickStatus,
+  type View,
+  type Expressed,
+} from '../base/types.js';
+
+/** More device pixels than this for a CSS pixel cost time and are not seen. */
+const MOST_DPR = 2;
+/** A lost picture is restored by itself this often, the last time by the next back end that may be used; then a button offers it. */
+const MOST_RECOVERIES = 2;
+/** A graphics card that was reset is not back at once. */
+const RECOVERY_DELAY_MS = 600;
+
+/** Owns the engine of one player. A trap in it costs the picture, not the story. */
+export class Picture {
+  #backend: Backend;
+  /** Those that may be used instead, the best first. */
+  readonly #others: Backend[];
+  #files: StoryFiles;
+  #events: PictureEvents;
+  #engine: Engine | undefined;
+  #canvas: HTMLCanvasElement | undefined;
+  #size = { width: 0, height: 0 };
+  /** When the last picture of a running sequence was requested. */
+  #lastAsked = 0;
+  #resting = true;
+  #recoveries = 0;
+  #lost = false;
+  #closed = false;
+  /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
+  #lastShown = 0;
+  /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
+  #holding = false;
+  /** What of the figure is missing, once its pictures are decoded. */
+  #decoded: Promise<Diagnostic[]> = Promise.resolve([]);
+  #asked = new Asked();
+  /** The face that the figure has got, where it is not its own, what others lend it, and what is painted on it. */
+  #face: FigureFace | undefined;
+  #lent: Lent = new Map();
+  #paint = new Paint();
+  /** When the first picture was drawn, on the page's clock. */
+  firstShownMs: number | undefined;
+
+  private constructor([backend, ...others]: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents) {
+    this.#backend = backend;
+    this.#others = others;
+    this.#files = files;
+    this.#events = events;
+  }
+
+  /**
+   * Opens a picture with the first back end that gives one, and reads the story; the story is
+   * read even where none does.
+   */
+  static async open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
+    const picture = new Picture(backends, files, events);
+    do {
+      try {
+        return { picture, ...(await picture.#create()) };
+      } catch (error) {
+        // A figure that cannot be read is no better on another back end.
+        if (error instanceof PlayerError && !isTrap(error)) throw error;
+        console.warn(`raconteur: no picture from ${picture.#backend}`, error);
+      }
+    } while (picture.#stepDown());
+    const engine = await createEngine(picture.#backend, undefined);
+    const story = picture.#read(engine);
+    picture.#engine = engine;
+    picture.#lost = true;
+    events.lost(false);
+    return { picture, story, missing: [] };
+  }
+
+  /**
+   * Tells another story with the device, the pipelines and, if it is the same one, the figure that are
+   * here; undefined when the engine died of it. Throws, and may be called again, when the figure cannot
+   * be read.
+   */
+  async tell(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
+    const engine = this.#engine;
+    if (engine === undefined || this.#canvas === undefined) return undefined;
+    const before = this.#files.figure;
+    const same = before.glb === files.figure.glb && before.name === files.figure.name;
+    // Its pictures may still be decoded: they are those of this very figure.
+    const told = same ? { ...files, figure: before } : files;
+    this.#events = events;
+    this.#asked.openEnded = false;
+    let story: Story;
+    try {
+      story = this.#read(engine, told, same);
+      this.#files = told;
+      await told.animations.fetch(engine);
+      story = this.#animate(engine, story) ?? story;
+    } catch (error) {
+      if (!isTrap(error)) throw error;
+      console.warn('raconteur: the engine failed', error);
+      return undefined;
+    }
+    this.#restart(engine);
+    events.canvas(this.#canvas);
+    return { story, missing: await (same ? this.#decoded : this.#decode(engine)) };
+  }
+
+  /** Goes on with the next back end, if there is one. */
+  #stepDown(): boolean {
+    const next = this.#others.shift();
+    if (next !== undefined) this.#backend = next;
+    return next !== undefined;
+  }
+
+  /** As if nothing had been shown yet. */
+  #restart(engine: Engine): void {
+    this.#lastShown = this.#lastAsked = this.#recoveries = 0;
+    this.firstShownMs = undefined;
+    engine.setResting((this.#resting = true));
+    engine.seek(0);
+  }
+
+  /** The build in use. */
+  get backend(): Backend {
+    return this.#backend;
+  }
+
+  get lost(): boolean {
+    return this.#lost;
+  }
+
+  /** How much work goes into a picture. */
+  setQuality(quality: Quality): void {
+    if (quality === this.#asked.quality) return;
+    this.#asked.quality = quality;
+    this.#guard((engine) => engine.setQuality(quality));
+  }
+
+  /** Shows the whole figure from another side. */
+  look(view: View): void {
+    this.#asked.view = view;
+    this.#guard((engine) => applyView(engine, view));
+  }
+
+  /** Keeps hands and feet above captions that take this share of the height at the lower edge; whether that is new. */
+  setCaptions(share: number): boolean {
+    if (share === this.#asked.captions) return false;
+    this.#asked.captions = share;
+    this.#guard((engine) => engine.setCaptions(share));
+    return true;
+  }
+
+  /** What the face does from one time to another, at so many times, and what its mouth goes through. */
+  course(from: number, to: number, count: number): FaceCourse | undefined {
+    return this.#guard((engine) => ({ curves: engine.faceCurves(from, to, count), segments: engine.segments(), names: engine.segmentNames() }));
+  }
+
+  /** The music under the performance. */
+  music(): readonly Piece[] {
+    return this.#guard((engine) => engine.music()) ?? [];
+  }
+
+  /** How camera, light and music express what is felt at a time. */
+  expressed(secs: number): Expressed | undefined {
+    return this.#guard((engine) => engine.expressed(secs));
+  }
+
+  /** The clock may pass the end of the story. */
+  setOpenEnded(openEnded: boolean): void {
+    if (openEnded === this.#asked.openEnded) return;
+    this.#asked.openEnded = openEnded;
+    this.#guard((engine) => engine.setOpenEnded(openEnded));
+  }
+
+  /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
+  rehearse(eml: string, motion: number | undefined, roomy: boolean): Story | undefined {
+    this.#asked.motion = motion;
+    this.#asked.roomy = roomy;
+    this.#files = { ...this.#files, eml, edited: true };
+    const story = this.#guard((engine) => this.#reread(engine, this.#files));
+    this.seek(this.#lastShown);
+    return story;
+  }
+
+  /** The story with another voice; undefined while there is no engine: the next one reads it. */
+  voiced(bundle: Uint8Array): Story | undefined {
+    this.#files = { ...this.#files, bundle };
+    const story = this.#guard((engine) => (this.#files.edited ? this.#reread(engine, this.#files) : this.#read(engine, this.#files, true)));
+    this.seek(this.#lastShown);
+    return story;
+  }
+
+  /** What a page needs to draw over the picture, as numbers, and their names. */
+  pose(): PoseNumbers | undefined {
+    return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));
+  }
+
+  /** Takes the speech of fragments that will come. */
+  hear(bundle: Uint8Array): void {
+    if (this.#guard((engine) => engine.hear(bundle))) this.#files = { ...this.#files, bundle };
+  }
+
+  /** Performs a fragment of EML; undefined while there is no engine. */
+  perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
+    const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
+    this.#guard((engine) => this.#animate(engine, undefined));
+    return performed;
+  }
+
+  /** Ends what fragments say and do; undefined where there is nothing to end. */
+  interrupt(nowSecs: number): Interruption | undefined {
+    return this.#guard((engine) => engine.interrupt(nowSecs));
+  }
+
+  /** What the last picture took; undefined without one. */
+  get statistics(): PictureStatistics | undefined {
+    return this.#lost ? undefined : this.#guard((engine) => engine.statistics());
+  }
+
+  /**
+   * Puts another figure in the place of the one that is shown. Throws, and keeps the one before,
+   * when it cannot be read. Gives the story as this figure tells it, and what of the figure is missing.
+   */
+  async setFigure(figure: FigureFile): Promise<{ story: Story; missing: Diagnostic[] }> {
+    const engine = this.#engine;
+    if (engine === undefined) throw new PlayerError('The picture is lost, so the figure cannot be changed.');
+    const files = { ...this.#files, figure };
+    let story: Story;
+    // Who comes has a face of its own.
+    const face = this.#face;
+    this.#face = undefined;
+    try {
+      story = this.#read(engine, files);
+    } catch (error) {
+      this.#face = face;
+      // A trap may have left anything behind; an error has left everything as it was.
+      if (isTrap(error)) {
+        this.#engine = undefined;
+        void this.recover();
+      }
+      throw error;
+    }
+    this.#files = files;
+    engine.seek(this.#lastShown);
+    return { story, missing: await this.#decode(engine) };
+  }
+
+  /** Gives the figure a face of a face model, or its own again; `lent` are the files of figures that lend it hair. Resolves when that can be drawn as it is. */
+  async setFace(face: FigureFace | undefined, lent: Lent): Promise<void> {
+    const before = this.#face;
+    const engine = this.#engine;
+    this.#face = face;
+    this.#lent = lent;
+    if (engine === undefined) return;
+    try {
+      if (face !== undefined) applyFace(engine, face, lent);
+      else if (before !== undefined) this.#read(engine);
+    } catch (error) {
+      this.#face = before;
+      throw error;
+    }
+    this.seek(this.#lastShown);
+    // Its own face is in its file, and comes with pictures anew.
+    if (face === undefined && before !== undefined) await this.#decode(engine);
+    else await this.#paintOver(engine);
+  }
+
+  async #paintOver(engine: Engine): Promise<void> {
+    const [figure, paint] = [this.#files.figure, this.#paint];
+    await paint.put(engine, this.#face ?? {}, () => engine === this.#engine && figure === this.#files.figure && paint === this.#paint);
+  }
+
+  /** What a file of the figure with its face is made of; undefined while it has its own. */
+  async faceFile(name: string): Promise<FaceFile | undefined> {
+    const face = this.#face;
+    return face === undefined ? undefined : { name, glb: this.#files.figure.glb, face, lent: this.#lent, painted: await this.#paint.file() };
+  }
+
+  /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below. */
+  pickFace(x: number, y: number): FaceSpot | undefined {
+    const numbers = this.#guard((engine) => engine.pickFace(x, y));
+    if (numbers === undefined) return undefined;
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = numbers;
+    return { corners: [a, b, c], shares: [d, e, f] };
+  }
+
+  /** The natural colours of hair. */
+  naturalHair(): readonly NaturalHair[] {
+    return this.#guard((engine) => engine.naturalHair()) ?? [];
+  }
+
+  /** Lights the stage. */
+  light(name: Light, turn: number): void {
+    this.#asked.light = { name, turn };
+    this.#guard((engine) => engine.setLight(name, turn));
+  }
+
+  /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
+  #decode(engine: Engine): Promise<Diagnostic[]> {
+    return (this.#decoded = this.#decodeNow(engine));
+  }
+
+  async #decodeNow(engine: Engine): Promise<Diagnostic[]> {
+    const figure = this.#files.figure;
+    const current = () => figure === this.#files.figure && !this.#closed;
+    this.#holding = true;
+    const missing = await showImages(engine, current);
+    if (current()) {
+      this.#paint = new Paint();
+      await this.#paintOver(engine);
+    }
+    // The pictures of a later figure may still be decoded; it lifts the hold itself.
+    if (current()) this.#holding = false;
+    return missing;
+  }
+
+  /** What the canvas shows, if it was drawn just now: a canvas forgets its picture when it has gone to the screen. */
+  copy(): HTMLCanvasElement | undefined {
+    const from = this.#canvas;
+    if (from === undefined || from.width === 0 || from.height === 0) return undefined;
+    const to = document.createElement('canvas');
+    [to.width, to.height] = [from.width, from.height];
+    to.getContext('2d')?.drawImage(from, 0, 0);
+    return to;
+  }
+
+  /** Size of the canvas in CSS pixels. */
+  resize(width: number, height: number): void {
+    this.#size = { width, height };
+    this.#guard((engine) => this.#fit(engine));
+  }
+
+  #fit(engine: Engine): void {
+    const { width, height } = this.#size;
+    if (width > 0) engine.resize(width, height, Math.min(MOST_DPR, window.devicePixelRatio || 1));
+  }
+
+  /** Tells the engine how fast pictures come while the story plays on screen; it draws more simply where they are slow. */
+  #keepPace(engine: Engine, running: boolean): void {
+    const now = performance.now();
+    if (running && this.#lastAsked > 0) engine.reportFrame(now - this.#lastAsked);
+    this.#lastAsked = running ? now : 0;
+  }
+
+  /** Moves without passing the cues between. */
+  seek(secs: number): void {
+    this.#lastShown = secs;
+    this.#guard((engine) => engine.seek(secs));
+  }
+
+  /** As `seek`, but what the figure does as it waits fades into what follows. */
+  leap(secs: number): void {
+    this.#lastShown = secs;
+    this.#guard((engine) => engine.leap(secs));
+  }
+
+  /**
+   * Shows a moment and gives the cues passed on the way to it; while the story rests they are
+   * kept for later. `running`: pictures follow each other on screen.
+   */
+  show(secs: number, resting: boolean, running: boolean): Cue[] {
+    return (
+      this.#guard((engine) => {
+        // What is passed while nothing is shown is told of with the next picture.
+        if (this.#holding) return [];
+        this.#lastShown = secs;
+        // A face that changes is no picture that stands still.
+        const isStill = resting && this.#face?.moves !== true;
+        if (isStill !== this.#resting) engine.setResting((this.#resting = isStill));
+        this.#keepPace(engine, running);
+        this.#shown(engine.tick(secs));
+        return resting ? [] : engine.drainEvents();
+      }) ?? []
+    );
+  }
+
+  /** Shows how the figure waits for the story to be played, since so many seconds. */
+  welcome(waitedSecs: number): void {
+    this.#wait((engine) => engine.welcome(waitedSecs));
+  }
+
+  /** Shows how the figure waits for an answer where the story rests, since so many seconds, and looks at a bone, or at the viewer. */
+  attend(secs: number, waitedSecs: number, lookedAt: string): void {
+    this.#lastShown = secs;
+    this.#wait((engine) => engine.attend(secs, waitedSecs, lookedAt));
+  }
+
+  #wait(draw: (engine: Engine) => number): void {
+    this.#guard((engine) => {
+      if (this.#holding) return;
+      // Few pictures, so each has the time for every pixel.
+      if (!this.#resting) engine.setResting((this.#resting = true));
+      this.#keepPace(engine, false);
+      this.#shown(draw(engine));
+    });
+  }
+
+  #shown(status: number): void {
+    if (status === TickStatus.Lost && !this.#lost) void this.recover();
+    if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
+  }
+
+  /** Tries to bring the picture back; by itself only so often. */
+  async recover(asked = false): Promise<void> {
+    if (this.#closed || (this.#lost && !asked)) return;
+    this.#lost = true;
+    if (asked) this.#recoveries = 0;
+    const again = this.#recoveries < MOST_RECOVERIES;
+    this.#recoveries += 1;
+    this.#events.lost(again);
+    if (!again) return await this.#withoutPicture();
+    await new Promise((done) => setTimeout(done, RECOVERY_DELAY_MS));
+    if (this.#closed) return;
+    try {
+      const [old, canvas, backend] = [this.#engine, this.#canvas, this.#backend];
+      if (this.#recoveries === MOST_RECOVERIES) this.#stepDown();
+      await this.#create();
+      if (old !== undefined) release(old);
+      if (canvas !== undefined) giveBack(canvas, backend);
+      if (this.#closed) return this.close();
+      this.seek(this.#lastShown);
+      this.#lost = false;
+      this.#events.back();
+    } catch (error) {
+      console.warn('raconteur: the picture did not come back', error);
+      this.#events.lost(false);
+      await this.#withoutPicture();
+    }
+  }
+
+  /** Where the last engine died of its trap, one without a picture still tells the cues. */
+  async #withoutPicture(): Promise<void> {
+    if (this.#engine !== undefined) return;
+    try {
+      const engine = await createEngine(this.#backend, undefined);
+      this.#read(engine);
+      engine.seek(this.#lastShown);
+      if (this.#closed) release(engine);
+      else this.#engine = engine;
+    } catch (error) {
+      console.warn('raconteur: no cues', error);
+    }
+  }
+
+  close(): void {
+    this.#closed = true;
+    if (this.#engine !== undefined) release(this.#engine);
+    this.#engine = undefined;
+    const canvas = this.#canvas;
+    // Its loss is no news now.
+    this.#canvas = undefined;
+    canvas?.remove();
+    if (canvas !== undefined) giveBack(canvas, this.#backend);
+  }
+
+  /** A lost canvas keeps its dead context, so each try has a canvas of its own. */
+  async #create(): Promise<{ story: Story; missing: Diagnostic[] }> {
+    const canvas = document.createElement('canvas');
+    canvas.setAttribute('aria-hidden', 'true');
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      if (canvas === this.#canvas) void this.recover();
+    });
+    this.#events.canvas(canvas);
+    let engine: Engine | undefined;
+    try {
+      engine = await createEngine(this.#backend, canvas);
+      let story = this.#read(engine);
+      // The first picture has its animations, if they come soon.
+      await this.#files.animations.fetch(engine);
+      engine.setQuality(this.#asked.quality);
+      engine.setResting(this.#resting);
+      const missing = await this.#decode(engine);
+      story = this.#animate(engine, story) ?? story;
+      this.#engine = engine;
+      this.#canvas = canvas;
+      this.#fit(engine);
+      return { story, missing };
+    } catch (error) {
+      if (engine !== undefined) release(engine);
+      giveBack(canvas, this.#backend);
+      throw error;
+    }
+  }
+
+  /** `kept`: the figure is on stage already. */
+  #read(engine: Engine, files = this.#files, kept = false): Story {
+    const { eml, bundle, figure, edited, language, problem } = files;
+    const motion = this.#asked.life;
+    this.#asked.prepare(engine);
+    engine.setHandedness(figure.handedness ?? '');
+    engine.setLanguage(language);
+    try {
+      const told = kept ? engine.tell(eml, bundle, motion) : undefined;
+      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
+      if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face, this.#lent);
+      engine.setOpenEnded(this.#asked.openEnded);
+      // An edited text is shown with room for what it may become.
+      if (edited) return this.#reread(engine, files);
+      const animated = this.#animate(engine, story, files) ?? story;
+      return problem === undefined ? animated : { ...animated, diagnostics: [problem, ...animated.diagnostics] };
+    } catch (error) {
+      // An engine throws for a figure alone; all else is in diagnostics.
+      if (error instanceof PlayerError) throw error;
+      throw isTrap(error) ? trapError(engine, files, error) : unusable(figure.where, error);
+    }
+  }
+
+  #reread(engine: Engine, files: StoryFiles): Story {
+    const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
+    if (story === undefined) throw new PlayerError('Nobody is on stage.');
+    engine.setOpenEnded(this.#asked.openEnded);
+    return this.#animate(engine, story, files) ?? story;
+  }
+
+  /** Hands the engine the animations that have come, and when others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
+  #animate(engine: Engine, story: Story | undefined, files = this.#files): Story | undefined {
+    const told = files.animations.provide(engine, files.eml);
+    this.#follow(engine, story === undefined, files);
+    if (told === undefined || story === undefined) return story;
+    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
+  }
+
+  /** Takes animations that come later. */
+  #follow(engine: Engine, live: boolean, { animations, eml }: StoryFiles): void {
+    void animations.next(engine)?.then(() => {
+      if (engine !== this.#engine || eml !== this.#files.eml || animations !== this.#files.animations) return;
+      // What comes to a text that is edited is there from its beginning; else it eases in.
+      const anew = this.#files.edited === true && !live;
+      const later = this.#guard(() => (anew ? this.#reread(engine, this.#files) : animations.provide(engine, eml)));
+      if (anew) this.seek(this.#lastShown);
+      else this.#follow(engine, live, this.#files);
+      if (later !== undefined) this.#events.retold(later, live, anew);
+    });
+  }
+
+  /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */
+  #guard<T>(use: (engine: Engine) => T): T | undefined {
+    const engine = this.#engine;
+    if (engine === undefined) return undefined;
+    try {
+      return use(engine);
+    } catch (error) {
+      const failure = isTrap(error) ? trapError(engine, this.#files, error) : error;
+      console.error('raconteur: the engine failed', failure);
+      this.#events.failed(failure instanceof Error ? failure.message : String(failure));
+      this.#engine = undefined;
+      void this.recover();
+      return undefined;
+    }
+  }
+}
+
+/** Gives an engine's memory back; one that trapped may refuse. */
+function release(engine: Engine): void {
+  try {
+    engine.free();
+  } catch {
+    // Its instance is garbage either way.
+  }
+}

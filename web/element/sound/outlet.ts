@@ -1,0 +1,99 @@
+/** Where sound goes: one audio context for all players of a page that are heard by the same device, since browsers allow only a few. */
+
+/** The page's sound, which the user may have to allow. */
+export interface Permission {
+  /** Whether sound may begin, as far as can be known at once. */
+  readonly likely: boolean;
+  /** Makes the sound run; false where the browser wants the user to do something first. */
+  wake(): Promise<boolean>;
+}
+
+/**
+ * No output is later than this; wireless ones are some tenths. A browser whose device stumbled
+ * may report seconds, for minutes, and captions and lips would be that late.
+ */
+const MOST_LATENCY_SECS = 1;
+/** A browser that allows sound starts it within this, even on a busy machine. */
+const REFUSAL_MS = 2000;
+/** Once the user has done something it is only a matter of time. */
+const PATIENCE_MS = 20_000;
+
+/** By the name of the device; the empty one is what the user has chosen for everything. */
+const contexts = new Map<string, Sinking>();
+
+interface Sinking extends AudioContext {
+  /** Not all browsers have it. */
+  setSinkId?(device: string): Promise<void>;
+}
+
+const make = (): Sinking => new AudioContext({ latencyHint: 'interactive' });
+
+/** The context of a device; another one in the place of one that was closed. */
+export function contextOf(device: string): AudioContext {
+  let audio = contexts.get(device);
+  if (audio === undefined || audio.state === 'closed') {
+    audio = make();
+    // It was opened before, by `openDevice`, so a refusal means that it was unplugged: then the usual one plays.
+    if (device !== '') void audio.setSinkId?.(device).catch(() => undefined);
+    contexts.set(device, audio);
+  }
+  return audio;
+}
+
+/** Makes a device ready to play. Rejects as `HTMLMediaElement.setSinkId` does, with `NotSupportedError` where a browser has no choice of devices. */
+export async function openDevice(device: string): Promise<void> {
+  if (device === '' || contexts.has(device)) return;
+  const audio = make();
+  try {
+    if (audio.setSinkId === undefined) throw new DOMException('This browser plays sound on one device only.', 'NotSupportedError');
+    await audio.setSinkId(device);
+    contexts.set(device, audio);
+  } catch (error) {
+    void audio.close();
+    throw error;
+  }
+}
+
+/** Whether there is Web Audio at all. */
+export function hasAudio(): boolean {
+  return typeof AudioContext !== 'undefined';
+}
+
+/** Has a context run; false where the browser wants the user to do something first. Call it straight from a click or key. */
+export async function wake(audio: AudioContext): Promise<boolean> {
+  if (audio.state === 'running') return true;
+  // resume() stays pending until the user does something, so a refusal is a matter of time.
+  const patience = navigator.userActivation?.hasBeenActive ? PATIENCE_MS : REFUSAL_MS;
+  await Promise.race([audio.resume().catch(() => undefined), new Promise((done) => setTimeout(done, patience))]);
+  return (audio.state as AudioContextState) === 'running';
+}
+
+/** The sound of the device that a player is heard by. */
+export function soundOf(player: { readonly sinkId: string }): Permission {
+  return {
+    get likely() {
+      return !hasAudio() || contexts.get(player.sinkId)?.state === 'running' || (navigator.userActivation?.hasBeenActive ?? false);
+    },
+    async wake() {
+      return !hasAudio() || (await wake(contextOf(player.sinkId)));
+    },
+  };
+}
+
+/** From the moment that a context computes to the one that is heard, in seconds. */
+export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outputLatency' | 'baseLatency'>): number {
+  return (outputLatency < MOST_LATENCY_SECS && outputLatency) || baseLatency || 0;
+}
+
+/** The moment of a context that is heard now, seconds of its own clock. */
+export function heardOf(audio: AudioContext): number {
+  const coarse = audio.currentTime - latency(audio);
+  // The time stamp is finer than currentTime, which moves in the device's steps; but some
+  // browsers leave it at zero or far off, and a device that stumbles leaves it behind: it
+  // is believed as far as a third of a step.
+  const stamp = audio.getOutputTimestamp();
+  if (!stamp.contextTime || !stamp.performanceTime) return coarse;
+  const fine = stamp.contextTime + (performance.now() - stamp.performanceTime) / 1000;
+  const most = Math.max(0.003, 0.3 * audio.baseLatency);
+  return Math.abs(fine - coarse) < 0.06 ? Math.min(coarse + most, Math.max(coarse - most, fine)) : coarse;
+}

@@ -1,0 +1,216 @@
+/**
+ * The browser's own voice, for what has no recording. Fetched only by stories that need it.
+ *
+ * The story's clock stays the master: each utterance is given to the browser when its time comes,
+ * and late utterances are waited for, within bounds. The browser does not say how long it will
+ * speak, so the next utterance gets a rate so much faster or slower as the ones before it were
+ * too long or too short.
+ */
+
+import type { Utterance } from '../base/types.js';
+
+/** Browsers load their voices on the first request and report them later; one without voices reports nothing. */
+const VOICES_MS = 1000;
+/** An utterance that is not over at its end is waited for: this long, and this share of its own length. */
+const MOST_WAIT = { secs: 1.5, share: 0.5 } as const;
+/** A page that is not busy looks at least this often. */
+const LOOK_MS = 300;
+/** The utterances so far change the speed by no more than this. */
+const PACE = { min: 0.6, max: 1.8 } as const;
+/** The browser takes a moment to begin. */
+const EARLY_SECS = 0.05;
+/** What begins no later than this is said from its first word on. */
+const LATE_SECS = 0.3;
+
+/** How what tells neither its language nor its voice is said. */
+export interface Manner {
+  /** BCP 47 tag. */
+  readonly language: string;
+  /** Name of a voice of the browser, where one is chosen. */
+  readonly voice?: string | undefined;
+}
+
+/** The present utterance. */
+interface Now {
+  readonly utterance: Utterance;
+  readonly speech: SpeechSynthesisUtterance;
+  /** Length of the utterance, seconds of the page's time. */
+  readonly secs: number;
+  /** When it began, on the page's clock. */
+  startedMs?: number;
+  /** When it was waited for last. */
+  lateMs?: number;
+  /** How long it has been waited for. */
+  waitedMs: number;
+}
+
+/** Speaks utterances that have no recording, one after another. */
+export class Spoken {
+  readonly #utterances: Iterable<Utterance>;
+  readonly #voices: readonly SpeechSynthesisVoice[];
+  readonly #usual: Manner;
+  readonly #onMissing: (message: string) => void;
+  #rate: number | undefined;
+  /** Up to where the story was looked at, while it plays. */
+  #from: number | undefined;
+  #volume = 1;
+  #pace = 1;
+  #now: Now | undefined;
+  readonly #over = new Set<Utterance>();
+  #complained = false;
+
+  private constructor(utterances: Iterable<Utterance>, voices: readonly SpeechSynthesisVoice[], usual: Manner, onMissing: (message: string) => void) {
+    this.#utterances = utterances;
+    this.#voices = voices;
+    this.#usual = usual;
+    this.#onMissing = onMissing;
+  }
+
+  /** Waits for the browser to know its voices. `usual` is of utterances that do not tell theirs. */
+  static async find(utterances: Iterable<Utterance>, usual: Manner, onMissing: (message: string) => void): Promise<Spoken> {
+    let voices = speechSynthesis.getVoices();
+    if (voices.length === 0) {
+      await new Promise<void>((done) => {
+        speechSynthesis.addEventListener('voiceschanged', () => done(), { once: true });
+        setTimeout(done, VOICES_MS);
+      });
+      voices = speechSynthesis.getVoices();
+    }
+    return new Spoken(utterances, voices, usual, onMissing);
+  }
+
+  /** Name of the voice that says the first utterance that can be said; undefined when there is none. */
+  get name(): string | undefined {
+    for (const utterance of this.#utterances) {
+      const voice = isSilent(utterance) ? this.#voiceOf(utterance) : undefined;
+      if (voice !== undefined) return voice.name;
+    }
+    return undefined;
+  }
+
+  setVolume(volume: number): void {
+    const muted = volume === 0;
+    // The present utterance keeps its loudness, which cannot be changed; but it ends at once when it
+    // is not to be heard, and is taken up at the present word when it is again.
+    if (muted && this.#volume > 0) this.#cancel();
+    this.#volume = volume;
+  }
+
+  start(rate: number): void {
+    this.#rate = rate;
+  }
+
+  /** Ends the present utterance, unless the story only waits. */
+  stop(waits = false): void {
+    this.#rate = undefined;
+    if (waits) return;
+    this.#from = undefined;
+    this.#cancel();
+    this.#over.clear();
+  }
+
+  /** Begins the utterance that is due at the story time `position`. */
+  prepare(position: number): void {
+    const rate = this.#rate;
+    if (rate === undefined) return;
+    // A page that was busy for long may find that something was due and should be over by now:
+    // it is said as well, and waited for.
+    const from = Math.min(position, this.#from ?? position);
+    this.#from = position;
+    if (this.#now !== undefined || this.#volume === 0) return;
+    const due = position + EARLY_SECS * rate;
+    for (const utterance of this.#utterances) {
+      const { startSecs, durationSecs } = utterance;
+      if (startSecs > due || startSecs + durationSecs <= from || this.#over.has(utterance) || !isSilent(utterance)) continue;
+      this.#say(utterance, startSecs >= from ? Math.min(position, startSecs) : position, rate);
+      return;
+    }
+  }
+
+  /** Utterances end, or never begin: each becomes a shorter one, or nothing. */
+  cut(changes: ReadonlyMap<Utterance, Utterance | undefined>): void {
+    if (this.#now !== undefined && changes.has(this.#now.utterance)) this.#cancel();
+    for (const shorter of changes.values()) if (shorter !== undefined) this.#over.add(shorter);
+  }
+
+  /** False while the present utterance takes longer than its time in the story. */
+  ready(position: number): boolean {
+    const now = this.#now;
+    if (now === undefined || position < now.utterance.startSecs + now.utterance.durationSecs) return true;
+    const ms = performance.now();
+    // A busy page could not receive the end event: that counts as one check.
+    now.waitedMs += Math.min(ms - (now.lateMs ?? ms), LOOK_MS);
+    now.lateMs = ms;
+    if (now.waitedMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
+    this.#cancel();
+    return true;
+  }
+
+  /** Says an utterance, from the word at `position` on when that is in its middle. */
+  #say(utterance: Utterance, position: number, rate: number): void {
+    const words = utterance.words.filter((word) => word.endSecs > position || position < utterance.startSecs + LATE_SECS);
+    const voice = this.#voiceOf(utterance);
+    if (words.length === 0 || voice === undefined) {
+      this.#over.add(utterance);
+      return;
+    }
+    const speech = new SpeechSynthesisUtterance(words.map((word) => word.text).join(' '));
+    speech.voice = voice;
+    speech.lang = voice.lang;
+    speech.volume = this.#volume;
+    speech.rate = rate * this.#pace;
+    const end = utterance.startSecs + utterance.durationSecs;
+    const from = Math.max(position, utterance.startSecs);
+    const now: Now = { utterance, speech, secs: (end - from) / rate, waitedMs: 0 };
+    speech.onstart = () => (now.startedMs = performance.now());
+    speech.onend = () => this.#ended(now);
+    speech.onerror = ({ error }) => {
+      const known = this.#now === now;
+      this.#ended(now);
+      // Another player of the page may have spoken instead.
+      if (!known || this.#complained || error === 'canceled' || error === 'interrupted') return;
+      this.#complained = true;
+      this.#onMissing(`The browser's own voice does not speak (${error}); the captions are shown.`);
+    };
+    this.#now = now;
+    speechSynthesis.speak(speech);
+  }
+
+  #ended(now: Now): void {
+    if (this.#now !== now) return;
+    this.#now = undefined;
+    this.#over.add(now.utterance);
+    if (now.startedMs === undefined) return;
+    const took = (performance.now() - now.startedMs) / 1000;
+    // The pauses of a word or two tell nothing.
+    if (now.secs < 1 || took < 0.2) return;
+    // Half the way, so that one odd utterance does not turn the next one around.
+    this.#pace = Math.min(PACE.max, Math.max(PACE.min, this.#pace * Math.sqrt(took / now.secs)));
+  }
+
+  #cancel(): void {
+    if (this.#now === undefined) return;
+    this.#now = undefined;
+    speechSynthesis.cancel();
+  }
+
+  #voiceOf({ language, voice: named = this.#usual.voice }: Utterance): SpeechSynthesisVoice | undefined {
+    // The one that is named, unless the utterance is in another language.
+    const name = named?.toLowerCase();
+    const own = this.#voices.find((voice) => voice.name.toLowerCase() === name);
+    if (own !== undefined && (language === undefined || primary(own.lang) === primary(language))) return own;
+    const wanted = tag(language ?? this.#usual.language);
+    /** The same region counts most; then a voice of this machine, which keeps the text on the machine. */
+    const rank = (voice: SpeechSynthesisVoice) => 4 * Number(tag(voice.lang) === wanted) + 2 * Number(voice.localService) + Number(voice.default);
+    const able = this.#voices.filter((voice) => primary(voice.lang) === primary(wanted));
+    return able.sort((a, b) => rank(b) - rank(a))[0];
+  }
+}
+
+/** Some systems write tags with a low line. */
+const tag = (language: string) => language.toLowerCase().replaceAll('_', '-');
+const primary = (language: string) => tag(language).split('-')[0];
+
+function isSilent({ audio, words }: Utterance): boolean {
+  return audio.length === 0 && words.length > 0;
+}

@@ -1,0 +1,89 @@
+/** Which figure performs: the one that the page sets, else the one that the story chooses, else the default. */
+
+import { performerOf } from '../engine/backend.js';
+import { FigureError, type FigureFile } from '../engine/figure.js';
+import { fetchFigure, readFigure, type Wanted } from '../engine/loader.js';
+import { isTrap } from '../engine/trap.js';
+import { PlayerError, type Backend, type Diagnostic, type Hand } from '../base/types.js';
+
+/** The default figure; `raconteur` on the command line has the same. */
+export const USUAL_FIGURE = 'sofia';
+
+/** Only an element of this name chooses, and nothing in XML writes a name otherwise. */
+const MAY_CHOOSE = /performer/i;
+
+/** The figure that a text chooses; undefined where it leaves that to others. */
+export async function figureOf(eml: string, backend: () => Promise<Backend>): Promise<string | undefined> {
+  return MAY_CHOOSE.test(eml) ? (await performerOf(await backend(), eml)).figure : undefined;
+}
+
+/** What the page has set. */
+export interface Wish {
+  /** A name of the library, an address, or the name of `given`; without one the story chooses. */
+  readonly figure: string | undefined;
+  readonly handedness: Hand | undefined;
+  /** A file of the user's own. */
+  readonly given: File | undefined;
+  readonly library: URL;
+  /** Where the story lies; a text that has no file lies where the page does. */
+  readonly story: URL;
+}
+
+/** The figure that is to perform a text. */
+export async function castFigure(wish: Wish, eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+  const { figure, given, handedness, library, story } = wish;
+  const fetched = !figure
+    ? fetchChoice(await figureOf(await eml, () => backend), story, library, wanted, report)
+    : given?.name === figure
+      ? readFigure(given)
+      : fetchFigure(figure, library, wanted);
+  return { ...(await fetched), handedness };
+}
+
+/**
+ * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
+ * cannot be loaded, the default one, and `report` gets a diagnostic.
+ */
+export async function fetchChoice(choice: string | undefined, story: URL, library: URL, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+  if (choice !== undefined) {
+    try {
+      return await fetchFigure(choice, library, wanted, inside(choice, story));
+    } catch (error) {
+      if (!(error instanceof PlayerError)) throw error;
+      report(refusal(error.message));
+    }
+  }
+  return await fetchFigure(USUAL_FIGURE, library, wanted);
+}
+
+/** Opens a picture with the figure that a story chooses; where that is no figure, with the default one, and `report` gets a diagnostic. */
+export async function openOrUsual<T>(
+  open: (figure: FigureFile) => Promise<T>,
+  chosen: FigureFile,
+  library: URL,
+  signal: AbortSignal,
+  report: (diagnostic: Diagnostic) => void,
+): Promise<T> {
+  try {
+    return await open(chosen);
+  } catch (error) {
+    // A trap has another cause than the file.
+    if (!(error instanceof FigureError) || isTrap(error) || chosen.name === USUAL_FIGURE) throw error;
+    report(refusal(error.message));
+    return await open({ ...(await fetchFigure(USUAL_FIGURE, library, { signal, progress: () => undefined })), handedness: chosen.handedness });
+  }
+}
+
+/** The diagnostic where a story's figure cannot be used. */
+function refusal(message: string): Diagnostic {
+  return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
+}
+
+/** Where a story's own figure lies; a story reaches no file outside its folder. */
+function inside(choice: string, story: URL): URL | undefined {
+  if (/^[\w-]+$/.test(choice)) return undefined;
+  const folder = new URL('.', story);
+  const file = new URL(choice, folder);
+  if (!file.href.startsWith(folder.href)) throw new PlayerError(`The figure ${choice} is not in the story's folder.`);
+  return file;
+}

@@ -1,0 +1,52 @@
+/** What happens in a story as events of the element. */
+
+import { fire, wordsFor, type PlayerContext } from './context.js';
+import { dispatch, takeBackSeek } from '../media/media-events.js';
+import type { Show } from './show.js';
+import type { TransportEvent } from '../media/transport.js';
+import type { Cue } from '../base/types.js';
+
+/** Tells a cue to the mind and to the page. */
+export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, show: Show): void {
+  tell(cue);
+  if (cue.kind === 'word') {
+    const word = show.script.at(cue.utterance)?.words[cue.word];
+    if (word !== undefined) fire(player, 'word', { word, utterance: cue.utterance, index: cue.word });
+  } else if (cue.kind === 'clause' || cue.kind === 'storyevent' || cue.kind === 'phone' || cue.kind === 'utterance') {
+    fire(player, cue.kind, cue);
+  } else if (cue.kind === 'failed' || cue.kind === 'warning') {
+    const { code, message, hints = [] } = cue;
+    diagnostics.report({ code, severity: cue.kind === 'failed' ? 'error' : 'warning', message, hints });
+  }
+}
+
+/** Tells an event of the transport to the mind, the page and screen readers; a seek that has ended is drawn first. */
+export function passTransport(context: PlayerContext, event: TransportEvent): void {
+  const { player, say, tell } = context;
+  if (event === 'seeking') {
+    takeBackSeek(player);
+    dispatch(player, 'seeking');
+    return;
+  }
+  if (event === 'play') {
+    context.started = true;
+    // What there is to read of an answer is said already, and more to the point.
+    if (context.questioner.form.feedback === '') say(wordsFor(player).playing);
+  }
+  // What is asked is said instead, with what there is to read of the answer before.
+  if (event === 'pause' && context.questioner.lesson.asked === undefined) say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
+  if (event === 'seeked') {
+    const { picture } = context.show ?? {};
+    if (context.questioner.isTurning) picture?.leap(player.currentTime);
+    else {
+      picture?.seek(player.currentTime);
+      context.questioner.sought(player.currentTime);
+    }
+    context.advance();
+  }
+  tell({ kind: 'transport', event, timeSecs: player.currentTime });
+  if (event === 'seeked' || event === 'pause') dispatch(player, 'timeupdate');
+  dispatch(player, event);
+  context.keepTime();
+  player.requestUpdate();
+}

@@ -1,0 +1,118 @@
+/** Keeps picture, captions and events at the moment that is heard. */
+
+import { captionAt } from '../captions/captions.js';
+import type { PlayerContext } from './context.js';
+import { passCue } from './cues.js';
+import { dispatch } from '../media/media-events.js';
+import { Pulse } from '../picture/pulse.js';
+import type { Show } from './show.js';
+import { Welcome } from './welcome.js';
+
+/** While the story waits, for its voice or for sounds, or plays at the speed 0, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
+const STILL_MS = 1000;
+
+/** Who may send more when the story is over. */
+interface OpenEnd {
+  readonly openEnded: boolean;
+}
+
+export class FrameLoop {
+  readonly #context: PlayerContext;
+  readonly #mind: OpenEnd;
+  readonly #pulse = new Pulse(
+    () => this.advance(),
+    () => this.#beat(),
+    () => this.#context.isWatchedElsewhere(),
+  );
+  readonly #welcome = new Welcome(() => this.advance());
+  #caption: ReturnType<typeof captionAt>;
+  /** How many recordings had come when pages heard of that. */
+  #come = 0;
+  /** What is asked. */
+  #asked: string | undefined;
+  /** The moment that was drawn last, and when. */
+  #drawn = { secs: NaN, ms: 0 };
+
+  constructor(context: PlayerContext, mind: OpenEnd) {
+    this.#context = context;
+    this.#mind = mind;
+  }
+
+  /** The present speech. */
+  get caption(): ReturnType<typeof captionAt> {
+    return this.#caption;
+  }
+
+  /** The story is gone. */
+  clearCaption(): void {
+    this.#caption = undefined;
+  }
+
+  /** Runs the loops that are needed now, and no others. */
+  keep(): void {
+    const { player, show, onScreen } = this.#context;
+    this.#pulse.keep(show !== undefined && !player.paused, onScreen);
+    const { asked } = this.#context.questioner.lesson;
+    if (asked?.name !== this.#asked) this.#welcome.restart();
+    this.#asked = asked?.name;
+    this.#welcome.keep(player.isConnected && onScreen && (this.#waits || (asked !== undefined && player.paused)));
+  }
+
+  /** The story has not begun: the figure waits. A page that edits, or looks from elsewhere, wants its first moment. */
+  get #waits(): boolean {
+    const { player, show, started, text, view } = this.#context;
+    return show !== undefined && player.paused && !started && text === undefined && view === undefined;
+  }
+
+  /** Shows the heard time. */
+  advance(): void {
+    const { player, show } = this.#context;
+    if (show === undefined) return;
+    const openEnded = this.#mind.openEnded || show.openEnded || show.tellings > 0;
+    if (openEnded !== show.transport.openEnded) {
+      show.transport.openEnded = openEnded;
+      show.picture.setOpenEnded(openEnded);
+      dispatch(player, 'durationchange');
+    }
+    const secs = show.transport.update();
+    // Where it was brought elsewhere, that is shown already.
+    const { questioner, started } = this.#context;
+    if (started && !questioner.pass(show, secs, (to) => this.#pass(show, to))) return;
+    const ms = performance.now();
+    if ((show.transport.waiting || show.transport.rate === 0) && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
+    this.#drawn = { secs, ms };
+    const { asked } = questioner.lesson;
+    if (this.#waits) show.picture.welcome(this.#welcome.secs);
+    else if (asked !== undefined && player.paused) {
+      show.picture.attend(asked.atSecs, this.#welcome.secs, questioner.form.lookedAt);
+      void questioner.form.place();
+    } else this.#pass(show, secs);
+    this.#context.follow();
+    this.#context.drawn(secs);
+    // A picture may have taken long; captions follow the sound.
+    const now = captionAt(show.captions, show.transport.position);
+    if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
+      this.#caption = now;
+      player.requestUpdate();
+    }
+  }
+
+  /** Shows a moment and tells of what lies on the way to it. */
+  #pass(show: Show, secs: number): void {
+    const { player } = this.#context;
+    for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
+  }
+
+  /** A few times a second, drawn or not. */
+  #beat(): void {
+    const { player, show } = this.#context;
+    // Pictures may come slowly; sound is not to wait for them.
+    show?.voice.prepare(player.currentTime);
+    if (!player.paused) dispatch(player, 'timeupdate');
+    if (show !== undefined && show.voice.come !== this.#come) {
+      this.#come = show.voice.come;
+      dispatch(player, 'progress');
+    }
+    player.requestUpdate();
+  }
+}

@@ -1,0 +1,146 @@
+/** The sound of a show besides its recordings: music, and voices for what has none. */
+
+import { voiceMissing } from '../sound/voice.js';
+import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
+import type { Said, SpeechRequest, SpeechSource } from '../../speech/source.js';
+import type { Show, Telling } from './show.js';
+import type { Diagnostic, Story } from '../base/types.js';
+
+/** Plays the music of the present performance. */
+export function updateMusic({ player }: PlayerContext, { voice, picture }: Show): void {
+  voice.setMusic(picture.music(), new URL('music/', libraryOf(player)));
+}
+
+const isSilent = ({ script }: Show): boolean => [...script].some(({ audio, words }) => audio.length === 0 && words.length > 0);
+
+/** The text on stage and who says it. */
+const spokenBy = ({ figure, files: { eml } }: Show): string => `${figure}\n${eml}`;
+
+/**
+ * Has what has no recording spoken, once it is played: by an engine in the page where one speaks the
+ * language, else by the browser's own voice. Reports when nobody does. `retell` hears of the story
+ * with its new times.
+ */
+export async function substituteVoice(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
+  // Another figure has another voice.
+  const isOfAnother = show.telling !== undefined && show.telling.of !== spokenBy(show);
+  if (!isSilent(show) && !isOfAnother) return;
+  await speakHere(context, show, retell);
+  if (context.show !== show || show.telling?.isOver !== true || show.telling.of !== spokenBy(show) || !isSilent(show)) return;
+  const isFirst = show.lent === undefined;
+  const { voice } = show.story.performer;
+  show.lent ??= { name: show.voice.substitute({ language: languageOf(context.player, show.story), voice }) };
+  const name = await show.lent.name;
+  if (context.show !== show) return;
+  if (name === undefined) show.unheard = true;
+  context.player.requestUpdate();
+  if (isFirst) context.diagnostics.report(voiceMissing(show.files.bundle !== undefined, name));
+}
+
+/** A fragment that says something. */
+const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
+
+/** Has what a fragment says spoken, where something in the page speaks its language; it may be performed then. Undefined where nothing is to be spoken here. */
+export function speakFragment(context: PlayerContext, show: Show, fragment: string): Promise<void> | undefined {
+  if (context.player.speech === 'browser' || !SPEAKS.test(fragment)) return undefined;
+  const before = show.speaking;
+  const { signal } = show.turn;
+  const speaking = (async () => {
+    await before;
+    if (signal.aborted) return;
+    const source = await sourceOf(context, show);
+    if (source === undefined || context.show !== show) return;
+    const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: Said) => keep(context, show, said) };
+    // It joins what is there.
+    await source.speak({ eml: fragment, fragment: true, ...asked(context, show, source, show.files.bundle) }, saying);
+    if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
+  })().catch((error: unknown) => {
+    if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
+  });
+  show.speaking = speaking;
+  return speaking;
+}
+
+async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSource | undefined> {
+  if (context.player.speech === 'browser') return undefined;
+  const { diagnostics, player } = context;
+  // Each fragment looks for it.
+  const report = (problem: Diagnostic) => {
+    if (context.show === show && diagnostics.list.every(({ code }) => code !== problem.code)) diagnostics.report(problem);
+  };
+  return await (await import('../../speech/here.js')).sourceFor(languageOf(player, show.story), { library: libraryOf(player), report });
+}
+
+/** What a source is told besides the text. */
+function asked(context: PlayerContext, show: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
+  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(show.figure, languageOf(context.player, show.story)) };
+}
+
+const progressOf =
+  ({ player }: PlayerContext) =>
+  (share: number): void => {
+    fire(player, 'voiceprogress', { share });
+  };
+
+/** Keeps what was said, and reports what was not. */
+function keep({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: Said): void {
+  for (const message of problems) diagnostics.report({ code: 'voice-unsaid', severity: 'warning', message, hints: [] });
+  show.voice.give(sounds);
+  show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
+}
+
+/** Has the text on stage spoken in the page, once for each text, when it is played or what speaks is there. */
+async function speakHere(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
+  const { player } = context;
+  const of = spokenBy(show);
+  if (show.telling?.of === of) {
+    // It may have been paused when that began.
+    if (!show.telling.isOver && !player.paused && show.speaking !== undefined) show.voice.hold(show.speaking);
+    return;
+  }
+  // Nobody waits for a text that is not on stage any more.
+  show.telling?.end.abort();
+  const telling: Telling = { of, end: new AbortController(), isOver: false };
+  // The text before was not heard; who speaks this one is not known yet.
+  if (show.telling !== undefined) show.unheard = false;
+  show.telling = telling;
+  const before = show.speaking;
+  const speaking = (async () => {
+    // One after another, as fragments are.
+    await before;
+    const source = await sourceOf(context, show);
+    const isWanted = () => context.show === show && show.telling === telling && spokenBy(show) === of;
+    if (!isWanted()) return;
+    if (source !== undefined && player.paused && !source.ready) {
+      // It is asked again when it is played.
+      show.telling = undefined;
+      return;
+    }
+    if (source !== undefined) await tell(context, show, source, telling, isWanted, retell);
+    telling.isOver = true;
+  })().catch((error: unknown) => {
+    telling.isOver = true;
+    if (!show.end.signal.aborted && !telling.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
+  });
+  show.speaking = speaking;
+  if (!player.paused) show.voice.hold(speaking);
+  await speaking;
+}
+
+/** Has a source speak the text on stage; each part is heard as soon as it is there. */
+async function tell(context: PlayerContext, show: Show, source: SpeechSource, { end }: Telling, isWanted: () => boolean, retell: (story: Story) => void): Promise<void> {
+  let isFirst = true;
+  const take = (said: Said) => {
+    if (!isWanted()) return;
+    // What was spoken before is of another text, or of another figure's voice.
+    if (isFirst) show.voice.forget();
+    isFirst = false;
+    keep(context, show, said);
+    const story = show.files.bundle && show.picture.voiced(show.files.bundle);
+    if (story !== undefined) retell(story);
+  };
+  const signal = AbortSignal.any([show.end.signal, end.signal]);
+  const { name, about, license } = source;
+  fire(context.player, 'voicechange', { name, about, license });
+  await source.speak({ eml: show.files.eml, ...asked(context, show, source, show.recorded) }, { signal, progress: progressOf(context), take });
+}

@@ -1,0 +1,422 @@
+/** Loads a story, opens it, reads edited texts, and closes it; knows its error and whether the picture is lost. */
+
+import { openVoice } from '../sound/audio.js';
+import { chooseBackends, decodeScript, warmUp } from '../engine/backend.js';
+import { captionsOf } from '../captions/captions.js';
+import { openOrUsual } from './cast.js';
+import type { FigureLoader } from './figure-loader.js';
+import { credentialsOf, languageAround, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
+import type { FigureFile } from '../engine/figure.js';
+import { PictureKeeper, type Opened } from '../picture/keeper.js';
+import { LiveScript } from '../engine/live.js';
+import { fetchStory, type StoryFiles, type StoryWish } from '../engine/loader.js';
+import { dispatch, takeBack } from '../media/media-events.js';
+import type { OwnText } from './own-text.js';
+import type { PictureEvents } from '../picture/picture-events.js';
+import type { Show } from './show.js';
+import { substituteVoice, updateMusic } from './sound.js';
+import { Transport, type TransportEvent } from '../media/transport.js';
+import { PlayerError, type Backend, type Diagnostic, type Story } from '../base/types.js';
+import { SilentVoice } from '../sound/voice.js';
+
+/** What is told where nothing is to be told yet. */
+const EMPTY = "<eml><body><null time='0'/></body></eml>";
+
+/** The answer where there is no engine to read an edited text. */
+const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
+
+/** Pages hear of what has come no more often than this. */
+const PROGRESS_MS = 350;
+/** Nothing has come for so long: pages hear of that, too. */
+const STALLED_MS = 3000;
+
+/** There is nothing to load. */
+class NoStoryError extends PlayerError {}
+
+/** What the element does when a story comes, cannot be had, or goes. */
+export interface StoryLoaderEvents {
+  /** A story is on stage; called before the page hears of it. */
+  opened(show: Show): void;
+  /** The page has heard of it. */
+  ready(show: Show): void;
+  failed(message: string): void;
+  /** The story is gone. */
+  closed(): void;
+  transport(event: TransportEvent): void;
+}
+
+export class StoryLoader {
+  readonly #context: PlayerContext;
+  readonly #figures: FigureLoader;
+  readonly #events: StoryLoaderEvents;
+  readonly #keeper = new PictureKeeper();
+  #loading: { done: Promise<void>; share: number } | undefined;
+  /** Ends what is fetched for the story that is loaded or being loaded. */
+  #wanted: AbortController | undefined;
+  #error: PlayerError | undefined;
+  #canvas: HTMLCanvasElement | undefined;
+  #lost: 'no' | 'recovering' | 'yes' = 'no';
+  /** Lines are to be performed, and there is no story. */
+  #bare = false;
+  /** The story between the tags. */
+  readonly #own: OwnText;
+  /** A story was chosen, and is fetched when it is to be played. */
+  #waits = false;
+  #address = '';
+  /** The story is there, and its sound is waited for. */
+  #lingers = false;
+  /** When pages heard of what has come, and what tells that nothing comes. */
+  #toldMs = 0;
+  #silence: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(context: PlayerContext, figures: FigureLoader, own: OwnText, events: StoryLoaderEvents) {
+    this.#context = context;
+    this.#figures = figures;
+    this.#own = own;
+    this.#events = events;
+  }
+
+  /** How much is fetched, 0 to 1; undefined when nothing is being loaded. */
+  get share(): number | undefined {
+    return this.#loading?.share;
+  }
+
+  /** Why the story cannot be played. */
+  get error(): PlayerError | undefined {
+    return this.#error;
+  }
+
+  /** Whether something is fetched, or was chosen to be. */
+  get network(): 'empty' | 'idle' | 'loading' {
+    if (this.#loading !== undefined) return 'loading';
+    return this.#waits || this.#context.show !== undefined ? 'idle' : 'empty';
+  }
+
+  /** Where the story is that was chosen last. */
+  get address(): string {
+    return this.#address;
+  }
+
+  /** A story was chosen, and is fetched when it is to be played. */
+  get waits(): boolean {
+    return this.#waits;
+  }
+
+  get canvas(): HTMLCanvasElement | undefined {
+    return this.#canvas;
+  }
+
+  /** Whether the picture is lost, while the story goes on. */
+  get lost(): 'no' | 'recovering' | 'yes' {
+    return this.#lost;
+  }
+
+  /** There is something to load. */
+  get hasStory(): boolean {
+    const { player, text } = this.#context;
+    return player.hasAttribute('src') || text !== undefined || this.#bare || Boolean(player.mind) || this.#own.isThere;
+  }
+
+  /** Loads the story if it is not loaded and there was no error; what goes wrong ends as `error`, never as a rejection. */
+  async ensure(): Promise<void> {
+    // A new src takes effect with the next update.
+    await this.#context.player.updateComplete;
+    if (this.#context.show !== undefined || this.#error !== undefined) return;
+    if (this.#loading === undefined) {
+      this.#wanted = new AbortController();
+      this.#loading = { share: 0, done: Promise.resolve() };
+      this.#loading.done = this.#load(this.#wanted.signal);
+    }
+    await this.#loading?.done;
+  }
+
+  /** As `ensure`, where the page does not want that to wait for `play()`. */
+  async come(): Promise<void> {
+    const { player, show } = this.#context;
+    await player.updateComplete;
+    if (player.preload !== 'none' || player.autoplay) return await this.ensure();
+    if (this.#waits || this.network !== 'empty' || show !== undefined || this.#error !== undefined) return;
+    this.#choose();
+    this.#waits = true;
+    dispatch(player, 'suspend');
+    player.requestUpdate();
+  }
+
+  /** A story is looked for. */
+  #choose(): void {
+    const { player } = this.#context;
+    this.#address = player.src;
+    dispatch(player, 'loadstart');
+  }
+
+  /** As `ensure`; gives the show, and throws when there is none. */
+  async require(): Promise<Show> {
+    await this.ensure();
+    const { show } = this.#context;
+    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    return show;
+  }
+
+  /** As `require`; where there is no story at all, an empty stage, whose time has no end. */
+  async stage(): Promise<Show> {
+    await this.#context.player.updateComplete;
+    if (!this.hasStory) this.#bare = true;
+    this.#comeBack();
+    return await this.require();
+  }
+
+  /** There was nothing to play; now there is. */
+  #comeBack(): void {
+    if (this.#error instanceof NoStoryError) this.#error = undefined;
+  }
+
+  async #load(signal: AbortSignal): Promise<void> {
+    const sinceMs = performance.now();
+    const { player } = this.#context;
+    if (!this.#waits) this.#choose();
+    this.#waits = false;
+    player.requestUpdate();
+    this.#listen();
+    try {
+      const { opened, files } = await this.#fetchAndOpen(signal);
+      if (this.#context.view !== undefined) opened.picture.look(this.#context.view);
+      this.#open(opened, files, sinceMs);
+      for (const missing of opened.missing) this.#context.diagnostics.report(missing);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#fail(error);
+    } finally {
+      if (!signal.aborted) {
+        this.#loading = undefined;
+        clearTimeout(this.#silence);
+      }
+      player.requestUpdate();
+    }
+  }
+
+  /** Tells pages when nothing comes for long. */
+  #listen(): void {
+    clearTimeout(this.#silence);
+    this.#silence = setTimeout(() => dispatch(this.#context.player, 'stalled'), STALLED_MS);
+  }
+
+  /** So much has come. */
+  #hasCome(share: number): void {
+    const { player } = this.#context;
+    if (this.#loading === undefined) return;
+    this.#loading.share = share;
+    this.#listen();
+    const now = performance.now();
+    if (now - this.#toldMs > PROGRESS_MS) {
+      this.#toldMs = now;
+      dispatch(player, 'progress');
+    }
+    player.requestUpdate();
+  }
+
+  async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: Opened; files: StoryFiles }> {
+    const { player, diagnostics } = this.#context;
+    const library = libraryOf(player);
+    const progress = (share: number) => {
+      if (!signal.aborted) this.#hasCome(share);
+    };
+    const ranking = player.backend ? Promise.resolve([player.backend] as const) : chooseBackends();
+    const choosing = ranking.then(([best]) => best);
+    void choosing.then(warmUp);
+    const wish = await this.#wish(choosing);
+    signal.throwIfAborted();
+    const fetching = fetchStory(
+      wish,
+      library,
+      (bytes) => decodeScript(choosing, bytes),
+      (eml, part) => this.#figures.fetch(eml, choosing, { signal, progress: part }),
+      signal,
+      progress,
+    );
+    let [files, backends] = await Promise.all([fetching, ranking]);
+    signal.throwIfAborted();
+    const events = this.#pictureEvents(signal);
+    const open = (figure: FigureFile) => this.#keeper.open(backends, (files = { ...files, figure }), events, signal);
+    // A figure that the page sets is not replaced by the default one.
+    const opened = await (player.figure ? open(files.figure) : openOrUsual(open, files.figure, library, signal, (d) => diagnostics.report(d)));
+    return { opened, files };
+  }
+
+  /** What is to be told: a text that takes the place of the story's file, else that file, else what stands between the tags; where lines come from elsewhere, nothing yet. */
+  async #wish(backend: Promise<Backend>): Promise<StoryWish> {
+    const { player, text, diagnostics } = this.#context;
+    const { src, mind } = player;
+    const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined, credentials: credentialsOf(player) };
+    if (src || text !== undefined) return wish;
+    const own = await this.#own.eml(wish.language, backend, (d) => diagnostics.report(d));
+    if (own !== undefined) return { ...wish, text: own };
+    if (this.#bare || mind) return { ...wish, text: EMPTY };
+    throw new NoStoryError('No story is given: set the attribute src, or write one between the tags.');
+  }
+
+  #pictureEvents(signal: AbortSignal): PictureEvents {
+    const { diagnostics } = this.#context;
+    return {
+      canvas: (canvas) => this.#setCanvas(canvas, signal),
+      lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
+      back: () => this.#setLost('no', signal),
+      retold: (story, live, anew) => {
+        if (signal.aborted) return;
+        if (live) story.diagnostics.forEach((d) => diagnostics.report(d));
+        else this.#retell(story, anew);
+      },
+      failed: (message) => diagnostics.report({ code: 'engine-failed', severity: 'error', message, hints: [] }),
+    };
+  }
+
+  #open({ story, picture }: Opened, files: StoryFiles, sinceMs: number): void {
+    const { player, diagnostics } = this.#context;
+    const { voiceFolder, figure } = files;
+    const script = new LiveScript(story.utterances);
+    const voice = openVoice(script, { folder: voiceFolder, credentials: credentialsOf(player), device: player.sinkId }, (message, isSpeech) => {
+      const { show } = this.#context;
+      if (isSpeech && show !== undefined) show.unheard = true;
+      diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
+    });
+    const transport = new Transport(voice, story.durationSecs, (event) => this.#pass(event), player.playbackRate);
+    const captions = captionsOf(story.utterances, languageOf(player, story));
+    const show: Show = {
+      story,
+      figure: figure.name,
+      choice: story.performer.figure,
+      files,
+      sinceMs,
+      picture,
+      voice,
+      transport,
+      script,
+      captions,
+      recorded: files.bundle,
+      turn: new AbortController(),
+      openEnded: this.#bare,
+      unheard: voice instanceof SilentVoice,
+      tellings: 0,
+      end: new AbortController(),
+    };
+    this.#context.show = show;
+    this.#context.questioner.take(story, 0);
+    dispatch(player, 'durationchange');
+    updateMusic(this.#context, show);
+    this.#context.started = false;
+    this.#events.opened(show);
+    for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) diagnostics.report(diagnostic);
+    this.giveVoice();
+    player.requestUpdate();
+    this.#context.drawn();
+    dispatch(player, 'loadedmetadata', 'loadeddata', 'progress', 'canplay');
+    this.#events.ready(show);
+    this.#lingers = transport.waiting;
+    if (!this.#lingers) dispatch(player, 'canplaythrough', 'suspend');
+  }
+
+  /** The transport tells something; what plays at once is told of before it is known that it can be played through. */
+  #pass(event: TransportEvent): void {
+    this.#events.transport(event);
+    if (!this.#lingers || (event !== 'playing' && event !== 'pause')) return;
+    this.#lingers = false;
+    dispatch(this.#context.player, 'canplaythrough', 'suspend');
+  }
+
+  /** Replaces the text on stage by another; returns its problems. */
+  async rehearse(eml: string, motion: number | undefined, roomy: boolean): Promise<readonly Diagnostic[]> {
+    const context = this.#context;
+    await context.player.updateComplete;
+    const text = (context.text = String(eml));
+    context.keepTime();
+    this.#comeBack();
+    const show = await this.require();
+    // The one that came last is being read already.
+    if (text !== context.text || show !== context.show) return context.diagnostics.list;
+    const story = show.picture.rehearse(text, motion, roomy);
+    if (story === undefined) return [ABSENT];
+    show.files = { ...show.files, eml: text };
+    this.#retell(story, true);
+    return story.diagnostics;
+  }
+
+  /** The story has other times, or is another: its derived data follow. */
+  #retell(story: Story, anew: boolean): void {
+    const { player, show, diagnostics, advance } = this.#context;
+    if (show === undefined) return;
+    show.story = story;
+    this.#context.questioner.take(story, show.transport.position);
+    const spoken = show.script.replace(story.utterances);
+    show.captions = captionsOf(story.utterances, languageOf(player, story));
+    show.transport.replace(story.durationSecs, spoken);
+    updateMusic(this.#context, show);
+    this.giveVoice();
+    diagnostics.addStory(story.diagnostics, anew);
+    dispatch(player, 'durationchange');
+    if (player.paused) advance();
+    if (!player.figure && story.performer.figure !== show.choice) void this.#figures.change(show).then(() => this.giveVoice());
+    player.requestUpdate();
+  }
+
+  /** Has what is said without a recording spoken, if that may be now. */
+  giveVoice(): void {
+    const { show } = this.#context;
+    if (show !== undefined) void substituteVoice(this.#context, show, (story) => this.#retell(story, true));
+  }
+
+  #fail(error: unknown): void {
+    const known = error instanceof PlayerError ? error : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
+    this.#error = known;
+    dispatch(this.#context.player, 'error');
+    this.#events.failed(known.message);
+  }
+
+  /** Lets go of the story; the picture is kept for the next. */
+  close(): void {
+    const { player, diagnostics } = this.#context;
+    // What is not told yet is of a story that goes.
+    takeBack(player);
+    const { network } = this;
+    const isUnderWay = network === 'loading' || this.#waits;
+    const hadStory = network !== 'empty' || this.#error !== undefined;
+    this.#wanted?.abort();
+    this.#loading = undefined;
+    this.#waits = this.#lingers = false;
+    clearTimeout(this.#silence);
+    this.#figures.cancel();
+    this.#context.show?.voice.close();
+    this.#context.show?.end.abort();
+    this.#context.show = undefined;
+    this.#context.questioner.clear();
+    this.#events.closed();
+    this.#error = undefined;
+    diagnostics.clear();
+    this.#lost = 'no';
+    this.#bare = false;
+    this.#canvas = undefined;
+    this.#context.keepTime();
+    player.requestUpdate();
+    if (isUnderWay || network === 'idle') dispatch(player, 'abort');
+    if (hadStory) dispatch(player, 'emptied');
+  }
+
+  /** Gives back the picture, too; why there is no story stays. */
+  release(): void {
+    if (this.#error === undefined) this.close();
+    this.#keeper.close();
+  }
+
+  #setCanvas(canvas: HTMLCanvasElement, signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#canvas = canvas;
+    this.#context.drawn();
+    this.#context.player.requestUpdate();
+  }
+
+  #setLost(lost: 'no' | 'recovering' | 'yes', signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#lost = lost;
+    if (lost !== 'no') this.#context.say(wordsFor(this.#context.player).pictureLost);
+    this.#context.player.requestUpdate();
+    this.#context.advance();
+  }
+}

@@ -1,0 +1,153 @@
+/** Words that come piece by piece: cut into clauses, each of which is performed as soon as it is whole. Fetched only where it is used. */
+
+import { openInstance, type TellingFunctions } from '../engine/backend.js';
+import { languageOf, type PlayerContext } from './context.js';
+import { perform, Sender } from './fragments.js';
+import type { Show } from './show.js';
+import type { Answer, Diagnostic, Words } from '../base/types.js';
+
+/** A longer text is told so far. */
+const MOST_CHARACTERS = 100_000;
+/** No more than this is waiting to be said: what comes may be interrupted, and what waits takes room. */
+const AHEAD_SECS = 20;
+/** The story time, and an engine that is busy or away, are asked this often. */
+const LOOK_MS = 100;
+/** An engine that takes nothing for so long will not. */
+const MOST_TRIES = 300;
+
+/** Where a text is told. */
+export interface Stage {
+  /** How its engine tells texts. */
+  readonly telling: Pick<TellingFunctions, 'toldOn' | 'cutText'>;
+  /** What the text is read in, a tag of BCP 47. */
+  readonly language: string;
+  perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
+  /** Story time. */
+  now(): number;
+  report(diagnostic: Diagnostic): void;
+}
+
+/** Answers that may be others later. */
+const LATER = new Set(['live::busy', 'live::full', 'live::absent']);
+
+/** Says clauses one after another, until it ends. */
+class Speaker {
+  readonly #stage: Stage;
+  readonly #end: AbortSignal;
+  #feels = 'neutral';
+  /** When all that was accepted has been said. */
+  #endSecs = 0;
+
+  constructor(stage: Stage, end: AbortSignal) {
+    this.#stage = stage;
+    this.#end = end;
+  }
+
+  async say(clause: string): Promise<void> {
+    const made = this.#stage.telling.toldOn(clause, this.#stage.language, this.#feels);
+    if (made === undefined) return;
+    for (let tries = 0; tries < MOST_TRIES; tries++) {
+      await this.#until(AHEAD_SECS);
+      if (this.#end.aborted) return;
+      const answers = await this.#stage.perform(made.fragment);
+      const clauses = answers.flatMap((answer) => (answer.kind === 'accepted' ? answer.clauses : []));
+      const said = clauses.filter(({ element }) => element === 'voice-text');
+      this.#endSecs = Math.max(this.#endSecs, ...said.map(({ endSecs }) => endSecs));
+      this.#feels = made.feels;
+      if (clauses.length > 0 || !answers.some((answer) => answer.kind === 'failed' && LATER.has(answer.code))) return;
+      await this.#look();
+    }
+  }
+
+  /** Waits until everything has been said. */
+  silence(): Promise<void> {
+    return this.#until(0);
+  }
+
+  /** Waits until no more than so many seconds are to be said. */
+  async #until(secs: number): Promise<void> {
+    while (!this.#end.aborted && this.#endSecs - this.#stage.now() > secs) await this.#look();
+  }
+
+  #look(): Promise<void> {
+    return new Promise((done) => setTimeout(done, LOOK_MS));
+  }
+}
+
+/** What gives a text piece by piece. */
+interface Pieces {
+  next(): Promise<{ readonly done?: boolean | undefined; readonly value?: unknown }>;
+  return?(): Promise<unknown>;
+}
+
+function piecesOf(words: Words): Pieces {
+  if (typeof words === 'string') {
+    const all = [words];
+    return { next: () => Promise.resolve(all.length > 0 ? { value: all.pop() } : { done: true }) };
+  }
+  // Not every browser iterates over streams.
+  if ('getReader' in words) {
+    const reader = words.getReader();
+    return { next: () => reader.read(), return: () => reader.cancel() };
+  }
+  const iterator = words[Symbol.asyncIterator]();
+  return { next: () => iterator.next(), return: () => Promise.resolve(iterator.return?.()) };
+}
+
+const tooMuch: Diagnostic = {
+  code: 'tell-too-long',
+  severity: 'warning',
+  message: `A text of more than ${MOST_CHARACTERS} characters is told so far; the rest is left out.`,
+  hints: ['Tell it in parts.'],
+};
+
+/** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */
+export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Promise<void> {
+  const speaker = new Speaker(stage, end);
+  const cut = (text: string, whole: boolean) => stage.telling.cutText(text, stage.language, whole);
+  const over = new Promise<undefined>((done) => end.addEventListener('abort', () => done(undefined), { once: true }));
+  let pieces: Pieces | undefined;
+  let failure: { readonly error: unknown } | undefined;
+  let [rest, room] = ['', MOST_CHARACTERS];
+  try {
+    pieces = piecesOf(words);
+    while (!end.aborted) {
+      const next = await Promise.race([pieces.next(), over]);
+      if (next === undefined || next.done) break;
+      const piece = String(next.value);
+      const whole = cut(rest + piece.slice(0, room), false);
+      rest = whole.rest;
+      for (const clause of whole.clauses) await speaker.say(clause);
+      if (piece.length > room) {
+        stage.report(tooMuch);
+        break;
+      }
+      room -= piece.length;
+    }
+  } catch (error) {
+    failure = { error };
+  }
+  // A source that is not read to its end is let go; one that has failed has nothing to say about that.
+  pieces?.return?.().catch(() => undefined);
+  for (const clause of cut(rest, true).clauses) await speaker.say(clause);
+  await speaker.silence();
+  if (failure !== undefined && !end.aborted) throw failure.error;
+}
+
+/** Tells a text on the stage of a player; the clock does not stop for want of words meanwhile. */
+export async function tellWords(context: PlayerContext, show: Show, words: Words, end: AbortSignal): Promise<void> {
+  const stage: Stage = {
+    telling: await openInstance(show.picture.backend),
+    language: languageOf(context.player, show.story),
+    perform: (fragment) => perform(context, show, Sender.Page, fragment),
+    now: () => show.transport.position,
+    report: (diagnostic) => context.diagnostics.report(diagnostic),
+  };
+  show.tellings += 1;
+  try {
+    await tellTo(stage, words, AbortSignal.any([end, show.turn.signal, show.end.signal]));
+  } finally {
+    show.tellings -= 1;
+    context.advance();
+  }
+}

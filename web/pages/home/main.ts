@@ -1,0 +1,91 @@
+/** The first page: one player; the story and who tells it are chosen. */
+
+import '../player.js';
+import './code.js';
+import { cast } from '../cast.js';
+import { lines } from './lines.js';
+import { say } from './say.js';
+import { showStage } from './stage.js';
+import { textsOf } from './script.js';
+
+const player = document.querySelector('raconteur-player');
+const script = document.querySelector('#script');
+const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')];
+
+const shown = player === null ? undefined : lines(player);
+
+/** A text of the visitor's own is on the stage. */
+let owned = false;
+/** Who tells it, where the visitor and not the story chooses. */
+let figure = '';
+
+const address = (story: string): string => `assets/stories/${story}/story.eml`;
+
+/** What the address calls a story: its own folder's name, wherever that is. */
+const short = (button: HTMLButtonElement): string => button.dataset['story']?.split('/').at(-1) ?? '';
+
+/** Puts a story on the stage; `#white-rabbit` in the address names one, too, and `#white-rabbit/papous` who tells it. */
+function choose(name: string): void {
+  const button = buttons.find((b) => short(b) === name);
+  const story = button?.dataset['story'];
+  if (button === undefined || story === undefined || player === null) return;
+  for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
+  player.label = button.dataset['title'] ?? story;
+  const src = address(story);
+  // A text of the visitor's own may have taken the story's place.
+  if (owned) shown?.tell(undefined);
+  // The same address again loads its story anew.
+  if (owned || player.getAttribute('src') !== src) player.src = src;
+  owned = false;
+  if (script?.closest('details')?.open) void readScript();
+}
+
+/** Shows the text of the story that is on the stage. */
+async function readScript(): Promise<void> {
+  if (script === null || !player?.src) return;
+  const src = player.src;
+  try {
+    const response = await fetch(src);
+    const text = response.ok ? await response.text() : 'The script was not found.';
+    if (player.src === src) script.textContent = text.trim();
+  } catch {
+    script.textContent = 'The script could not be fetched.';
+  }
+}
+
+for (const button of buttons) {
+  button.addEventListener('click', () => {
+    // Each story has its own storyteller until another is chosen, who then stays.
+    choose(short(button));
+    remember();
+    player?.play().catch(() => undefined);
+    if (player !== null) showStage(player);
+  });
+}
+script?.closest('details')?.addEventListener('toggle', () => void readScript());
+
+/** The address names story and figure on stage, so that it can be shared. */
+function remember(): void {
+  const button = buttons.find((b) => b.getAttribute('aria-pressed') === 'true');
+  const story = button === undefined ? '' : short(button);
+  history.replaceState(null, '', `#${story}${figure === '' ? '' : `/${figure}`}`);
+}
+
+const clear = (script: string): void => {
+  owned = true;
+  shown?.tell(textsOf(script));
+  for (const b of buttons) b.setAttribute('aria-pressed', 'false');
+};
+const isShared = player !== null && say(player, { clear });
+const [story = '', teller = ''] = isShared ? [] : location.hash.slice(1).split('/');
+if (!isShared) choose(story);
+if (player !== null) {
+  const chooseFigure = cast(player, (name) => {
+    figure = name;
+    // The still is of the story's own figure.
+    player.toggleAttribute('data-teller', player.figure !== undefined);
+    // The address keeps the visitor's own text.
+    if (!owned) remember();
+  });
+  if (teller !== '') chooseFigure(teller);
+}

@@ -1,0 +1,118 @@
+/** What a story says and when, before it is said: the words of its speech bundle, at the times that the engine has for them. */
+
+import { type Segment, segmentsOf } from '../../element/face/course.js';
+import type { FaceCourse, Utterance, Word } from '../../element/base/types.js';
+
+/** Of `speech.json` what is read here; docs/speech-bundle.md tells of all. */
+interface Bundle {
+  readonly voices: readonly { readonly language: string }[];
+  readonly utterances: readonly BundledUtterance[];
+}
+
+interface BundledUtterance {
+  /** Its place among the voices. */
+  readonly voice: number;
+  readonly text: string;
+  /** Lengths of its phones. */
+  readonly msecs: readonly number[];
+  /** Where each word lies in the text, in bytes of UTF-8, and among the phones. */
+  readonly words: readonly (readonly [start: number, bytes: number, firstPhone: number, phones: number])[];
+}
+
+/** Times of the engine come as 32-bit floats: ten minutes are exact to a tenth of a millisecond. */
+const SAME_SECS = 1e-3;
+/** Nobody notices that a line is lit so much too late. */
+const HEARD_SECS = 0.05;
+
+/** The spoken words of a text; a dash that stands alone is none. */
+const wordsOf = (text: string): string[] => text.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
+
+/** The entities of XML. */
+const ENTITIES: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', apos: "'", quot: '"' };
+
+/** Text of XML as it is read. A parser of the browser takes no text under the page's trusted types. */
+const read = (text: string): string =>
+  text.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name = '') => (code === undefined ? (ENTITIES[name] ?? whole) : String.fromCodePoint(Number(code))));
+
+/** What a script says that `told` has written, utterance by utterance. */
+export function textsOf(script: string): string[] {
+  return [...script.matchAll(/<voice-text\b[^>]*>(.*?)<\/voice-text>/gs)].map(([, said = '']) => read(said.replace(/<[^>]*>/g, '')));
+}
+
+/** Something said of which only its bounds are known: its words share the time by their length. */
+export function guessed(text: string, startSecs: number, endSecs: number): Utterance {
+  const texts = wordsOf(text);
+  const whole = texts.reduce((sum, word) => sum + word.length, 0);
+  let at = startSecs;
+  const words = texts.map((word): Word => {
+    const begun = at;
+    at += ((endSecs - startSecs) * word.length) / whole;
+    return { text: word, startSecs: begun, endSecs: at, emphasized: false };
+  });
+  return { startSecs, durationSecs: endSecs - startSecs, audio: [], words, estimated: true };
+}
+
+/** The same with one of its words at the time at which it was heard; those after it are no earlier. */
+export function corrected(utterance: Utterance, index: number, heard: Word): Utterance {
+  const later = ({ startSecs, endSecs, ...word }: Word): Word => ({ ...word, startSecs: Math.max(startSecs, heard.endSecs), endSecs: Math.max(endSecs, heard.endSecs) });
+  return { ...utterance, words: utterance.words.map((word, i) => (i < index ? word : i === index ? heard : later(word))) };
+}
+
+/** Whether this is what is said, and when. */
+export function matches(known: Utterance, text: string, startSecs: number): boolean {
+  return Math.abs(known.startSecs - startSecs) < HEARD_SECS && known.words.map((word) => word.text).join(' ') === wordsOf(text).join(' ');
+}
+
+/**
+ * The articulation of each utterance: one begins where the mouth does not go on from the segment before. Its first
+ * segment is the silence from which the mouth opens, and ends when the utterance begins.
+ */
+function tracksOf(segments: readonly Segment[]): Segment[][] {
+  const tracks: Segment[][] = [];
+  let endSecs = NaN;
+  for (const segment of segments) {
+    const goesOn = Math.abs(segment.start - endSecs) < SAME_SECS;
+    if (goesOn) tracks.at(-1)?.push(segment);
+    else tracks.push([segment]);
+    endSecs = segment.end;
+  }
+  return tracks;
+}
+
+const sumSecs = (msecs: readonly number[]): number => msecs.reduce((sum, ms) => sum + ms, 0) / 1000;
+
+/** Whether a mouth that goes through a track says this: a phone ends where the utterance does. */
+function fits(track: readonly Segment[], startSecs: number, { msecs }: BundledUtterance): boolean {
+  const endSecs = startSecs + sumSecs(msecs);
+  return track.some(({ end }) => Math.abs(end - endSecs) < SAME_SECS);
+}
+
+function timed({ text, msecs, words }: BundledUtterance, startSecs: number, language: string): Utterance {
+  const bytes = new TextEncoder().encode(text);
+  const decoder = new TextDecoder();
+  const at = (phone: number): number => startSecs + sumSecs(msecs.slice(0, phone));
+  const spoken = words.map(([start, length, first, count]): Word => {
+    return { text: decoder.decode(bytes.subarray(start, start + length)), startSecs: at(first), endSecs: at(first + count), emphasized: false };
+  });
+  return { startSecs, durationSecs: at(msecs.length) - startSecs, audio: [], words: spoken, estimated: false, language };
+}
+
+/** What is said, by the index that events give. A bundle has each text once, in the order in which it is first said; a story may say it again. */
+export function scriptOf({ utterances, voices }: Bundle, course: FaceCourse): Utterance[] {
+  let fresh = 0;
+  return tracksOf(segmentsOf(course)).map((track) => {
+    const startSecs = track[0]?.end ?? 0;
+    const next = utterances[fresh];
+    const isNext = next !== undefined && fits(track, startSecs, next);
+    if (isNext) fresh += 1;
+    const said = isNext ? next : utterances.slice(0, fresh).find((known) => fits(track, startSecs, known));
+    // What the bundle does not have keeps its place: its event will tell it.
+    return said === undefined ? guessed('', startSecs, startSecs) : timed(said, startSecs, voices[said.voice]?.language ?? '');
+  });
+}
+
+/** The same for texts that a voice in the page says, as far as it has come: their words are heard later. */
+export function scriptOfTexts(texts: readonly string[], course: FaceCourse): Utterance[] {
+  // The last segment is the silence to which the mouth closes.
+  return tracksOf(segmentsOf(course)).map((track, i) => guessed(texts[i] ?? '', track[0]?.end ?? 0, track.at(-1)?.start ?? 0));
+}
