@@ -9,7 +9,7 @@ import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expect, test } from './stage.js';
 
-const still = (name: string): string => join(import.meta.dirname, '../../web/pages/home', name);
+const still = (name: string): string => join(import.meta.dirname, '../../web/pages/landing', name);
 /**
  * As high as stages are, with captions of the size that those have: shots keep hands above them. The first is wider than any stage, so that its height alone frames
  * it; on a phone the figure stands in the middle and is seen to the waist.

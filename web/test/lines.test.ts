@@ -1,7 +1,7 @@
 /** The words of the first page's lines. */
 
 import { expect, test } from 'vitest';
-import { textsOf } from '../pages/home/script.js';
+import { textsOf } from '../pages/landing/script.js';
 
 test('what a script says is read as XML writes it', () => {
   const script =
