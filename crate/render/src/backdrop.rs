@@ -9,7 +9,7 @@ use crate::layouts::Layouts;
 use crate::uniform::FrameUniform;
 
 /// How much wider a still is than the picture that it is drawn for, so that it serves while the camera goes on.
-pub(crate) const STILL_MARGIN: f32 = 1.15;
+const STILL_MARGIN: f32 = 1.15;
 /// How far a still is enlarged at most; what lies behind the speaker is out of focus. Chosen by eye.
 const MOST_ENLARGED: f32 = 1.7;
 

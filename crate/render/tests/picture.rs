@@ -3,7 +3,9 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 mod common;
+mod device;
 
+use device::headless;
 use raconteur_base::{DQuat, DVec3, ops};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_render::{Headless, Quality, RenderError, RenderOptions};
@@ -11,12 +13,6 @@ use raconteur_stage::{Camera, Frame, Shot};
 
 const SIZE: (u32, u32) = (160, 120);
 const ASPECT: f64 = 160.0 / 120.0;
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
-    })
-}
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {
     device.render_rgba(frame, SIZE.0, SIZE.1).expect("drawn")

@@ -2,8 +2,11 @@
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
+mod device;
+
+use device::headless;
 use raconteur_base::ops;
-use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_render::{Headless, Quality};
 use raconteur_stage::{Camera, Frame, Room, Set, SetKind, Shot, Span};
 
 const WIDTH: u32 = 128;
@@ -16,11 +19,6 @@ const BLOCK: usize = 12;
 /// criterion 2.3.1).
 const FLASH: f64 = 0.1;
 const MOST_FLASHES: usize = 3;
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality })
-        .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
-}
 
 fn camera(set: &Set) -> Camera {
     let aspect = f64::from(WIDTH) / f64::from(HEIGHT);

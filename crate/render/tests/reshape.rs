@@ -3,21 +3,16 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 mod common;
+mod device;
 
+use device::headless;
 use raconteur_base::DVec3;
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Figure, Pose, Skeleton};
-use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_render::{Headless, Quality};
 use raconteur_stage::Shot;
 
 const SIZE: (u32, u32) = (320, 240);
-
-fn device() -> Headless {
-    let quality = Quality::Low;
-    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
-    })
-}
 
 /// Broader, of other colours in part, with its eyes elsewhere, and of half the triangles where `is_cut`.
 fn reshaped(figure: &Figure, is_cut: bool) -> Figure {
@@ -55,7 +50,7 @@ fn reshaped(figure: &Figure, is_cut: bool) -> Figure {
 #[test]
 fn another_shape_looks_like_a_figure_that_is_sent_anew() {
     let first = common::figure();
-    let mut device = device();
+    let mut device = headless(Quality::Low);
     device.set_figure(&first).expect("a sound figure");
     let mut sent = first.clone();
     for (is_cut, moves) in [
@@ -82,7 +77,7 @@ fn another_shape_looks_like_a_figure_that_is_sent_anew() {
             .expect("a sound figure");
         let shaped = draw(&mut device);
         assert!(stale != shaped, "cut: {is_cut}");
-        let mut fresh = self::device();
+        let mut fresh = headless(Quality::Low);
         fresh.set_figure(&other).expect("a sound figure");
         // What is on its way is shown where it is, if not as finely.
         assert!(moves || shaped == draw(&mut fresh), "cut: {is_cut}");

@@ -5,11 +5,13 @@
 
 #[allow(dead_code, reason = "other tests use the rest")]
 mod common;
+mod device;
 
+use device::headless;
 use glam::Vec3;
 use raconteur_base::DVec3;
 use raconteur_body::{Bone, Figure, MaterialKind, Pose};
-use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_render::{Headless, Quality};
 use raconteur_stage::{Camera, DirectedLight, Frame, Lighting, Shot};
 
 const SIDE: u32 = 160;
@@ -63,12 +65,6 @@ fn looking_at(figure: &Figure, lighting: Lighting, target: DVec3, from: DVec3) -
 fn red(device: &mut Headless, frame: &Frame) -> Vec<u8> {
     let rgba = device.render_rgba(frame, SIDE, SIDE).expect("drawn");
     rgba.chunks_exact(4).map(|p| p[0]).collect()
-}
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
-    })
 }
 
 /// How much brighter or darker each inner pixel is than all that surround it: 0 but for grain.

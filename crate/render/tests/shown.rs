@@ -3,11 +3,13 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 mod common;
+mod device;
 
+use device::headless;
 use raconteur_base::DAffine3;
 use raconteur_body::figure::{Image, Maps};
 use raconteur_body::{Bone, MaterialKind, Pose};
-use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_render::{Headless, Quality};
 use raconteur_stage::{Fill, Frame, Shot, Shown};
 
 /// Large enough for a triangle to have an inside.
@@ -16,9 +18,7 @@ const SIZE: (u32, u32) = (480, 360);
 /// A device with the test figure, and a frame of it.
 fn stage(quality: Quality) -> (Headless, Frame) {
     let figure = common::figure();
-    let mut device = Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
-    });
+    let mut device = headless(quality);
     device.set_figure(&figure).expect("a sound figure");
     let frame = common::frame(&figure, &Pose::zero(), Shot::Medium, 4.0 / 3.0);
     (device, frame)
@@ -82,10 +82,7 @@ fn edges_leave_holes_and_corners_leave_more() {
 fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let (mut device, frame) = stage(Quality::High);
     let empty = draw(&mut device, &frame, NOTHING);
-    let mut lonely = Headless::new_blocking(RenderOptions {
-        quality: Quality::High,
-    })
-    .expect("a device");
+    let mut lonely = headless(Quality::High);
     assert!(empty == draw(&mut lonely, &frame, Shown::default()));
     let bones = Shown {
         bones: true,
@@ -185,7 +182,7 @@ fn clay_has_one_colour_and_no_pictures_leave_the_paint() {
         mime_type: "image/jpeg".to_owned(),
         bytes: Vec::new(),
     }];
-    let mut device = Headless::new_blocking(RenderOptions::default()).expect("a device");
+    let mut device = headless(Quality::default());
     device.set_figure(&figure).expect("a sound figure");
     device
         .set_image(0, 1, 1, &[20, 30, 255, 255])

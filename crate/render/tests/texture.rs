@@ -4,7 +4,9 @@
 
 #[allow(dead_code, reason = "other tests use the rest")]
 mod common;
+mod device;
 
+use device::headless;
 use raconteur_base::DVec3;
 use raconteur_body::figure::{Image, Maps};
 use raconteur_body::{Figure, MaterialKind, Pose};
@@ -58,10 +60,6 @@ fn before(figure: &Figure, distance_m: f64) -> Frame {
         ..Camera::default()
     };
     frame
-}
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality }).expect("a device")
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {

@@ -4,13 +4,15 @@
 
 #[allow(dead_code, reason = "other tests use the rest")]
 mod common;
+mod device;
 
+use device::headless;
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::face::{Binding, NodeState};
 use raconteur_body::figure::{Image, Maps};
 use raconteur_body::{Bone, Figure, MaterialKind, Mesh, Pose};
 use raconteur_render::tissue::{BoundMesh, Nodes, REACH_M, TissueVertex};
-use raconteur_render::{Headless, Quality, RenderError, RenderOptions};
+use raconteur_render::{Headless, Quality, RenderError};
 use raconteur_stage::{Camera, Frame, Line, Shot};
 
 const SIDE: u32 = 128;
@@ -162,12 +164,6 @@ fn a_level_moves_the_vertices_that_it_draws() {
             assert_eq!(told, expected, "vertex {vertex} at level {level}");
         }
     }
-}
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
-    })
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {

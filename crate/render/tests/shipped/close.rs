@@ -4,6 +4,7 @@
 //! Each bound lies between what is drawn now and what was before skin was mended; both are said
 //! with it, as Mesa's llvmpipe draws them. Of sparks there were four in three pictures.
 
+use crate::device::headless;
 use crate::figures::{At, FIGURES, figure, frame, send};
 use raconteur_base::DVec3;
 use raconteur_body::figure::Maps;
@@ -76,11 +77,6 @@ fn no_pixel_of_the_skin_lights_up_alone() {
         }
     }
     assert!(all.is_empty(), "{all:#?}");
-}
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality })
-        .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
 }
 
 /// A figure's skin alone, and the same as chalk: it shows where light falls and lets none through.

@@ -3,12 +3,13 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use crate::device::headless;
 use crate::figures::{At, FIGURES, figure, frame, nodes, send};
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::face::FaceControls;
 use raconteur_body::figure::Maps;
 use raconteur_body::{Bone, Figure, MaterialKind, Mesh, Pose};
-use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_render::{Headless, Quality};
 use raconteur_stage::{Frame, Lighting, Room, Shot};
 use raconteur_tier::{share, sized};
 
@@ -28,11 +29,6 @@ const LIPS: usize = 10;
 const POSES: u64 = 6;
 /// Share of a figure's pixels that may differ between levels: 0.024 is the worst drawn.
 const MOST_OTHER: f64 = 0.03;
-
-fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality })
-        .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
-}
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<[u8; 4]> {
     let picture = device.render_rgba(frame, SIDE, SIDE).expect("drawn");

@@ -3,5 +3,7 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 mod close;
+#[path = "../device/mod.rs"]
+mod device;
 mod figures;
 mod levels;
