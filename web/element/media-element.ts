@@ -3,7 +3,7 @@
 import { LitElement } from 'lit';
 import { mediaAttributes } from './media/attributes.js';
 import type { PlayerContext } from './story/context.js';
-import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './engine/media.js';
+import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './media/media.js';
 import { dispatch, isPending } from './media/media-events.js';
 import { openDevice } from './sound/outlet.js';
 import { Capture, FrameCallbacks, PictureInPicture } from './sound/outputs.js';

@@ -1,6 +1,6 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { dirname, join, normalize } from 'node:path';
+import { basename, dirname, join, normalize } from 'node:path';
 import { expect, it } from 'vitest';
 
 const root = join(import.meta.dirname, '../..');
@@ -50,9 +50,29 @@ it('finds a circle of folders', () => {
   expect(circling(importsOf(Object.keys(text), (file) => text[file] ?? ''))).toEqual(['a', 'b', 'c']);
 });
 
-it('has no circle of folders', () => {
+function shippedImports(): Map<string, Set<string>> {
   const listed = execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard', '--deduplicate', 'web/*.ts'], { cwd: root, encoding: 'utf8' });
   const files = listed.split('\n').filter((file) => file !== '' && shipped(file));
   expect(files.length).toBeGreaterThan(200);
-  expect(circling(importsOf(files, (file) => readFileSync(join(root, file), 'utf8')))).toEqual([]);
+  return importsOf(files, (file) => readFileSync(join(root, file), 'utf8'));
+}
+
+it('has no circle of folders', () => {
+  expect(circling(shippedImports())).toEqual([]);
+});
+
+it('has in the README of each room what the room uses', () => {
+  const rooms = [...shippedImports()].filter(([folder]) => dirname(folder) === 'web/element');
+  expect(rooms.length).toBeGreaterThan(5);
+  for (const [room, used] of rooms) {
+    const names = [...used].filter((folder) => !folder.startsWith('web/pkg')).map((folder) => basename(folder));
+    const said = /^Uses: (.*)\.$/m.exec(readFileSync(join(root, room, 'README.md'), 'utf8'))?.[1];
+    expect(
+      said
+        ?.split(', ')
+        .filter((name) => name !== 'nothing')
+        .sort(),
+      room,
+    ).toEqual(names.sort());
+  }
 });

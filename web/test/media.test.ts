@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Caption } from '../element/captions/captions.js';
-import { canPlay, crossOriginOf, preloadOf } from '../element/engine/media.js';
+import { canPlay, crossOriginOf, preloadOf } from '../element/media/media.js';
 import { after, dispatch, isPending, takeBack, takeBackSeek } from '../element/media/media-events.js';
 import { FrameCallbacks } from '../element/sound/outputs.js';
 import { Ranges, without, type Span } from '../element/base/ranges.js';

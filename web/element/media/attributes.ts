@@ -4,7 +4,7 @@
  */
 
 import type { PropertyDeclarations } from 'lit';
-import { rateFrom, volumeFrom } from '../engine/media.js';
+import { rateFrom, volumeFrom } from './media.js';
 
 const text = {};
 const flag = { type: Boolean };

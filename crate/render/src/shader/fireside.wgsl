@@ -23,10 +23,10 @@ fn masonry(p: vec2<f32>, blur: f32) -> vec2<f32> {
     // Lit from below: its lower half bends towards the fire.
     let face = mix(1.07, 0.95, f.y);
     let rough = patches(vec2<f32>(0.8 * p.x + 0.6 * p.y, 0.8 * p.y - 0.6 * p.x) * 17.0);
-    // A lens out of focus leaves nothing of the finest.
-    let keen = saturate1(1.4 - 28.0 * blur);
+    // Out of focus, the finest detail is not resolved.
+    let sharp = saturate1(1.4 - 28.0 * blur);
     let chipped = patches(vec2<f32>(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y) * 41.0);
-    return vec2<f32>((0.72 + 0.42 * tint + 0.40 * (rough - 0.5) + 0.24 * keen * (chipped - 0.5)) * face, joint);
+    return vec2<f32>((0.72 + 0.42 * tint + 0.40 * (rough - 0.5) + 0.24 * sharp * (chipped - 0.5)) * face, joint);
 }
 
 // Flames over logs, and the glow about them, from the middle of the hearth's floor.
@@ -144,8 +144,11 @@ fn hearth_wall(u: f32, y: f32, blur: f32) -> vec3<f32> {
     if shelves > 0.0 {
         beyond = bookshelf(u, y, blur) * from_fire;
     }
-    let wall = mix(plaster(u, y, blur) * from_fire, beyond, shelves) * smoothstep(CHIMNEY_X - 0.04, CHIMNEY_X + 0.10 + blur, u);
     let chimney = smoothstep(CHIMNEY_X + blur, CHIMNEY_X - blur, u);
+    var wall = vec3<f32>(0.0);
+    if chimney < 1.0 {
+        wall = mix(plaster(u, y, blur) * from_fire, beyond, shelves) * smoothstep(CHIMNEY_X - 0.04, CHIMNEY_X + 0.10 + blur, u);
+    }
     if chimney <= 0.0 {
         return wall;
     }

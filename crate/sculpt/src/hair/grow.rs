@@ -20,8 +20,8 @@ const AHEAD_M: f64 = 0.03;
 const UNDER_JAW_M: [f64; 2] = [-0.08, -0.12];
 /// Breadth from the middle within which hair hangs past the neck, metres.
 const BESIDE_NECK_M: [f64; 2] = [0.072, 0.110];
-/// Hair rooted before this falls before the shoulders, metres.
-const TEMPLE_Z_M: f64 = -0.070;
+/// Hair rooted behind this falls down the back, all other before the shoulders, metres.
+const BACK_Z_M: f64 = -0.070;
 
 /// How one hair grows.
 #[derive(Clone, Copy, Debug)]
@@ -81,14 +81,14 @@ pub(super) fn grow(space: &Space, field: &Field, g: &Growth, seed: u64) -> Vec<D
     out
 }
 
-/// Where hair that comes down on a shoulder turns: that of the temples before it, the rest behind it,
-/// and all of it towards the neck. Without it hair would slide down the arms and fan out.
+/// Where hair that comes down on a shoulder turns: that of the back of the head behind it, the rest before
+/// it, and all of it towards the neck. Without it hair would slide down the arms and fan out.
 fn draped(space: &Space, root: DVec3, at: DVec3) -> DVec3 {
     let below = at + DVec3::NEG_Y * AHEAD_M;
     let near = step(2.0 * AHEAD_M, 0.3 * AHEAD_M, space.height(below));
     let level =
         step(0.15, 0.75, space.normal(below).y) * step(UNDER_JAW_M[0], UNDER_JAW_M[1], at.y);
-    let way = if root.z > TEMPLE_Z_M { 1.0 } else { -1.0 };
+    let way = if root.z > BACK_Z_M { 1.0 } else { -1.0 };
     let beside = step(BESIDE_NECK_M[0], BESIDE_NECK_M[1], at.x.abs());
     let inwards = DVec3::X * (-0.7 * at.x.signum() * beside * step(-0.02, UNDER_JAW_M[0], at.y));
     DVec3::Z * (1.6 * way * near * level) + inwards
