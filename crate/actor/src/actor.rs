@@ -8,18 +8,18 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Animated, Players};
-use crate::arm_ik::{ARM_BONES, ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{articulate, hold_closures};
 use crate::face::FaceRig;
 use crate::feeling::Feeling;
 use crate::gesture::calm::Calming;
 use crate::gesture::contact::{Contact, PlacedHand};
-use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, Life};
+use crate::gesture::{ArmPlan, ArmScript, HandTarget, Life};
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::stance::Stance;
 use crate::idle::stream;
 use crate::idle::trunk::{SpeechRhythm, Trunk, spine};
 use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::{ARM_BONES, ArmGoal, ArmRig, ArmSolution, BodySpace};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
@@ -130,8 +130,9 @@ impl Actor {
             amount,
             dominant: performance.dominant,
         };
-        let space = BodySpace::new(skeleton, performance.trunk);
-        let rigs = ArmRig::both(skeleton);
+        let build = &performance.build;
+        let rigs = ArmRig::both(skeleton, build);
+        let space = *rigs[0].space();
         let way = &performance.manipulators;
         let seen = (!way.moves.is_empty()).then(|| seen_on_the_way(performance));
         let arms = seen.as_ref().unwrap_or(&performance.arms);
@@ -141,7 +142,7 @@ impl Actor {
         let mut actor = Self {
             plans: rigs.each_ref().map(|rig| {
                 let script = &arms[rig.side().index()];
-                ArmPlan::new(script, skeleton, Arc::clone(rig), &space, &life)
+                ArmPlan::new(script, skeleton, Arc::clone(rig), &life)
             }),
             calming: Default::default(),
             // Manipulators start from the figure as it is without them, so they come last.
@@ -150,15 +151,16 @@ impl Actor {
                     &performance.players,
                     &performance.library,
                     skeleton,
+                    build.sex,
                     rigs.clone(),
                 )
                 .0,
-                manipulators: Manipulators::at_rest(skeleton, performance.sex, rigs.clone()),
+                manipulators: Manipulators::at_rest(skeleton, build.sex, rigs.clone()),
             }),
             rigs,
             contact: Contact::new(skeleton, &space, life.dominant),
             space,
-            stance: Stance::new(skeleton, seed),
+            stance: Stance::new(skeleton, build.sex, seed),
             trunk: Trunk { seed },
             rhythm: SpeechRhythm::new(&spans),
             feeling: Feeling::new(performance, &manner),
@@ -183,7 +185,7 @@ impl Actor {
                 actor.arms(skeleton, t, animated, pose);
                 actor.head(skeleton, t, actor.listener_in_world, animated, pose);
             };
-            Manipulators::new(way, skeleton, performance.sex, actor.rigs.clone(), &idle)
+            Manipulators::new(way, skeleton, build.sex, actor.rigs.clone(), &idle)
         });
         if let (Some(motion), Some(manipulators)) = (&mut actor.motion, manipulators) {
             motion.manipulators = manipulators;

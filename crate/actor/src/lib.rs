@@ -1,6 +1,6 @@
 //! How the figure moves: everything here is a function of absolute time over plain plans.
 //!
-//! Does: animation players with their clips, arm inverse kinematics, limbs and head as
+//! Does: animation players with their clips, inverse kinematics of limbs, limbs and head as
 //! manipulators, palm orientation, gesture plans with preparation, hold
 //! and retraction, idle life (breath, sway), what accompanies speech (gaze, blinks, brows,
 //! nods), lip synchronisation, emotion, control parameters, and from the controls of a face
@@ -14,7 +14,6 @@
 
 mod actor;
 pub mod animation;
-pub mod arm_ik;
 pub mod articulation;
 pub mod emotion;
 pub mod face;
@@ -22,6 +21,7 @@ mod feeling;
 pub mod gesture;
 pub mod idle;
 pub mod kinematics;
+pub mod limb;
 pub mod lips;
 pub mod manipulator;
 mod members;
@@ -29,16 +29,15 @@ pub mod nonverbal;
 pub mod palm;
 pub mod parameters;
 mod score;
-pub mod wrist;
 
 pub use actor::{Actor, Report};
 pub use animation::{Library, PlayerScript, Players};
-pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
 pub use emotion::{Affect, EmotionSpan, EmotionTrack};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
+pub use limb::{ArmGoal, ArmRig, ArmSolution, Build};
 pub use lips::{LipTrack, MouthTargets};
-pub use manipulator::{ManipulatorScript, Manipulators, Sex};
+pub use manipulator::{ManipulatorScript, Manipulators};
 pub use nonverbal::{Manner, NonVerbal};
 pub use parameters::{ParameterScript, ParameterTrack};
 pub use score::Performance;

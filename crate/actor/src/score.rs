@@ -5,8 +5,9 @@ use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Library, PlayerScript};
 use crate::emotion::EmotionSpan;
-use crate::gesture::{ArmScript, TrunkShape};
-use crate::manipulator::{ManipulatorScript, Sex};
+use crate::gesture::ArmScript;
+use crate::limb::Build;
+use crate::manipulator::ManipulatorScript;
 use crate::nonverbal::Manner;
 use crate::parameters::ParameterScript;
 
@@ -17,8 +18,8 @@ pub struct Performance {
     pub arms: [ArmScript; 2],
     /// What limbs, head and the whole figure do as manipulators.
     pub manipulators: ManipulatorScript,
-    /// Whose joint limits hold.
-    pub sex: Sex,
+    /// How far its joints turn, and what of its body arms keep out of.
+    pub build: Build,
     /// The dominant hand.
     pub dominant: Side,
     /// Animation players.
@@ -39,8 +40,6 @@ pub struct Performance {
     pub manner: Manner,
     /// Whom the figure speaks to, world, metres: usually the camera.
     pub listener_in_world: DVec3,
-    /// What of its body hands keep out of; without this, an average build.
-    pub trunk: Option<TrunkShape>,
     /// The figure waits to begin: what it does with nothing to do is a welcome, with open
     /// arms, its head a little to the side, and a smile.
     pub welcomes: bool,
@@ -51,7 +50,7 @@ impl Default for Performance {
         Self {
             arms: [ArmScript::default(), ArmScript::default()],
             manipulators: ManipulatorScript::default(),
-            sex: Sex::default(),
+            build: Build::default(),
             dominant: Side::Right,
             players: PlayerScript::default(),
             library: Library::default(),
@@ -62,7 +61,6 @@ impl Default for Performance {
             motion_amount: 1.0,
             manner: Manner::default(),
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
-            trunk: None,
             welcomes: false,
         }
     }

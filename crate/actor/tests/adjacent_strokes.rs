@@ -4,9 +4,9 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::ArmRig;
-use raconteur_actor::gesture::{ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey, Life};
+use raconteur_actor::gesture::{ArmPlan, ArmScript, GestureStroke, HandKey, Life};
 use raconteur_actor::palm;
+use raconteur_actor::{ArmRig, Build};
 use raconteur_base::{DVec3, Side, noise};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandShape;
@@ -203,9 +203,8 @@ fn plan(case: &Case) -> ArmPlan {
         on: Vec::new(),
     };
     let skeleton = Skeleton::example();
-    let space = BodySpace::new(&skeleton, None);
-    let rig = Arc::new(ArmRig::new(&skeleton, case.side));
-    ArmPlan::new(&script, &skeleton, rig, &space, &STILL)
+    let rig = Arc::new(ArmRig::new(&skeleton, case.side, &Build::default()));
+    ArmPlan::new(&script, &skeleton, rig, &STILL)
 }
 
 /// Whether all targets are within the arm's reach.

@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use raconteur_actor::gesture::{
-    ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey, HandState, Life, Phase, Space,
-    Transition,
+    ArmPlan, ArmScript, GestureStroke, HandKey, HandState, Life, Phase, Space, Transition,
 };
 use raconteur_actor::kinematics::world_from_bone;
-use raconteur_actor::{Actor, ArmRig, FaceRig, Performance, palm};
+use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Performance, palm};
 use raconteur_base::profile::Profile;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::hand_shape::HandShape;
@@ -61,9 +60,8 @@ fn plan(strokes: &[GestureStroke]) -> ArmPlan {
         on: Vec::new(),
     };
     let skeleton = Skeleton::example();
-    let space = BodySpace::new(&skeleton, None);
-    let rig = Arc::new(ArmRig::new(&skeleton, Side::Right));
-    ArmPlan::new(&script, &skeleton, rig, &space, &STILL)
+    let rig = Arc::new(ArmRig::new(&skeleton, Side::Right, &Build::default()));
+    ArmPlan::new(&script, &skeleton, rig, &STILL)
 }
 
 /// A stroke of one second from [`FROM`] to [`TO`] with a course.
@@ -146,7 +144,7 @@ fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
     assert!(bent > 0.01, "{bent} m");
     // The shoulder is where the posture has it, so the distance to it tells the elbow.
     let skeleton = Skeleton::example();
-    let rig = ArmRig::new(&skeleton, Side::Right);
+    let rig = ArmRig::new(&skeleton, Side::Right, &Build::default());
     let [a, b] = [FROM, TO].map(|p| rig.posture(p));
     let expected = rig.wrist_of(&a.lerp(&b, 0.25));
     assert!(plan.at(2.25).wrist.distance(expected) < 3e-3);

@@ -3,7 +3,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_actor::manipulator::{Command, Frame, Limb, ManipulatorScript, Motion, Pace};
+use raconteur_actor::limb::{Frame, Limb};
+use raconteur_actor::manipulator::{Command, ManipulatorScript, Motion, Pace};
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::{Bone, Pose, Skeleton};

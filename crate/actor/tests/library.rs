@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::PathBuf;
 
-use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{BoneSet, Library, Players};
 use raconteur_actor::animation::{Operation, Playback, PlayerCommand, PlayerKind, PlayerScript};
 use raconteur_actor::kinematics::{rotation_of, world_from_bone};
+use raconteur_actor::limb::{ArmRig, Build, Sex};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, mirror_vector, ops};
 use raconteur_body::read::read_figure;
 use raconteur_body::skeleton::twist_about_x;
@@ -60,8 +60,13 @@ impl Stage {
         let script = PlayerScript {
             commands: vec![(0.0, add), (0.0, push)],
         };
-        let (players, problems) =
-            Players::new(&script, &library, &skeleton, ArmRig::both(&skeleton));
+        let (players, problems) = Players::new(
+            &script,
+            &library,
+            &skeleton,
+            Sex::Male,
+            ArmRig::both(&skeleton, &Build::default()),
+        );
         assert_eq!(problems, [], "{name}");
         Self {
             skeleton,

@@ -5,12 +5,12 @@ use core::ops::Range;
 use std::{fs, thread};
 
 use raconteur_actor::kinematics::rotation_of;
+use raconteur_actor::limb::{Frame, Limb, Sex};
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
-    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Placement,
-    Shape,
+    Command, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
 };
-use raconteur_actor::{Actor, ArmRig, FaceRig, Manipulators, Performance, Sex};
+use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Manipulators, Performance};
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::read::read_figure;
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -281,8 +281,13 @@ fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
     };
     let swaying = Swaying::new(skeleton, seed);
     let idle = |secs: f64, pose: &mut Pose| swaying.pose(secs, pose);
-    let manipulators =
-        Manipulators::new(&script, skeleton, Sex::Male, ArmRig::both(skeleton), &idle);
+    let manipulators = Manipulators::new(
+        &script,
+        skeleton,
+        Sex::Male,
+        ArmRig::both(skeleton, &Build::default()),
+        &idle,
+    );
     let worst = fastest(end, &|secs, pose| {
         swaying.pose(secs, pose);
         manipulators.lean(skeleton, secs, pose);
@@ -425,7 +430,7 @@ fn no_random_move_of_the_figure_snaps() {
             &script,
             &skeleton,
             Sex::Male,
-            ArmRig::both(&skeleton),
+            ArmRig::both(&skeleton, &Build::default()),
             &idle,
         );
         let turned = |secs: f64| {

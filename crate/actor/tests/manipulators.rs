@@ -2,11 +2,13 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_actor::manipulator::limits::{Sex, limits};
-use raconteur_actor::manipulator::rig::{Base, LimbRig};
-use raconteur_actor::manipulator::solve::{AT_EASE, Choice};
+use raconteur_actor::limb::chain::{Base, LimbRig};
+use raconteur_actor::limb::limits::{Sex, limits};
+use raconteur_actor::limb::solve::{AT_EASE, Choice};
+use raconteur_actor::limb::swivel::Comfort;
+use raconteur_actor::limb::{Frame, Joints, Limb};
 use raconteur_actor::manipulator::{
-    Command, Frame, Joints, Limb, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
+    Command, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
 };
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side, noise};
@@ -36,7 +38,11 @@ fn base(rig: &LimbRig) -> Base {
 
 /// Where the elbow goes when nothing is in the way.
 fn elbow(rig: &LimbRig, target: &Frame, base: &Base) -> DVec3 {
-    rig.elbow_at(target, base, rig.swivel_for(target, base, None))
+    rig.elbow_at(
+        target,
+        base,
+        rig.swivel_for(target, base, &Comfort::default()),
+    )
 }
 
 /// A random target in reach of a limb without limits.

@@ -1,12 +1,12 @@
 //! Properties of animation players, over made-up and random scripts.
 
 use proptest::prelude::*;
-use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{
     BODY_GROUPS, BoneSet, Library, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript,
     Players, ProblemKind, Property, TrackRef, body_group,
 };
 use raconteur_actor::idle::stance::Stance;
+use raconteur_actor::limb::{ArmRig, Build, Sex};
 use raconteur_base::{Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -87,8 +87,13 @@ impl Stage {
     fn new(commands: Vec<(f64, PlayerCommand)>) -> Self {
         let skeleton = Skeleton::example();
         let script = PlayerScript { commands };
-        let (players, problems) =
-            Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
+        let (players, problems) = Players::new(
+            &script,
+            &library(),
+            &skeleton,
+            Sex::Male,
+            ArmRig::both(&skeleton, &Build::default()),
+        );
         assert_eq!(problems, []);
         Self { players, skeleton }
     }
@@ -108,7 +113,7 @@ impl Stage {
 /// Standing still: what players lie over.
 fn idle(skeleton: &Skeleton) -> Pose {
     let mut pose = Pose::zero();
-    Stance::new(skeleton, 1).apply(skeleton, 0.0, 0.0, &mut pose);
+    Stance::new(skeleton, Sex::Male, 1).apply(skeleton, 0.0, 0.0, &mut pose);
     pose
 }
 
@@ -403,7 +408,13 @@ fn what_cannot_be_done_is_told() {
         ],
     };
     let skeleton = Skeleton::example();
-    let (_, problems) = Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
+    let (_, problems) = Players::new(
+        &script,
+        &library(),
+        &skeleton,
+        Sex::Male,
+        ArmRig::both(&skeleton, &Build::default()),
+    );
     let told: Vec<(usize, ProblemKind)> =
         problems.into_iter().map(|p| (p.command, p.kind)).collect();
     assert_eq!(
@@ -526,7 +537,7 @@ proptest! {
         commands.insert(0, (0.0, add("p", TWO, BoneSet::ALL)));
         let skeleton = Skeleton::example();
         let script = PlayerScript { commands: commands.clone() };
-        let (players, _) = Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
+        let (players, _) = Players::new(&script, &library(), &skeleton, Sex::Male, ArmRig::both(&skeleton, &Build::default()));
         let mut times: Vec<f64> = commands.iter().map(|c| c.0).filter(|t| *t > 0.0).collect();
         times.extend((1..240).map(|i| f64::from(i) / 30.0));
         let h = 1e-7;
@@ -551,7 +562,7 @@ proptest! {
         let mut commands = commands;
         commands.insert(0, (0.0, add("p", PlayerKind::BodyGroup, BoneSet::ALL)));
         let skeleton = Skeleton::example();
-        let (players, _) = Players::new(&PlayerScript { commands }, &library(), &skeleton, ArmRig::both(&skeleton));
+        let (players, _) = Players::new(&PlayerScript { commands }, &library(), &skeleton, Sex::Male, ArmRig::both(&skeleton, &Build::default()));
         let step = 1.0 / 120.0;
         let mut last = pose(&players, &skeleton, 0.0);
         // Two stances of a joint lie at most 80° apart here, a clip goes by 3 × 40°/s, and
@@ -588,7 +599,8 @@ proptest! {
             &PlayerScript { commands },
             &library(),
             &skeleton,
-            ArmRig::both(&skeleton),
+            Sex::Male,
+            ArmRig::both(&skeleton, &Build::default()),
         );
         for i in 0..80 {
             let weights: Vec<f64> = players.weights_at(0, f64::from(i) * 0.1).collect();

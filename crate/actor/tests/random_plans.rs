@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, Span};
 use raconteur_actor::kinematics::world_from_bone;
-use raconteur_actor::{Actor, ArmRig, FaceRig, Performance, palm};
+use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Performance, palm};
 use raconteur_base::{DVec3, Side, noise};
 use raconteur_body::hand_shape::HandShape;
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -160,7 +160,7 @@ impl Stage {
 fn wrists_are_at_their_keys_at_the_time_of_the_key() {
     let mut stage = Stage::new();
     let (mut worst, mut count) = (0.0_f64, 0);
-    let reach = ArmRig::new(&stage.skeleton, Side::Left).reach_m();
+    let reach = ArmRig::new(&stage.skeleton, Side::Left, &Build::default()).reach_m();
     for seed in 0..40 {
         let performance = random_performance(seed);
         let actor = Actor::new(&performance, &stage.skeleton);

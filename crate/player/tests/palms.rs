@@ -20,7 +20,7 @@ fn palms(hand: &str, palm: &str) -> Vec<Diagnostic> {
 #[test]
 fn a_palm_that_no_forearm_can_turn_is_told_with_the_nearest() {
     for hand in ["right", "both"] {
-        let found = palms(hand, "a='90' x='-1' y='0' z='0'");
+        let found = palms(hand, "a='-135' x='-1' y='0' z='0'");
         assert_eq!(found.len(), 1, "{found:?}");
         let off: f64 = (found[0].message)
             .split_once("it is ")

@@ -9,10 +9,11 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use k::nalgebra as na;
 use k::prelude::*;
-use raconteur_actor::manipulator::rig::{Base, LimbRig};
-use raconteur_actor::manipulator::solve::{AT_EASE, Choice};
-use raconteur_actor::manipulator::swivel::Obstacles;
-use raconteur_actor::manipulator::{Frame, Sex};
+use raconteur_actor::limb::chain::{Base, LimbRig};
+use raconteur_actor::limb::obstacles::Obstacles;
+use raconteur_actor::limb::solve::{AT_EASE, Choice};
+use raconteur_actor::limb::swivel::Comfort;
+use raconteur_actor::limb::{BodySpace, Frame, Sex};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -119,17 +120,21 @@ fn solvers(c: &mut Criterion) {
     c.bench_function("closed form: eight solutions of table 3.1", |b| {
         b.iter(|| black_box(rig.table_solutions(&next(), &base)));
     });
+    let space = BodySpace::new(&skeleton, None);
     let obstacles = Obstacles {
+        body: &space,
         body_from_figure: DAffine3::IDENTITY,
-        shoulders_in_body: DVec3::new(0.0, base.origin.y, base.origin.z),
-        head: Bone::Skull.example_position_m() + DVec3::new(0.0, 0.08, 0.02),
-        other_forearm: [Bone::RElbow, Bone::RWrist].map(Bone::example_position_m),
-        scale: 1.0,
+        head: space.head(),
+        other_forearm: Some([Bone::RElbow, Bone::RWrist].map(Bone::example_position_m)),
+    };
+    let comfort = Comfort {
+        obstacles: Some(&obstacles),
+        ..Comfort::default()
     };
     c.bench_function("closed form: swivel, solutions, limits, bones", |b| {
         b.iter(|| {
             let target = next();
-            let swivel = rig.swivel_for(&target, &base, Some(&obstacles));
+            let swivel = rig.swivel_for(&target, &base, &comfort);
             let elbow = rig.elbow_at(&target, &base, swivel);
             let found = rig.solutions(&target, elbow, &base, true);
             let choice = Choice {

@@ -11,9 +11,9 @@ use super::clip::{Clip, FootTrack, ReachTrack};
 use super::curve::Curve;
 use super::groups::BoneSet;
 use super::layering::Layering;
-use crate::arm_ik::{ARM_BONES, ArmGoal, ArmRig};
-use crate::idle::stance::{LEG_BONES, Leg};
+use crate::idle::stance::Leg;
 use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::{ARM_BONES, ArmGoal, ArmRig, LEG_BONES, Sex};
 use crate::palm;
 
 /// Distance of the heel's edge behind the ankle, share of stature: a quarter of the foot
@@ -41,11 +41,11 @@ pub(crate) struct Body {
 const TOES: [Bone; 2] = [Bone::LMetatarsal, Bone::RMetatarsal];
 
 impl Body {
-    pub(crate) fn new(skeleton: &Skeleton, arms: [Arc<ArmRig>; 2]) -> Self {
+    pub(crate) fn new(skeleton: &Skeleton, arms: [Arc<ArmRig>; 2], sex: Sex) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let frames = zero_frames();
-        let legs = Side::BOTH.map(|side| Leg::new(skeleton, side));
+        let legs = Side::BOTH.map(|side| Leg::new(skeleton, side, sex));
         Self {
             ball_in_foot: Side::BOTH.map(|side| {
                 let standing = legs[side.index()].standing();

@@ -95,7 +95,7 @@ impl Clip {
             }
         }
         for reach in &self.reaches {
-            for bone in crate::arm_ik::ARM_BONES[reach.side.index()] {
+            for bone in crate::limb::ARM_BONES[reach.side.index()] {
                 set = set.with(bone);
             }
         }

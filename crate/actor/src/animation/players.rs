@@ -13,9 +13,9 @@ use super::layering::Layering;
 use super::library::Library;
 use super::schedule::{PlayerPlan, Playing, Schedule, Stretch, Stretches, Track};
 use super::script::{PlayerKind, PlayerScript, Problem};
-use crate::arm_ik::{ARM_BONES, ArmRig};
-use crate::idle::stance::LEG_BONES;
+
 use crate::kinematics::world_from_bone;
+use crate::limb::{ARM_BONES, ArmRig, LEG_BONES, Sex};
 
 /// Most changes that are seen at once; of older ones the end is shown.
 const MOST_FADES: usize = 16;
@@ -50,18 +50,25 @@ pub struct Animated {
 }
 
 impl Players {
+    /// What is wrong with the commands of a script, whoever performs it.
+    #[must_use]
+    pub fn problems(script: &PlayerScript) -> Vec<Problem> {
+        Schedule::new(script, &|_| false, &|_| 0.0).1
+    }
+
     /// Makes a script ready. Faulty commands are reported and left out.
     #[must_use]
     pub fn new(
         script: &PlayerScript,
         library: &Library,
         skeleton: &Skeleton,
+        sex: Sex,
         arms: [Arc<ArmRig>; 2],
     ) -> (Self, Vec<Problem>) {
         let exists = |name: &str| library.get(name).is_some();
         let length = |name: &str| library.get(name).map_or(0.0, |c| c.duration_secs());
         let (schedule, problems) = Schedule::new(script, &exists, &length);
-        let body = Body::new(skeleton, arms);
+        let body = Body::new(skeleton, arms, sex);
         let bind = |name: &String| {
             let clip = library.get(name).unwrap_or_default();
             BoundClip::new(clip, skeleton, &body)

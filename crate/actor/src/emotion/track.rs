@@ -166,7 +166,7 @@ impl EmotionTrack {
     /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)). What is no
     /// number is left out.
     #[must_use]
-    pub fn new(spans: &[EmotionSpan], scripted: &[(Affect, Curve)]) -> Self {
+    pub fn new(spans: &[EmotionSpan], scripted: &[(&str, Curve)]) -> Self {
         let mut spans: Vec<EmotionSpan> = spans.iter().filter_map(|s| s.ordered()).collect();
         sort_by_number(&mut spans, |span| span.start_secs);
         let mut lanes: Vec<Vec<(EmotionSpan, Effect)>> = Vec::new();
@@ -187,7 +187,10 @@ impl EmotionTrack {
             lanes,
             scripted: scripted
                 .iter()
-                .map(|(affect, curve)| (Effect::held(*affect), curve.clone()))
+                .map(|(word, curve)| {
+                    let affect = Affect::named(word).unwrap_or_default();
+                    (Effect::held(affect), curve.clone())
+                })
                 .collect(),
             ..Self::default()
         };

@@ -9,8 +9,8 @@
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DQuat, DVec3, Length, Side};
 
-use crate::arm_ik::ArmSolution;
-use crate::wrist::{WristAngles, rotation_vector};
+use crate::limb::ArmSolution;
+use crate::limb::wrist::{WristAngles, rotation_vector};
 
 /// Fastest turn of a joint that gestures leave as it is, radians a second: a hand turns with up to
 /// 28 as the planner lets it.

@@ -7,8 +7,8 @@ use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::BodySpace;
 use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::BodySpace;
 
 /// Bones of a hand that have a capsule: four for each finger, the one in the palm first.
 pub const CAPSULES: usize = 20;

@@ -18,7 +18,6 @@ mod phrase;
 mod plan;
 mod planner;
 mod rest;
-mod space;
 mod tracks;
 
 use raconteur_base::profile::Profile;
@@ -28,7 +27,6 @@ use raconteur_body::hand_shape::HandAngles;
 pub use plan::{ArmPlan, HandState, HandTarget};
 pub use planner::PlannedKey;
 pub use rest::{Rest, RestHand};
-pub use space::{BodySpace, TrunkShape};
 
 /// The features of one hand at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

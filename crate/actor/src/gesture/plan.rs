@@ -14,7 +14,6 @@ use super::planner::{PlannedKey, Planner};
 use super::tracks::{HandTrack, WristTrack, piece_at};
 use super::{ArmScript, Life, Rest};
 use crate::ArmRig;
-use crate::gesture::space::BodySpace;
 
 /// What a hand should do at one time.
 #[derive(Clone, Copy, Debug)]
@@ -69,16 +68,9 @@ impl ArmPlan {
     /// Plans one arm of a figure with its body in the way. Keys at impossible times or places
     /// (not finite) are left out.
     #[must_use]
-    pub fn new(
-        script: &ArmScript,
-        skeleton: &Skeleton,
-        rig: Arc<ArmRig>,
-        space: &BodySpace,
-        life: &Life,
-    ) -> Self {
-        let side = rig.side();
-        let rest = Rest::new(skeleton, &rig, space, side, life);
-        let planned = Planner::new(&rig, space, &rest, side, life.amount).plan(script);
+    pub fn new(script: &ArmScript, skeleton: &Skeleton, rig: Arc<ArmRig>, life: &Life) -> Self {
+        let rest = Rest::new(skeleton, &rig, life);
+        let planned = Planner::new(&rig, &rest, life.amount).plan(script);
         let mut paces: Vec<Pace> = script
             .strokes
             .iter()
@@ -104,6 +96,12 @@ impl ArmPlan {
             rest,
             rig,
         }
+    }
+
+    /// The arm that it is planned for.
+    #[must_use]
+    pub fn rig(&self) -> &ArmRig {
+        &self.rig
     }
 
     /// What the hand should do at a time. O(log n), no allocation.

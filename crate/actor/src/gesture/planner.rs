@@ -11,7 +11,7 @@ use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, 
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, HandKey, Phase, Rest, Transition};
 use crate::ArmRig;
-use crate::gesture::space::BodySpace;
+use crate::limb::BodySpace;
 
 /// Hands flow directly into a stroke that begins this soon, seconds. Designed.
 const FLOW_SECS: f64 = 1.1;
@@ -82,18 +82,12 @@ pub(super) struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(
-        rig: &'a ArmRig,
-        space: &'a BodySpace,
-        rest: &'a Rest,
-        side: Side,
-        amount: f64,
-    ) -> Self {
+    pub(super) fn new(rig: &'a ArmRig, rest: &'a Rest, amount: f64) -> Self {
         Self {
             rig,
-            space,
+            space: rig.space(),
             rest,
-            side,
+            side: rig.side(),
             amount,
             out: Planned {
                 wrist: WristTrack::default(),

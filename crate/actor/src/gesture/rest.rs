@@ -10,7 +10,6 @@ use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{HandShape, Skeleton};
 
 use super::Life;
-use crate::gesture::space::BodySpace;
 use crate::{ArmRig, palm};
 
 /// Shortest time that a posture of rest is kept, seconds. Designed.
@@ -44,13 +43,8 @@ pub struct Rest {
 impl Rest {
     /// Places the postures on a figure.
     #[must_use]
-    pub fn new(
-        skeleton: &Skeleton,
-        rig: &ArmRig,
-        space: &BodySpace,
-        side: Side,
-        life: &Life,
-    ) -> Self {
+    pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &Life) -> Self {
+        let (side, space) = (rig.side(), rig.space());
         let scale = skeleton.stature_m() / 1.7;
         let sign = side.sign();
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);

@@ -7,7 +7,7 @@ use raconteur_base::{DQuat, DVec3, Length};
 use super::path::{Bow, flowing};
 use super::{RestHand, Space, Transition};
 use crate::ArmRig;
-use crate::arm_ik::ArmPosture;
+use crate::limb::arm::ArmPosture;
 
 /// The piece between two nodes that a time lies in: the index of its first node, the share
 /// of its time, its length in seconds. `None` before the first node and from the last on.

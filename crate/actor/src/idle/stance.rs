@@ -4,12 +4,14 @@
 //! follow in closed form.
 
 use raconteur_base::curve::minimum_jerk;
-use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise, ops};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::stream;
-use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
-use crate::manipulator::limits::KNEE_MAX_DEG;
+use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::limits::limits;
+use crate::limb::two_bone::TwoBone;
+use crate::limb::{LEG_BONES, Limb, Sex};
 
 /// How long the weight stays on one foot, seconds on average. Designed.
 const SHIFT_SECS: f64 = 9.0;
@@ -43,18 +45,12 @@ pub(crate) struct Leg {
     ankle_in_world: DAffine3,
 }
 
-/// Hip, knee and ankle of the left and right side.
-pub(crate) const LEG_BONES: [[Bone; 3]; 2] = [
-    [Bone::LHip, Bone::LKnee, Bone::LSubtalar],
-    [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
-];
-
 impl Stance {
     /// Measures the legs of a skeleton.
     #[must_use]
-    pub fn new(skeleton: &Skeleton, seed: u64) -> Self {
+    pub fn new(skeleton: &Skeleton, sex: Sex, seed: u64) -> Self {
         Self {
-            legs: Side::BOTH.map(|side| Leg::new(skeleton, side)),
+            legs: Side::BOTH.map(|side| Leg::new(skeleton, side, sex)),
             scale: skeleton.stature_m() / 1.7,
             seed,
         }
@@ -123,7 +119,7 @@ impl Stance {
 
 impl Leg {
     /// Measures one leg of a skeleton.
-    pub(crate) fn new(skeleton: &Skeleton, side: Side) -> Self {
+    pub(crate) fn new(skeleton: &Skeleton, side: Side, sex: Sex) -> Self {
         let zero = Pose::zero();
         let joints = skeleton.joints();
         let [hip, knee, ankle] = LEG_BONES[side.index()];
@@ -135,7 +131,7 @@ impl Leg {
                 joints[ankle.index()].translation_in_parent,
                 joints[knee.index()].zero_rotation,
                 knee_in_world.inverse() * DVec3::X,
-                KNEE_MAX_DEG.to_radians(),
+                limits([Limb::LeftLeg, Limb::RightLeg][side.index()], sex)[2].most_rad,
             ),
             hip_in_pelvis: joints[hip.index()].translation_in_parent,
             hip_zero: joints[hip.index()].zero_rotation,
@@ -172,12 +168,12 @@ impl Leg {
     pub(crate) fn eased(&self, world_from_pelvis: &DAffine3, ankle: DVec3, spare_m: f64) -> DVec3 {
         let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
         let distance = to.magnitude();
-        let over = distance - (self.chain.reach_m() - spare_m);
-        if over <= 0.0 || spare_m <= 0.0 {
-            return ankle;
+        let back = distance - self.chain.eased_m(distance, spare_m);
+        if back > 0.0 {
+            ankle - to * (back / distance)
+        } else {
+            ankle
         }
-        let back = over - spare_m * (1.0 - ops::exp(-over / spare_m));
-        ankle - to * (back / distance)
     }
 
     /// The length of the leg that is stretched, metres.
@@ -234,7 +230,7 @@ mod tests {
     #[test]
     fn feet_stay_planted_while_the_pelvis_sways() {
         let skeleton = Skeleton::example();
-        let stance = Stance::new(&skeleton, 42);
+        let stance = Stance::new(&skeleton, Sex::Male, 42);
         let zero = Pose::zero();
         let (mut least, mut most, mut worst) = (f64::MAX, f64::MIN, 0.0_f64);
         for i in 0..1_200 {
@@ -266,7 +262,7 @@ mod tests {
     fn a_leg_is_found_again_from_where_it_stands() {
         let skeleton = Skeleton::example();
         for side in Side::BOTH {
-            let leg = Leg::new(&skeleton, side);
+            let leg = Leg::new(&skeleton, side, Sex::Male);
             let pelvis = world_from_bone(&skeleton, &Pose::zero(), Bone::Sacroiliac);
             let at = leg.standing().translation + DVec3::new(0.1 * side.sign(), 0.2, 0.15);
             let foot = DQuat::from_rotation_x(0.4) * rotation_of(leg.standing());
@@ -283,7 +279,7 @@ mod tests {
     #[test]
     fn knees_bend_forward() {
         let skeleton = Skeleton::example();
-        let stance = Stance::new(&skeleton, 1);
+        let stance = Stance::new(&skeleton, Sex::Male, 1);
         let mut pose = Pose::zero();
         pose.root_offset_in_world = DVec3::new(0.0, -0.15, 0.0);
         stance.apply(&skeleton, 3.0, 1.0, &mut pose);

@@ -8,9 +8,12 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, ops};
 
-use super::limits::FORCED;
-use super::rig::{END, LimbRig, ROLL};
-use super::{Frame, Joints, between};
+use super::between;
+use crate::limb::chain::{END, LimbRig, ROLL};
+use crate::limb::{Frame, Joints};
+
+/// Joints that are bent by so much in all, radians, take the mean of the last goals.
+pub(super) const FORCED: f64 = 0.2;
 
 /// A place of the end, and the joints that reach it on the body that was planned with.
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,8 @@ use raconteur_base::DAffine3;
 
 use super::aim::Aim;
 use super::perform::Manipulators;
-use super::rig::Base;
-use super::{Frame, Joints, Limb};
+use crate::limb::chain::Base;
+use crate::limb::{Frame, Joints, Limb};
 
 impl Manipulators {
     /// Solves joints again for what they are to reach on a base.

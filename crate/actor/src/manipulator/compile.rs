@@ -7,17 +7,18 @@ use raconteur_body::{Pose, Skeleton};
 use super::aim::Aim;
 use super::head::HEAD_BONES;
 use super::jacobian::Twist;
-use super::limits;
 use super::meet::Terms;
 use super::path::Curve;
 use super::perform::Manipulators;
-use super::rig::{Base, ROLL};
 use super::scan::Scan;
 use super::scene::Scene;
-use super::solve::{AT_EASE, Choice, Solutions, choose};
 use super::track::{Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_SECS, even_secs};
-use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
-use crate::arm_ik::ARM_BONES;
+use super::{Command, ManipulatorScript, Motion, Pace};
+use crate::limb::ARM_BONES;
+use crate::limb::chain::{Base, ROLL};
+use crate::limb::limits;
+use crate::limb::solve::{AT_EASE, Choice, Solutions, choose};
+use crate::limb::{Frame, Joints, Limb};
 
 /// Longest time that inverse velocity is followed to a target, seconds.
 const TARGET_SECS: f64 = 8.0;
@@ -338,6 +339,10 @@ impl Manipulators {
         let mut to = now.held();
         for (joint, angle) in to.joints.iter_mut().zip(angles) {
             *joint = angle.unwrap_or(*joint);
+        }
+        // GEVH table 3.1 has no seventh joint: the first two place elbow or knee by themselves.
+        if angles[0].is_some() && angles[1].is_some() {
+            to.joints[ROLL] = 0.0;
         }
         if self.tracks[limb.index()].has_limits() {
             to.joints = limits::keep(self.limits(limb), 1.0, &to.joints);

@@ -5,11 +5,11 @@ use raconteur_base::{DVec3, Length};
 
 use super::compile::Now;
 use super::jacobian::{Twist, joint_speeds};
-use super::limits;
 use super::perform::Manipulators;
-use super::rig::Base;
 use super::track::{BRAKE_SECS, Held, MotionKind, SETTLE_SECS};
-use super::{Frame, Limb};
+use crate::limb::chain::Base;
+use crate::limb::limits;
+use crate::limb::{Frame, Limb};
 
 /// Steps of inverse velocity a second, and how many make a sample.
 const STEPS_HZ: f64 = 120.0;
@@ -70,7 +70,7 @@ impl Manipulators {
             state.cue = place + now.cue_lag * left;
             let cue = now.trunk.transform_point3(state.cue);
             let arm = self.arms.get(limb.index());
-            let scapula = arm.map(|arm| arm.scapula_for(&now.trunk, cue, 0.0));
+            let scapula = arm.map(|arm| arm.girdle().scapula_for(&now.trunk, cue, 0.0));
             let before = base.origin;
             base = self.base(limb, &now.trunk, scapula);
             carried = (base.origin - before) * STEPS_HZ;

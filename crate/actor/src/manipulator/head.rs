@@ -6,11 +6,11 @@ use core::f64::consts::PI;
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::limits::{self, Limit, Sex};
-use super::rig::{Base, Posed};
-use super::solve::Solutions;
-use super::{Frame, Joints, Limb};
 use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::chain::{Base, Posed};
+use crate::limb::limits::{self, Limit, Sex};
+use crate::limb::solve::Solutions;
+use crate::limb::{Frame, Joints, Limb};
 
 /// Neck and skull of a figure. The base has the body's axes: x left, y up, z front.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 
 use raconteur_base::{DVec3, Length};
 
-use super::Frame;
-use crate::wrist::rotation_vector;
+use crate::limb::Frame;
+use crate::limb::wrist::rotation_vector;
 
 /// How many metres count as much as a radian.
 const METRES_PER_RAD: f64 = 0.3;

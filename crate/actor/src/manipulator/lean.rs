@@ -3,10 +3,10 @@
 use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::Limb;
 use super::perform::Manipulators;
 use super::track::Goal;
 use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::Limb;
 
 /// Share of the arm's length from which the spine helps, and the width of its setting in.
 /// Designed: as people begin to lean before their arm is stretched.
@@ -139,8 +139,13 @@ impl Manipulators {
         };
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
-        let scapula = arm.scapula_for(&thorax, to, 0.0);
-        wanted(arm.shoulder_at(&thorax, scapula), lumbar, to, arm.reach_m())
+        let scapula = arm.girdle().scapula_for(&thorax, to, 0.0);
+        wanted(
+            arm.girdle().shoulder_at(&thorax, scapula),
+            lumbar,
+            to,
+            arm.reach_m(),
+        )
     }
 }
 

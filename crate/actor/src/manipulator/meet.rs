@@ -6,16 +6,17 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::aim::Aim;
+use super::aim::FORCED;
 use super::head::HEAD_BONES;
-use super::limits::{self, FORCED};
 use super::perform::Manipulators;
-use super::rig::{Base, END, Posed, ROLL};
-use super::solve::{AT_EASE, Choice, choose, matrix_error};
 use super::steady::{nearest, spline};
-use super::swivel::Preference;
 use super::track::Goal;
-use super::{Frame, Joints, Limb};
-use crate::arm_ik::ARM_BONES;
+use crate::limb::ARM_BONES;
+use crate::limb::chain::{Base, END, Posed, ROLL};
+use crate::limb::limits;
+use crate::limb::solve::{AT_EASE, Choice, choose, matrix_error};
+use crate::limb::swivel::{Comfort, Preference};
+use crate::limb::{Frame, Joints, Limb};
 
 /// A hand or foot that is turned off its target by more, radians, says nothing any more of where
 /// elbow or knee should be: what strains it least changes with every sway of the body.
@@ -239,7 +240,11 @@ impl Manipulators {
         let trunk = self.trunk(limb, skeleton, pose);
         let (_, _, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
         let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
-        let preference = &terms.preference;
+        let comfort = Comfort {
+            obstacles: obstacles.as_ref(),
+            preference: terms.preference,
+            is_relaxed: false,
+        };
         let mut mean = 0.0;
         for (at, weight) in recent {
             let frame = match at.as_ref().unwrap_or(goal) {
@@ -247,7 +252,7 @@ impl Manipulators {
                 Goal::Frame { frame, .. } => *frame,
             };
             let near = self.projected(limb, &frame, &base, terms.limited);
-            mean += weight * rig.swivel_by(&near, &base, obstacles.as_ref(), preference);
+            mean += weight * rig.swivel_for(&near, &base, &comfort);
         }
         Some(mean)
     }
@@ -269,7 +274,9 @@ impl Manipulators {
             }
         };
         let scapula = self.arms.get(limb.index()).map(|arm| {
-            let wanted = arm.scapula_for(trunk, trunk.transform_point3(cue), 0.0);
+            let wanted = arm
+                .girdle()
+                .scapula_for(trunk, trunk.transform_point3(cue), 0.0);
             let [bone, ..] = ARM_BONES[limb.index()];
             pose.rotation(bone).slerp(wanted, set_in)
         });
@@ -308,9 +315,12 @@ impl Manipulators {
                     let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
                     let near = self.projected(limb, frame, &base, terms.limited);
                     let rig = self.limbs.get(limb.index());
-                    rig.map_or(0.0, |rig| {
-                        rig.swivel_by(&near, &base, obstacles.as_ref(), &terms.preference)
-                    })
+                    let comfort = Comfort {
+                        obstacles: obstacles.as_ref(),
+                        preference: terms.preference,
+                        is_relaxed: false,
+                    };
+                    rig.map_or(0.0, |rig| rig.swivel_for(&near, &base, &comfort))
                 });
                 let swivel = swivel + swivel_rad;
                 let joints;

@@ -1,11 +1,8 @@
 //! Robotic manipulators: limbs and head led by targets and joint angles (GEVH section 3.3).
 //!
-//! A limb has the six joints of GEVH table 3.1 and a seventh that the thesis leaves out, the
-//! turn of the upper bone about itself, which lets the elbow or knee swivel while the end
-//! keeps its place. [`rig`] knows the joints of one limb, [`solve`] finds all of them for a
-//! target, [`swivel`] chooses where the elbow goes, [`limits`] holds appendix B, [`path`] the
-//! functions of time, [`jacobian`] inverse velocity; [`Manipulators`] performs a script of
-//! commands as a function of time.
+//! [`crate::limb`] brings a limb to a target; here is what commands make of that: [`path`] holds
+//! the functions of time, [`jacobian`] inverse velocity, [`head`] the joints of neck and skull;
+//! [`Manipulators`] performs a script of commands as a function of time.
 //!
 //! # Frames
 //! *Figure axes* are the world's (metres, x left, y up, z front) carried along by `vh-move`.
@@ -20,107 +17,23 @@ mod follow;
 pub mod head;
 pub mod jacobian;
 mod lean;
-pub mod limits;
 mod meet;
 pub mod path;
 mod perform;
-pub mod rig;
 mod root;
 mod scan;
 mod scene;
-pub mod solve;
 mod steady;
-pub mod swivel;
 mod track;
 
 use raconteur_base::curve::lerp;
-use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_base::{DAffine3, DVec3};
 
-pub use limits::{Limit, Sex};
+use crate::limb::{Frame, Joints, Limb};
+
 pub use path::{Path, Placement, Shape};
 pub use perform::Manipulators;
-pub use rig::LimbRig;
-pub use solve::Solutions;
 pub use steady::MOST_RAD_PER_S;
-
-/// What a manipulator moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limb {
-    /// From the left shoulder to the wrist.
-    LeftArm,
-    /// From the right shoulder to the wrist.
-    RightArm,
-    /// From the left hip to the ankle.
-    LeftLeg,
-    /// From the right hip to the ankle.
-    RightLeg,
-    /// Neck and skull.
-    Head,
-}
-
-impl Limb {
-    /// Every limb, in the order of [`Limb::index`].
-    pub const ALL: [Self; 5] = [
-        Self::LeftArm,
-        Self::RightArm,
-        Self::LeftLeg,
-        Self::RightLeg,
-        Self::Head,
-    ];
-
-    /// 0 to 4.
-    #[must_use]
-    pub fn index(self) -> usize {
-        self as usize
-    }
-
-    /// The side, and whether it is an arm; none for the head.
-    #[must_use]
-    pub fn side(self) -> Option<(Side, bool)> {
-        match self {
-            Self::LeftArm => Some((Side::Left, true)),
-            Self::RightArm => Some((Side::Right, true)),
-            Self::LeftLeg => Some((Side::Left, false)),
-            Self::RightLeg => Some((Side::Right, false)),
-            Self::Head => None,
-        }
-    }
-}
-
-/// Joint angles, radians. Of a limb the six of GEVH table 3.1 and, last, the turn of the
-/// upper bone about itself; of the head five, the rest 0. Zero is the neutral pose: arms
-/// hanging with the palms to the thighs, legs standing, head upright. Equal angles on both
-/// sides mirror each other. Signs: see [`limits::limits`].
-pub type Joints = [f64; 7];
-
-/// A place and an orientation, figure axes or a manipulator's base axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
-    /// Metres.
-    pub position: DVec3,
-    /// Rotation of the target frame.
-    pub rotation: DQuat,
-}
-
-impl Frame {
-    /// On the straight way to another frame: line and shortest turn.
-    #[must_use]
-    pub fn toward(&self, to: &Self, share: f64) -> Self {
-        Self {
-            position: self.position.lerp(to.position, share),
-            rotation: self.rotation.slerp(to.rotation, share).normalized(),
-        }
-    }
-
-    /// The frame moved by a rigid motion.
-    #[must_use]
-    pub fn moved(&self, motion: &DAffine3) -> Self {
-        Self {
-            position: motion.transform_point3(self.position),
-            rotation: (crate::kinematics::rotation_of(motion) * self.rotation).normalized(),
-        }
-    }
-}
 
 /// A limb's motion.
 #[derive(Clone, Debug, PartialEq)]

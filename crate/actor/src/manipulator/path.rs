@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
-use super::Frame;
+use crate::limb::Frame;
 
 /// A place of which parts may be left open. Positions in metres, figure axes (or world, for
 /// the whole figure); angles in radians: yaw about y, then pitch about x, then roll about z,

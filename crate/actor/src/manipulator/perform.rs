@@ -3,20 +3,21 @@
 
 use std::sync::Arc;
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+use raconteur_base::{DAffine3, DQuat, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
+use super::ManipulatorScript;
 use super::head::HeadRig;
-use super::limits::{self, Limit};
-use super::rig::{Base, LimbRig, Posed};
 use super::root::RootTrack;
-use super::solve::Solutions;
 use super::steady::Steady;
-use super::swivel::Obstacles;
 use super::track::{Goal, LimbTrack};
-use super::{Frame, Joints, Limb, ManipulatorScript, Sex};
-use crate::arm_ik::{ARM_BONES, ArmRig};
-use crate::kinematics::{rotation_of, world_from_bone};
+use crate::kinematics::world_from_bone;
+use crate::limb::chain::{Base, LimbRig, Posed};
+use crate::limb::limits::{self, Limit};
+use crate::limb::obstacles::Obstacles;
+use crate::limb::solve::Solutions;
+use crate::limb::{ARM_BONES, ArmRig};
+use crate::limb::{Frame, Joints, Limb, Sex};
 
 /// The rigs of a figure, and what each of its limbs does when.
 #[derive(Clone, Debug)]
@@ -28,11 +29,6 @@ pub struct Manipulators {
     pub(super) root: RootTrack,
     /// Joints that lead the limbs where their targets would make them snap.
     pub(super) steady: [Steady; 5],
-    /// From the skull's joint to the middle of the head, skull axes, metres.
-    head_middle: DVec3,
-    thorax_zero: DAffine3,
-    shoulders: DVec3,
-    scale: f64,
 }
 
 impl Manipulators {
@@ -56,20 +52,11 @@ impl Manipulators {
     /// Manipulators without commands.
     #[must_use]
     pub fn at_rest(skeleton: &Skeleton, sex: Sex, arms: [Arc<ArmRig>; 2]) -> Self {
-        let zero = Pose::zero();
-        let at = |bone| world_from_bone(skeleton, &zero, bone);
-        let scale = skeleton.stature_m() / 1.7;
-        let shoulders = [Bone::LShoulder, Bone::RShoulder].map(|b| at(b).translation);
-        let skull = rotation_of(&at(Bone::Skull));
+        let [left, right] = arms.each_ref().map(|arm| arm.limb().clone());
+        let [left_leg, right_leg] = Side::BOTH.map(|s| LimbRig::new(skeleton, s, false, sex));
         Self {
             arms,
-            limbs: [
-                (Side::Left, true),
-                (Side::Right, true),
-                (Side::Left, false),
-                (Side::Right, false),
-            ]
-            .map(|(side, is_arm)| LimbRig::new(skeleton, side, is_arm, sex)),
+            limbs: [left, right, left_leg, right_leg],
             head: HeadRig::new(skeleton, sex),
             // A neck has no twist as a manipulator.
             tracks: Limb::ALL.map(|limb| match limb {
@@ -78,10 +65,6 @@ impl Manipulators {
             }),
             root: RootTrack::default(),
             steady: Default::default(),
-            head_middle: skull.inverse() * DVec3::new(0.0, 0.08, 0.02) * scale,
-            thorax_zero: at(Bone::Thoracic),
-            shoulders: (shoulders[0] + shoulders[1]) * 0.5,
-            scale,
         }
     }
 
@@ -197,8 +180,7 @@ impl Manipulators {
         match (self.limbs.get(limb.index()), self.arms.get(limb.index())) {
             (Some(rig), Some(arm)) => {
                 let scapula = scapula.unwrap_or(DQuat::IDENTITY);
-                let turned = arm.scapula_in_world(rotation_of(trunk), scapula);
-                rig.base(trunk, Some((turned, arm.shoulder_at(trunk, scapula))))
+                rig.base(trunk, Some(arm.girdle().placed(trunk, scapula)))
             }
             (Some(rig), None) => rig.base(trunk, None),
             _ => self.head.base(trunk),
@@ -234,7 +216,7 @@ impl Manipulators {
         thorax: &DAffine3,
         skeleton: &Skeleton,
         pose: &Pose,
-    ) -> Option<Obstacles> {
+    ) -> Option<Obstacles<'_>> {
         let [_, _, elbow, wrist] = match limb {
             Limb::LeftArm => ARM_BONES[1],
             Limb::RightArm => ARM_BONES[0],
@@ -243,15 +225,15 @@ impl Manipulators {
         let skull = world_from_bone(skeleton, pose, Bone::Skull);
         let elbow = world_from_bone(skeleton, pose, elbow);
         let joint = &skeleton.joints()[wrist.index()];
+        let arm = &self.arms[limb.index()];
         Some(Obstacles {
-            body_from_figure: self.thorax_zero * thorax.inverse(),
-            shoulders_in_body: self.shoulders,
-            head: skull.transform_point3(self.head_middle),
-            other_forearm: [
+            body: arm.space(),
+            body_from_figure: arm.world_from_thorax_zero() * thorax.inverse(),
+            head: skull.transform_point3(arm.space().head_in_skull()),
+            other_forearm: Some([
                 elbow.translation,
                 elbow.transform_point3(joint.translation_in_parent),
-            ],
-            scale: self.scale,
+            ]),
         })
     }
 }

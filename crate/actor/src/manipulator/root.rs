@@ -3,8 +3,9 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
+use super::Move;
 use super::path::Curve;
-use super::{Frame, Move};
+use crate::limb::Frame;
 
 /// The figure's motions in order.
 #[derive(Clone, Debug, Default)]

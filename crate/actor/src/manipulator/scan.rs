@@ -1,14 +1,14 @@
 //! Follows limbs over even times when a script is compiled, and writes down a way through the
 //! joints where their targets would make them snap ([`super::steady`]).
 
-use super::limits::FORCED;
+use super::aim::FORCED;
 use super::meet::Met;
 use super::perform::Manipulators;
-use super::rig::END;
 use super::scene::Scene;
 use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
-use super::{Joints, Limb};
-use crate::arm_ik::ARM_BONES;
+use crate::limb::ARM_BONES;
+use crate::limb::chain::END;
+use crate::limb::{Joints, Limb};
 
 /// How joints catch up with a target after a snap: a share of the remaining way in a second, not
 /// faster and not slower than this. Designed: as a quick movement that ends softly.

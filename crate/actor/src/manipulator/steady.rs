@@ -14,9 +14,9 @@ use core::f64::consts::PI;
 use raconteur_base::curve::smooth;
 use raconteur_base::ops;
 
-use super::Joints;
-use super::rig::{LimbRig, ROLL};
-use super::solve::variation;
+use crate::limb::Joints;
+use crate::limb::chain::{LimbRig, ROLL};
+use crate::limb::solve::variation;
 
 /// Fastest turn of a bone that a manipulator leads, radians a second. People's knees and
 /// elbows reach 10 to 20 rad/s when they move fast without a run-up; only throws and kicks

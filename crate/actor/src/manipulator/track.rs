@@ -5,10 +5,11 @@ use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
 use super::aim::Aim;
+use super::between;
 use super::path::Curve;
-use super::solve::AT_EASE;
-use super::swivel::Preference;
-use super::{Frame, Joints, between};
+use crate::limb::solve::AT_EASE;
+use crate::limb::swivel::Preference;
+use crate::limb::{Frame, Joints};
 
 /// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
 /// brake.

@@ -5,7 +5,6 @@ use raconteur_speech::emotion::WORDS;
 use raconteur_speech::phones::{self, PhoneTargets};
 
 use super::dial::{DIALS, Dial};
-use crate::emotion::Affect;
 
 /// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it, by
 /// the name of its row in [`phones`].
@@ -55,8 +54,8 @@ pub enum Asks {
     Dial(Dial),
     /// The mouth of a phone.
     Viseme(&'static PhoneTargets),
-    /// An emotion of the table.
-    Emotion(Affect),
+    /// An emotion, by its word in [`WORDS`].
+    Emotion(&'static str),
 }
 
 impl Parameter {
@@ -131,7 +130,7 @@ impl Parameter {
                 let phone = phones::by_name(VISEMES[index].1);
                 Asks::Viseme(phone.unwrap_or(phones::PhoneRow::SILENCE.targets()))
             }
-            Some(word) => Asks::Emotion(Affect::named(WORDS[word].0).unwrap_or_default()),
+            Some(word) => Asks::Emotion(WORDS[word].0),
         }
     }
 
@@ -217,7 +216,7 @@ mod tests {
             assert_eq!(targets.viseme, name);
         }
         let fear = Parameter::named("FEAR").next().expect("a word").asks();
-        assert_eq!(fear, Asks::Emotion(Affect::named("fear").expect("a word")));
+        assert_eq!(fear, Asks::Emotion("fear"));
         assert_eq!(Parameter::named("Blush").next().expect("one").least(), -1.0);
         assert_eq!(Parameter::named("Jaw").next().expect("one").least(), 0.0);
     }

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::emotion::Affect;
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
 use raconteur_speech::phones::PhoneTargets;
@@ -20,7 +19,7 @@ use crate::lips::MouthTargets;
 pub struct ParameterTrack {
     dials: Vec<(Dial, Curve)>,
     visemes: Vec<(&'static PhoneTargets, Curve)>,
-    emotions: Vec<(Affect, Curve)>,
+    emotions: Vec<(&'static str, Curve)>,
 }
 
 impl ParameterTrack {
@@ -79,7 +78,7 @@ impl ParameterTrack {
             match parameter.asks() {
                 Asks::Dial(dial) => track.dials.push((dial, curve)),
                 Asks::Viseme(targets) => track.visemes.push((targets, curve)),
-                Asks::Emotion(affect) => track.emotions.push((affect, curve)),
+                Asks::Emotion(word) => track.emotions.push((word, curve)),
             }
         }
         track
@@ -125,10 +124,9 @@ impl ParameterTrack {
         (sum > 0.0).then_some(mouth)
     }
 
-    /// The emotions that are set by name with their courses, for
-    /// [`EmotionTrack::new`](crate::emotion::EmotionTrack::new).
+    /// The words of emotions that are set by name, with their courses.
     #[must_use]
-    pub fn emotions(&self) -> &[(Affect, Curve)] {
+    pub fn emotions(&self) -> &[(&'static str, Curve)] {
         &self.emotions
     }
 }

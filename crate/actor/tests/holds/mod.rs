@@ -1,9 +1,9 @@
 //! What must hold whatever the text of an animation: shared by the tests and the fuzz target.
 
-use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{
     BoneSet, Library, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
 };
+use raconteur_actor::limb::{ArmRig, Build, Sex};
 use raconteur_actor::parameters::ParameterClip;
 use raconteur_body::{Pose, Skeleton};
 
@@ -38,7 +38,8 @@ pub(crate) fn animation(text: &str) {
         &PlayerScript { commands },
         &library,
         &skeleton,
-        ArmRig::both(&skeleton),
+        Sex::Male,
+        ArmRig::both(&skeleton, &Build::default()),
     );
     let mut world = Vec::new();
     for t in [0.0, 0.013, seconds / 3.0, seconds, 2.5 * seconds + 1.0] {

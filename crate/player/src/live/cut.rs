@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use raconteur_actor::gesture::{ArmPlan, HandKey, Phase};
-use raconteur_actor::manipulator::{Command, Limb, Motion};
+use raconteur_actor::limb::Limb;
+use raconteur_actor::manipulator::{Command, Motion};
 use raconteur_actor::{Actor, EmotionSpan, GestureStroke};
 use raconteur_base::Side;
 use raconteur_speech::Utterance;

@@ -342,7 +342,6 @@ impl Live {
         diagnostics.extend(animations::problems(
             &script.document,
             &script.timeline,
-            &scene.cast.figure.skeleton,
             Some(self.players_before(&scene.story.players)),
         ));
         script

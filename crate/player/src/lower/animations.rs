@@ -4,8 +4,7 @@ use raconteur_actor::animation::{
     BODY_GROUPS, BoneSet, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
     ProblemKind, Property, TrackRef, Tracks, body_group,
 };
-use raconteur_actor::{ArmRig, Library};
-use raconteur_body::{Bone, Skeleton};
+use raconteur_body::Bone;
 use raconteur_eml::{
     AnimationStyle, Bones, ClauseKind, DeterministicPrimitive, Diagnostic, Document, Member,
     MemberKind, PlaybackStyle, PrimitiveKind, Set, Span, Timeline, TrackProperty, items_of,
@@ -228,7 +227,6 @@ pub(crate) fn hint(name: &str) -> Option<String> {
 pub(crate) fn problems(
     document: &Document,
     timeline: &Timeline,
-    skeleton: &Skeleton,
     before: Option<Vec<(f64, PlayerCommand)>>,
 ) -> Vec<Diagnostic> {
     let (own, spans) = commands(document, timeline);
@@ -240,8 +238,7 @@ pub(crate) fn problems(
     let first = commands.len();
     commands.extend(own);
     let script = PlayerScript { commands };
-    let arms = ArmRig::both(skeleton);
-    let (_, problems) = Players::new(&script, &Library::default(), skeleton, arms);
+    let problems = Players::problems(&script);
     let added: Vec<&str> = script
         .commands
         .iter()

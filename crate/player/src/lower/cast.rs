@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raconteur_actor::FaceRig;
-use raconteur_actor::gesture::TrunkShape;
+use raconteur_actor::limb::Build;
 use raconteur_base::Side;
 use raconteur_body::Figure;
 use raconteur_eml::{Diagnostic, Document};
@@ -18,7 +18,7 @@ pub(crate) struct Cast {
     pub(crate) face: FaceRig,
     pub(crate) units: Units,
     pub(crate) reach: Reach,
-    pub(crate) trunk: TrunkShape,
+    pub(crate) build: Build,
     pub(crate) hands: Hands,
 }
 
@@ -30,7 +30,7 @@ impl Cast {
             face: FaceRig::new(&figure),
             units: Units::of(&figure.skeleton),
             reach: Reach::of(&figure.skeleton),
-            trunk: TrunkShape::of(&figure),
+            build: Build::of(&figure),
             hands: Hands::of(document, handedness, figure.dominant_hand),
             figure,
         }

@@ -78,8 +78,9 @@ pub(crate) fn of_parameters<'c>(
     let track = ParameterTrack::new(&script, &find);
     let step_secs = STEP_SECS.max(end_secs / MOST_STEPS);
     let mut felt = Vec::new();
-    for (affect, curve) in track.emotions() {
-        let Some(kind) = kind_of(affect) else {
+    for (word, curve) in track.emotions() {
+        let affect = Affect::named(word).unwrap_or_default();
+        let Some(kind) = kind_of(&affect) else {
             continue;
         };
         let (mut begun, mut most) = (None, 0.0_f64);

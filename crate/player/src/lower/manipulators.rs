@@ -6,10 +6,9 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_actor::ManipulatorScript;
+use raconteur_actor::limb::{Frame, Limb};
 use raconteur_actor::manipulator::path::rotation_from;
-use raconteur_actor::manipulator::{
-    Command, Frame, Limb, Motion, Move, Pace, Path, Placement, Shape,
-};
+use raconteur_actor::manipulator::{Command, Motion, Move, Pace, Path, Placement, Shape};
 use raconteur_base::{DVec3, Length, ops};
 use raconteur_eml::{
     Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,

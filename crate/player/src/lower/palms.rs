@@ -3,7 +3,6 @@
 use raconteur_actor::gesture::ArmPlan;
 use raconteur_actor::{ArmGoal, ArmRig, palm};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
-use raconteur_body::Skeleton;
 use raconteur_eml::{ClauseKind, Diagnostic, Document, GestureKey, Handedness, Span, Timeline};
 
 use crate::lower::gestures::{Hands, hand_rotation, offset_secs, track_for};
@@ -31,11 +30,9 @@ struct Missed {
 pub(crate) fn missed(
     document: &Document,
     timeline: &Timeline,
-    skeleton: &Skeleton,
     plans: [&ArmPlan; 2],
     hands: Hands,
 ) -> Vec<Diagnostic> {
-    let rigs = ArmRig::both(skeleton);
     let mut found = Vec::new();
     for timed in &timeline.clauses {
         let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
@@ -43,10 +40,11 @@ pub(crate) fn missed(
         };
         let mut missed = Vec::new();
         for side in Side::BOTH {
+            let plan = plans[side.index()];
             let arm = Arm {
                 side,
-                rig: &rigs[side.index()],
-                plan: plans[side.index()],
+                rig: plan.rig(),
+                plan,
             };
             arm.missed(gesture, timed.start_secs, hands, &mut missed);
         }

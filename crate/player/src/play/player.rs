@@ -563,12 +563,9 @@ fn diagnostics(script: &Script, cast: &Cast, actor: &Actor) -> Vec<Diagnostic> {
     let (document, timeline) = (&script.document, &script.timeline);
     let mut diagnostics = script.diagnostics.clone();
     diagnostics.extend(cast.problems(document));
-    let skeleton = &cast.figure.skeleton;
-    diagnostics.extend(animations::problems(document, timeline, skeleton, None));
+    diagnostics.extend(animations::problems(document, timeline, None));
     let plans = Side::BOTH.map(|side| actor.plan(side));
     diagnostics.extend(gestures::late(document, timeline, plans));
-    diagnostics.extend(palms::missed(
-        document, timeline, skeleton, plans, cast.hands,
-    ));
+    diagnostics.extend(palms::missed(document, timeline, plans, cast.hands));
     thinned(diagnostics)
 }

@@ -1,7 +1,7 @@
 //! Prepares an actor for all that is known of a performance.
 
 use raconteur_actor::animation::PlayerCommand;
-use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript, Sex};
+use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::{Gesture, Room, TakenSpace};
@@ -158,9 +158,8 @@ impl Rehearsal<'_> {
                 face::manner(of, self.options.manner)
             }),
             listener_in_world,
-            sex: Sex::of(self.cast.figure.sex),
+            build: self.cast.build,
             dominant: self.cast.hands.dominant,
-            trunk: Some(self.cast.trunk),
             welcomes: false,
         }
     }

@@ -15,10 +15,9 @@ mod solids;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
 use raconteur_actor::gesture::contact::Capsule;
-use raconteur_actor::manipulator::{Sex, rig::LimbRig};
-use raconteur_actor::wrist;
+use raconteur_actor::limb::wrist::WristLimits;
+use raconteur_actor::limb::{LimbRig, Sex};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::{Bone, Figure, Skeleton};
 
@@ -248,7 +247,8 @@ impl Sweep {
             };
             let bend = turn(DQuat::IDENTITY, own(elbow));
             // A hinge about z, from stretched to bent.
-            let over = (bend.z - ELBOW_MAX_DEG.to_radians()).max(-bend.z).max(0.0);
+            let most = self.arms[side.index()].limits()[2].most_rad;
+            let over = (bend.z - most).max(-bend.z).max(0.0);
             let aside = bend.truncate().length();
             self.limits
                 .measure_bone(over.max(aside).to_degrees(), elbow, t);
@@ -256,8 +256,9 @@ impl Sweep {
             // within them if it is so by a swing after the forearm's twist, as gestures turn
             // it, or by the joints of GEVH table 3.1.
             let turned = own(wrist);
-            let by_joints = self.arms[side.index()].end_beyond_limits_rad(turned);
-            let over = wrist::beyond_limits_rad(side, turned).min(by_joints);
+            let arm = &self.arms[side.index()];
+            let by_swing = WristLimits::new(side, arm.limits()).beyond_rad(turned);
+            let over = by_swing.min(arm.end_beyond_limits_rad(turned));
             self.limits.measure_bone(over.to_degrees(), wrist, t);
         }
     }

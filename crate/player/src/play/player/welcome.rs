@@ -5,7 +5,7 @@
 //! When the story begins to play, the welcome fades into it. Half a second later, and after
 //! any seek, nothing of it is left, to the last bit.
 
-use raconteur_actor::{Actor, FaceRig, Performance, Sex};
+use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::face::FaceControls;
@@ -269,8 +269,7 @@ impl Player {
             motion_amount: self.options.motion_amount,
             manner: self.options.manner,
             listener_in_world: looked_at.unwrap_or(listener.eye_in_world),
-            sex: Sex::of(self.cast.figure.sex),
-            trunk: Some(self.cast.trunk),
+            build: self.cast.build,
             welcomes: true,
             ..Performance::default()
         };

@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 
 use raconteur_base::{DMat3, DQuat, DVec3, Length, METRES_PER_INCH, ops};
 
-use super::rig::{Base, LimbRig, ROLL};
+use super::chain::{Base, LimbRig, ROLL};
 use super::{Frame, Joints, limits};
 
 /// Most sets of joint angles for one target: two flexions, two ways to turn the shoulder
@@ -29,7 +29,7 @@ impl Solutions {
         &self.joints[..self.count]
     }
 
-    pub(super) fn push(&mut self, joints: Joints) {
+    pub(crate) fn push(&mut self, joints: Joints) {
         if let Some(slot) = self.joints.get_mut(self.count) {
             *slot = joints;
             self.count += 1;
@@ -37,7 +37,7 @@ impl Solutions {
     }
 
     /// Every way to turn the shoulder (joints 1, 2 and 7) with every way to turn the wrist.
-    pub(super) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: &[[f64; 3]]) {
+    pub(crate) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: &[[f64; 3]]) {
         for s in shoulder {
             for w in wrist {
                 self.push([s[0], s[1], flexion, w[0], w[1], w[2], s[2]]);
@@ -201,7 +201,7 @@ impl LimbRig {
 
     /// How far the upper bone and the end are turned by bringing joints within their limits,
     /// radians: 0 and not nearly so where they are.
-    pub(super) fn bent(&self, raw: &Joints, kept: &Joints) -> [f64; 2] {
+    pub(crate) fn bent(&self, raw: &Joints, kept: &Joints) -> [f64; 2] {
         let is_kept = |joints: &[usize]| joints.iter().all(|&i| same(raw[i], kept[i]));
         let upper = || self.link(raw).angle_between(self.link(kept));
         let end = || self.turn(raw).angle_between(self.turn(kept));
@@ -213,7 +213,7 @@ impl LimbRig {
 
     /// Joints with the shoulder or hip turned in the one of its two ways that is nearer to other
     /// joints: the bones stay the same. With limits, only if it is within them.
-    pub(super) fn alike(&self, joints: &Joints, to: &Joints, limited: bool) -> Joints {
+    pub(crate) fn alike(&self, joints: &Joints, to: &Joints, limited: bool) -> Joints {
         let mut turned = *joints;
         turned[0] = self.limits[0].wrapped(joints[0] + PI);
         turned[1] = self.limits[1].wrapped(PI - joints[1]);
@@ -228,7 +228,7 @@ impl LimbRig {
 
     /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which limits
     /// leave alone, or turn less.
-    pub(super) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
+    pub(crate) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
         let sets = self.shoulder_angles((turn * self.link(joints)).normalized());
         let [first, second] = sets.map(|[a, b, roll]| {
             let mut turned = *joints;
@@ -309,7 +309,7 @@ pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
 }
 
 /// Sum of the squared differences of joint angles, each the short way round.
-pub(super) fn variation(a: &Joints, b: &Joints) -> f64 {
+pub(crate) fn variation(a: &Joints, b: &Joints) -> f64 {
     let square = |(a, b): (&f64, &f64)| {
         let d = ops::wrap_angle(a - b);
         d * d

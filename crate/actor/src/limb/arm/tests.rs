@@ -1,6 +1,7 @@
 //! Reach, angles and steadiness of arms over many targets.
 
 use super::*;
+use crate::kinematics::rotation_of;
 use crate::palm;
 use raconteur_base::{mirror_rotation, mirror_vector, noise};
 
@@ -30,7 +31,7 @@ fn ten_thousand_reachable_targets_are_met() {
     let skeleton = Skeleton::example();
     let mut worst: f64 = 0.0;
     for side in Side::BOTH {
-        let rig = ArmRig::new(&skeleton, side);
+        let rig = ArmRig::new(&skeleton, side, &Build::default());
         for i in 0..5_000 {
             let wrist_in_world = random_target(&rig, i);
             let goal = ArmGoal {
@@ -53,7 +54,7 @@ fn ten_thousand_reachable_targets_are_met() {
 #[test]
 fn targets_out_of_reach_are_projected_and_reported() {
     let skeleton = Skeleton::example();
-    let rig = ArmRig::new(&skeleton, Side::Left);
+    let rig = ArmRig::new(&skeleton, Side::Left, &Build::default());
     for far in [1.3, 5.0] {
         let d = DVec3::new(0.5, 0.3, 0.8).normalize();
         let goal = ArmGoal {
@@ -78,7 +79,7 @@ fn targets_out_of_reach_are_projected_and_reported() {
 #[test]
 fn comfortable_hand_rotations_are_met() {
     let skeleton = Skeleton::example();
-    let rig = ArmRig::new(&skeleton, Side::Right);
+    let rig = ArmRig::new(&skeleton, Side::Right, &Build::default());
     let s = skeleton.metres_per_eml_unit();
     // Handshake, palm up, palm to the chest, greeting.
     let front = DVec3::Z;
@@ -111,7 +112,7 @@ fn comfortable_hand_rotations_are_met() {
 #[test]
 fn wrist_angles_and_hand_rotations_convert_both_ways() {
     for side in Side::BOTH {
-        let rig = ArmRig::new(&Skeleton::example(), side);
+        let rig = ArmRig::new(&Skeleton::example(), side, &Build::default());
         for i in 0..500 {
             let (at, hand) = (random_target(&rig, i), random_rotation(21, i));
             let back = rig.hand_from_angles(at, &rig.angles_of_hand(at, hand));
@@ -123,7 +124,7 @@ fn wrist_angles_and_hand_rotations_convert_both_ways() {
 #[test]
 fn the_arms_mirror_each_other() {
     let skeleton = Skeleton::example();
-    let rigs = Side::BOTH.map(|side| ArmRig::new(&skeleton, side));
+    let rigs = Side::BOTH.map(|side| ArmRig::new(&skeleton, side, &Build::default()));
     for i in 0..500 {
         let wrist_in_world = random_target(&rigs[0], i);
         let hand = random_rotation(9, i);
@@ -146,7 +147,10 @@ fn the_arms_mirror_each_other() {
         let d = mirror_vector(left.elbow_in_world) - right.elbow_in_world;
         assert!(d.length() < 1e-7, "{i} {d}");
         let (l, r) = (posed(&left, Side::Left).1, posed(&right, Side::Right).1);
-        let zero = rigs.each_ref().map(|r| r.wrist_zero_in_world);
+        let zero = Side::BOTH.map(|side| {
+            let wrist = ARM_BONES[side.index()][3];
+            rotation_of(&world_from_bone(&skeleton, &Pose::zero(), wrist))
+        });
         let (l, r) = (l * zero[0].inverse(), r * zero[1].inverse());
         assert!(mirror_rotation(l).angle_between(r) < 1e-6, "{i}");
     }
@@ -155,7 +159,7 @@ fn the_arms_mirror_each_other() {
 #[test]
 fn the_elbow_moves_steadily_with_the_hand() {
     let skeleton = Skeleton::example();
-    let rig = ArmRig::new(&skeleton, Side::Left);
+    let rig = ArmRig::new(&skeleton, Side::Left, &Build::default());
     // In front of the frontal plane, where hands live, the swivel field is tame. The
     // elbow outruns the wrist most where the hand is near the shoulder (0.3 of the
     // reach: three times the angle) and the elbow leaves the trunk's side.

@@ -7,11 +7,17 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, ops};
+use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use super::rig::{Base, LimbRig};
+use super::chain::{Base, LimbRig};
+use super::obstacles::{Clearance, Obstacles};
 use super::{Frame, Joints};
-use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
+
+/// Direction, in body axes of the left side (x outwards), of a hand held in front at
+/// ease, where [`ELBOW_AT_EASE`] applies; the swivel field is singular opposite to it.
+const HAND_AT_EASE: DVec3 = DVec3::new(0.22, 0.12, 1.0);
+/// Direction of the elbow from the line between shoulder and wrist there. Designed.
+const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
 
 /// Swivels that are weighed: the first, radians from the natural direction (positive lifts
 /// the elbow), how many there are, and how far each is from the last.
@@ -24,17 +30,8 @@ const STEP_SIN_COS: [f64; 2] = [0.247_403_959_254_522_94, 0.968_912_421_710_644_
 /// Effort by which one direction is e times as likely as another. Designed: sharp enough to
 /// keep out of the body, soft enough to be steady.
 const SOFTNESS: f64 = 0.04;
-/// Weight of a direction that is out of the question: some stays where all are.
-const LEAST_WEIGHT: f64 = 1e-200;
-/// Radius of the arm about its bones for a stature of 1.7 m, metres: the elbow is some
-/// 10 cm across, clothed.
-const ARM_RADIUS_M: f64 = 0.045;
-/// Radius of the head with its hair, likewise. Head breadth and length are 15 and 19 cm.
-const HEAD_RADIUS_M: f64 = 0.115;
-/// Effort of an arm that lies half its clearance deep in something. Designed.
-const COLLISION: f64 = 3.0;
-/// Share of that for the other arm, which comes and goes faster than anything else.
-const OTHER_ARM: f64 = 0.3;
+/// Effort of a lifted or lowered elbow, per square radian. Designed.
+const LIFTED: f64 = 0.16;
 
 /// Effort of an upper arm a radian beyond the limits of the shoulder. Designed: more than any
 /// collision, since beyond them it cannot go.
@@ -52,95 +49,18 @@ const PREFERRED: f64 = 1.5;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Preference(pub [(Option<Joints>, f64); 2]);
 
-/// What an arm must keep clear of, figure axes.
-#[derive(Clone, Copy, Debug)]
-pub struct Obstacles {
-    /// Body axes of the zero pose from figure: where the torso stands upright at x = 0.
-    pub body_from_figure: DAffine3,
-    /// The middle of the shoulders in those axes, metres.
-    pub shoulders_in_body: DVec3,
-    /// The middle of the head, metres.
-    pub head: DVec3,
-    /// Elbow and wrist of the other arm, metres.
-    pub other_forearm: [DVec3; 2],
-    /// Stature over 1.7 m.
-    pub scale: f64,
+/// What decides where elbow or knee go.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Comfort<'a> {
+    /// What is in the way.
+    pub obstacles: Option<&'a Obstacles<'a>>,
+    /// What the user prefers; goes before comfort (GEVH 3.3.2.1).
+    pub preference: Preference,
+    /// Whether the end turns as it likes, whatever the rotation of the target.
+    pub is_relaxed: bool,
 }
 
-/// Obstacles prepared for many queries: divisors are stored as factors.
-struct Clearance<'a> {
-    obstacles: &'a Obstacles,
-    /// One over the square of the arm's distance from the head's middle, and from the other arm.
-    head: f64,
-    other_arm: f64,
-    /// The other forearm, and it over the square of its length.
-    forearm: DVec3,
-    along_forearm: DVec3,
-    /// One over the squares of the torso's half axes with the arm about them.
-    torso: [f64; 2],
-    /// One over the height in which the torso's top ends, and where it begins to, metres.
-    top: f64,
-    top_m: f64,
-}
-
-impl<'a> Clearance<'a> {
-    fn new(obstacles: &'a Obstacles) -> Self {
-        let scale = obstacles.scale;
-        let inverse_square = |metres: f64| 1.0 / (metres * metres * scale * scale);
-        let [a, b] = obstacles.other_forearm;
-        let forearm = b - a;
-        Self {
-            obstacles,
-            head: inverse_square(HEAD_RADIUS_M + ARM_RADIUS_M),
-            other_arm: inverse_square(2.0 * ARM_RADIUS_M),
-            forearm,
-            along_forearm: forearm / forearm.length_squared().max(1e-12),
-            torso: TRUNK_HALF_AXES_M.map(|half| inverse_square(half + ARM_RADIUS_M)),
-            // Above the shoulders there is only the neck.
-            top: 1.0 / (0.06 * scale),
-            top_m: 0.02 * scale,
-        }
-    }
-
-    /// A place in body axes, from the middle of the shoulders.
-    fn in_body(&self, point: DVec3) -> DVec3 {
-        let obstacles = self.obstacles;
-        obstacles.body_from_figure.transform_point3(point) - obstacles.shoulders_in_body
-    }
-
-    /// How much effort it is to have an arm's shoulder, elbow and wrist in a place, which is
-    /// given in figure axes and [in the body's](Self::in_body).
-    fn effort(&self, arm: [DVec3; 3], arm_in_body: [DVec3; 3]) -> f64 {
-        // The shoulder itself touches the torso, and the wrist is at its target.
-        let points = |[shoulder, elbow, wrist]: [DVec3; 3]| {
-            [
-                shoulder.lerp(elbow, 0.6),
-                elbow,
-                elbow.lerp(wrist, 0.35),
-                elbow.lerp(wrist, 0.7),
-            ]
-        };
-        let [other_elbow, _] = self.obstacles.other_forearm;
-        let mut sum = 0.0;
-        for (point, in_body) in points(arm).into_iter().zip(points(arm_in_body)) {
-            let head = depth(point.distance_squared(self.obstacles.head) * self.head);
-            let share = (point - other_elbow).dot(self.along_forearm);
-            let near = other_elbow + self.forearm * share.clamp(0.0, 1.0);
-            let other = depth(point.distance_squared(near) * self.other_arm);
-            let torso = self.depth_in_torso(in_body);
-            sum += torso * torso + head * head + OTHER_ARM * other * other;
-        }
-        4.0 * COLLISION * sum
-    }
-
-    /// Depth of the bone of an arm, in body axes, in the torso, as a share of its half axes.
-    fn depth_in_torso(&self, p: DVec3) -> f64 {
-        let below = (1.0 - (p.y + self.top_m) * self.top).clamp(0.0, 1.0);
-        below * depth(p.x * p.x * self.torso[0] + p.z * p.z * self.torso[1])
-    }
-}
-
-/// How likely a direction of so much effort is: the exponential function of its negative over
+/// How likely a direction of so much more effort than the best is: the exponential function of its negative over
 /// [`SOFTNESS`], as the limit of powers stopped at the 1024th, because it is evaluated often.
 fn likelihood(effort: f64) -> f64 {
     let mut power = (1.0 - effort * (1.0 / (1024.0 * SOFTNESS))).max(0.0);
@@ -150,14 +70,18 @@ fn likelihood(effort: f64) -> f64 {
     power
 }
 
-/// How deep a place is inside something, 1 in its middle, from the square of its distance as
-/// a share of the clearance; 0 outside.
-fn depth(share_squared: f64) -> f64 {
-    if share_squared >= 1.0 {
-        0.0
-    } else {
-        1.0 - share_squared.sqrt()
+/// The mean of the swivels by how likely each is.
+fn mean_swivel(efforts: &[f64; CANDIDATES]) -> f64 {
+    // From the least: where every direction is bad they still differ.
+    let least = efforts.iter().copied().fold(f64::INFINITY, f64::min);
+    let (mut sum, mut weights, mut swivel) = (0.0, 0.0, FIRST_RAD);
+    for effort in efforts {
+        let weight = likelihood(effort - least);
+        sum += weight * swivel;
+        weights += weight;
+        swivel += STEP_RAD;
     }
+    sum / weights
 }
 
 /// A limb with everything settled but the swivel.
@@ -188,12 +112,7 @@ impl LimbRig {
         let body = base.rotation * DQuat::from_rotation_z(FRAC_PI_2);
         let in_body = body.inverse() * direction;
         let natural = if self.is_arm {
-            let side = if self.sign > 0.0 {
-                Side::Left
-            } else {
-                Side::Right
-            };
-            natural_elbow(side, in_body)
+            natural_elbow(self.sign, in_body)
         } else {
             // Knees point forwards and a little outwards.
             DQuat::from_rotation_arc(DVec3::NEG_Y, in_body) * DVec3::new(0.12 * self.sign, 0.0, 1.0)
@@ -231,25 +150,12 @@ impl LimbRig {
         ops::atan2(hinge.dot(second), hinge.dot(first))
     }
 
-    /// The best swivel for a target in reach, radians from the natural direction. Without
-    /// obstacles nothing is in the way.
+    /// The best swivel for a target in reach, radians from the natural direction.
     #[must_use]
-    pub fn swivel_for(&self, target: &Frame, base: &Base, obstacles: Option<&Obstacles>) -> f64 {
-        self.swivel_by(target, base, obstacles, &Preference::default())
-    }
-
-    /// The same by the user's preference, which goes before comfort (GEVH 3.3.2.1).
-    #[must_use]
-    pub fn swivel_by(
-        &self,
-        target: &Frame,
-        base: &Base,
-        obstacles: Option<&Obstacles>,
-        preference: &Preference,
-    ) -> f64 {
+    pub fn swivel_for(&self, target: &Frame, base: &Base, comfort: &Comfort<'_>) -> f64 {
         let axes = self.axes_for(target, base);
         let [direction, first, second] = axes;
-        let preferred = preference.0.map(|(joints, weight)| {
+        let preferred = comfort.preference.0.map(|(joints, weight)| {
             let joints = joints.filter(|_| weight > 0.0)?;
             Some((self.hinge_across(&joints, base, axes), weight))
         });
@@ -273,38 +179,38 @@ impl LimbRig {
         // Only an upper arm that points to the back is ever beyond its limits.
         let back = base.rotation * DVec3::NEG_Z;
         let most_back_m = BACKWARDS * hinge.magnitude();
-        let clearance = obstacles.map(Clearance::new);
+        let clearance = comfort.obstacles.map(Clearance::new);
         let clearance = clearance.as_ref().map(|c| {
             let ends = [circle.shoulder, circle.wrist].map(|p| c.in_body(p));
             (c, ends)
         });
-        let (mut sum, mut weights) = (0.0, 0.0);
+        let mut efforts = [0.0; CANDIDATES];
         let ([mut s, mut c], [step_s, step_c]) = (FIRST_SIN_COS, STEP_SIN_COS);
         let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
-        for _ in 0..CANDIDATES {
-            let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards);
+        for effort in &mut efforts {
+            *effort = LIFTED * swivel * swivel;
+            if !comfort.is_relaxed {
+                *effort += self.strain(&circle, outwards);
+            }
             let elbow = circle.elbow(outwards);
             let upper = elbow - base.origin;
             if self.is_arm && upper.dot(back) >= most_back_m {
-                effort += LIMITS * self.beyond(to_base * upper);
+                *effort += LIMITS * self.beyond(to_base * upper);
             }
             for ([along_first, along_second], weight) in preferred.into_iter().flatten() {
                 let aside = ops::hypot(along_first, along_second);
                 let off = aside - (along_first * c + along_second * s);
-                effort += PREFERRED * weight * off;
+                *effort += PREFERRED * weight * off;
             }
             if let Some((clearance, [shoulder, wrist])) = clearance {
                 let arm = [circle.shoulder, elbow, circle.wrist];
-                effort += clearance.effort(arm, [shoulder, clearance.in_body(elbow), wrist]);
+                *effort += clearance.effort(arm, [shoulder, clearance.in_body(elbow), wrist]);
             }
-            let weight = likelihood(effort).max(LEAST_WEIGHT);
-            sum += weight * swivel;
-            weights += weight;
             (s, c) = (s * step_c + c * step_s, c * step_c - s * step_s);
             outwards = first * c + second * s;
             swivel += STEP_RAD;
         }
-        sum / weights
+        mean_swivel(&efforts)
     }
 
     /// Where elbow or knee are with these joints, across the line to a target: along the two
@@ -350,5 +256,37 @@ impl LimbRig {
         let across = side - fore * fore.dot(side);
         let twist = (FREE_TWIST - across.dot(hinge) / across.magnitude().max(0.2)).max(0.0);
         1.2 * bend * bend + 0.8 * twist * twist
+    }
+}
+
+/// Direction of the elbow from the line between shoulder and wrist that is natural for a
+/// wrist in a direction (unit) from the shoulder, both in body axes; not unit. `sign` is +1 on the
+/// left, −1 on the right.
+fn natural_elbow(sign: f64, direction_in_body: DVec3) -> DVec3 {
+    let mirrored = |v: DVec3| DVec3::new(v.x * sign, v.y, v.z);
+    let ease = mirrored(HAND_AT_EASE).normalized();
+    DQuat::from_rotation_arc(ease, direction_in_body) * mirrored(ELBOW_AT_EASE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_that_is_less_bad_is_taken_however_bad_all_are() {
+        for floor in [0.0, 5.0, 18.0, 40.0, 1e3] {
+            let towards = |best: f64| {
+                let mut efforts = [0.0; CANDIDATES];
+                for (i, effort) in efforts.iter_mut().enumerate() {
+                    let off = FIRST_RAD + STEP_RAD * i as f64 - best;
+                    *effort = floor + off * off;
+                }
+                mean_swivel(&efforts)
+            };
+            for best in [-0.5, 0.0, 0.6, 1.0] {
+                let found = towards(best);
+                assert!((found - best).abs() < 0.02, "{floor} {best}: {found}");
+            }
+        }
     }
 }

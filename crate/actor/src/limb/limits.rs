@@ -5,8 +5,7 @@ use core::f64::consts::PI;
 use raconteur_base::curve::smooth;
 use raconteur_base::ops;
 
-use super::Joints;
-use super::Limb;
+use super::{Joints, Limb};
 
 /// Whose limits hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,9 +42,6 @@ struct Anthropometry {
     ankle: [[f64; 2]; 3],
 }
 
-/// Joints that are bent by so much in all, radians, take the mean of the last goals.
-pub(super) const FORCED: f64 = 0.2;
-
 /// GEVH table B.1. (The right thigh's −53.0 is read as the left one's −53.5.)
 const MALE: Anthropometry = Anthropometry {
     neck: [[-63.5, 63.5], [-71.0, 70.0], [-99.1, 99.6]],
@@ -74,15 +70,6 @@ const FEMALE: Anthropometry = Anthropometry {
 /// thumb-up middle: 80° and 90° are the clinical norms (AAOS 1965). GEVH prints the range
 /// without its zero; read from either end it would forbid a palm held down at the waist.
 const PRONATION_SHARE: f64 = 80.0 / 170.0;
-
-/// Largest flexion of the elbow of a man, degrees (GEVH table B.1).
-pub const ELBOW_MAX_DEG: f64 = MALE.elbow_y[1];
-/// Largest flexion of the knee of a man, degrees (GEVH table B.1).
-pub(crate) const KNEE_MAX_DEG: f64 = MALE.knee_y[1];
-/// Flexion and extension of a man's wrist, degrees (GEVH table B.1, axis Y).
-pub(crate) const WRIST_FLEXION_DEG: [f64; 2] = [MALE.wrist[1][1], -MALE.wrist[1][0]];
-/// Ulnar and radial deviation of a man's wrist, degrees (GEVH table B.1, axis X).
-pub(crate) const WRIST_DEVIATION_DEG: [f64; 2] = [-MALE.wrist[0][0], MALE.wrist[0][1]];
 
 /// The least and the most that a joint turns, radians.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! The space that the body takes: hands keep out of trunk and head.
+//! The space that the body takes: hands and arms keep out of trunk and head.
 //!
 //! The trunk is an elliptic column, the head an ellipsoid, both in the zero pose. How far the
 //! front of the column stands out at each height is measured on the figure, where there is one.
@@ -8,8 +8,11 @@ use raconteur_base::{DVec3, Length, ops};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
-use crate::arm_ik::TRUNK_HALF_AXES_M;
-use crate::kinematics::world_from_bone;
+use crate::kinematics::{rotation_of, world_from_bone};
+
+/// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
+/// the chest of an average adult, clothed.
+const TRUNK_HALF_AXES_M: [f64; 2] = [0.17, 0.13];
 
 /// Room that a wrist needs, for a stature of 1.7 m, metres.
 const HAND_RADIUS_M: f64 = 0.045;
@@ -80,8 +83,13 @@ pub struct BodySpace {
     top: f64,
     waist: f64,
     fade: f64,
+    /// Middle of the head.
     head: DVec3,
+    /// The same from the skull's joint, skull axes.
+    head_in_skull: DVec3,
     head_half_axes: DVec3,
+    /// Stature over 1.7 m.
+    scale: f64,
     /// Room that a wrist needs.
     hand: f64,
     shape: Option<TrunkShape>,
@@ -94,7 +102,9 @@ impl BodySpace {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let scale = skeleton.stature_m() / 1.7;
-        let skull = at(Bone::Skull);
+        let skull = world_from_bone(skeleton, &zero, Bone::Skull);
+        // The skull bone ends the neck; the head's middle is above and before it.
+        let to_head = DVec3::new(0.0, 0.075, 0.03) * scale;
         Self {
             axis_z: 0.5 * (at(Bone::LShoulder).z + at(Bone::Lumbar).z),
             half_width: TRUNK_HALF_AXES_M[0] * scale,
@@ -103,12 +113,31 @@ impl BodySpace {
             top: at(Bone::LShoulder).y,
             waist: at(Bone::Lumbar).y,
             fade: 0.08 * scale,
-            // The skull bone ends the neck; the head's middle is above and before it.
-            head: skull + DVec3::new(0.0, 0.075, 0.03) * scale,
+            head: skull.translation + to_head,
+            head_in_skull: rotation_of(&skull).inverse() * to_head,
+            scale,
             head_half_axes: DVec3::from_array(HEAD_HALF_AXES_M) * scale,
             hand: HAND_RADIUS_M * scale,
             shape,
         }
+    }
+
+    /// Stature over 1.7 m.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Middle of the head in the zero pose, world, metres.
+    #[must_use]
+    pub fn head(&self) -> DVec3 {
+        self.head
+    }
+
+    /// Middle of the head from the skull's joint, skull axes, metres.
+    #[must_use]
+    pub fn head_in_skull(&self) -> DVec3 {
+        self.head_in_skull
     }
 
     /// Half width of the column for a wrist, metres.
@@ -158,6 +187,29 @@ impl BodySpace {
         self.keep(p, room_m) - p
     }
 
+    /// How deep a place that needs `room_m` around it is in the trunk, as a share of the half
+    /// axes: 1 in the middle, 0 outside.
+    pub(super) fn depth_in_trunk(&self, p: DVec3, room_m: f64) -> f64 {
+        let [half_width, half_depth] = self.half_axes_at(p, room_m);
+        let (x, z) = (p.x / half_width, (p.z - self.axis_z) / half_depth);
+        let square = x * x + z * z;
+        if square >= 1.0 {
+            0.0
+        } else {
+            (1.0 - square.sqrt()) * self.height_share(p.y)
+        }
+    }
+
+    /// The half axes of the column about a place that needs `room` around it.
+    fn half_axes_at(&self, p: DVec3, room: f64) -> [f64; 2] {
+        let depth = if p.z > self.axis_z {
+            self.depth_m(p.y)
+        } else {
+            self.half_depth
+        };
+        [self.half_width + room, depth + room]
+    }
+
     /// The way out for a wrist.
     #[must_use]
     pub fn wrist_way_out(&self, p: DVec3) -> DVec3 {
@@ -166,14 +218,7 @@ impl BodySpace {
 
     fn keep(&self, p: DVec3, room: f64) -> DVec3 {
         let p = self.out_of_head(p, room);
-        let half_width = self.half_width + room;
-        let front = p.z > self.axis_z;
-        let depth = if front {
-            self.depth_m(p.y)
-        } else {
-            self.half_depth
-        };
-        let half_depth = depth + room;
+        let [half_width, half_depth] = self.half_axes_at(p, room);
         let (x, z) = (p.x / half_width, (p.z - self.axis_z) / half_depth);
         let r = ops::hypot(x, z);
         let grown = self.height_share(p.y);

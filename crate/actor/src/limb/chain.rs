@@ -1,4 +1,4 @@
-//! One limb as a manipulator: its joints on the bones of a figure.
+//! One limb: its joints on the bones of a figure.
 //!
 //! GEVH table 3.1 in the axes of this module: the base has x down, y left and z to the
 //! front. Joint 1 turns about z (abduction), joints 2 and 3 about the sideways axis
@@ -13,15 +13,14 @@ use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::limits::{self, Limit, Sex};
-use super::{Frame, Joints, Limb};
-use crate::arm_ik::ARM_BONES;
-use crate::idle::stance::LEG_BONES;
-use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+use super::two_bone::TwoBone;
+use super::{ARM_BONES, Frame, Joints, LEG_BONES, Limb};
+use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Index of the seventh joint.
 pub const ROLL: usize = 6;
 /// Joints of wrist or ankle.
-pub(super) const END: core::ops::Range<usize> = 3..ROLL;
+pub(crate) const END: core::ops::Range<usize> = 3..ROLL;
 
 /// Where a manipulator stands at one moment, figure axes.
 #[derive(Clone, Copy, Debug)]
@@ -61,8 +60,11 @@ pub struct LimbRig {
     pub(super) link_from_upper: DQuat,
     /// Target frame from end bone.
     pub(super) target_from_end: DQuat,
-    /// Target frame from lower bone while joints 4 to 6 are zero.
+    /// Lower bone from target frame while joints 4 to 6 are zero.
     pub(super) lower_from_target: DQuat,
+    /// Target frame in the zero pose: world from target.
+    target_zero: DQuat,
+    end_zero: DQuat,
 }
 
 /// World from the base's axes for a body that stands upright.
@@ -119,6 +121,8 @@ impl LimbRig {
             link_from_upper: link_zero.inverse() * in_world(bones[0]),
             target_from_end,
             lower_from_target: end.zero_rotation * target_from_end.inverse(),
+            target_zero,
+            end_zero: end.zero_rotation,
         }
     }
 
@@ -165,7 +169,7 @@ impl LimbRig {
     }
 
     /// Rotation of the first links, base from the table's second frame.
-    pub(super) fn link(&self, joints: &Joints) -> DQuat {
+    pub(crate) fn link(&self, joints: &Joints) -> DQuat {
         let s = self.signs();
         DQuat::from_rotation_z(s[0] * joints[0])
             * DQuat::from_rotation_x(FRAC_PI_2)
@@ -182,7 +186,7 @@ impl LimbRig {
     }
 
     /// How far bones turn from joints to others, the most of them, radians.
-    pub(super) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
+    pub(crate) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
         let upper = self.link(from).angle_between(self.link(to));
         let end = self.turn(from).angle_between(self.turn(to));
         let bend = ops::wrap_angle(from[2] - to[2]).abs();
@@ -207,6 +211,30 @@ impl LimbRig {
                 rotation: (lower * self.lower_from_target * turn).normalized(),
             },
         }
+    }
+
+    /// The rotation of a target that turns the end of the zero pose so, figure axes.
+    pub(super) fn target_rotation(&self, turn: DQuat) -> DQuat {
+        turn * self.target_zero
+    }
+
+    /// How the end is turned from the zero pose, figure axes, by local rotations of the bones on
+    /// the bone that they hang on.
+    pub(super) fn end_turn(&self, parent: DQuat, [upper, lower, end]: [DQuat; 3]) -> DQuat {
+        let lower = parent * self.upper_zero * upper * self.chain.zero() * lower;
+        self.turn_on(lower, end)
+    }
+
+    /// The same by the local rotation of the end on a lower bone, figure axes.
+    pub(super) fn turn_on(&self, lower: DQuat, end: DQuat) -> DQuat {
+        let end_in_figure = lower * self.end_zero * end;
+        end_in_figure * (self.target_zero * self.target_from_end).inverse()
+    }
+
+    /// The local rotation of the end bone on a lower bone (figure axes) that turns the end as a
+    /// target is turned.
+    pub(super) fn end_for(&self, lower: DQuat, target: DQuat) -> DQuat {
+        (lower * self.end_zero).inverse() * (target * self.target_from_end)
     }
 
     /// How far joints 4 to 6 are beyond their limits for a local rotation of the end bone, by
@@ -288,7 +316,7 @@ impl LimbRig {
     }
 
     /// The axes of the joints and a point on each, figure axes, for inverse velocity.
-    pub(super) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
+    pub(crate) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
         let s = self.signs();
         let lifted = base.rotation * DQuat::from_rotation_z(s[0] * joints[0]);
         let link = base.rotation * self.link(joints);

@@ -1,0 +1,347 @@
+//! One arm by its wrist: place of the wrist and rotation of the hand to joint rotations, in
+//! closed form (GEVH section 3.3.2.1: two links and a spherical wrist; targets outside the
+//! workspace are projected onto it). So gestures and animations lead an arm; manipulators
+//! lead it by its joints ([`crate::manipulator`]), through the same girdle, chain, swivel and limits.
+//!
+//! Every solution is a function of the goal alone, smooth where it can be:
+//! - the girdle rises and reaches with the arm ([`Girdle`]);
+//! - the elbow goes where hand, body and comfort want it ([`super::swivel`]);
+//! - the elbow eases out towards the end of the reach;
+//! - a hand rotation that the wrist cannot reach is brought back to its limits, softly.
+
+use std::sync::Arc;
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::body_space::BodySpace;
+use super::chain::{Base, LimbRig};
+use super::girdle::Girdle;
+use super::obstacles::Obstacles;
+use super::swivel::Comfort;
+use super::wrist::{WristAngles, WristLimits};
+use super::{ARM_BONES, Build, Frame};
+use crate::kinematics::world_from_bone;
+
+/// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
+/// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
+const SOFT_SHARE: f64 = 0.01;
+/// Farthest place that a plan asks for, a share of the reach: more than the trunk sways.
+const PLANNED_SHARE: f64 = 1.03;
+
+/// The target of an arm.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmGoal {
+    /// Place of the wrist, world, metres.
+    pub wrist_in_world: DVec3,
+    /// Hand rotation ([`crate::palm`]); `None` leaves the wrist relaxed.
+    pub hand_in_world: Option<DQuat>,
+    /// Extra rise of the shoulder, radians: breath and shrugs.
+    pub shrug_rad: f64,
+}
+
+/// Local rotations of one arm's bones and how well they meet the goal.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmSolution {
+    /// Rotation of the scapula bone.
+    pub scapula: DQuat,
+    /// Rotation of the shoulder.
+    pub shoulder: DQuat,
+    /// Rotation of the elbow: flexion only.
+    pub elbow: DQuat,
+    /// Rotation of the wrist; its twist about x is the forearm's pronation.
+    pub wrist: DQuat,
+    /// Elbow, world, metres.
+    pub elbow_in_world: DVec3,
+    /// Distance between the wrist and its goal, metres.
+    pub error_m: f64,
+    /// Angle between the hand and its goal, radians; 0 without a wanted rotation.
+    pub hand_error_rad: f64,
+    /// Whether the wrist position lies in the workspace: the error is then below 1e-9 m, or
+    /// up to 2 mm in the last hundredth of the reach, where the elbow eases out.
+    pub reached: bool,
+}
+
+impl ArmSolution {
+    /// Writes the rotations into a pose.
+    pub fn apply(&self, side: Side, pose: &mut Pose) {
+        let [scapula, shoulder, elbow, wrist] = ARM_BONES[side.index()];
+        pose.set(scapula, self.scapula);
+        pose.set(shoulder, self.shoulder);
+        pose.set(elbow, self.elbow);
+        pose.set(wrist, self.wrist);
+    }
+}
+
+/// One arm of a figure: everything about it that does not change with the pose.
+#[derive(Clone, Debug)]
+pub struct ArmRig {
+    side: Side,
+    girdle: Girdle,
+    limb: LimbRig,
+    wrist: WristLimits,
+    space: BodySpace,
+    thorax_zero_in_world: DAffine3,
+    /// Shoulder in the zero pose, world, metres.
+    shoulder_in_world: DVec3,
+}
+
+/// An arm that is solved.
+struct Solved {
+    solution: ArmSolution,
+    /// World from the lower bone.
+    lower: DQuat,
+}
+
+impl ArmRig {
+    /// Measures both arms of a skeleton, left and right; shared by all that move them.
+    #[must_use]
+    pub fn both(skeleton: &Skeleton, build: &Build) -> [Arc<Self>; 2] {
+        Side::BOTH.map(|side| Arc::new(Self::new(skeleton, side, build)))
+    }
+
+    /// Measures one arm of a skeleton.
+    #[must_use]
+    pub fn new(skeleton: &Skeleton, side: Side, build: &Build) -> Self {
+        let zero = Pose::zero();
+        let limb = LimbRig::new(skeleton, side, true, build.sex);
+        let [_, shoulder, ..] = ARM_BONES[side.index()];
+        Self {
+            side,
+            girdle: Girdle::new(skeleton, side, limb.chain.reach_m()),
+            wrist: WristLimits::new(side, limb.limits()),
+            limb,
+            space: BodySpace::new(skeleton, build.trunk),
+            thorax_zero_in_world: world_from_bone(skeleton, &zero, Bone::Thoracic),
+            shoulder_in_world: world_from_bone(skeleton, &zero, shoulder).translation,
+        }
+    }
+
+    /// The side that the arm is on.
+    #[must_use]
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// What the arm hangs on.
+    #[must_use]
+    pub fn girdle(&self) -> &Girdle {
+        &self.girdle
+    }
+
+    /// Its bones and joints.
+    #[must_use]
+    pub fn limb(&self) -> &LimbRig {
+        &self.limb
+    }
+
+    /// The space of the body that it keeps out of.
+    #[must_use]
+    pub fn space(&self) -> &BodySpace {
+        &self.space
+    }
+
+    /// Upper arm and forearm stretched, metres.
+    #[must_use]
+    pub fn reach_m(&self) -> f64 {
+        self.limb.chain.reach_m()
+    }
+
+    /// Shoulder joint of the zero pose, world, metres.
+    #[must_use]
+    pub fn shoulder_in_world(&self) -> DVec3 {
+        self.shoulder_in_world
+    }
+
+    /// World from thorax in the zero pose.
+    #[must_use]
+    pub fn world_from_thorax_zero(&self) -> DAffine3 {
+        self.thorax_zero_in_world
+    }
+
+    /// Solves for a goal with the thorax where it is.
+    #[must_use]
+    pub fn solve(&self, world_from_thorax: &DAffine3, goal: &ArmGoal) -> ArmSolution {
+        self.solved(world_from_thorax, goal).solution
+    }
+
+    fn solved(&self, world_from_thorax: &DAffine3, goal: &ArmGoal) -> Solved {
+        let (wrist_in_world, shrug_rad) = (goal.wrist_in_world, goal.shrug_rad);
+        let girdle = &self.girdle;
+        let scapula = girdle.scapula_for(world_from_thorax, wrist_in_world, shrug_rad);
+        let base = self.base(world_from_thorax, scapula);
+        let chain = &self.limb.chain;
+        let wanted = wrist_in_world - base.origin;
+        let distance = wanted.magnitude();
+        let spare_m = SOFT_SHARE * self.reach_m();
+        let flexion = chain.flexion_for(chain.eased_m(distance, spare_m));
+        let met_m = chain.distance_m(flexion);
+        let error_m = (met_m - distance).abs();
+        // A wrist in the shoulder hangs.
+        let direction = wanted.try_normalized().unwrap_or(base.rotation * DVec3::X);
+        let turn = goal.hand_in_world.unwrap_or(DQuat::IDENTITY);
+        let target = Frame {
+            position: base.origin + direction * met_m,
+            rotation: self.limb.target_rotation(turn),
+        };
+        let swivel = self.swivel(world_from_thorax, &base, &target, goal);
+        let elbow_to = self.limb.elbow_at(&target, &base, swivel);
+        let upper = chain.aim(flexion, direction, elbow_to);
+        let elbow = chain.flexed(flexion);
+        let lower = upper * chain.zero() * elbow;
+        let (wrist, hand_error_rad) = if goal.hand_in_world.is_some() {
+            let local = self.limb.end_for(lower, target.rotation);
+            let limited = self.wrist.limited(local);
+            (limited, limited.angle_between(local))
+        } else {
+            (DQuat::IDENTITY, 0.0)
+        };
+        let solution = ArmSolution {
+            scapula,
+            shoulder: ((base.parent * self.limb.upper_zero).inverse() * upper).normalized(),
+            elbow,
+            wrist,
+            elbow_in_world: base.origin + upper * chain.hinge(),
+            error_m,
+            hand_error_rad,
+            reached: distance <= self.reach_m() && error_m < spare_m,
+        };
+        Solved { solution, lower }
+    }
+
+    /// Where the arm stands on a thorax, with the scapula turned so.
+    fn base(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> Base {
+        let girdle = self.girdle.placed(world_from_thorax, scapula);
+        self.limb.base(world_from_thorax, Some(girdle))
+    }
+
+    /// Where the elbow goes. Both arms are solved at once, and gestures keep their hands apart:
+    /// nothing is known here of the other arm.
+    fn swivel(
+        &self,
+        world_from_thorax: &DAffine3,
+        base: &Base,
+        target: &Frame,
+        goal: &ArmGoal,
+    ) -> f64 {
+        let body_from_figure = self.thorax_zero_in_world * world_from_thorax.inverse();
+        let obstacles = Obstacles {
+            body: &self.space,
+            body_from_figure,
+            head: body_from_figure
+                .inverse()
+                .transform_point3(self.space.head()),
+            other_forearm: None,
+        };
+        let comfort = Comfort {
+            obstacles: Some(&obstacles),
+            is_relaxed: goal.hand_in_world.is_none(),
+            ..Comfort::default()
+        };
+        self.limb.swivel_for(target, base, &comfort)
+    }
+
+    /// `wrist_in_world`, or, where that is far out of reach, the nearest place that is only
+    /// a little out of reach (3 %) with the thorax of the zero pose: hands then slow down for it
+    /// instead of running into the end of the arm.
+    #[must_use]
+    pub fn within_reach(&self, wrist_in_world: DVec3) -> DVec3 {
+        let thorax = self.thorax_zero_in_world;
+        let scapula = self.girdle.scapula_for(&thorax, wrist_in_world, 0.0);
+        let shoulder_at = self.girdle.shoulder_at(&thorax, scapula);
+        let to = wrist_in_world - shoulder_at;
+        let most = PLANNED_SHARE * self.reach_m();
+        if to.magnitude() <= most {
+            wrist_in_world
+        } else {
+            shoulder_at + to.clamp_length_max(most)
+        }
+    }
+
+    /// Hand rotation of a relaxed wrist at this place, with the thorax of the zero pose:
+    /// what a keyframe without a palm gets.
+    #[must_use]
+    pub fn relaxed_hand(&self, wrist_in_world: DVec3) -> DQuat {
+        self.hand_from_angles(wrist_in_world, &WristAngles::relaxed(self.side))
+    }
+
+    /// A hand rotation at a place as wrist angles of a natural arm, thorax in the zero pose.
+    #[must_use]
+    pub fn angles_of_hand(&self, wrist_in_world: DVec3, hand_in_world: DQuat) -> WristAngles {
+        let target = self.limb.target_rotation(hand_in_world);
+        let lower = self.natural(wrist_in_world).lower;
+        WristAngles::of(self.side, self.limb.end_for(lower, target))
+    }
+
+    /// The inverse of [`ArmRig::angles_of_hand`].
+    #[must_use]
+    pub fn hand_from_angles(&self, wrist_in_world: DVec3, angles: &WristAngles) -> DQuat {
+        let lower = self.natural(wrist_in_world).lower;
+        let turned = self.limb.turn_on(lower, angles.rotation(self.side));
+        turned.normalized()
+    }
+
+    /// The arm with its wrist at a place and the hand as it likes, the thorax in the zero pose.
+    fn natural(&self, wrist_in_world: DVec3) -> Solved {
+        let goal = ArmGoal {
+            wrist_in_world,
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        self.solved(&self.thorax_zero_in_world, &goal)
+    }
+
+    /// The natural posture for a wrist, with the thorax of the zero pose.
+    #[must_use]
+    pub fn posture(&self, wrist_in_world: DVec3) -> ArmPosture {
+        let solution = self.natural(wrist_in_world).solution;
+        ArmPosture {
+            scapula: solution.scapula,
+            shoulder: solution.shoulder,
+            flexion_rad: self.limb.chain.flexion_of(solution.elbow),
+        }
+    }
+
+    /// The hand rotation of a solution: what was wanted, as far as the wrist could.
+    #[must_use]
+    pub fn hand_of(&self, world_from_thorax: &DAffine3, s: &ArmSolution) -> DQuat {
+        let (parent, _) = self.girdle.placed(world_from_thorax, s.scapula);
+        let turned = self.limb.end_turn(parent, [s.shoulder, s.elbow, s.wrist]);
+        turned.normalized()
+    }
+
+    /// Where a posture puts the wrist, with the thorax of the zero pose, world, metres.
+    #[must_use]
+    pub fn wrist_of(&self, posture: &ArmPosture) -> DVec3 {
+        let thorax = &self.thorax_zero_in_world;
+        let (parent, shoulder_at) = self.girdle.placed(thorax, posture.scapula);
+        let upper = parent * self.limb.upper_zero * posture.shoulder;
+        shoulder_at + upper * self.limb.chain.end_in_upper(posture.flexion_rad)
+    }
+}
+
+/// The joints of an arm that place its wrist, for interpolation by joint.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmPosture {
+    /// Rotation of the scapula bone.
+    scapula: DQuat,
+    /// Rotation of the shoulder.
+    shoulder: DQuat,
+    /// Flexion of the elbow, radians.
+    flexion_rad: f64,
+}
+
+impl ArmPosture {
+    /// The posture a share of the way to another; shares beyond 0..1 go on beyond the ends.
+    #[must_use]
+    pub fn lerp(&self, to: &Self, s: f64) -> Self {
+        Self {
+            scapula: self.scapula.slerp(to.scapula, s).normalized(),
+            shoulder: self.shoulder.slerp(to.shoulder, s).normalized(),
+            flexion_rad: self.flexion_rad + (to.flexion_rad - self.flexion_rad) * s,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

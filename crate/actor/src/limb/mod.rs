@@ -1,0 +1,143 @@
+//! Limbs: arms and legs, what their joints can do, and how they are brought to a target.
+//!
+//! One solver for all that leads a limb: [`two_bone`] is the hinge between two bones,
+//! [`chain`] the joints of a limb on the bones of a figure, [`solve`] all joint angles for a
+//! target, [`swivel`] where the elbow or knee goes, [`limits`] how far joints turn, [`wrist`]
+//! a wrist as its forearm sees it, [`girdle`] what an arm hangs on, [`body_space`] and
+//! [`obstacles`] what is in its way. Two policies stand on it: [`arm`], which places a wrist
+//! for gestures and animations, and [`crate::manipulator`], which leads limbs by commands.
+//!
+//! A limb has the six joints of GEVH table 3.1 and a seventh that the thesis leaves out, the
+//! turn of the upper bone about itself, which lets the elbow or knee swivel while the end
+//! keeps its place.
+
+pub mod arm;
+pub mod body_space;
+pub mod chain;
+pub mod girdle;
+pub mod limits;
+pub mod obstacles;
+pub mod solve;
+pub mod swivel;
+pub mod two_bone;
+pub mod wrist;
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_body::{Bone, Figure};
+
+pub use arm::{ArmGoal, ArmRig, ArmSolution};
+pub use body_space::{BodySpace, TrunkShape};
+pub use chain::LimbRig;
+pub use limits::{Limit, Sex};
+pub use solve::Solutions;
+
+/// Scapula, shoulder, elbow and wrist of the left and right side.
+pub const ARM_BONES: [[Bone; 4]; 2] = [
+    [Bone::LScapula, Bone::LShoulder, Bone::LElbow, Bone::LWrist],
+    [Bone::RScapula, Bone::RShoulder, Bone::RElbow, Bone::RWrist],
+];
+
+/// Hip, knee and ankle of the left and right side.
+pub const LEG_BONES: [[Bone; 3]; 2] = [
+    [Bone::LHip, Bone::LKnee, Bone::LSubtalar],
+    [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
+];
+
+/// What of a figure's build its limbs go by.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Build {
+    /// Whose limits its joints have.
+    pub sex: Sex,
+    /// Shape of its trunk; none: an average one.
+    pub trunk: Option<TrunkShape>,
+}
+
+impl Build {
+    /// Measures a figure with its clothes.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        Self {
+            sex: Sex::of(figure.sex),
+            trunk: Some(TrunkShape::of(figure)),
+        }
+    }
+}
+
+/// A limb, or the head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limb {
+    /// From the left shoulder to the wrist.
+    LeftArm,
+    /// From the right shoulder to the wrist.
+    RightArm,
+    /// From the left hip to the ankle.
+    LeftLeg,
+    /// From the right hip to the ankle.
+    RightLeg,
+    /// Neck and skull.
+    Head,
+}
+
+impl Limb {
+    /// Every limb, in the order of [`Limb::index`].
+    pub const ALL: [Self; 5] = [
+        Self::LeftArm,
+        Self::RightArm,
+        Self::LeftLeg,
+        Self::RightLeg,
+        Self::Head,
+    ];
+
+    /// 0 to 4.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The side, and whether it is an arm; none for the head.
+    #[must_use]
+    pub fn side(self) -> Option<(Side, bool)> {
+        match self {
+            Self::LeftArm => Some((Side::Left, true)),
+            Self::RightArm => Some((Side::Right, true)),
+            Self::LeftLeg => Some((Side::Left, false)),
+            Self::RightLeg => Some((Side::Right, false)),
+            Self::Head => None,
+        }
+    }
+}
+
+/// Joint angles, radians. Of a limb the six of GEVH table 3.1 and, last, the turn of the
+/// upper bone about itself; of the head five, the rest 0. Zero is the neutral pose: arms
+/// hanging with the palms to the thighs, legs standing, head upright. Equal angles on both
+/// sides mirror each other. Signs: see [`limits::limits`].
+pub type Joints = [f64; 7];
+
+/// A place and an orientation, figure axes or a manipulator's base axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Metres.
+    pub position: DVec3,
+    /// Rotation of the target frame.
+    pub rotation: DQuat,
+}
+
+impl Frame {
+    /// On the straight way to another frame: line and shortest turn.
+    #[must_use]
+    pub fn toward(&self, to: &Self, share: f64) -> Self {
+        Self {
+            position: self.position.lerp(to.position, share),
+            rotation: self.rotation.slerp(to.rotation, share).normalized(),
+        }
+    }
+
+    /// The frame moved by a rigid motion.
+    #[must_use]
+    pub fn moved(&self, motion: &DAffine3) -> Self {
+        Self {
+            position: motion.transform_point3(self.position),
+            rotation: (crate::kinematics::rotation_of(motion) * self.rotation).normalized(),
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! What a wrist and forearm can do, and a hand rotation as the forearm sees it.
+//!
+//! A wrist rotation is a twist about the forearm's x axis, which is the forearm's pronation,
+//! and then a swing: the radius takes the axes of flexion and deviation along as it turns.
+
+use core::f64::consts::PI;
+
+use raconteur_base::curve::smooth;
+use raconteur_base::{DQuat, DVec3, Length, Side, ops};
+use raconteur_body::skeleton::twist_about_x;
+
+use super::limits::Limit;
+
+/// Share of a limit up to which a joint follows exactly; beyond, it approaches the limit.
+const FREE_SHARE: f64 = 0.9;
+
+/// A hand rotation as the forearm sees it, for moving between hand rotations that lie far
+/// apart the way a wrist does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WristAngles {
+    /// Pronation from the thumb-up middle, radians, −π..π.
+    pub pronation_rad: f64,
+    /// Rest of the rotation: axis times angle about y and z of the turned forearm, radians.
+    pub(crate) swing: DVec3,
+}
+
+impl WristAngles {
+    /// A relaxed hand: some pronation and a little extension, neither blade nor tray.
+    #[must_use]
+    pub fn relaxed(side: Side) -> Self {
+        Self {
+            pronation_rad: 0.45,
+            swing: DVec3::new(0.0, 0.2 * side.sign(), 0.0),
+        }
+    }
+
+    /// The angles of a wrist rotation, local to the forearm.
+    #[must_use]
+    pub fn of(side: Side, local: DQuat) -> Self {
+        let twist = twist_about_x(local);
+        let swing = (twist.inverse() * local).normalized();
+        Self {
+            // A positive turn about x pronates on the left (y front towards z down).
+            pronation_rad: side.sign() * 2.0 * ops::atan2(twist.x, twist.w),
+            swing: rotation_vector(if swing.w < 0.0 { -swing } else { swing }),
+        }
+    }
+
+    /// The wrist rotation with these angles, local to the forearm.
+    #[must_use]
+    pub fn rotation(&self, side: Side) -> DQuat {
+        let twist = DQuat::from_rotation_x(side.sign() * self.pronation_rad);
+        (twist * DQuat::from_scaled_axis(self.swing)).normalized()
+    }
+
+    /// Linear interpolation: pronation never goes the long way round.
+    #[must_use]
+    pub fn lerp(&self, to: &Self, s: f64) -> Self {
+        Self {
+            pronation_rad: self.pronation_rad + (to.pronation_rad - self.pronation_rad) * s,
+            swing: self.swing.lerp(to.swing, s),
+        }
+    }
+}
+
+/// `x` limited to [−`low`, `high`]: exact up to [`FREE_SHARE`] of a limit, then
+/// approaching it.
+fn soft_limit(x: f64, [low, high]: [f64; 2]) -> f64 {
+    let limit = if x < 0.0 { low } else { high };
+    let (free, rest) = (FREE_SHARE * limit, (1.0 - FREE_SHARE) * limit);
+    let over = x.abs() - free;
+    if over <= 0.0 {
+        x
+    } else {
+        x.signum() * (free + rest * over / (over + rest))
+    }
+}
+
+/// What one wrist and its forearm can do.
+#[derive(Clone, Copy, Debug)]
+pub struct WristLimits {
+    side: Side,
+    /// Supination and pronation from the thumb-up middle, radians, both positive.
+    twist_rad: [f64; 2],
+    /// Flexion and extension.
+    flexion_rad: [f64; 2],
+    /// To the little finger and to the thumb.
+    deviation_rad: [f64; 2],
+}
+
+impl WristLimits {
+    /// Those of an arm with these limits of its joints.
+    #[must_use]
+    pub fn new(side: Side, limits: &[Limit; 7]) -> Self {
+        let [twist, deviation, flexion] = [3, 4, 5].map(|i: usize| limits[i]);
+        Self {
+            side,
+            twist_rad: [-twist.least_rad, twist.most_rad],
+            flexion_rad: [flexion.most_rad, -flexion.least_rad],
+            deviation_rad: [-deviation.least_rad, deviation.most_rad],
+        }
+    }
+
+    /// The nearest rotation that the wrist can make. On the circle of twists the limit gives way
+    /// towards the far side, so that no path of orientations makes the forearm snap.
+    #[must_use]
+    pub fn limited(&self, local: DQuat) -> DQuat {
+        let WristAngles {
+            pronation_rad,
+            swing,
+        } = WristAngles::of(self.side, local);
+        let give_way = 1.0 - smooth((pronation_rad.abs() - 2.3) / (PI - 2.3));
+        let pronation_rad = soft_limit(pronation_rad, self.twist_rad) * give_way;
+        // Negative turns about y flex the left wrist; positive turns about z bend both to the
+        // thumb's side.
+        let sign = self.side.sign();
+        let y = sign * soft_limit(sign * swing.y, self.flexion_rad);
+        let z = soft_limit(swing.z, self.deviation_rad);
+        WristAngles {
+            pronation_rad,
+            swing: DVec3::new(0.0, y, z),
+        }
+        .rotation(self.side)
+    }
+
+    /// How far a wrist rotation, local to the forearm, lies beyond what the wrist can do,
+    /// radians; 0 within.
+    #[must_use]
+    pub fn beyond_rad(&self, local: DQuat) -> f64 {
+        let angles = WristAngles::of(self.side, local);
+        let beyond = |x: f64, [low, high]: [f64; 2]| (x - high).max(-low - x).max(0.0);
+        beyond(angles.pronation_rad, self.twist_rad)
+            .max(beyond(self.side.sign() * angles.swing.y, self.flexion_rad))
+            .max(beyond(angles.swing.z, self.deviation_rad))
+    }
+}
+
+/// Axis times angle of a rotation with w ≥ 0: the angle is at most π.
+pub(crate) fn rotation_vector(q: DQuat) -> DVec3 {
+    let v = DVec3::new(q.x, q.y, q.z);
+    let length = v.magnitude();
+    if length < 1e-12 {
+        v * 2.0
+    } else {
+        v * (2.0 * ops::atan2(length, q.w) / length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::limb::Limb;
+    use crate::limb::limits::{Sex, limits};
+    use raconteur_base::noise;
+
+    fn random_rotation(i: i64) -> DQuat {
+        let r = |k| noise::signed(4, k, i);
+        DQuat::from_xyzw(r(0), r(1), r(2), r(3)).normalize()
+    }
+
+    /// Both wrists of a man and of a woman.
+    fn all() -> [(Side, Sex); 4] {
+        let on = |side| [Sex::Male, Sex::Female].map(|sex| (side, sex));
+        let [[a, b], [c, d]] = Side::BOTH.map(on);
+        [a, b, c, d]
+    }
+
+    fn wrist(side: Side, sex: Sex) -> WristLimits {
+        let limb = [Limb::LeftArm, Limb::RightArm][side.index()];
+        WristLimits::new(side, &limits(limb, sex))
+    }
+
+    #[test]
+    fn wrists_stay_within_the_limits_of_their_figure() {
+        for (side, sex) in all() {
+            let limits = wrist(side, sex);
+            for i in 0..5_000 {
+                let limited = limits.limited(random_rotation(i));
+                assert!(limits.beyond_rad(limited) < 1e-9);
+                // GEVH tables B.1 and B.2.
+                let angles = WristAngles::of(side, limited);
+                let pronation = angles.pronation_rad.to_degrees();
+                let [range, flexion, extension, ulnar, radial] = match sex {
+                    Sex::Male => [151.9, 94.8, 78.0, 47.9, 36.7],
+                    Sex::Female => [164.8, 98.1, 74.7, 43.0, 36.1],
+                };
+                let [most, least] = [80.0, -90.0].map(|d| range * d / 170.0);
+                assert!((least..=most).contains(&pronation), "{pronation}");
+                let bend = -side.sign() * angles.swing.y.to_degrees();
+                assert!((-extension..=flexion).contains(&bend), "{bend}");
+                let aside = angles.swing.z.to_degrees();
+                assert!((-ulnar..=radial).contains(&aside), "{aside}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_and_rotations_convert_both_ways() {
+        for side in Side::BOTH {
+            for i in 0..500 {
+                let q = random_rotation(i);
+                assert!(WristAngles::of(side, q).rotation(side).angle_between(q) < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_easy_is_left_alone() {
+        for (side, sex) in all() {
+            let q = WristAngles::relaxed(side).rotation(side);
+            assert!(wrist(side, sex).limited(q).angle_between(q) < 1e-7);
+        }
+    }
+}
