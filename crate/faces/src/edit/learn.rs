@@ -4,9 +4,9 @@
 use faer::Mat;
 use faer::linalg::solvers::Solve as _;
 
-use super::Feature;
-use crate::edit::{Editor, Part};
+use super::{Editor, Part};
 use crate::error::FaceError;
+use crate::feature::Feature;
 use crate::segment::Half;
 
 /// A feature of shape as it is measured.
