@@ -22,6 +22,7 @@ mod feeling;
 mod gesture;
 mod hints;
 mod limits;
+mod markup;
 mod namespaces;
 mod parse;
 mod questions;

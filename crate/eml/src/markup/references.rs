@@ -8,7 +8,7 @@ use crate::{Diagnostic, Span};
 use std::borrow::Cow;
 
 /// The character of a reference, given what stands between `&` and `;`.
-pub(super) fn character(name: &str, span: Span, sink: &mut Sink) -> Option<char> {
+pub(crate) fn character(name: &str, span: Span, sink: &mut Sink) -> Option<char> {
     let found = match name {
         "amp" => Some('&'),
         "lt" => Some('<'),
@@ -95,7 +95,7 @@ fn resolved(value: &str, start: u32, sink: &mut Sink) -> String {
 }
 
 /// Reports an `&` that starts no reference.
-pub(super) fn bare_ampersand(span: Span, sink: &mut Sink) {
+pub(crate) fn bare_ampersand(span: Span, sink: &mut Sink) {
     sink.push(
         Diagnostic::error(
             "eml::bare-ampersand",
