@@ -5,7 +5,7 @@ mod look;
 use raconteur_base::noise;
 
 use super::*;
-use crate::read::read_figure;
+use crate::gltf::read::read_figure;
 
 const SOFIA: &[u8] = include_bytes!("../../../../assets/figures/sofia.glb");
 /// Vertices of the skin of our heads.

@@ -6,7 +6,7 @@ use raconteur_base::noise;
 
 use super::*;
 use crate::HairColour;
-use crate::write::to_packed_glb;
+use crate::gltf::write::to_packed_glb;
 
 const PAPOUS: &[u8] = include_bytes!("../../../../../assets/figures/papous.glb");
 const LENT: [(&str, &[u8]); 4] = [
@@ -112,7 +112,7 @@ fn landmarks_are_those_of_the_figures() {
         ("sto", STOMION),
     ];
     for glb in [SOFIA, PAPOUS] {
-        let names = crate::annotation::annotations(glb).expect("names");
+        let names = crate::gltf::annotation::annotations(glb).expect("names");
         for (name, vertex) in named {
             let landmark = names.landmark(name).expect(name);
             assert_eq!(

@@ -9,7 +9,7 @@ use meshoptimizer_rs::{Error, Workspace};
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, Packing};
-use crate::read::packed::EXTENSION;
+use crate::gltf::read::packed::EXTENSION;
 
 impl Packing {
     fn mode(self) -> &'static str {

@@ -5,19 +5,18 @@
 use raconteur_base::DVec3;
 use serde_json::{Value, json};
 
-use super::{Chain, Collider, Link, Springs};
-use crate::read::document::{index, indices, items, numbers};
+use super::fields::{index, indices, items, numbers};
+use crate::springs::{Chain, Collider, Link, Springs, place};
 
 /// The extension's name.
-pub const EXTENSION: &str = "VRMC_springBone";
+pub(super) const EXTENSION: &str = "VRMC_springBone";
 /// What a file may have; more is left out.
 const MOST_JOINTS: usize = 128;
 const MOST_COLLIDERS: usize = 128;
 
 /// The springs of a document, whose joints are numbers of nodes. A node belongs to one chain
 /// alone: a chain that would share one, or that has a number that is none, does not swing.
-#[must_use]
-pub fn read(root: &Value) -> Springs {
+pub(super) fn read(root: &Value) -> Springs {
     let of = &root["extensions"][EXTENSION];
     let read: Vec<Option<Collider>> = items(of, "colliders")
         .iter()
@@ -52,47 +51,6 @@ pub fn read(root: &Value) -> Springs {
         chains,
         colliders: read.into_iter().flatten().collect(),
     }
-}
-
-impl Springs {
-    /// With joints by other numbers. A chain that loses a joint does not swing; a collider that
-    /// does keeps nothing out.
-    #[must_use]
-    pub fn renumbered(&self, joint: &dyn Fn(usize) -> Option<usize>) -> Self {
-        let link = |l: &Link| {
-            let joint = joint(l.joint)?;
-            Some(Link { joint, ..*l })
-        };
-        let read: Vec<Option<Collider>> = self
-            .colliders
-            .iter()
-            .map(|c| {
-                let joint = joint(c.joint)?;
-                Some(Collider { joint, ..*c })
-            })
-            .collect();
-        let chain = |chain: &Chain| {
-            let links: Option<Vec<Link>> = chain.links.iter().map(link).collect();
-            Some(Chain {
-                links: links?,
-                colliders: chain
-                    .colliders
-                    .iter()
-                    .filter_map(|c| place(&read, *c))
-                    .collect(),
-            })
-        };
-        Self {
-            chains: self.chains.iter().filter_map(chain).collect(),
-            colliders: read.iter().flatten().copied().collect(),
-        }
-    }
-}
-
-/// Where a collider lies among those that can be used.
-fn place(read: &[Option<Collider>], number: usize) -> Option<usize> {
-    read.get(number)?.as_ref()?;
-    Some(read[..number].iter().flatten().count())
 }
 
 fn number(value: &Value, key: &str, absent: f64) -> Option<f64> {
@@ -138,7 +96,7 @@ fn collider(value: &Value) -> Option<Collider> {
 }
 
 /// The extension of a file whose nodes are the joints.
-pub(crate) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Value {
+pub(super) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Value {
     let one = |x: f64| numbers(&[x])[0].clone();
     let colliders: Vec<Value> = springs
         .colliders
@@ -196,4 +154,85 @@ pub(crate) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Val
         value["colliderGroups"] = groups.iter().map(|g| json!({ "colliders": g })).collect();
     }
     value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A chain of four links that meets both of two colliders, a sphere and a capsule.
+    fn springs() -> Springs {
+        let link = |joint| Link {
+            joint,
+            stiffness: 0.35,
+            gravity: DVec3::NEG_Y * 0.12,
+            drag: 0.45,
+            radius_m: 0.004,
+        };
+        let collider = |joint, ends, radius_m| Collider {
+            joint,
+            ends,
+            radius_m,
+        };
+        Springs {
+            chains: vec![Chain {
+                links: (60..64).map(link).collect(),
+                colliders: vec![0, 1],
+            }],
+            colliders: vec![
+                collider(4, [DVec3::ZERO; 2], 0.07),
+                collider(3, [DVec3::ZERO, DVec3::X * 0.08], 0.05),
+            ],
+        }
+    }
+
+    fn numbers(xs: &[f64]) -> Value {
+        json!(xs)
+    }
+
+    #[test]
+    fn files_keep_springs() {
+        let springs = springs();
+        let root = json!({ "extensions": { EXTENSION: write(&springs, &numbers) } });
+        let read = read(&root);
+        assert_eq!(read.colliders, springs.colliders);
+        for (a, b) in read.chains[0].links.iter().zip(&springs.chains[0].links) {
+            assert!(a.gravity.distance(b.gravity) < 1e-12);
+            assert_eq!(
+                (a.joint, a.stiffness, a.drag, a.radius_m),
+                (b.joint, b.stiffness, b.drag, b.radius_m)
+            );
+        }
+        assert_eq!(read.chains[0].colliders, [0, 1]);
+    }
+
+    #[test]
+    fn hostile_springs_are_left_out() {
+        let of = |springs: Value| read(&json!({ "extensions": { EXTENSION: springs } }));
+        let joints =
+            |nodes: &[i64]| -> Value { nodes.iter().map(|n| json!({ "node": n })).collect() };
+        for bad in [
+            json!(null),
+            json!(7),
+            json!({ "springs": "x", "colliders": {} }),
+            json!({ "springs": [{ "joints": joints(&[1]) }] }),
+            json!({ "springs": [{ "joints": joints(&[1, 1]) }] }),
+            json!({ "springs": [{ "joints": joints(&[1, -2]) }] }),
+            json!({ "springs": [{ "joints": joints(&(0..500).collect::<Vec<_>>()) }] }),
+            json!({ "springs": [{ "joints": [{ "node": 1, "gravityDir": [1e308, 1e308, "x"] }, 4] }] }),
+        ] {
+            assert!(of(bad.clone()).is_empty(), "{bad}");
+        }
+        let shared = of(json!({ "springs": [
+            { "joints": joints(&[1, 2]), "colliderGroups": [0, 9, -1] },
+            { "joints": joints(&[2, 3]) },
+        ], "colliderGroups": [{ "colliders": [5, 0, 0] }], "colliders": [{ "node": 4 }] }));
+        assert_eq!(shared.chains.len(), 1);
+        assert_eq!(shared.chains[0].colliders, [0]);
+        let wild = of(json!({ "springs": [{ "joints": [
+            { "node": 1, "stiffness": 1e300, "dragForce": -4, "gravityPower": 1e300 }, { "node": 2 }
+        ] }] }));
+        let link = wild.chains[0].links[0];
+        assert!(link.stiffness <= 10.0 && link.drag == 0.0 && link.gravity.length() <= 10.0);
+    }
 }

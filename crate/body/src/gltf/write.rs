@@ -12,12 +12,12 @@ mod pack;
 use raconteur_base::{DAffine3, DVec3, Side};
 use serde_json::{Map, Value, json};
 
-use crate::annotation::Annotations;
+use super::annotation::Annotations;
+use super::read::packed;
+use super::springs;
 use crate::face::file;
 use crate::figure::{Figure, Material, MaterialKind, Mesh};
-use crate::read::packed;
 use crate::skeleton::{Bone, Drive};
-use crate::springs;
 use buffer::{Buffer, FLOAT, Packing, UNSIGNED_BYTE};
 
 /// The extension of positions and the like as small integers.

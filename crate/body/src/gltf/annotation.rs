@@ -6,8 +6,8 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::read::ReadError;
-use crate::read::document;
+use crate::gltf::read::ReadError;
+use crate::gltf::read::document;
 
 /// A named point of the surface.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -11,7 +11,11 @@ use serde_json::Value;
 
 use super::ReadError;
 use super::packed::Packed;
-use crate::springs::{self, Springs};
+use crate::gltf::fields::{
+    as_index, index, indices, items, needed_index, numbers, text, texts, whole,
+};
+use crate::gltf::springs;
+use crate::springs::Springs;
 
 const MAGIC: &[u8; 4] = b"glTF";
 const CHUNK_JSON: u32 = 0x4E4F_534A;
@@ -175,59 +179,6 @@ pub struct Document<'a> {
     pub accessors: Vec<Accessor>,
     pub views: Vec<View>,
     pub bin: &'a [u8],
-}
-
-/// A place in a list.
-fn as_index(value: &Value) -> Option<usize> {
-    usize::try_from(value.as_u64()?).ok()
-}
-
-pub(crate) fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value[key].as_array().map_or(&[], Vec::as_slice)
-}
-
-pub(crate) fn index(value: &Value, key: &str) -> Option<usize> {
-    as_index(&value[key])
-}
-
-/// An index that must be there; one that is not points nowhere.
-fn needed_index(value: &Value, key: &str) -> usize {
-    index(value, key).unwrap_or(usize::MAX)
-}
-
-pub(crate) fn indices(value: &Value, key: &str) -> Vec<usize> {
-    items(value, key)
-        .iter()
-        .map(|v| as_index(v).unwrap_or(usize::MAX))
-        .collect()
-}
-
-fn whole(value: &Value, key: &str) -> u64 {
-    value[key].as_u64().unwrap_or(0)
-}
-
-fn text(value: &Value, key: &str) -> String {
-    value[key].as_str().unwrap_or_default().to_owned()
-}
-
-fn texts(value: &Value, key: &str) -> Vec<String> {
-    items(value, key)
-        .iter()
-        .filter_map(Value::as_str)
-        .map(str::to_owned)
-        .collect()
-}
-
-pub(crate) fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
-    let list = items(value, key);
-    if list.len() != N {
-        return None;
-    }
-    let mut out = [0.0; N];
-    for (o, v) in out.iter_mut().zip(list) {
-        *o = v.as_f64()?;
-    }
-    Some(out)
 }
 
 fn component(value: &Value) -> Option<Component> {
