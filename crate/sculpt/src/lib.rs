@@ -4,6 +4,7 @@
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
 pub mod assemble;
+mod atlas;
 pub mod bones;
 mod build;
 mod built;
@@ -17,6 +18,7 @@ pub mod hair;
 pub mod hand;
 pub mod head;
 pub mod labels;
+mod least_squares;
 mod lend;
 mod levels;
 pub mod looks;
@@ -30,13 +32,17 @@ pub mod physique;
 pub mod population;
 mod posed;
 pub mod rigging;
+pub mod scan;
+mod similarity;
 pub mod skin;
+pub mod solid;
 #[cfg(test)]
 mod soundness;
 mod springs;
 pub mod statistics;
 pub mod subdivide;
 mod surface;
+mod texture;
 pub(crate) mod tissue;
 pub mod torso;
 pub mod yardstick;

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use raconteur_base::{DVec2, DVec3, ops};
 
-use crate::head::solve::{Terms, least_squares};
+use crate::least_squares::{Terms, least_squares};
 use crate::subdivide::edge_faces;
 
 /// How firmly a given place is held against the map's own rows.

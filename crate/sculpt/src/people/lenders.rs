@@ -1,7 +1,7 @@
-//! Hair that the library has as files of their own, by name.
+//! Who lends the hair that the library has as files of their own, by the hair's name.
 
-use super::{BeardCut, BeardParams, HairParams, HairStyle};
-use crate::people::{FigureParams, preset};
+use super::{FigureParams, preset};
+use crate::hair::{BeardCut, BeardParams, HairParams, HairStyle};
 
 /// Names of hair for the scalp.
 pub const HAIR: [&str; 20] = [
