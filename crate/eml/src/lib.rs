@@ -18,6 +18,7 @@ mod decode;
 mod diagnostic;
 mod document;
 mod durations;
+pub mod emoticon;
 mod feeling;
 mod gesture;
 mod hints;
