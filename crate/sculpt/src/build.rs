@@ -337,7 +337,7 @@ mod tests {
 
     use super::*;
     use crate::posed::{self, bind_pose, turn};
-    use crate::soundness::shipped;
+    use crate::tests::soundness::shipped;
     use raconteur_body::pose::Pose;
     use raconteur_body::read::read_figure;
     use raconteur_body::write::to_packed_glb;

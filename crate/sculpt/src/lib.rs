@@ -11,8 +11,6 @@ mod built;
 mod cells;
 pub mod cloth;
 pub mod crossing;
-#[cfg(test)]
-mod deform;
 pub mod examples;
 pub mod hair;
 pub mod hand;
@@ -36,12 +34,12 @@ pub mod scan;
 mod similarity;
 pub mod skin;
 pub mod solid;
-#[cfg(test)]
-mod soundness;
 mod springs;
 pub mod statistics;
 pub mod subdivide;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod texture;
 pub(crate) mod tissue;
 pub mod torso;

@@ -5,7 +5,7 @@
 //! closed by a fan to its middle. The enclosed volume is found by the divergence theorem, at
 //! rest and for the same faces posed.
 //!
-//! **Crossing.** As in [`crossing`](super::crossing). In the crease skin presses on skin, which a posed surface without
+//! **Crossing.** As in [`crossing`](crate::crossing). In the crease skin presses on skin, which a posed surface without
 //! contact can only show as overlap: triangles of the hollow side, within 1.3 radii of the limb
 //! along it from the joint, do not count.
 
@@ -14,10 +14,10 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::assemble::{Blueprint, Piece, assemble};
-use super::part::{MeshPart, PartVertex};
-use super::soundness::shipped;
-use super::torso::{Cage, Field, Joints};
+use crate::assemble::{Blueprint, Piece, assemble};
+use crate::part::{MeshPart, PartVertex};
+use crate::tests::soundness::shipped;
+use crate::torso::{Cage, Field, Joints};
 use raconteur_base::crossing::crossings;
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
 use raconteur_body::pose::Pose;

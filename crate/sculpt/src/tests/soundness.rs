@@ -4,16 +4,16 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use super::build::build;
-use super::built::Built;
+use crate::build::build;
+use crate::built::Built;
 use raconteur_base::crossing::crossings;
 
-use super::crossing::{Skin, farthest_from_mirrored};
-use super::people::{self, FigureParams};
+use crate::crossing::{Skin, farthest_from_mirrored};
+use crate::people::{self, FigureParams};
 use raconteur_tier::{is_long, share};
 
 /// A figure by name, made once for all tests.
-pub(super) fn shipped(name: &str) -> &'static (FigureParams, Built) {
+pub(crate) fn shipped(name: &str) -> &'static (FigureParams, Built) {
     type Made = [OnceLock<(FigureParams, Built)>; people::NAMES.len()];
     static MADE: Made = [const { OnceLock::new() }; people::NAMES.len()];
     let index = people::NAMES.iter().position(|n| *n == name).unwrap();
@@ -25,7 +25,7 @@ pub(super) fn shipped(name: &str) -> &'static (FigureParams, Built) {
 }
 
 /// The people whose figures are looked at: in the gate those that some tests need by name.
-pub(super) fn people_built() -> Vec<&'static str> {
+pub(crate) fn people_built() -> Vec<&'static str> {
     if is_long() {
         return people::NAMES.to_vec();
     }
