@@ -12,7 +12,6 @@ mod gltf;
 mod hair_colour;
 pub mod hand_shape;
 pub mod pose;
-pub mod reshape;
 pub mod skeleton;
 pub mod springs;
 pub mod surface;

@@ -1,5 +1,5 @@
 //! Hair as a file of its own, which a figure with any face of the model can wear
-//! ([`Lender`](raconteur_body::reshape::Lender)).
+//! (`reshape::Lender`).
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};

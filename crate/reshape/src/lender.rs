@@ -5,8 +5,8 @@ use raconteur_base::DVec3;
 use super::carry::{Near, Skin};
 use super::hairs::{self, BEARD};
 use super::{NewFace, ReshapeError, Reshaper, SKULL_IN_HEAD_M, moved, narrow, neck_from, wide};
-use crate::figure::{Figure, MaterialKind, Mesh};
-use crate::skeleton::{Bone, Drive};
+use raconteur_body::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::skeleton::{Bone, Drive};
 
 /// Hair that is lent: how it lies on the skin that it grew on.
 #[derive(Clone, Debug)]

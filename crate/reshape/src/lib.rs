@@ -1,5 +1,9 @@
 //! Another face for a figure: its skin goes where a face model says, and all that lies in it or on it
 //! goes along (F&H 5.1 has no such thing; its faces do not move).
+//!
+//! Does: skin, tissue, eyes, teeth and brows for a new face; hair and beards that others lend, fitted to it;
+//! glasses, jewels and hats; where freckles, moles and other marks lie.
+//! Does not: know of face models (it takes their numbers), make hair (`sculpt` does), or move anything.
 
 mod carry;
 mod hairs;
@@ -24,9 +28,9 @@ pub use self::scalp::ScalpPaint;
 pub use self::speckle::{Speckle, SpeckleKind};
 pub use self::spot::{Chart, Spot};
 pub use self::wear::{Wear, WearKind};
-use crate::face::Tissue;
-use crate::figure::{Figure, MaterialKind, Mesh};
-use crate::skeleton::{Bone, Drive, Skeleton};
+use raconteur_body::face::Tissue;
+use raconteur_body::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::skeleton::{Bone, Drive, Skeleton};
 
 /// Where the skull's joint lies in the frame of a head, whose origin is between the tragions, metres.
 pub const SKULL_IN_HEAD_M: DVec3 = DVec3::new(0.0, -0.018, -0.008);

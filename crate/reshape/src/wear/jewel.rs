@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, ops};
 
 use super::solid::Solid;
 use super::{Fit, WearKind, landmark, material};
-use crate::figure::{MaterialKind, Mesh};
+use raconteur_body::figure::{MaterialKind, Mesh};
 
 const BALL_M: f64 = 0.0024;
 /// Radius of an ear's ring, and of its wire.

@@ -7,7 +7,7 @@ use raconteur_base::{DVec3, ops};
 
 use super::solid::Solid;
 use super::{Fit, WearKind, landmark, material};
-use crate::figure::{MaterialKind, Mesh};
+use raconteur_body::figure::{MaterialKind, Mesh};
 
 /// From the centre of the eyeball to the glass: 12 mm to the cornea, and the usual 13 mm to the back of the glass.
 const BEFORE_EYE_M: f64 = 0.025;

@@ -5,26 +5,23 @@ use std::sync::LazyLock;
 use raconteur_base::noise;
 
 use super::*;
-use crate::HairColour;
-use crate::gltf::write::to_packed_glb;
+use raconteur_body::HairColour;
+use raconteur_body::write::to_packed_glb;
 
-const PAPOUS: &[u8] = include_bytes!("../../../../../assets/figures/papous.glb");
+const PAPOUS: &[u8] = include_bytes!("../../../../assets/figures/papous.glb");
 const LENT: [(&str, &[u8]); 4] = [
     (
         "moustache",
-        include_bytes!("../../../../../assets/hair/moustache.glb"),
+        include_bytes!("../../../../assets/hair/moustache.glb"),
     ),
     (
         "goatee",
-        include_bytes!("../../../../../assets/hair/goatee.glb"),
+        include_bytes!("../../../../assets/hair/goatee.glb"),
     ),
-    (
-        "full",
-        include_bytes!("../../../../../assets/hair/full.glb"),
-    ),
+    ("full", include_bytes!("../../../../assets/hair/full.glb")),
     (
         "balding",
-        include_bytes!("../../../../../assets/hair/balding.glb"),
+        include_bytes!("../../../../assets/hair/balding.glb"),
     ),
 ];
 
@@ -112,7 +109,7 @@ fn landmarks_are_those_of_the_figures() {
         ("sto", STOMION),
     ];
     for glb in [SOFIA, PAPOUS] {
-        let names = crate::gltf::annotation::annotations(glb).expect("names");
+        let names = raconteur_body::annotation::annotations(glb).expect("names");
         for (name, vertex) in named {
             let landmark = names.landmark(name).expect(name);
             assert_eq!(

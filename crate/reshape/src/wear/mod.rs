@@ -11,8 +11,8 @@ use serde::Deserialize;
 pub(super) use self::cover::Cover;
 use self::solid::Solid;
 use super::{NewFace, Reshaper, narrow, wide};
-use crate::figure::{Figure, Maps, Material, MaterialKind, Mesh};
-use crate::skeleton::Bone;
+use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
+use raconteur_body::skeleton::Bone;
 
 /// What is worn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]

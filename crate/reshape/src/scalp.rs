@@ -7,7 +7,7 @@ use super::look::Hair;
 use super::speckle::Places;
 use super::wear::landmark;
 use super::{Reshaper, wide};
-use crate::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
 /// The scalp reaches so far about the roots of hair, metres.
 const ABOUT_ROOT_M: f64 = 0.0085;

@@ -7,7 +7,7 @@ use raconteur_base::{DVec3, noise};
 use super::spot::{Chart, Spot};
 use super::wear::landmark;
 use super::{Reshaper, wide};
-use crate::figure::Figure;
+use raconteur_body::figure::Figure;
 
 /// What is spotted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

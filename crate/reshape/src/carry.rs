@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use raconteur_base::DVec3;
 
 use super::{narrow, wide};
-use crate::figure::{MaterialKind, Mesh};
+use raconteur_body::figure::{MaterialKind, Mesh};
 
 /// Vertices of the skin that a place goes along with.
 const COUNT: usize = 6;

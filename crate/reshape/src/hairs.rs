@@ -1,8 +1,8 @@
 //! Hair of one figure on the head of another, its colour, and what of it is beard.
 
 use super::wide;
-use crate::figure::Mesh;
 use raconteur_base::DVec3;
+use raconteur_body::figure::Mesh;
 
 /// The name of a mesh of hair that grows in a face.
 pub(super) const BEARD: &str = "beard";

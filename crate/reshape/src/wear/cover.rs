@@ -8,7 +8,7 @@ use raconteur_base::{DVec3, ops};
 use super::super::{hairs, narrow, wide};
 use super::solid::Solid;
 use super::{Fit, landmark, material};
-use crate::figure::{MaterialKind, Mesh};
+use raconteur_body::figure::{MaterialKind, Mesh};
 
 const COLUMNS: usize = 72;
 const ROWS: usize = 26;

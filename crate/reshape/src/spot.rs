@@ -3,8 +3,8 @@
 use raconteur_base::{DAffine3, DVec3};
 
 use super::{Reshaper, wide};
-use crate::figure::{Figure, Mesh};
-use crate::skeleton::Bone;
+use raconteur_body::figure::{Figure, Mesh};
+use raconteur_body::skeleton::Bone;
 
 /// A place on the skin: the corners of a triangle, and their shares of it. The same place on every head.
 #[derive(Clone, Copy, Debug, PartialEq)]

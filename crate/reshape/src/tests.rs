@@ -5,9 +5,9 @@ mod look;
 use raconteur_base::noise;
 
 use super::*;
-use crate::gltf::read::read_figure;
+use raconteur_body::read::read_figure;
 
-const SOFIA: &[u8] = include_bytes!("../../../../assets/figures/sofia.glb");
+const SOFIA: &[u8] = include_bytes!("../../../assets/figures/sofia.glb");
 /// Vertices of the skin of our heads.
 const VERTICES: usize = 16_594;
 

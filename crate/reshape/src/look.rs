@@ -8,8 +8,8 @@ use super::hairs::{self, Strands};
 use super::lender::Lender;
 use super::wear::{self, Fit, Wear};
 use super::{NewFace, ReshapeError, Reshaper, carry};
-use crate::HairColour;
-use crate::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::HairColour;
+use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
 /// Whose hair a head has, and its colour.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -53,7 +53,7 @@ pub struct Look {
     pub brows: Option<HairColour>,
     /// Colour of the irises, linear red, green and blue, 0..1; that of the face without.
     pub iris: Option<[f64; 3]>,
-    /// Lines of age: [`Tissue::lines`](crate::face::Tissue::lines).
+    /// Lines of age: [`Tissue::lines`](raconteur_body::face::Tissue::lines).
     pub lines: Option<f32>,
     /// Things worn, each of a kind once.
     pub wear: Vec<Wear>,
