@@ -1,7 +1,7 @@
 //! What a page calls. The wasm file is apart from the player's: most pages never load it.
 
 use raconteur_body::figure::Image;
-use raconteur_body::reshape::{Look, NewFace, NewOrgans};
+use raconteur_reshape::{Look, NewFace, NewOrgans};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;

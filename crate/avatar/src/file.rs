@@ -3,8 +3,8 @@
 use raconteur_body::annotation::annotations;
 use raconteur_body::figure::Image;
 use raconteur_body::read::{ReadError, read_figure};
-use raconteur_body::reshape::{Lender, Lenders, Look, NewFace, ReshapeError, Reshaper};
 use raconteur_body::write::to_packed_glb;
+use raconteur_reshape::{Lender, Lenders, Look, NewFace, ReshapeError, Reshaper};
 
 /// What a figure file is made of.
 #[derive(Debug)]

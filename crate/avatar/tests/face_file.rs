@@ -5,8 +5,8 @@ use raconteur_base::DVec3;
 use raconteur_body::annotation::annotations;
 use raconteur_body::figure::{Figure, Image, MaterialKind};
 use raconteur_body::read::read_figure;
-use raconteur_body::reshape::{Look, NewFace, NewOrgans, SKULL_IN_HEAD_M};
 use raconteur_body::{Bone, Drive};
+use raconteur_reshape::{Look, NewFace, NewOrgans, SKULL_IN_HEAD_M};
 
 const SOFIA: &[u8] = include_bytes!("../../../assets/figures/sofia.glb");
 const PAPOUS: &[u8] = include_bytes!("../../../assets/figures/papous.glb");

@@ -2,7 +2,7 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise,
-//! surfaces that cross themselves, encodings of text, how written language is parted, which signs in a text are emoticons.
+//! surfaces that cross themselves, encodings of text, how written language is parted.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
@@ -10,7 +10,6 @@
 
 pub mod crossing;
 pub mod curve;
-pub mod emoticon;
 pub mod encoding;
 mod length;
 mod node;

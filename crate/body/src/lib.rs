@@ -7,21 +7,19 @@
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
-pub mod annotation;
 pub mod figure;
+mod gltf;
 mod hair_colour;
 pub mod hand_shape;
 pub mod pose;
-pub mod read;
-pub mod reshape;
 pub mod skeleton;
 pub mod springs;
 pub mod surface;
-pub mod write;
 
 /// The face as a machine.
 pub use raconteur_tissue as face;
 
+pub use crate::gltf::{annotation, read, write};
 pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
 pub use hair_colour::HairColour;
 pub use hand_shape::HandShape;

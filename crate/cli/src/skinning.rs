@@ -1,9 +1,7 @@
 //! Where the vertices of a posed figure are, for output without a device.
 
-use raconteur_base::{DAffine3, DMat3, DVec3};
+use raconteur_base::{DAffine3, DMat3, DVec3, NodeState};
 use raconteur_body::{Bone, Figure, Mesh};
-
-use crate::sheet::Posed;
 
 /// Vertices of one mesh in the world.
 pub(crate) struct Skinned {
@@ -22,19 +20,19 @@ pub(crate) fn world_from_bind(figure: &Figure, world_from_joint: &[DAffine3]) ->
         .collect()
 }
 
-/// Applies morphs and tissue, then the blend of the joints, as the renderer does.
-pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], posed: &Posed) -> Skinned {
+/// Applies morphs and tissue, then the blend of the joints, as the renderer does. There is a weight
+/// for each of the figure's morphs, and a state for each node of its tissue or none.
+pub(crate) fn skin(
+    mesh: &Mesh,
+    world_from_bind: &[DAffine3],
+    morph_weights: &[f32],
+    tissue: &[NodeState],
+) -> Skinned {
     let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
     let mut positions: Vec<DVec3> = mesh.positions.iter().map(wide).collect();
     let mut normals: Vec<DVec3> = mesh.normals.iter().map(wide).collect();
     for morph in &mesh.morphs {
-        let weight = f64::from(
-            posed
-                .morph_weights
-                .get(morph.target)
-                .copied()
-                .unwrap_or(0.0),
-        );
+        let weight = f64::from(morph_weights.get(morph.target).copied().unwrap_or(0.0));
         if weight == 0.0 {
             continue;
         }
@@ -46,8 +44,8 @@ pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], posed: &Posed) -> 
     }
     // What follows the tissue has the jaw's turn from it.
     let mut is_bound = vec![false; positions.len()];
-    if let Some(binding) = mesh.binding.as_ref().filter(|_| !posed.tissue.is_empty()) {
-        for (v, moved, turned) in binding.apply(&posed.tissue) {
+    if let Some(binding) = mesh.binding.as_ref().filter(|_| !tissue.is_empty()) {
+        for (v, moved, turned) in binding.apply(tissue) {
             positions[v] += wide(&moved);
             normals[v] += wide(&turned);
             is_bound[v] = true;

@@ -1,8 +1,8 @@
 //! How long speech and animations take: a trait that the player implements.
 
+use crate::emoticon;
 use crate::voice::{Item, is_letter};
 use crate::{ClauseId, TextSegment, VoiceText};
-use raconteur_base::emoticon;
 use std::ops::ControlFlow;
 
 /// Knows how long spoken texts and animations take. The player answers from a speech bundle

@@ -2,8 +2,8 @@
 //! (F&H section 4.3.5).
 
 use crate::VoiceText;
+use crate::emoticon::is_emoji;
 use crate::voice::Item;
-use raconteur_base::emoticon::is_emoji;
 use std::ops::ControlFlow;
 
 /// An emoticon or an emoji of a spoken text. Words are indices of [`VoiceText::words`].

@@ -1,7 +1,7 @@
 //! The namespaces of a document: what a prefix means where.
 
 use crate::diagnostic::Sink;
-use crate::syntax::{Node, NodeKind, Tree};
+use crate::markup::{Node, NodeKind, Tree};
 use crate::{Diagnostic, Span};
 use std::ops::Range;
 

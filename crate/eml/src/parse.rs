@@ -1,11 +1,12 @@
 //! From text to document.
 
 use crate::diagnostic::Sink;
+use crate::markup::NodeKind;
 use crate::namespaces::{Namespaces, Owner};
 use crate::record::Field as _;
 use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
-use crate::syntax::{self, NodeKind};
+use crate::syntax;
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Limits, Span, TimeExpr};
 use raconteur_base::encoding;
 

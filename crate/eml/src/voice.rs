@@ -1,9 +1,9 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
 use crate::clauses::speech::{Audio, Boundary, Markup, UtteranceKind, VoiceSay};
+use crate::emoticon::{self, Spaced};
 use crate::work::step;
 use crate::{Name, Span};
-use raconteur_base::emoticon::{self, Spaced};
 use raconteur_base::text::signs::Shown;
 use std::ops::ControlFlow;
 

@@ -4,6 +4,8 @@
 //! An edited face need not lie in the spaces any more, and so it is kept as all of its numbers.
 
 mod constrain;
+#[cfg(feature = "learn")]
+mod learn;
 mod random;
 mod region;
 #[cfg(test)]
@@ -21,6 +23,8 @@ use crate::space::FaceSpace;
 use crate::untangle::Untangle;
 
 pub use constrain::Constraint;
+#[cfg(feature = "learn")]
+pub use learn::FeatureMeasure;
 pub use region::Region;
 
 /// Shape or texture.

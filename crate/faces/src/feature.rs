@@ -1,12 +1,6 @@
 //! Features: attributes that are one thing at one place of the face. Such an attribute is measured on the
 //! skin itself, and it can change alone: let into its segments, and what lies elsewhere stays (F&H 5.1.2).
 
-#[cfg(feature = "learn")]
-mod learn;
-
-#[cfg(feature = "learn")]
-pub use learn::FeatureMeasure;
-
 use crate::segment::Half;
 
 /// What an attribute is on a skin, and where.

@@ -27,11 +27,11 @@ mod untangle;
 
 pub use attribute::Attribute;
 pub use blend::{Neighbours, SoftMask};
+#[cfg(feature = "learn")]
+pub use edit::FeatureMeasure;
 pub use edit::{Affine, Change, Constraint, Editor, Face, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
 pub use feature::Feature;
-#[cfg(feature = "learn")]
-pub use feature::FeatureMeasure;
 pub use life::Life;
 pub use pack::{
     FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, TextureModel,

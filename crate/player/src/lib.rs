@@ -30,5 +30,6 @@ pub use raconteur_actor::nonverbal::{Manner, Way};
 pub use raconteur_base as base;
 pub use raconteur_body as body;
 pub use raconteur_eml as eml;
+pub use raconteur_reshape as reshape;
 pub use raconteur_speech as speech;
 pub use raconteur_stage as stage;

@@ -8,7 +8,7 @@ use common::{asset, perform, read, text};
 use raconteur_faces::{Editor, FaceModel};
 use raconteur_player::Options;
 use raconteur_player::body::Figure;
-use raconteur_player::body::reshape::{NewFace, NewOrgans, Reshaper};
+use raconteur_player::reshape::{NewFace, NewOrgans, Reshaper};
 use raconteur_player::sweep::sweep;
 
 fn editor() -> &'static Editor {

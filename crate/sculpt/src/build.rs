@@ -9,13 +9,13 @@ use super::built::Built;
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
 use super::hair;
-use super::hand::{self, HandParams};
+use super::hand::{self, HandParams, HandSheet};
 use super::head::Head;
 use super::levels;
 use super::mannequin::Mannequin;
 use super::part::{self, MeshPart, PartVertex};
 use super::people::FigureParams;
-use super::skin::{self, HandSheet};
+use super::skin;
 use super::springs;
 use super::tissue;
 use super::torso::{CM, Cage, Field, Joints, Shell};
@@ -337,7 +337,7 @@ mod tests {
 
     use super::*;
     use crate::posed::{self, bind_pose, turn};
-    use crate::soundness::shipped;
+    use crate::tests::soundness::shipped;
     use raconteur_body::pose::Pose;
     use raconteur_body::read::read_figure;
     use raconteur_body::write::to_packed_glb;

@@ -1,5 +1,5 @@
 //! Hair as a file of its own, which a figure with any face of the model can wear
-//! ([`Lender`](raconteur_body::reshape::Lender)).
+//! (`reshape::Lender`).
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
@@ -150,11 +150,11 @@ fn skin(head: &MeshPart, beard: &[DVec3], middle: DVec3) -> MeshPart {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hair::library;
+    use crate::people::lenders;
 
     #[test]
     fn a_beard_is_lent_with_the_skin_that_it_stands_on() {
-        let params = library::params("moustache").expect("a moustache");
+        let params = lenders::params("moustache").expect("a moustache");
         let lent = lender(&params);
         let mesh = |name: &str| lent.meshes.iter().find(|m| m.name == name);
         let vertices = Mannequin::of(&params).head_parts[0].vertices.len();

@@ -4,19 +4,19 @@
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
 pub mod assemble;
+mod atlas;
 pub mod bones;
 mod build;
 mod built;
 mod cells;
 pub mod cloth;
 pub mod crossing;
-#[cfg(test)]
-mod deform;
 pub mod examples;
 pub mod hair;
 pub mod hand;
 pub mod head;
 pub mod labels;
+mod least_squares;
 mod lend;
 mod levels;
 pub mod looks;
@@ -30,13 +30,17 @@ pub mod physique;
 pub mod population;
 mod posed;
 pub mod rigging;
+pub mod scan;
+mod similarity;
 pub mod skin;
-#[cfg(test)]
-mod soundness;
+pub mod solid;
 mod springs;
 pub mod statistics;
 pub mod subdivide;
 mod surface;
+#[cfg(test)]
+mod tests;
+mod texture;
 pub(crate) mod tissue;
 pub mod torso;
 pub mod yardstick;

@@ -226,7 +226,7 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
-    use crate::soundness::{people_built, shipped};
+    use crate::tests::soundness::{people_built, shipped};
     use crate::yardstick::{Yardstick, deviation};
     use raconteur_body::annotation::annotations;
     use raconteur_body::write::to_packed_glb;

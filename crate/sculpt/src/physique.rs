@@ -376,7 +376,7 @@ pub fn body_readings(params: &FigureParams, person: Person, built: &Built) -> Ve
 mod tests {
     use super::*;
     use crate::people;
-    use crate::soundness::{people_built, shipped};
+    use crate::tests::soundness::{people_built, shipped};
 
     #[test]
     fn bodies_measure_like_their_sex_and_age() {

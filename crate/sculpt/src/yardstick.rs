@@ -2,18 +2,18 @@
 //! landmarks of the iBUG scheme named beside it.
 //!
 //! The yardstick is a ruler: none of its vertices enters a figure. Alignment is by
-//! similarity, first on landmarks, then on closest points (Umeyama 1991,
-//! doi:10.1109/34.88573; rotation by unit quaternion, Horn 1987,
-//! doi:10.1364/JOSAA.4.000629).
+//! similarity, first on landmarks, then on closest points.
 
 use std::collections::BTreeMap;
 
-use raconteur_base::{DMat3, DQuat, DVec3};
+use raconteur_base::DVec3;
 use serde_json::Value;
 
 use crate::cells::Cells;
 use crate::measure::landmark_mm;
-use crate::rigging::{BadLine, Scan};
+use crate::scan::{BadLine, Scan};
+use crate::similarity::Similarity;
+use crate::surface::on_triangle;
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
@@ -114,68 +114,6 @@ pub struct Deviation {
     pub count: usize,
 }
 
-/// Rotation, scale and shift.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Similarity {
-    turn: DQuat,
-    scale: f64,
-    shift: DVec3,
-}
-
-impl Similarity {
-    pub(crate) fn apply(&self, p: DVec3) -> DVec3 {
-        self.turn * p * self.scale + self.shift
-    }
-
-    /// The similarity that carries the first of each pair nearest to the second.
-    pub(crate) fn best(pairs: &[(DVec3, DVec3)]) -> Self {
-        let n = pairs.len().max(1) as f64;
-        let from = pairs.iter().map(|p| p.0).sum::<DVec3>() / n;
-        let to = pairs.iter().map(|p| p.1).sum::<DVec3>() / n;
-        let mut m = [[0.0; 3]; 3];
-        let mut spread = 0.0;
-        for &(a, b) in pairs {
-            let (a, b) = ((a - from).to_array(), (b - to).to_array());
-            for i in 0..3 {
-                for j in 0..3 {
-                    m[i][j] += a[i] * b[j];
-                }
-                spread += a[i] * a[i];
-            }
-        }
-        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = m;
-        let horn = [
-            [xx + yy + zz, yz - zy, zx - xz, xy - yx],
-            [yz - zy, xx - yy - zz, xy + yx, zx + xz],
-            [zx - xz, xy + yx, yy - xx - zz, yz + zy],
-            [xy - yx, zx + xz, yz + zy, zz - xx - yy],
-        ];
-        // Largest eigenvalue by power iteration; the shift makes it the largest in size.
-        let bound: f64 = horn.iter().flatten().map(|x| x.abs()).sum();
-        let mut q = [1.0, 0.1, 0.1, 0.1];
-        for _ in 0..400 {
-            let mut next = [0.0; 4];
-            for (i, row) in horn.iter().enumerate() {
-                next[i] = bound * q[i] + row.iter().zip(&q).map(|(a, b)| a * b).sum::<f64>();
-            }
-            let length = next.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-300);
-            q = next.map(|x| x / length);
-        }
-        let turn = DQuat::from_xyzw(q[1], q[2], q[3], q[0]).normalize();
-        let turned = DMat3::from_quat(turn);
-        let along: f64 = pairs
-            .iter()
-            .map(|&(a, b)| (turned * (a - from)).dot(b - to))
-            .sum();
-        let scale = if spread > 0.0 { along / spread } else { 1.0 };
-        Self {
-            turn,
-            scale,
-            shift: to - turn * from * scale,
-        }
-    }
-}
-
 /// Width of the cells in which the nearest vertex is sought, millimetres.
 const CELL_MM: f64 = 6.0;
 
@@ -185,39 +123,6 @@ fn nearest(cells: &Cells, points: &[DVec3], p: DVec3) -> Option<u32> {
     cells
         .near(p)
         .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
-}
-
-/// Nearest place of a triangle (Ericson 2005, ch. 5.1.5).
-pub(crate) fn on_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return a;
-    }
-    let bp = p - b;
-    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return b;
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        return a + ab * (d1 / (d1 - d3));
-    }
-    let cp = p - c;
-    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return c;
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        return a + ac * (d2 / (d2 - d6));
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    let sum = va + vb + vc;
-    a + ab * (vb / sum) + ac * (vc / sum)
 }
 
 /// Vertices of the visible face, millimetres: skin in front, without ears, neck, the inside
@@ -309,7 +214,7 @@ pub fn deviation(
             }
             if best.0 < f64::MAX {
                 distances.push(best.0.sqrt());
-                let source = fit.turn.inverse() * ((best.1 - fit.shift) / fit.scale);
+                let source = fit.undo(best.1);
                 matches.push((source, p));
             }
         }

@@ -1,6 +1,5 @@
 //! Emotions: words with their place in the space of activation, evaluation and power (F&H
-//! 4.4.1). Emoticons that stand for them are in
-//! [`raconteur_base::emoticon`].
+//! 4.4.1). Emoticons that stand for them are EML's.
 
 /// A place in the space of emotions; each from −100 to 100, 0 is neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -84,18 +83,6 @@ impl EmotionPoint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_base::emoticon::{EMOJI, EMOTICONS, whole};
-
-    #[test]
-    fn every_emoticon_has_a_word_of_the_table() {
-        for (sign, word) in EMOTICONS {
-            assert_eq!(whole(sign), Some((word, "")));
-            assert!(place(word).is_some(), "{word}");
-        }
-        for (word, _) in EMOJI {
-            assert!(place(word).is_some(), "{word}");
-        }
-    }
 
     #[test]
     fn the_table_is_the_thesis() {

@@ -8,7 +8,7 @@ use std::hash::DefaultHasher;
 
 use crate::content::{Boundary, Content, Division, Markup, Segment, is_space};
 use crate::style::Style;
-use raconteur_base::emoticon::{self, Spaced};
+use raconteur_eml::emoticon::{self, Spaced};
 
 /// Markup further inside than this changes nothing.
 const DEEPEST: usize = 1000;
@@ -366,6 +366,8 @@ mod tests {
     use super::*;
     use crate::content::Setting;
     use crate::text::SayAs;
+    use raconteur_eml::emoticon::{EMOJI, EMOTICONS, whole};
+    use raconteur_speech::emotion::place;
 
     fn text(text: &str) -> Segment {
         Segment::Text(text.to_owned())
@@ -414,6 +416,17 @@ mod tests {
         let styles: Vec<_> = resolved.styled_words();
         assert!(styles[0].1 == styles[2].1 && styles[0].1 != styles[1].1);
         assert_eq!(styles.len(), 3);
+    }
+
+    #[test]
+    fn every_emoticon_has_a_word_of_the_table() {
+        for (sign, word) in EMOTICONS {
+            assert_eq!(whole(sign), Some((word, "")));
+            assert!(place(word).is_some(), "{word}");
+        }
+        for (word, _) in EMOJI {
+            assert!(place(word).is_some(), "{word}");
+        }
     }
 
     #[test]

@@ -308,7 +308,7 @@ mod tests {
             let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
             for token in tokens {
                 assert!(
-                    !token.text.contains(raconteur_base::emoticon::is_emoji),
+                    !token.text.contains(raconteur_eml::emoticon::is_emoji),
                     "{text}"
                 );
             }

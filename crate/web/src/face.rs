@@ -4,10 +4,8 @@ use std::sync::Arc;
 
 use raconteur_player::base::{DVec3, ops};
 use raconteur_player::body::read::read_figure;
-use raconteur_player::body::reshape::{
-    Lender, Look, NewFace, NewOrgans, Reshaper, SpeckleKind, Spot,
-};
 use raconteur_player::body::{Bone, HairColour};
+use raconteur_player::reshape::{Lender, Look, NewFace, NewOrgans, Reshaper, SpeckleKind, Spot};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

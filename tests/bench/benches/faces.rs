@@ -5,8 +5,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use raconteur_body::read::read_figure;
-use raconteur_body::reshape::{NewFace, NewOrgans, Reshaper};
 use raconteur_faces::{Editor, FaceModel, Part, Region};
+use raconteur_reshape::{NewFace, NewOrgans, Reshaper};
 
 fn read(path: &str) -> Vec<u8> {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets");

@@ -7,13 +7,14 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 17] = [
+const ALLOWED: [(&str, &[&str]); 18] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
     ("spoken", &["eml", "speech"]),
     ("tissue", &["base"]),
     ("body", &["base", "tissue"]),
+    ("reshape", &["base", "body"]),
     ("faces", &["base", "body"]),
     ("actor", &["base", "speech", "body", "tissue"]),
     ("stage", &["base", "body"]),
@@ -21,19 +22,20 @@ const ALLOWED: [(&str, &[&str]); 17] = [
     (
         "player",
         &[
-            "base", "eml", "speech", "spoken", "tissue", "body", "faces", "actor", "stage",
+            "base", "eml", "speech", "spoken", "tissue", "body", "reshape", "faces", "actor",
+            "stage",
         ],
     ),
     ("web", &["player", "faces", "render"]),
     ("voice", &["base", "speech", "eml", "spoken"]),
     ("say", &["base", "speech", "eml", "voice"]),
     ("sculpt", &["base", "body", "tissue", "faces"]),
-    ("avatar", &["base", "body", "tissue"]),
+    ("avatar", &["base", "body", "reshape", "tissue"]),
     (
         "cli",
         &[
-            "base", "eml", "speech", "tissue", "body", "faces", "actor", "stage", "render",
-            "player", "voice", "sculpt", "avatar",
+            "base", "eml", "speech", "tissue", "body", "reshape", "faces", "actor", "stage",
+            "render", "player", "voice", "sculpt", "avatar",
         ],
     ),
 ];

@@ -5,7 +5,7 @@
 //! distance and kept out of spheres and capsules that ride on other joints. The rules are iterated
 //! at a fixed rate, so that the same motion always swings the same.
 
-mod file;
+mod renumbered;
 #[cfg(test)]
 mod tests;
 
@@ -13,8 +13,7 @@ use raconteur_base::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::skeleton::Skeleton;
 
-pub(crate) use file::write;
-pub use file::{EXTENSION, read};
+pub(crate) use renumbered::place;
 
 /// Steps a second: the rate for which drag is given in files.
 pub const STEPS_PER_S: f64 = 60.0;

@@ -1,5 +1,4 @@
 use raconteur_base::{DAffine3, DQuat, DVec3, noise, ops};
-use serde_json::{Value, json};
 
 use super::*;
 use crate::pose::Pose;
@@ -173,60 +172,16 @@ fn a_leap_of_the_figure_leaves_the_chain_at_rest() {
     }
 }
 
-fn numbers(xs: &[f64]) -> Value {
-    json!(xs)
-}
-
 #[test]
-fn files_keep_springs() {
+fn other_numbers_lose_chains_and_colliders_whose_joints_are_lost() {
     let (_, springs) = hung(0.12);
-    let root = json!({ "extensions": { EXTENSION: write(&springs, &numbers) } });
-    let read = read(&root);
-    assert_eq!(read.colliders, springs.colliders);
-    for (a, b) in read.chains[0].links.iter().zip(&springs.chains[0].links) {
-        assert!(a.gravity.distance(b.gravity) < 1e-12);
-        assert_eq!(
-            (a.joint, a.stiffness, a.drag, a.radius_m),
-            (b.joint, b.stiffness, b.drag, b.radius_m)
-        );
-    }
-    assert_eq!(read.chains[0].colliders, [0, 1]);
-    let shifted = read.renumbered(&|j| (j != Bone::Skull.index()).then_some(j + 1));
+    let shifted = springs.renumbered(&|j| (j != Bone::Skull.index()).then_some(j + 1));
     assert_eq!(shifted.colliders.len(), 1);
     assert_eq!(shifted.chains[0].colliders, [0]);
     assert_eq!(
         shifted.chains[0].links[0].joint,
         springs.chains[0].links[0].joint + 1
     );
-    let lost = read.renumbered(&|j| (j != springs.chains[0].links[2].joint).then_some(j));
+    let lost = springs.renumbered(&|j| (j != springs.chains[0].links[2].joint).then_some(j));
     assert!(lost.chains.is_empty());
-}
-
-#[test]
-fn hostile_springs_are_left_out() {
-    let of = |springs: Value| read(&json!({ "extensions": { EXTENSION: springs } }));
-    let joints = |nodes: &[i64]| -> Value { nodes.iter().map(|n| json!({ "node": n })).collect() };
-    for bad in [
-        json!(null),
-        json!(7),
-        json!({ "springs": "x", "colliders": {} }),
-        json!({ "springs": [{ "joints": joints(&[1]) }] }),
-        json!({ "springs": [{ "joints": joints(&[1, 1]) }] }),
-        json!({ "springs": [{ "joints": joints(&[1, -2]) }] }),
-        json!({ "springs": [{ "joints": joints(&(0..500).collect::<Vec<_>>()) }] }),
-        json!({ "springs": [{ "joints": [{ "node": 1, "gravityDir": [1e308, 1e308, "x"] }, 4] }] }),
-    ] {
-        assert!(of(bad.clone()).is_empty(), "{bad}");
-    }
-    let shared = of(json!({ "springs": [
-        { "joints": joints(&[1, 2]), "colliderGroups": [0, 9, -1] },
-        { "joints": joints(&[2, 3]) },
-    ], "colliderGroups": [{ "colliders": [5, 0, 0] }], "colliders": [{ "node": 4 }] }));
-    assert_eq!(shared.chains.len(), 1);
-    assert_eq!(shared.chains[0].colliders, [0]);
-    let wild = of(json!({ "springs": [{ "joints": [
-        { "node": 1, "stiffness": 1e300, "dragForce": -4, "gravityPower": 1e300 }, { "node": 2 }
-    ] }] }));
-    let link = wild.chains[0].links[0];
-    assert!(link.stiffness <= 10.0 && link.drag == 0.0 && link.gravity.length() <= 10.0);
 }

@@ -10,7 +10,7 @@ mod harmony;
 mod instrument;
 mod mix;
 mod note;
-mod score;
+pub mod score;
 mod signal;
 
 use std::path::Path;

@@ -335,8 +335,10 @@ impl Cell<'_> {
 }
 
 /// What must hold whatever the text: it is refused, or its notes lie in the piece.
-#[allow(dead_code, reason = "tests and fuzz targets ask it")]
-pub(crate) fn holds(text: &str) {
+///
+/// # Panics
+/// Where it does not hold.
+pub fn holds(text: &str) {
     let Ok((score, parts)) = Score::read(text).and_then(|s| s.parts().map(|p| (s, p))) else {
         return;
     };

@@ -138,8 +138,10 @@ impl Framer {
 
 /// What must hold whatever the bytes and however they are cut into packets: the same fragments,
 /// none empty, none longer than the limit.
-#[allow(dead_code, reason = "tests and fuzz targets ask it")]
-pub(crate) fn holds(bytes: &[u8]) {
+///
+/// # Panics
+/// Where it does not hold.
+pub fn holds(bytes: &[u8]) {
     const LIMIT: usize = 64;
     let fragments = |packet: usize| {
         let mut framer = Framer::new(LIMIT);

@@ -58,8 +58,10 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
 
 /// What must hold whatever the bytes: they are decided in bounded length, and a token is one
 /// line's rest.
-#[allow(dead_code, reason = "tests and fuzz targets ask it")]
-pub(crate) fn holds(bytes: &[u8]) {
+///
+/// # Panics
+/// Where it does not hold.
+pub fn holds(bytes: &[u8]) {
     for n in 0..=bytes.len().min(LONGEST) {
         match read(&bytes[..n]) {
             Greeting::Begun => assert!(n < LONGEST),

@@ -4,8 +4,8 @@
 //! sends lines. They meet in bounded channels only: a mind that floods is read more slowly,
 //! one that does not listen misses lines, and the performance waits for neither.
 
-mod framing;
-mod greeting;
+pub mod framing;
+pub mod greeting;
 mod lobby;
 mod mind;
 mod pulse;

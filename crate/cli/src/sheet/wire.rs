@@ -146,7 +146,7 @@ pub(super) fn draw(figure: &Figure, posed: &Posed, camera: &Camera, size: (u32, 
         if hidden.contains(&mesh.material.kind) {
             continue;
         }
-        let skinned = skin(mesh, &matrices, posed);
+        let skinned = skin(mesh, &matrices, &posed.morph_weights, &posed.tissue);
         let points: Vec<Option<Point>> =
             skinned.positions.iter().map(|p| view.project(*p)).collect();
         triangles.extend(mesh.indices.chunks_exact(3).filter_map(|t| {

@@ -5,9 +5,9 @@ use super::lookup::same;
 use super::meant::{element_meant, unprefixed};
 use super::{Attribute, Content, Element, Presence, TIMED, Tree, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
+use crate::markup::{self, NodeKind};
 use crate::namespaces::{self, Namespaces, Owner, local_name};
 use crate::suggest::{nearest, quoted};
-use crate::syntax::{self, NodeKind};
 use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
 use std::cell::Cell;
@@ -46,7 +46,7 @@ pub(crate) struct Fields<'t> {
     pub(crate) tag: Span,
     /// The name in the start tag.
     pub(crate) name: Span,
-    pub(super) attributes: &'t [syntax::Attribute<'t>],
+    pub(super) attributes: &'t [markup::Attribute<'t>],
     /// For each attribute of the table its index in `attributes`.
     slots: [u16; MOST_ATTRIBUTES],
     /// How many attributes the element has in the table.
@@ -77,7 +77,7 @@ impl<'t> Fields<'t> {
     pub(super) fn get(
         &self,
         name: &str,
-    ) -> Option<(&'static Attribute, Option<&'t syntax::Attribute<'t>>)> {
+    ) -> Option<(&'static Attribute, Option<&'t markup::Attribute<'t>>)> {
         let (slot, attribute) = self.slot(name)?;
         Some((
             attribute,
@@ -109,7 +109,7 @@ impl<'t> Fields<'t> {
     pub(crate) fn span_of(&self, name: &str) -> Span {
         self.get(name)
             .and_then(|(_, written)| written)
-            .map_or(self.tag, syntax::Attribute::value_span)
+            .map_or(self.tag, markup::Attribute::value_span)
     }
 }
 
@@ -388,7 +388,7 @@ impl<'t> Context<'t> {
         &mut self,
         node: usize,
         element: &'static Element,
-        attribute: &syntax::Attribute<'_>,
+        attribute: &markup::Attribute<'_>,
     ) -> Option<(usize, &'static Attribute)> {
         let written = attribute.name;
         if written == "xmlns" {

@@ -211,7 +211,7 @@ impl Element {
 }
 
 /// The markup of a document, each element with its entry here.
-pub(crate) type Tree<'a> = crate::syntax::Tree<'a, &'static Element>;
+pub(crate) type Tree<'a> = crate::markup::Tree<'a, &'static Element>;
 
 /// What an element may hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

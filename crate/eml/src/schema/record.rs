@@ -2,8 +2,8 @@
 
 use super::{Content, Context, Element, Fields, Presence};
 use crate::Span;
+use crate::markup::NodeKind;
 use crate::record::{Field, List, Record, Value, Visit};
-use crate::syntax::NodeKind;
 use std::borrow::Cow;
 
 impl<'t> Context<'t> {

@@ -8,7 +8,7 @@ use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
-use crate::{Diagnostic, EmotionSpace, Name, Span, TimeExpr, syntax};
+use crate::{Diagnostic, EmotionSpace, Name, Span, TimeExpr, markup};
 use std::borrow::Cow;
 
 /// The most numbers in one list.
@@ -46,7 +46,7 @@ impl Context<'_> {
         let text = if written.is_plain {
             written.value
         } else {
-            resolved = syntax::resolve(written, self.sink);
+            resolved = markup::resolve(written, self.sink);
             &*resolved
         };
         if is_emotion(fields, name) {
@@ -157,7 +157,7 @@ impl Context<'_> {
                 ..TimeExpr::default()
             });
         };
-        let text = syntax::resolve(written, self.sink);
+        let text = markup::resolve(written, self.sink);
         // Inside a value with references offsets shift; the whole value is shown then.
         let verbatim = matches!(text, Cow::Borrowed(_));
         match time_expr::parse(&text, written.value_start) {
@@ -181,7 +181,7 @@ impl Context<'_> {
         let Some(written) = fields.get("time").and_then(|(_, written)| written) else {
             return Ok(None);
         };
-        let text = syntax::resolve(written, self.sink);
+        let text = markup::resolve(written, self.sink);
         let read = || {
             let text = trimmed(&text);
             let (value, percent) = match text.strip_suffix('%') {

@@ -1,7 +1,7 @@
 //! `voice-text`: a text to speak.
 
 use super::{Content, Context, Element, Fields, Role, variant_in};
-use crate::syntax::NodeKind;
+use crate::markup::NodeKind;
 use crate::voice::NO_EMPHASIS;
 use crate::{ClauseKind, Diagnostic, Markup, Name, TextSegment, VoiceText};
 

@@ -2,8 +2,8 @@
 //! iterator gives no positions and stops at the first slip, and a live editor
 //! needs both.
 
-use super::tree::Attribute;
 use crate::diagnostic::Sink;
+use crate::markup::Attribute;
 use crate::schema::same;
 use crate::suggest::quoted;
 use crate::work::step;

@@ -3,9 +3,8 @@
 //! again behind markup that it cannot read.
 
 use super::attributes::{self, Outcome};
-use super::references;
-use super::tree::{Node, NodeKind};
 use crate::diagnostic::Sink;
+use crate::markup::{Node, NodeKind, bare_ampersand, character};
 use crate::schema::{self, Content, Element, Role, Tree, same};
 use crate::suggest::quoted;
 use crate::work::step;
@@ -191,7 +190,7 @@ impl<'a> Builder<'a, '_, '_> {
             Ok(Event::GeneralRef(_)) => {
                 let span = Span::of(start, end);
                 let name = &source[start + 1..end - 1];
-                if let Some(c) = references::character(name, span, self.sink) {
+                if let Some(c) = character(name, span, self.sink) {
                     self.push(NodeKind::Reference(c), &source[start..end], span);
                 }
             }
@@ -489,7 +488,7 @@ impl<'a> Builder<'a, '_, '_> {
         let text = &self.source[start..end];
         if text.starts_with('&') {
             // The reader hands a reference without its `;` over as text.
-            references::bare_ampersand(Span::of(start, start + 1), self.sink);
+            bare_ampersand(Span::of(start, start + 1), self.sink);
         }
         if self.keeps_space() || !text.bytes().all(|b| b.is_ascii_whitespace()) {
             self.push_text(start, end);

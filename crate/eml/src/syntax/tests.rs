@@ -1,9 +1,9 @@
 //! Whatever the markup is, the tree tells what stands where.
 
 use super::builder::build;
-use super::tree::NodeKind;
 use crate::Limits;
 use crate::diagnostic::Sink;
+use crate::markup::NodeKind;
 use crate::schema::Tree;
 use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Where a text that comes piece by piece may be cut into clauses.
 
-use raconteur_base::emoticon;
+use crate::emoticon;
 use raconteur_base::text::language::Language;
 use raconteur_base::text::sentence::{SoFar, ends_after, so_far};
 use raconteur_base::text::word::Word;

@@ -5,7 +5,7 @@
 //! forgotten. Nothing grows without bound: see [`limits`].
 
 pub(crate) mod cut;
-pub(crate) mod times;
+mod times;
 pub(crate) mod wait;
 
 use raconteur_actor::animation::PlayerCommand;
@@ -13,6 +13,7 @@ use raconteur_actor::{Actor, Library};
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Diagnostic, Name, Parsed, RunUp, Severity, SortedMap, Span, parse_fragment};
 
+use crate::lower::anchor::is_anchor;
 use crate::lower::animations;
 use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
@@ -468,7 +469,7 @@ pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
 fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
     let clauses = script.timeline.clauses.iter();
     clauses
-        .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
+        .filter(|c| !is_anchor(script.document.clause(c.clause)))
         .map(|timed| LiveClause {
             clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
             start_secs: timed.start_secs,

@@ -5,20 +5,9 @@
 //! moments of the story and of earlier fragments, is therefore written into its expressions
 //! first, as seconds from the fragment's own start.
 
-use raconteur_eml::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, NameTerm, TimeExpr};
+use raconteur_eml::{ClauseKind, Diagnostic, Document, Name, NameTerm};
 
-/// Names the fragment's own start; no document can write it.
-const ANCHOR: &str = "";
-
-/// Whether a clause is the one that [`bind`] adds.
-pub(crate) fn is_anchor(clause: &Clause) -> bool {
-    clause.time_id.as_deref().is_some_and(is_anchor_name)
-}
-
-/// Whether a mark is the one that [`bind`] adds.
-pub(crate) fn is_anchor_name(name: &str) -> bool {
-    name == ANCHOR
-}
+use crate::lower::anchor::{ANCHOR, add_anchor};
 
 /// Replaces the names that a fragment does not define itself by their times. `base_secs` is
 /// the story time of the fragment's start, `outside` the story time of a name. Where a sum of
@@ -78,16 +67,7 @@ pub(super) fn bind(
         }
     }
     if anchored {
-        let id = ClauseId(u32::try_from(document.clauses.len()).unwrap_or(u32::MAX));
-        document.roots.push(id);
-        document.clauses.push(Clause {
-            span: raconteur_eml::Span::default(),
-            tag_span: raconteur_eml::Span::default(),
-            start: TimeExpr::default(),
-            time_id: Some(ANCHOR.into()),
-            parent: None,
-            kind: ClauseKind::Null,
-        });
+        add_anchor(document);
     }
     warnings
 }
@@ -109,6 +89,7 @@ pub(super) fn played_out(document: &Document, most: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lower::anchor::is_anchor;
     use raconteur_eml::{EstimatedDurations, Timeline, parse_fragment};
 
     /// Starts of a fragment's clauses in document order, story time, and the warnings' codes.

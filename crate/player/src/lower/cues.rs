@@ -5,7 +5,7 @@ use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, TextSegment, TimedClau
 use raconteur_speech::TimedUtterance;
 
 use crate::Script;
-use crate::live::times;
+use crate::lower::anchor::{is_anchor, is_anchor_name};
 use crate::lower::utterance;
 
 /// A moment that listeners are notified of.
@@ -166,7 +166,7 @@ pub(crate) fn cues(
     };
     for timed in &script.timeline.clauses {
         let clause = script.document.clause(timed.clause);
-        if !times::is_anchor(clause) {
+        if !is_anchor(clause) {
             cues.add_clause(timed, clause);
         }
     }
@@ -180,7 +180,7 @@ pub(crate) fn cues(
         }
     }
     for (name, &at) in script.timeline.marks.iter() {
-        if !times::is_anchor_name(name) {
+        if !is_anchor_name(name) {
             let name = name.to_string();
             cues.add(Rank::Moment, at, CueKind::Mark { name });
         }

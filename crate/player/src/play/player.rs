@@ -190,7 +190,7 @@ impl Player {
     }
 
     /// Gives the figure another face: `figure` is the one that performs as
-    /// [`Reshaper::with_face`](raconteur_body::reshape::Reshaper::with_face) made it, whose bones are the
+    /// [`Reshaper::with_face`](raconteur_reshape::Reshaper::with_face) made it, whose bones are the
     /// same. What is played goes on.
     pub fn set_face(&mut self, figure: Arc<Figure>) {
         self.cast.face = FaceRig::new(&figure);

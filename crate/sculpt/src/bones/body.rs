@@ -4,9 +4,9 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DMat3, DVec3, Side, mirror_vector, ops};
 
-use super::solid::Solid;
 use super::{Frame, rigid};
 use crate::part::MeshPart;
+use crate::solid::Solid;
 use crate::torso::Regions;
 use raconteur_body::skeleton::Bone;
 

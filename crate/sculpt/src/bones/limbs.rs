@@ -3,9 +3,9 @@
 
 use raconteur_base::{DMat3, DVec3, Side};
 
-use super::solid::{Section, Solid};
 use super::{Frame, part, rigid};
 use crate::part::{JointRef, MeshPart};
+use crate::solid::{Section, Solid};
 use crate::torso::Regions;
 use raconteur_body::skeleton::{Bone, Drive};
 

@@ -8,19 +8,18 @@
 mod body;
 mod limbs;
 mod skull;
-pub mod solid;
 #[cfg(test)]
 mod tests;
 
 use raconteur_base::{DQuat, DVec3, Side};
 
 pub(crate) use self::skull::hit;
-use self::solid::Solid;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::built::Built;
 use super::hand::skeleton;
 use super::part::{JointRef, MeshPart, PartVertex};
 use super::people::FigureParams;
+use super::solid::Solid;
 use super::torso::{BodyParams, Field, Joints, Regions};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive, FacePlaces, zero_frames};

@@ -13,8 +13,8 @@ use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, Side, ops};
 
 use super::rigid;
-use super::solid::{Section, Solid};
 use crate::part::MeshPart;
+use crate::solid::{Section, Solid};
 use raconteur_body::figure::{Figure, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive};
 

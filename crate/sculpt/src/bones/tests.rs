@@ -4,8 +4,8 @@ use std::sync::OnceLock;
 
 use super::skull::to_triangle;
 use super::*;
-use crate::soundness::shipped;
 use crate::subdivide::edge_faces;
+use crate::tests::soundness::shipped;
 
 struct Case {
     params: &'static FigureParams,

@@ -10,7 +10,7 @@ use super::locks::normal;
 use super::roots::Root;
 use super::space::Space;
 use super::style::{Comb, Style};
-use crate::skin::texture::space_noise;
+use crate::texture::space_noise;
 
 /// Side of the map of the flat scalp, texels.
 const SIDE: usize = 1024;

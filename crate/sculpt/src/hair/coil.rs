@@ -11,7 +11,7 @@ use super::line::angles;
 use super::locks::{Grower, normal};
 use super::roots::{Root, spread};
 use super::style::Length;
-use crate::skin::texture::space_noise;
+use crate::texture::space_noise;
 
 /// Distance of a path's points, metres.
 const STEP_M: f64 = 0.002;

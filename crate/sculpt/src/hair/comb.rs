@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, ops};
 use super::HairParams;
 use super::line::angles;
 use super::style::{Comb, Style};
-use crate::skin::texture::space_noise;
+use crate::texture::space_noise;
 
 /// 0 at `from` and beyond, 1 at `to` and beyond, smooth between; the two may be in either order.
 pub(super) fn step(from: f64, to: f64, x: f64) -> f64 {

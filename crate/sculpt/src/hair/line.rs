@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use raconteur_base::{DVec2, DVec3, ops};
 
 use super::{HairParams, HairStyle};
-use crate::skin::texture::space_noise;
+use crate::texture::space_noise;
 
 /// Landmarks of a hairline from the middle of the forehead to the nape: azimuth from the front
 /// and elevation, seen from the origin of hair's frame, degrees; mirrored to the other side.

@@ -14,7 +14,7 @@ use super::roots::{Root, spread};
 use super::space::Space;
 use super::style::{Comb, Length, Style};
 use super::{HairParams, HairStyle};
-use crate::skin::texture::space_noise;
+use crate::texture::space_noise;
 
 /// Length of a step of hair that hangs and of short hair, metres.
 const LONG_STEP_M: f64 = 0.004;

@@ -16,7 +16,6 @@ mod cut;
 mod grid;
 mod grow;
 mod layers;
-pub mod library;
 mod light;
 mod line;
 mod locks;

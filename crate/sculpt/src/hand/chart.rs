@@ -10,8 +10,7 @@ use raconteur_base::{DVec2, DVec3, ops};
 use super::anatomy::{Anatomy, FINGER_COUNT, Finger, HandBuild};
 use super::field::Field;
 use super::surface::{self, Skin};
-use crate::skin::raster::SIZE;
-use crate::skin::unwrap::{conformal, unfold};
+use crate::atlas::{SIZE, conformal, unfold};
 use crate::subdivide::edge_faces;
 
 /// Columns of the atlas left to the hand, texels.

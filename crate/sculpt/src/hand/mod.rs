@@ -39,11 +39,11 @@ use serde::{Deserialize, Serialize};
 
 use self::anatomy::{Anatomy, HandBuild};
 use self::field::Field;
+pub(crate) use self::sheet::{HandLine, HandRegion, HandSheet};
 use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{MeshPart, PartVertex};
 use super::person::Person;
-use super::skin::HandSheet;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::skeleton::{Bone, zero_frames};

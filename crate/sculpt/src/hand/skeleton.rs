@@ -7,8 +7,8 @@ use raconteur_base::{DMat3, DVec3, Side};
 use super::anatomy::{Anatomy, FINGER_COUNT, Finger, HandBuild};
 use super::weights::Influence;
 use super::{HandParams, Placement, surface};
-use crate::bones::solid::Solid;
 use crate::part::JointRef;
+use crate::solid::Solid;
 
 /// One bone in the hand frame (see [`super`]), metres.
 #[derive(Clone, Debug)]

@@ -14,8 +14,7 @@ use raconteur_base::{DVec2, DVec3, Side, curve};
 use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
 use super::mean;
 use super::surface::Surface;
-use crate::skin::raster::SIZE;
-use crate::skin::unwrap::{even_out, harmonic, unfold};
+use crate::atlas::{SIZE, even_out, harmonic, unfold};
 
 /// The head's rectangle in the atlas, texels: left, top, right, bottom.
 const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];

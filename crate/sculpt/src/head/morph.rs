@@ -8,7 +8,8 @@ use raconteur_base::{DMat3, DQuat, DVec3, Side, mirror_vector};
 
 use super::cage::{Cage, Key};
 use super::rig::{JAW_HINGE_MM, Shares, smooth};
-use super::solve::{Fairness, Solved, Terms, least_squares};
+use super::solve::{Fairness, Solved};
+use crate::least_squares::{Terms, least_squares};
 
 /// Jaw angle at which `mouthClose` at weight 1 keeps the lips just touching, radians.
 pub(crate) const CLOSE_JAW_RAD: f64 = 0.2;

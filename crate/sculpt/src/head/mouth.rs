@@ -329,7 +329,7 @@ fn tongue(contact: DVec3) -> MeshPart {
             let groove = 0.9 * ops::exp(-(c * half / 3.0) * (c * half / 3.0)) * sn.max(0.0);
             let y = thick / 2.0 * sn.signum() * ops::pow(sn.abs(), 0.7) - groove;
             let p = contact + DVec3::new(half * c, top - thick / 2.0 + y, -back);
-            let rough = 1.0 + 0.05 * crate::skin::texture::space_noise(21, p / 1.3);
+            let rough = 1.0 + 0.05 * crate::texture::space_noise(21, p / 1.3);
             let color = [
                 0.50 * rough,
                 0.19 * rough,

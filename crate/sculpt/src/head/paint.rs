@@ -6,7 +6,9 @@ use raconteur_base::DVec3;
 use super::cage::{Cage, Key};
 use super::rig::smooth;
 use super::surface::Surface;
-use crate::skin::MOUTH_DEEP;
+
+/// Colour of the mouth behind the lips, linear RGB.
+pub(crate) const MOUTH_DEEP: [f64; 3] = [0.16, 0.04, 0.035];
 
 /// Smooth coordinates of the surface that zones are read from.
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +80,6 @@ const LIP_INSIDE: [f64; 3] = [0.34, 0.115, 0.095];
 /// Linear RGB of the mouth's lining from where the lips meet (ring 5) inwards.
 pub(super) fn lining(c: &Coordinates, p: DVec3) -> [f64; 3] {
     let share = smooth(4.5, 5.6, c.mouth);
-    let wet = 1.0 + 0.04 * crate::skin::texture::space_noise(7, p / 2.1);
+    let wet = 1.0 + 0.04 * crate::texture::space_noise(7, p / 2.1);
     core::array::from_fn(|i| (LIP_INSIDE[i] + (MOUTH_DEEP[i] - LIP_INSIDE[i]) * share) * wet)
 }

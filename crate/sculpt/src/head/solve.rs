@@ -2,12 +2,10 @@
 //! least-squares problem, solved twice because fairness is scaled by lengths that follow from the
 //! first solution.
 
-use faer::linalg::solvers::Solve as _;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side as Triangle};
 use raconteur_base::{DVec3, Side};
 
 use super::cage::{Cage, Key, Points};
+use crate::least_squares::{Terms, least_squares};
 use crate::subdivide::{Stencil, limit_stencils};
 
 /// A cage and its limit surface.
@@ -28,9 +26,6 @@ impl Solved {
             .sum()
     }
 }
-
-/// A row of the least-squares matrix.
-pub(crate) type Terms = Vec<(u32, f64)>;
 
 const ROUNDS: usize = 2;
 const TWIST: f64 = 0.7;
@@ -144,44 +139,6 @@ impl Fairness {
         }
         rows
     }
-}
-
-/// Minimises Σ |row · x − value|² for three right-hand sides at once; `None` when the
-/// problem has no unique solution.
-pub(crate) fn least_squares(
-    unknowns: usize,
-    rows: &[(Terms, DVec3)],
-    free_rows: &[Terms],
-) -> Option<Vec<DVec3>> {
-    let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
-    // A trace of the identity keeps unconstrained vertices solvable.
-    triplets.extend((0..unknowns).map(|i| Triplet::new(i, i, 1e-9)));
-    for row in rows.iter().map(|(r, _)| r).chain(free_rows) {
-        for &(i, a) in row {
-            for &(j, b) in row {
-                if i >= j {
-                    triplets.push(Triplet::new(i as usize, j as usize, a * b));
-                }
-            }
-        }
-    }
-    let normal =
-        SparseColMat::<usize, f64>::try_new_from_triplets(unknowns, unknowns, &triplets).ok()?;
-    let mut right = Mat::<f64>::zeros(unknowns, 3);
-    for (row, value) in rows {
-        for &(i, a) in row {
-            for (axis, x) in value.to_array().into_iter().enumerate() {
-                right[(i as usize, axis)] += a * x;
-            }
-        }
-    }
-    let factor = normal.sp_cholesky(Triangle::Lower).ok()?;
-    let x = factor.solve(&right);
-    Some(
-        (0..unknowns)
-            .map(|i| DVec3::new(x[(i, 0)], x[(i, 1)], x[(i, 2)]))
-            .collect(),
-    )
 }
 
 /// Solves the cage for the points of the left half, mirrored.

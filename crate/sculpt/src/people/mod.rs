@@ -2,6 +2,7 @@
 
 mod amara;
 mod kenji;
+pub mod lenders;
 mod lia;
 mod nuno;
 mod papous;

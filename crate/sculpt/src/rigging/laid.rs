@@ -9,17 +9,18 @@ use raconteur_body::skeleton::{Bone, Drive, FacePlaces};
 use raconteur_tissue::Tissue;
 use raconteur_tissue::tissue::Course;
 
-use super::{Landmarks, REACH_M, Scan};
+use super::{Landmarks, REACH_M};
 use crate::assemble::{Blueprint, Piece, assemble};
 use crate::build::{build_face, face_tissue, leave_to_tissue};
 use crate::built::Built;
 use crate::mannequin::Mannequin;
 use crate::part::{JointRef, MOUTH_BAG, MeshPart, PartVertex};
 use crate::people::FigureParams;
+use crate::scan::Scan;
+use crate::similarity::Similarity;
 use crate::subdivide::{firsts, vertex_normals, welded};
 use crate::surface::{Place, Surface};
 use crate::tissue::Warp;
-use crate::yardstick::Similarity;
 
 /// Least cosine between the normals of places that belong together.
 const FACING: f64 = 0.4;

@@ -6,7 +6,6 @@
 //! Bones, fibres and teeth keep their depths below the skin.
 
 mod laid;
-mod scan;
 #[cfg(test)]
 mod tests;
 
@@ -15,15 +14,15 @@ use std::collections::BTreeMap;
 use raconteur_base::DVec3;
 
 use self::laid::lay;
-pub use self::scan::{BadLine, Scan};
 use super::built::Built;
 use super::head::Head;
 use super::mannequin::Mannequin;
 use super::part::MeshPart;
 use super::people::FigureParams;
+use super::scan::Scan;
+use super::similarity::Similarity;
 use super::surface::Surface;
 use super::tissue::Warp;
-use super::yardstick::Similarity;
 
 /// Landmarks that every head must have.
 pub const NEEDED: [&str; 14] = [

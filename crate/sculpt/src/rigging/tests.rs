@@ -5,7 +5,7 @@ use raconteur_body::face::{FaceControls, Jaw, Muscle, Network};
 use super::laid::SCAN;
 use super::*;
 use crate::people;
-use crate::soundness::shipped;
+use crate::tests::soundness::shipped;
 
 /// The skin of a figure's head as a scan in other units and axes, and its landmarks.
 fn scanned(name: &str) -> (Scan, Landmarks) {

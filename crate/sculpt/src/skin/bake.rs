@@ -4,11 +4,13 @@
 use jpeg_encoder::{ColorType, Encoder, QuantizationTableType, SamplingFactor};
 use raconteur_base::{DVec2, DVec3, ops};
 
+use super::SkinParams;
 use super::pigment::Palette;
-use super::raster::{Hit, Raster, SIZE, fill};
 use super::tissue::Tissue;
-use super::{HandSheet, HeadSheet, SkinParams};
+use crate::atlas::{Hit, Raster, SIZE, fill};
 use crate::hair::Cap;
+use crate::hand::HandSheet;
+use crate::head::HeadSheet;
 use raconteur_body::figure::{Image, WRINKLE_HEIGHT_M};
 
 /// A piece of surface in the atlas.

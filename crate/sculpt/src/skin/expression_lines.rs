@@ -11,8 +11,8 @@ use raconteur_base::{DVec3, Side, ops};
 use super::SkinParams;
 use super::face_lines::Scribe;
 use super::marks::{Marks, Pen};
-use super::texture::{rise, space_noise};
 use crate::head::Places;
+use crate::texture::{rise, space_noise};
 
 /// Where the chance of these lines begins, apart from those that stay.
 const FIRST: u64 = 100_000;

@@ -8,13 +8,12 @@ use raconteur_base::{DVec3, ops};
 use super::SkinParams;
 use super::expression_lines::ExpressionMarks;
 use super::face_lines::{FaceMarks, face_marks};
-use super::params::{INSIDE, MOUTH_DEEP};
-use super::raster::Hit;
-use super::sheet::HeadSheet;
-use super::texture::{cells, mix, rise, space_noise};
+use super::params::INSIDE;
 use super::tissue::Tissue;
+use crate::atlas::Hit;
 use crate::hair::Cap;
-use crate::head::Coordinates;
+use crate::head::{Coordinates, HeadSheet, MOUTH_DEEP};
+use crate::texture::{cells, mix, rise, space_noise};
 
 /// A soft region of one half: what it adds to the logarithms of blood and melanin and to
 /// the oxygen, and how wide its pores are.

@@ -9,9 +9,8 @@ use raconteur_base::{DVec3, Side, mirror_vector, noise};
 
 use super::SkinParams;
 use super::marks::{Marks, Pen};
-use super::sheet::HeadSheet;
-use super::texture::{rise, space_noise};
-use crate::head::Places;
+use crate::head::{HeadSheet, Places};
+use crate::texture::{rise, space_noise};
 
 /// Everything that is drawn on a face. Strengths: wrinkles in mm of depth, the others 0..1.
 #[derive(Clone, Debug, Default)]

@@ -4,10 +4,10 @@ use raconteur_base::ops;
 
 use super::SkinParams;
 use super::marks::Marks;
-use super::raster::Hit;
-use super::sheet::{HandLine, HandRegion, HandSheet};
-use super::texture::{cells, rise, space_noise};
 use super::tissue::Tissue;
+use crate::atlas::Hit;
+use crate::hand::{HandLine, HandRegion, HandSheet};
+use crate::texture::{cells, rise, space_noise};
 
 impl HandRegion {
     fn to_array(self) -> [f64; 5] {

@@ -4,7 +4,7 @@ use raconteur_base::noise;
 
 use super::SkinParams;
 use super::marks::{Marks, Pen};
-use super::sheet::{HandLine, HandSheet};
+use crate::hand::{HandLine, HandSheet};
 
 /// Draws lines with their strength scaled.
 pub(super) fn draw(lines: &[HandLine], scale: f64, seed: u64) -> Marks {

@@ -10,16 +10,10 @@ mod hand_lines;
 mod marks;
 mod params;
 pub mod pigment;
-pub(crate) mod raster;
-mod sheet;
 #[cfg(test)]
 mod tests;
-pub(crate) mod texture;
 mod tissue;
 pub mod tone;
-pub(crate) mod unwrap;
 
 pub(crate) use bake::bake;
-pub(crate) use params::MOUTH_DEEP;
 pub use params::SkinParams;
-pub(crate) use sheet::{HandLine, HandRegion, HandSheet, HeadSheet};

@@ -97,5 +97,3 @@ pub(crate) const OXYGEN: f64 = 0.75;
 
 /// Deep red of a nostril's inside and of the mouth, linear RGB.
 pub(crate) const INSIDE: [f64; 3] = [0.115, 0.038, 0.028];
-/// The mouth behind the lips.
-pub(crate) const MOUTH_DEEP: [f64; 3] = [0.16, 0.04, 0.035];

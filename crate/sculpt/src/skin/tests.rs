@@ -4,12 +4,14 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DVec2, DVec3, Side};
 
+use super::SkinParams;
 use super::bake::{SkinMaps, bake};
 use super::expression_lines::ExpressionMarks;
-use super::raster::{Raster, SIZE};
-use super::{HandSheet, HeadSheet, SkinParams};
+use crate::atlas::{Raster, SIZE};
 use crate::hand;
+use crate::hand::HandSheet;
 use crate::head;
+use crate::head::HeadSheet;
 use crate::people::preset;
 
 /// A head and a hand, made once for all tests.

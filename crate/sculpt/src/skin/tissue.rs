@@ -3,7 +3,7 @@
 use super::SkinParams;
 use super::params::OXYGEN;
 use super::pigment::Palette;
-use super::texture::mix;
+use crate::texture::mix;
 
 /// Skin at a texel.
 #[derive(Clone, Copy, Debug)]

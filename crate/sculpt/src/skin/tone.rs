@@ -2,10 +2,10 @@
 
 use raconteur_base::ops;
 
+use super::SkinParams;
 use super::pigment::Palette;
-use super::raster::Hit;
-use super::{HeadSheet, SkinParams};
-use crate::head::{HeadParams, bare_sheet};
+use crate::atlas::Hit;
+use crate::head::{HeadParams, HeadSheet, bare_sheet};
 use crate::person::Person;
 
 /// The head on which tones are laid out, the same for all.

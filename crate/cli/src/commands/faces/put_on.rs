@@ -3,8 +3,8 @@
 use anyhow::{Context as _, Result};
 use raconteur_body::Figure;
 use raconteur_body::read::read_figure;
-use raconteur_body::reshape::{Hair, Lender, Lenders, Look, NewFace, NewOrgans, Reshaper};
 use raconteur_faces::{Editor, Face, FaceModel};
+use raconteur_reshape::{Hair, Lender, Lenders, Look, NewFace, NewOrgans, Reshaper};
 
 use crate::assets;
 

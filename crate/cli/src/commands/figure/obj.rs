@@ -14,7 +14,7 @@ pub(super) fn write(figure: &Figure, posed: &Posed) -> String {
     let mut out = format!("# {}, made by raconteur; metres, y up\n", figure.name);
     let mut first = 1;
     for mesh in &figure.meshes {
-        let skinned = skin(mesh, &matrices, posed);
+        let skinned = skin(mesh, &matrices, &posed.morph_weights, &posed.tissue);
         // Writing to a string cannot fail.
         let _ = write_mesh(&mut out, mesh, &skinned, first);
         first += mesh.positions.len();

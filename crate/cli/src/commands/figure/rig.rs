@@ -8,7 +8,8 @@ use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use raconteur_base::DVec3;
 use raconteur_body::write;
-use raconteur_sculpt::rigging::{Landmarks, Scan, rig};
+use raconteur_sculpt::rigging::{Landmarks, rig};
+use raconteur_sculpt::scan::Scan;
 use raconteur_voice::files::{disk::replace, input};
 use serde::Deserialize;
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use raconteur_base::DVec3;
-use raconteur_sculpt::rigging::Scan;
+use raconteur_sculpt::scan::Scan;
 use raconteur_voice::files::input;
 
 use super::{FARTHEST, MOST_FILE_BYTES, MOST_VERTICES};

@@ -1,0 +1,44 @@
+//! The same springs on a skeleton that numbers its joints otherwise.
+
+use super::{Chain, Collider, Link, Springs};
+
+impl Springs {
+    /// With joints by other numbers. A chain that loses a joint does not swing; a collider that
+    /// does keeps nothing out.
+    #[must_use]
+    pub fn renumbered(&self, joint: &dyn Fn(usize) -> Option<usize>) -> Self {
+        let link = |l: &Link| {
+            let joint = joint(l.joint)?;
+            Some(Link { joint, ..*l })
+        };
+        let read: Vec<Option<Collider>> = self
+            .colliders
+            .iter()
+            .map(|c| {
+                let joint = joint(c.joint)?;
+                Some(Collider { joint, ..*c })
+            })
+            .collect();
+        let chain = |chain: &Chain| {
+            let links: Option<Vec<Link>> = chain.links.iter().map(link).collect();
+            Some(Chain {
+                links: links?,
+                colliders: chain
+                    .colliders
+                    .iter()
+                    .filter_map(|c| place(&read, *c))
+                    .collect(),
+            })
+        };
+        Self {
+            chains: self.chains.iter().filter_map(chain).collect(),
+            colliders: read.iter().flatten().copied().collect(),
+        }
+    }
+}
+
+/// Where a collider lies among those that can be used.
+pub(crate) fn place(read: &[Option<Collider>], number: usize) -> Option<usize> {
+    read.get(number)?.as_ref()?;
+    Some(read[..number].iter().flatten().count())
+}

@@ -1,0 +1,28 @@
+//! What the skin's baking wants to know of the head.
+
+use raconteur_base::DVec3;
+
+use super::chart::Places;
+use super::paint::Coordinates;
+
+/// The head's skin as the baking needs it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct HeadSheet {
+    /// Place of each vertex in the atlas, 0..1.
+    pub(crate) uv: Vec<[f64; 2]>,
+    /// Triangles of the skin that is seen.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Vertices on this person and on the mean head, mm.
+    pub(crate) at: Vec<DVec3>,
+    pub(crate) mean: Vec<DVec3>,
+    /// Unit normals on the mean head.
+    pub(crate) normals: Vec<DVec3>,
+    /// Coordinates about eyes, mouth, nostrils and ears.
+    pub(crate) rings: Vec<Coordinates>,
+    /// Share that brows cover.
+    pub(crate) brow: Vec<f64>,
+    /// Linear RGB of brows.
+    pub(crate) brow_colour: [f64; 3],
+    /// Where lines are laid out.
+    pub(crate) places: Option<&'static Places>,
+}

@@ -1,0 +1,180 @@
+//! No circles among the folders of a crate: what lies in one folder can be read, moved and left out
+//! with what stands below it.
+//!
+//! A thing of a crate's root is a folder with all that lies in it, however deep, or a file beside
+//! `lib.rs`; `x.rs` belongs to the folder `x`. Within a folder its own folders are compared in the
+//! same way, among each other. A folder's loose files belong to the folder, and a folder and those
+//! in it may know each other: `mod.rs` hands on what its children make, and children use `super`.
+//! The root of the crate is no folder, since it may hand on everything.
+//!
+//! Uses are found as for circles of files, but a name that is handed on counts as a use, too: a
+//! folder that hands on another's names stands on it. Tests are left out.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::cycles::circles;
+use crate::modules::{Modules, Names, crates, home};
+
+/// Crates whose circles are still to be mended.
+const EXEMPT: [&str; 1] = ["actor"];
+
+/// Folder, folder that it uses, and the uses that make the edge.
+type Edges = BTreeMap<Names, BTreeMap<Names, BTreeSet<String>>>;
+
+/// The two folders of the same parent between which a use of one module by another lies; `None`
+/// where one holds the other or a loose file is concerned.
+fn between(modules: &Modules, from: &Names, to: &Names) -> Option<(Names, Names)> {
+    let shared = from.iter().zip(to).take_while(|(a, b)| a == b).count();
+    let (from, to) = (from.get(..=shared)?, to.get(..=shared)?);
+    let is_folder = |at: &[String]| {
+        modules
+            .keys()
+            .any(|m| m.len() > at.len() && m.starts_with(at))
+    };
+    (shared == 0 || is_folder(from) && is_folder(to)).then(|| (from.to_vec(), to.to_vec()))
+}
+
+fn edges(modules: &Modules) -> Edges {
+    let mut edges = Edges::new();
+    for (at, module) in modules {
+        for path in module.used.iter().chain(module.handed_on.values()) {
+            let Some(home) = home(modules, path, 8) else {
+                continue;
+            };
+            if let Some((from, to)) = between(modules, at, &home) {
+                edges.entry(to.clone()).or_default();
+                let uses = edges.entry(from).or_default().entry(to).or_default();
+                uses.insert(format!(
+                    "{}: use {}",
+                    module.file.display(),
+                    path.join("::")
+                ));
+            }
+        }
+    }
+    edges
+}
+
+/// Each circle with the uses that make it.
+fn told(modules: &Modules) -> Vec<String> {
+    let edges = edges(modules);
+    let bare = edges
+        .iter()
+        .map(|(from, to)| (from.clone(), to.keys().cloned().collect()))
+        .collect();
+    let tell = |group: Vec<Names>| {
+        let mut text = String::new();
+        for from in &group {
+            for (to, uses) in edges[from].iter().filter(|(to, _)| group.contains(to)) {
+                text += &format!("  {} -> {}\n", from.join("/"), to.join("/"));
+                for line in uses {
+                    text += &format!("    {line}\n");
+                }
+            }
+        }
+        text
+    };
+    circles(&bare).into_iter().map(tell).collect()
+}
+
+#[test]
+fn no_folders_of_a_crate_need_each_other() {
+    let (folder, all) = crates();
+    let mut found = Vec::new();
+    for (name, modules) in all {
+        if !EXEMPT.contains(&name.as_str()) {
+            let circles = told(&modules);
+            found.extend(circles.iter().map(|circle| format!("{name}:\n{circle}")));
+        }
+    }
+    let text = found.join("\n");
+    let text = text.replace(&format!("{}/", folder.display()), "");
+    assert!(found.is_empty(), "{} circles:\n{text}", found.len());
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::told;
+    use crate::modules::{Modules, Names, parse};
+
+    /// A tree of modules, by their paths and texts.
+    fn tree(files: &[(&str, &str)]) -> Modules {
+        let read = |(path, text): &(&str, &str)| {
+            let at: Names = path
+                .split('/')
+                .filter(|n| !n.is_empty())
+                .map(String::from)
+                .collect();
+            let file = format!("{path}.rs");
+            (at.clone(), parse(Path::new(&file), text, &at).0)
+        };
+        files.iter().map(read).collect()
+    }
+
+    #[test]
+    fn a_circle_is_named_with_its_uses() {
+        let circles = told(&tree(&[
+            ("", "mod face; mod voice; mod clock;"),
+            ("face", "pub mod lips; pub struct Face;"),
+            ("face/lips", "use crate::voice::pitch::Pitch;"),
+            ("voice", "mod pitch; mod breath;"),
+            ("voice/pitch", "pub struct Pitch(crate::clock::Secs);"),
+            ("voice/breath", "use crate::face::Face;"),
+            ("clock", "pub struct Secs;"),
+        ]));
+        assert_eq!(
+            circles,
+            [
+                "  face -> voice\n    face/lips.rs: use voice::pitch::Pitch\n  \
+              voice -> face\n    voice/breath.rs: use face::Face\n"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_circle_within_a_folder_and_one_of_handed_on_names_are_found() {
+        let nested = tree(&[
+            ("", "mod face;"),
+            ("face", "mod lips; mod lids;"),
+            ("face/lips", "mod upper;"),
+            ("face/lips/upper", "use super::super::lids::Lid;"),
+            ("face/lids", "mod lash; pub struct Lid;"),
+            ("face/lids/lash", "use crate::face::lips::Lip;"),
+        ]);
+        assert_eq!(told(&nested).len(), 1);
+        let handed_on = tree(&[
+            ("", "mod face; mod voice;"),
+            ("face", "pub use crate::voice::Voice; pub struct Face;"),
+            ("voice", "use crate::face::Face; pub struct Voice;"),
+        ]);
+        assert_eq!(told(&handed_on).len(), 1);
+    }
+
+    #[test]
+    fn parents_children_roots_and_tests_are_no_circle() {
+        let circles = told(&tree(&[
+            (
+                "",
+                "mod face; pub use face::Face; mod voice; pub struct Error;",
+            ),
+            ("face", "mod lips; pub use lips::Lip; pub struct Face;"),
+            (
+                "face/lips",
+                "mod upper; use super::Face; pub struct Lip(crate::Error);",
+            ),
+            ("face/lips/upper", "use super::super::lids;"),
+            ("face/lids", "use super::lips::Lip;"),
+            (
+                "voice",
+                "use crate::Face; #[cfg(test)] mod tests { use crate::face::lips; }",
+            ),
+            (
+                "face/tests",
+                "#[cfg(test)] fn says() { crate::voice::say(); }",
+            ),
+        ]));
+        assert_eq!(circles, Vec::<String>::new());
+    }
+}
