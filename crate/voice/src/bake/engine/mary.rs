@@ -6,6 +6,7 @@ use crate::align::{Format, read};
 use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, ensure};
+use quick_xml::escape::partial_escape;
 use raconteur_speech::bundle::SentenceKind;
 
 use super::{Engine, VoiceInfo, aligned, http, labels, punctuation, wave};
@@ -152,18 +153,12 @@ fn document(sentence: &Sentence, language: &str) -> Result<Option<String>> {
 
 /// A text in XML, without what XML cannot hold.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => out.push(c),
-        }
-    }
-    out
+    let held: String = text
+        .chars()
+        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'))
+        .collect();
+    // Apostrophes are marks of stress in transcriptions and stay as they are.
+    partial_escape(&held).replace('"', "&quot;")
 }
 
 #[cfg(test)]
