@@ -9,8 +9,9 @@ use crate::markup::sable;
 use crate::signal::spectrogram::{SpectrogramOptions, spectrogram};
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result, anyhow};
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use quick_xml::escape::partial_escape;
-use raconteur_speech::bundle::{FRAME_SECS, hz_of_code, to_base64};
+use raconteur_speech::bundle::{FRAME_SECS, hz_of_code};
 
 use super::cast::Cast;
 use super::speak::{self, Work};
@@ -178,9 +179,5 @@ fn spectrum(track: &Speech) -> Result<String> {
     encoder.set_depth(png::BitDepth::Eight);
     let light: Vec<u8> = spectrum.levels.iter().map(|level| 255 - level).collect();
     encoder.write_header()?.write_image_data(&light)?;
-    let mut text = to_base64(&bytes);
-    while !text.len().is_multiple_of(4) {
-        text.push('=');
-    }
-    Ok(text)
+    Ok(BASE64_STANDARD.encode(&bytes))
 }
