@@ -2,12 +2,13 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise,
-//! surfaces that cross themselves, encodings of text, how written language is parted, which signs in a text are emoticons.
+//! colours as light, surfaces that cross themselves, encodings of text, how written language is parted, which signs in a text are emoticons.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
 //! +y up, +z front (glTF's own frame).
 
+pub mod color;
 pub mod crossing;
 pub mod curve;
 pub mod emoticon;
