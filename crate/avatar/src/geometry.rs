@@ -4,6 +4,7 @@
 //! viewer shows the file when nothing moves; from then on only our skeleton counts. So
 //! several skins, skins with binds of their own, and scaled nodes need no further thought.
 
+use raconteur_base::surface::vertex_normals;
 use raconteur_base::{DAffine3, DMat3, DMat4, DVec3, ops};
 use serde_json::Value;
 
@@ -253,7 +254,7 @@ impl<'a, 's> Reader<'a, 's> {
                     .map(|(v, n)| turned_normal(linear(v), wide(n)))
                     .collect()
             }
-            None => smooth_normals(&positions, &indices),
+            None => vertex_normals(&positions, indices.as_chunks::<3>().0),
         };
         let surface = surface(self.json, p.material, self.pictures, self.notes)?;
         let uvs = self.uvs(p, count, &surface)?;
@@ -551,19 +552,4 @@ fn turned_normal(linear: DMat3, n: DVec3) -> DVec3 {
         linear * n
     };
     turned.try_normalize().unwrap_or(DVec3::Y)
-}
-
-/// Normals of vertices from their triangles, weighted by area.
-fn smooth_normals(positions: &[DVec3], indices: &[u32]) -> Vec<DVec3> {
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for t in indices.chunks_exact(3) {
-        let [a, b, c] = [t[0], t[1], t[2]].map(|i| positions[i as usize]);
-        let area = (b - a).cross(c - a);
-        for &i in t {
-            sums[i as usize] += area;
-        }
-    }
-    sums.into_iter()
-        .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
-        .collect()
 }

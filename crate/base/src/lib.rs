@@ -2,7 +2,7 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise,
-//! colours as light, surfaces that cross themselves, encodings of text, how written language is parted, which signs in a text are emoticons.
+//! colours as light, normals of surfaces, surfaces that cross themselves, encodings of text, how written language is parted, which signs in a text are emoticons.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
@@ -21,6 +21,7 @@ pub mod order;
 pub mod panic;
 pub mod printable;
 pub mod profile;
+pub mod surface;
 pub mod text;
 
 pub use glam;

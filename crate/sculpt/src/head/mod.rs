@@ -65,7 +65,8 @@ use super::model::Traits;
 use super::part::{MOUTH_BAG, MeshPart, PartMorph, PartVertex};
 use super::person::Person;
 use super::skin::HeadSheet;
-use crate::subdivide::{Stencil, vertex_normals};
+use crate::subdivide::Stencil;
+use raconteur_base::surface::vertex_normals;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
 /// What tells one head from another of the same sex and age.

@@ -16,10 +16,11 @@ use crate::built::Built;
 use crate::mannequin::Mannequin;
 use crate::part::{JointRef, MOUTH_BAG, MeshPart, PartVertex};
 use crate::people::FigureParams;
-use crate::subdivide::{firsts, vertex_normals, welded};
+use crate::subdivide::{firsts, welded};
 use crate::surface::{Place, Surface};
 use crate::tissue::Warp;
 use crate::yardstick::Similarity;
+use raconteur_base::surface::vertex_normals;
 
 /// Least cosine between the normals of places that belong together.
 const FACING: f64 = 0.4;

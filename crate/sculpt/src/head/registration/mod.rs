@@ -22,8 +22,8 @@ use super::mean;
 use super::refined::{InFace, Refined};
 use super::solve::{Fairness, Terms, least_squares};
 use crate::model::{Ancestry, Model, ModelError, Traits};
-use crate::subdivide::vertex_normals;
 use crate::surface::{Place, Surface};
+use raconteur_base::surface::vertex_normals;
 
 /// How firmly the bend is kept smooth, and how firmly a vertex keeps to its nearest place, by
 /// round. Designed.
