@@ -55,7 +55,7 @@ impl Stance {
     pub fn new(skeleton: &Skeleton, seed: u64) -> Self {
         Self {
             legs: Side::BOTH.map(|side| Leg::new(skeleton, side)),
-            scale: skeleton.stature_m() / 1.7,
+            scale: skeleton.scale(),
             seed,
         }
     }
