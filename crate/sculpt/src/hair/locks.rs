@@ -50,7 +50,8 @@ pub(super) struct Grower<'a> {
     pub(super) places: &'a [Root],
 }
 
-/// Roughly normal with standard deviation 1.
+/// Roughly normal with standard deviation 1. Rounded once, unlike `noise::normal`, from which it may differ in the last bit:
+/// the hair of all figures was grown with it.
 pub(super) fn normal(seed: u64, id: u64, i: i64) -> f64 {
     (0..4)
         .map(|k| noise::unit(seed, id * 4 + k, i))
