@@ -8,7 +8,7 @@
 //! for surface registration", doi:10.1109/CVPR.2007.383165).
 
 mod deviation;
-mod ear;
+pub(super) mod ear;
 
 use std::collections::BTreeMap;
 
