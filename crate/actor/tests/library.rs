@@ -305,7 +305,7 @@ fn arms_keep_out_of_the_body() {
     let mut found = Vec::new();
     each(|name, stage| {
         let zero = stage.world(&Pose::zero());
-        let scale = stage.skeleton.stature_m() / 1.7;
+        let scale = stage.skeleton.scale();
         let mut worst: Option<(f64, String)> = None;
         for (t, pose) in stage.poses() {
             let world = stage.world(&pose);

@@ -4,6 +4,7 @@
 //! viewer shows the file when nothing moves; from then on only our skeleton counts. So
 //! several skins, skins with binds of their own, and scaled nodes need no further thought.
 
+use raconteur_base::surface::vertex_normals;
 use raconteur_base::{DAffine3, DMat3, DMat4, DVec3, ops};
 use serde_json::Value;
 
@@ -253,7 +254,7 @@ impl<'a, 's> Reader<'a, 's> {
                     .map(|(v, n)| turned_normal(linear(v), wide(n)))
                     .collect()
             }
-            None => smooth_normals(&positions, &indices),
+            None => vertex_normals(&positions, indices.as_chunks::<3>().0),
         };
         let surface = surface(self.json, p.material, self.pictures, self.notes)?;
         let uvs = self.uvs(p, count, &surface)?;
@@ -429,32 +430,10 @@ impl<'a, 's> Reader<'a, 's> {
         linear: impl Fn(usize) -> DMat3,
     ) -> Result<Vec<Shape>, ReadError> {
         let face = self.face;
-        let here = |part: &&WeightedTarget| part.mesh == mesh;
-        // Each target is read once, though several channels may take from it.
-        let mut targets: Vec<Option<Target>> = Vec::new();
-        targets.resize_with(p.targets.len(), || None);
-        let all = face.channels.iter().flat_map(|c| &c.parts);
-        for part in all.chain(&face.mouth).chain(&face.lids).filter(here) {
-            let what = "a morph target";
-            let target = p
-                .targets
-                .get(part.target)
-                .ok_or(ReadError::OutOfRange { what })?;
-            let slot = &mut targets[part.target];
-            if slot.is_none() {
-                let mut read = |a: Option<usize>, what| match a {
-                    Some(a) => self.source.moved(a, count, what),
-                    None => Ok(Default::default()),
-                };
-                *slot = Some(Target {
-                    positions: read(target.positions, what)?,
-                    normals: read(target.normals, "a morph's normals")?,
-                });
-            }
-        }
+        let targets = self.targets(mesh, p, count)?;
         let moved_by = |parts: &[WeightedTarget]| {
             let mut moved = vec![false; count];
-            for part in parts.iter().filter(here) {
+            for part in parts.iter().filter(|part| part.mesh == mesh) {
                 for &v in targets[part.target].iter().flat_map(|t| &t.positions.0) {
                     moved[v as usize] = true;
                 }
@@ -467,21 +446,7 @@ impl<'a, 's> Reader<'a, 's> {
             if !channel.parts.iter().any(|part| part.mesh == mesh) {
                 continue;
             }
-            let mut positions = vec![DVec3::ZERO; count];
-            let mut normals = vec![DVec3::ZERO; count];
-            for part in channel.parts.iter().filter(here) {
-                let Some(target) = &targets[part.target] else {
-                    continue;
-                };
-                for (to, from) in [
-                    (&mut positions, &target.positions),
-                    (&mut normals, &target.normals),
-                ] {
-                    for (&v, delta) in from.0.iter().zip(&from.1) {
-                        to[v as usize] += wide(*delta) * part.factor;
-                    }
-                }
-            }
+            let [positions, normals] = displaced(&channel.parts, mesh, &targets, count);
             let allowed: &dyn Fn(usize) -> bool = match channel.region {
                 Region::Everywhere => &|_| true,
                 Region::Mouth => {
@@ -503,37 +468,102 @@ impl<'a, 's> Reader<'a, 's> {
             if vertices.is_empty() {
                 continue;
             }
-            let at = |list: &[DVec3], unit: bool| -> Vec<DVec3> {
-                let each = vertices.iter().map(|&v| {
-                    let m = linear(v as usize);
-                    let scale = if unit {
-                        ops::cbrt(m.determinant().abs()).max(1e-12)
-                    } else {
-                        1.0
-                    };
-                    m * list[v as usize] / scale
-                });
-                each.collect()
-            };
-            let (positions, normals) = (at(&positions, false), at(&normals, true));
-            if positions
-                .iter()
-                .chain(&normals)
-                .any(|d| d.abs().max_element() > 1e9)
-            {
-                return Err(ReadError::NotFinite {
-                    what: "a morph target",
-                });
-            }
-            shapes.push(Shape {
-                name: channel.name,
-                vertices,
-                positions,
-                normals,
-            });
+            let moved = [&*positions, &*normals];
+            shapes.push(shape(channel.name, vertices, moved, &linear)?);
         }
         Ok(shapes)
     }
+
+    /// The morph targets of a primitive that the face's channels take from, each read once.
+    fn targets(
+        &mut self,
+        mesh: usize,
+        p: &document::Primitive,
+        count: usize,
+    ) -> Result<Vec<Option<Target>>, ReadError> {
+        let face = self.face;
+        let mut targets: Vec<Option<Target>> = Vec::new();
+        targets.resize_with(p.targets.len(), || None);
+        let all = face.channels.iter().flat_map(|c| &c.parts);
+        let all = all.chain(&face.mouth).chain(&face.lids);
+        for part in all.filter(|part| part.mesh == mesh) {
+            let what = "a morph target";
+            let target = p
+                .targets
+                .get(part.target)
+                .ok_or(ReadError::OutOfRange { what })?;
+            let slot = &mut targets[part.target];
+            if slot.is_none() {
+                let mut read = |a: Option<usize>, what| match a {
+                    Some(a) => self.source.moved(a, count, what),
+                    None => Ok(Default::default()),
+                };
+                *slot = Some(Target {
+                    positions: read(target.positions, what)?,
+                    normals: read(target.normals, "a morph's normals")?,
+                });
+            }
+        }
+        Ok(targets)
+    }
+}
+
+/// How far parts of a channel move the places and normals of a mesh's vertices.
+fn displaced(
+    parts: &[WeightedTarget],
+    mesh: usize,
+    targets: &[Option<Target>],
+    count: usize,
+) -> [Vec<DVec3>; 2] {
+    let mut positions = vec![DVec3::ZERO; count];
+    let mut normals = vec![DVec3::ZERO; count];
+    for part in parts.iter().filter(|part| part.mesh == mesh) {
+        let Some(target) = &targets[part.target] else {
+            continue;
+        };
+        for (to, from) in [
+            (&mut positions, &target.positions),
+            (&mut normals, &target.normals),
+        ] {
+            for (&v, delta) in from.0.iter().zip(&from.1) {
+                to[v as usize] += wide(*delta) * part.factor;
+            }
+        }
+    }
+    [positions, normals]
+}
+
+/// A shape of some vertices, of the displacements of all places and normals; `linear` turns those of a vertex.
+fn shape(
+    name: &'static str,
+    vertices: Vec<u32>,
+    [positions, normals]: [&[DVec3]; 2],
+    linear: &impl Fn(usize) -> DMat3,
+) -> Result<Shape, ReadError> {
+    let at = |list: &[DVec3], unit: bool| -> Vec<DVec3> {
+        let each = vertices.iter().map(|&v| {
+            let m = linear(v as usize);
+            let scale = if unit {
+                ops::cbrt(m.determinant().abs()).max(1e-12)
+            } else {
+                1.0
+            };
+            m * list[v as usize] / scale
+        });
+        each.collect()
+    };
+    let (positions, normals) = (at(positions, false), at(normals, true));
+    let mut all = positions.iter().chain(&normals);
+    if all.any(|d| d.abs().max_element() > 1e9) {
+        let what = "a morph target";
+        return Err(ReadError::NotFinite { what });
+    }
+    Ok(Shape {
+        name,
+        vertices,
+        positions,
+        normals,
+    })
 }
 
 /// What a morph target moves: vertices and displacements, of places and normals.
@@ -551,19 +581,4 @@ fn turned_normal(linear: DMat3, n: DVec3) -> DVec3 {
         linear * n
     };
     turned.try_normalize().unwrap_or(DVec3::Y)
-}
-
-/// Normals of vertices from their triangles, weighted by area.
-fn smooth_normals(positions: &[DVec3], indices: &[u32]) -> Vec<DVec3> {
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for t in indices.chunks_exact(3) {
-        let [a, b, c] = [t[0], t[1], t[2]].map(|i| positions[i as usize]);
-        let area = (b - a).cross(c - a);
-        for &i in t {
-            sums[i as usize] += area;
-        }
-    }
-    sums.into_iter()
-        .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
-        .collect()
 }

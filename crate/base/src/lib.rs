@@ -2,12 +2,14 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise,
-//! surfaces that cross themselves, encodings of text, how written language is parted.
+//! colours as light, normals of surfaces, surfaces that cross themselves, encodings of text,
+//! how written language is parted.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
 //! +y up, +z front (glTF's own frame).
 
+pub mod color;
 pub mod crossing;
 pub mod curve;
 pub mod encoding;
@@ -19,6 +21,7 @@ pub mod order;
 pub mod panic;
 pub mod printable;
 pub mod profile;
+pub mod surface;
 pub mod text;
 
 pub use glam;

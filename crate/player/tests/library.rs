@@ -97,7 +97,7 @@ fn lia_plays_animations_well() {
 fn hands_behind_are_joined_at_the_small_of_the_back() {
     for who in FIGURES {
         let figure = without_tissue(who);
-        let scale = figure.skeleton.stature_m() / 1.7;
+        let scale = figure.skeleton.scale();
         let options = Options::default();
         let mut player = perform(&story("hands-behind", 4.0), None, figure, options).player;
         assert_eq!(equip(&mut player), [""; 0]);

@@ -30,6 +30,26 @@ pub(crate) struct MaterialUniform {
     face: [f32; 4],
 }
 
+impl MaterialUniform {
+    /// Of a mesh of a figure with or without corneas, whose face lies in `face`.
+    fn of(mesh: &Mesh, alpha_mode: AlphaMode, has_cornea: bool, face: [f32; 4]) -> Self {
+        Self {
+            base: mesh.material.base_color,
+            params: [
+                mesh.material.roughness.clamp(0.05, 1.0),
+                f32::from(u8::from(has_cornea)),
+                f32::from(u8::from(alpha_mode == AlphaMode::Blend)),
+                // Cloth tells its weave, all else whether it has a picture of normals.
+                mesh.material.kind.weave().map_or(
+                    f32::from(u8::from(mesh.material.maps.normal.is_some())),
+                    f32::from,
+                ),
+            ],
+            face,
+        }
+    }
+}
+
 /// How the alpha of a mesh is used; the terms are glTF's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AlphaMode {
@@ -142,6 +162,37 @@ struct Batch {
     levels: [Vec<u32>; LEVELS],
 }
 
+impl Batch {
+    /// Adds this one to those that have been made: to the one of the same surface, if there is one.
+    fn join(self, batches: &mut Vec<Self>) {
+        match batches
+            .iter_mut()
+            .find(|b| b.key == self.key && b.maps == self.maps && b.material == self.material)
+        {
+            Some(batch) => {
+                for (all, own) in batch.levels.iter_mut().zip(self.levels) {
+                    all.extend(own);
+                }
+            }
+            None => batches.push(self),
+        }
+    }
+
+    /// A number by which batches are ordered.
+    fn place(&self) -> f64 {
+        let before = match self.key.kind {
+            MaterialKind::Cornea => 1,
+            MaterialKind::Lash => 2,
+            _ => 0,
+        };
+        let (alpha_mode, shadow) = (self.key.alpha_mode as u32, self.key.shadow() as u32);
+        let bound = u32::from(self.key.bound);
+        f64::from(
+            (((alpha_mode * 8 + shadow) * 4 + before) * 2 + bound) * 32 + self.key.kind as u32,
+        )
+    }
+}
+
 impl FigureData {
     /// Packs a figure.
     ///
@@ -180,20 +231,7 @@ impl FigureData {
             check(mesh, joints)?;
             let key = PipelineKey::of(figure, mesh);
             data.bases[index] = data.shape.len();
-            let material = MaterialUniform {
-                base: mesh.material.base_color,
-                params: [
-                    mesh.material.roughness.clamp(0.05, 1.0),
-                    f32::from(u8::from(has_cornea)),
-                    f32::from(u8::from(key.alpha_mode == AlphaMode::Blend)),
-                    // Cloth tells its weave, all else whether it has a picture of normals.
-                    mesh.material.kind.weave().map_or(
-                        f32::from(u8::from(mesh.material.maps.normal.is_some())),
-                        f32::from,
-                    ),
-                ],
-                face,
-            };
+            let material = MaterialUniform::of(mesh, key.alpha_mode, has_cornea, face);
             let maps = mesh.material.maps;
             let levels = data.push(mesh, key.alpha_mode);
             // What the sharp cards leave, ends and gaps, is drawn over them from the scalp outwards.
@@ -212,38 +250,18 @@ impl FigureData {
                     levels: outwards,
                 });
             }
-            match batches
-                .iter_mut()
-                .find(|b| b.key == key && b.maps == maps && b.material == material)
-            {
-                Some(batch) => {
-                    for (all, own) in batch.levels.iter_mut().zip(levels) {
-                        all.extend(own);
-                    }
-                }
-                None => batches.push(Batch {
-                    key,
-                    maps,
-                    material,
-                    levels,
-                }),
-            }
+            let batch = Batch {
+                key,
+                maps,
+                material,
+                levels,
+            };
+            batch.join(&mut batches);
         }
         batches.retain(|b| !b.levels[0].is_empty());
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
         // surface of the eyes after other clear ones, and the hairs before it last.
-        sort_by_number(&mut batches, |b| {
-            let before = match b.key.kind {
-                MaterialKind::Cornea => 1,
-                MaterialKind::Lash => 2,
-                _ => 0,
-            };
-            let (alpha_mode, shadow) = (b.key.alpha_mode as u32, b.key.shadow() as u32);
-            let bound = u32::from(b.key.bound);
-            f64::from(
-                (((alpha_mode * 8 + shadow) * 4 + before) * 2 + bound) * 32 + b.key.kind as u32,
-            )
-        });
+        sort_by_number(&mut batches, Batch::place);
         data.lay(&batches);
         Ok(data)
     }

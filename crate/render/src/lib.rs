@@ -56,5 +56,5 @@ pub use pace::Pace;
 pub use renderer::Renderer;
 #[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
 pub use surface::{Backend, CanvasTarget, RenderStatus};
-pub use texture::{LARGEST_SIDE, srgb_to_linear};
+pub use texture::LARGEST_SIDE;
 pub use wgpu;

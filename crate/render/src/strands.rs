@@ -132,8 +132,9 @@ pub(crate) fn atlas() -> Vec<Level> {
 }
 
 fn normal(id: u64, i: i64) -> f64 {
-    let sum: f64 = (0..4).map(|k| noise::unit(SEED, id * 4 + k, i)).sum();
-    (sum - 2.0) * 1.732
+    noise::normal(std::array::from_fn(|k| {
+        noise::unit(SEED, id * 4 + k as u64, i)
+    }))
 }
 
 /// Smooth noise along a strand, nearly normal at its knots.

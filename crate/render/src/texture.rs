@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use raconteur_base::ops;
+use raconteur_base::color::srgb_to_linear;
 use wgpu::{Device, Queue, TextureFormat, TextureView};
 
 use crate::RenderError;
@@ -132,22 +132,11 @@ fn send(
 
 /// Linear light of each sRGB byte.
 static LINEAR: LazyLock<[f32; 256]> =
-    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear(i as f64)));
+    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear(i as f64 / 255.0) as f32));
 
 /// Linear light half way between each sRGB byte and the next.
 static BETWEEN: LazyLock<[f32; 255]> =
-    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear(i as f64 + 0.5)));
-
-/// Linear light, 0..1, of an sRGB value of 0..255 (IEC 61966-2-1).
-#[must_use]
-pub fn srgb_to_linear(byte: f64) -> f32 {
-    let c = byte / 255.0;
-    (if c <= 0.040_45 {
-        c / 12.92
-    } else {
-        ops::pow((c + 0.055) / 1.055, 2.4)
-    }) as f32
-}
+    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear((i as f64 + 0.5) / 255.0) as f32));
 
 /// A picture of half the size: each pixel the mean of four, colours in linear light and
 /// by their cover, normals made unit again, heights as they are.

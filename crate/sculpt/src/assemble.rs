@@ -6,7 +6,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::part::{MeshPart, PartVertex};
 use super::springs::{self, HairChain};
-use super::subdivide::vertex_normals;
+use raconteur_base::surface::vertex_normals;
 use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};
 use raconteur_body::springs::Springs;

@@ -19,7 +19,7 @@ use super::skin;
 use super::springs;
 use super::tissue;
 use super::torso::{CM, Cage, Field, Joints, Shell};
-use crate::subdivide::vertex_normals;
+use raconteur_base::surface::vertex_normals;
 use raconteur_body::annotation::{Annotations, Landmark, Segment};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, FacePlaces, zero_frames};

@@ -220,27 +220,6 @@ pub fn limit_stencils(faces: &[Vec<u32>], vertex_count: usize) -> Vec<Stencil> {
         .collect()
 }
 
-/// Area-weighted vertex normals of polygons.
-#[must_use]
-pub fn vertex_normals(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<DVec3> {
-    let mut normals = vec![DVec3::ZERO; positions.len()];
-    for face in faces {
-        let p = |i: usize| positions[face[i] as usize];
-        // Newell's sum is twice the area vector of any polygon.
-        let mut area = DVec3::ZERO;
-        for i in 1..face.len() - 1 {
-            area += (p(i) - p(0)).cross(p(i + 1) - p(0));
-        }
-        for &v in face {
-            normals[v as usize] += area;
-        }
-    }
-    normals
-        .into_iter()
-        .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
-        .collect()
-}
-
 /// The first of all vertices at the place of each, to a hundredth of a millimetre; metres.
 pub(crate) fn firsts(positions: &[DVec3]) -> Vec<u32> {
     let mut first: BTreeMap<[i64; 3], u32> = BTreeMap::new();
@@ -264,6 +243,7 @@ pub(crate) fn welded(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raconteur_base::surface::vertex_normals;
 
     fn cube() -> (Vec<Vec<u32>>, Vec<DVec3>) {
         let p = (0..8)

@@ -1,5 +1,6 @@
 //! What emotions, and scripts, do to the light of a stage (GEVH 3.5.4.2).
 
+use raconteur_base::color::srgb_to_linear;
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, ops};
 
@@ -232,18 +233,10 @@ fn times(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     std::array::from_fn(|c| a[c] * b[c])
 }
 
-/// Linear RGB of a colour in sRGB (IEC 61966-2-1).
+/// Linear RGB of a colour in sRGB.
 #[must_use]
 pub fn linear(srgb: [u8; 3]) -> [f32; 3] {
-    srgb.map(|byte| {
-        let x = f64::from(byte) / 255.0;
-        let linear = if x <= 0.04045 {
-            x / 12.92
-        } else {
-            ops::pow((x + 0.055) / 1.055, 2.4)
-        };
-        linear as f32
-    })
+    srgb.map(|byte| srgb_to_linear(f64::from(byte) / 255.0) as f32)
 }
 
 #[cfg(test)]

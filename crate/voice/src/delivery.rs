@@ -10,7 +10,7 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_base::noise::{hash, signed, unit};
+use raconteur_base::noise::{self, hash, signed, unit};
 use raconteur_base::ops;
 
 use crate::content::{Setting, Speaker};
@@ -141,10 +141,9 @@ fn seed(tokens: &[Token]) -> u64 {
     letters.fold(0, |seed, byte| hash(seed, u64::from(byte), 0))
 }
 
-/// A number about 0 with a variance of 1, within ±3.5: the sum of four uniform ones.
+/// A nearly normal number.
 fn normal(seed: u64, at: i64) -> f64 {
-    let sum: f64 = (0..4).map(|i| unit(seed, 2 + i, at)).sum();
-    (sum - 2.0) * 1.732
+    noise::normal(core::array::from_fn(|i| unit(seed, 2 + i as u64, at)))
 }
 
 /// Which words stand between quotation marks.

@@ -1,4 +1,7 @@
-/** When the clauses of a text begin, as far as the text alone tells. */
+/**
+ * When the clauses of a text begin, as far as the text alone tells. The parser in the wasm files is not asked: it guesses how long
+ * speech takes, and a guess has no place on the timeline.
+ */
 
 import { attribute, type Element } from '../source.js';
 

@@ -82,7 +82,7 @@ struct HandSolid {
 impl HandSolid {
     fn new(skeleton: &Skeleton, side: Side) -> Self {
         let wrist = Bone::on(side, "wrist");
-        let scale = skeleton.stature_m() / 1.7;
+        let scale = skeleton.scale();
         let bones = finger_bones(side).map(|bone| {
             let joint = &skeleton.joints()[bone.index()];
             (joint.translation_in_parent, joint.zero_rotation)

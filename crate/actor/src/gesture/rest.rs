@@ -45,7 +45,7 @@ impl Rest {
     #[must_use]
     pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &Life) -> Self {
         let (side, space) = (rig.side(), rig.space());
-        let scale = skeleton.stature_m() / 1.7;
+        let scale = skeleton.scale();
         let sign = side.sign();
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
         let shoulder = rig.shoulder_in_world();
@@ -92,7 +92,7 @@ impl Rest {
     /// sides, the forearms before them, the palms turned to the audience. Near enough to the
     /// hanging arm that a story may begin with that.
     pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
-        let scale = skeleton.stature_m() / 1.7;
+        let scale = skeleton.scale();
         let sign = self.side.sign();
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
         let hand = palm::from_directions(self.side, out(0.22, -0.72, 0.62), out(-0.62, 0.35, 0.62));

@@ -51,7 +51,7 @@ impl Stance {
     pub fn new(skeleton: &Skeleton, sex: Sex, seed: u64) -> Self {
         Self {
             legs: Side::BOTH.map(|side| Leg::new(skeleton, side, sex)),
-            scale: skeleton.stature_m() / 1.7,
+            scale: skeleton.scale(),
             seed,
         }
     }

@@ -101,7 +101,7 @@ impl BodySpace {
     pub fn new(skeleton: &Skeleton, shape: Option<TrunkShape>) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
-        let scale = skeleton.stature_m() / 1.7;
+        let scale = skeleton.scale();
         let skull = world_from_bone(skeleton, &zero, Bone::Skull);
         // The skull bone ends the neck; the head's middle is above and before it.
         let to_head = DVec3::new(0.0, 0.075, 0.03) * scale;

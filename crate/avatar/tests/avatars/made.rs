@@ -3,6 +3,7 @@
 //! Every joint carries a small octahedron around itself, so that a test can see where a
 //! joint went by looking at its vertices. Joints have arbitrary axes, as rigs do.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, noise, ops};
 use serde_json::{Value, json};
 
@@ -265,7 +266,10 @@ impl File {
 
     /// As a text file with its data inside.
     pub(crate) fn gltf(&self) -> Vec<u8> {
-        let uri = format!("data:application/octet-stream;base64,{}", base64(&self.bin));
+        let uri = format!(
+            "data:application/octet-stream;base64,{}",
+            BASE64_STANDARD.encode(&self.bin)
+        );
         let mut json = self.json.clone();
         json["buffers"] = json!([{ "byteLength": self.bin.len(), "uri": uri }]);
         json.to_string().into_bytes()
@@ -293,24 +297,6 @@ pub(crate) fn pack(json: &[u8], bin: &[u8]) -> Vec<u8> {
     }
     let total = (out.len() as u32).to_le_bytes();
     out[8..12].copy_from_slice(&total);
-    out
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::new();
-    for group in bytes.chunks(3) {
-        let word =
-            group.iter().fold(0u32, |w, b| w << 8 | u32::from(*b)) << (8 * (3 - group.len()));
-        for i in 0..4 {
-            let digit = DIGITS[(word >> (18 - 6 * i)) as usize & 63];
-            out.push(if i <= group.len() {
-                char::from(digit)
-            } else {
-                '='
-            });
-        }
-    }
     out
 }
 

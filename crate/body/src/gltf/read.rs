@@ -382,44 +382,10 @@ fn read_primitive(
         }
         None => vec![[255; 4]; count],
     };
-    let joints: Vec<[u32; 4]> = same_count(
-        source.integers(need("JOINTS_0", "joints")?, "joints")?,
-        count,
-        "joints",
-    )?;
-    let joints = joints
-        .into_iter()
-        .map(|quad| {
-            let mut out = [0u16; 4];
-            for (o, j) in out.iter_mut().zip(quad) {
-                *o = *binding
-                    .joints
-                    .get(j as usize)
-                    .ok_or(ReadError::OutOfRange {
-                        what: "a vertex's joint",
-                    })?;
-            }
-            Ok(out)
-        })
-        .collect::<Result<Vec<_>, ReadError>>()?;
-    let weights: Vec<[f32; 4]> = same_count(
-        source.floats(need("WEIGHTS_0", "weights")?, "weights")?,
-        count,
-        "weights",
-    )?;
-    let weights = weights
-        .into_iter()
-        .map(|w| {
-            let sum: f32 = w.iter().sum();
-            if sum > 0.0 && w.iter().all(|x| *x >= 0.0) {
-                Ok(w.map(|x| x / sum))
-            } else {
-                Err(ReadError::NotFinite {
-                    what: "normalised weights",
-                })
-            }
-        })
-        .collect::<Result<Vec<_>, ReadError>>()?;
+    let joints = source.integers(need("JOINTS_0", "joints")?, "joints")?;
+    let joints = joints_of(same_count(joints, count, "joints")?, binding)?;
+    let weights = source.floats(need("WEIGHTS_0", "weights")?, "weights")?;
+    let weights = weights_of(same_count(weights, count, "weights")?)?;
 
     if primitive.mode != TRIANGLES {
         return Err(ReadError::Type { what: "triangles" });
@@ -447,6 +413,35 @@ fn read_primitive(
         weights,
         indices,
     })
+}
+
+/// The figure's joints of vertices, of those of the file's skin.
+fn joints_of(joints: Vec<[u32; 4]>, binding: &Binding) -> Result<Vec<[u16; 4]>, ReadError> {
+    let what = "a vertex's joint";
+    let of = |quad: [u32; 4]| {
+        let mut out = [0u16; 4];
+        for (o, j) in out.iter_mut().zip(quad) {
+            let joint = binding.joints.get(j as usize);
+            *o = *joint.ok_or(ReadError::OutOfRange { what })?;
+        }
+        Ok(out)
+    };
+    joints.into_iter().map(of).collect()
+}
+
+/// Weights of vertices, of which each has a sum of 1.
+fn weights_of(weights: Vec<[f32; 4]>) -> Result<Vec<[f32; 4]>, ReadError> {
+    let of = |w: [f32; 4]| {
+        let sum: f32 = w.iter().sum();
+        if sum > 0.0 && w.iter().all(|x| *x >= 0.0) {
+            Ok(w.map(|x| x / sum))
+        } else {
+            Err(ReadError::NotFinite {
+                what: "normalised weights",
+            })
+        }
+    };
+    weights.into_iter().map(of).collect()
 }
 
 /// The triangles of an accessor, over `count` vertices.

@@ -11,6 +11,9 @@ use crate::face::Jaw;
 pub use bone::{Bone, zero_frames};
 pub use drive::{Drive, twist_about_x};
 
+/// The stature for which lengths are designed that grow with the figure, metres.
+const DESIGN_STATURE_M: f64 = 1.7;
+
 /// One joint of a figure.
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -215,6 +218,12 @@ impl Skeleton {
     #[must_use]
     pub fn stature_m(&self) -> f64 {
         self.stature_m
+    }
+
+    /// How large the figure is beside one of 1.7 m, for which designed lengths are written.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.stature_m / DESIGN_STATURE_M
     }
 
     /// Metres in one EML unit for this figure: stature / 77 (design section 3).

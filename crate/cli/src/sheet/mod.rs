@@ -12,9 +12,9 @@ mod wire;
 
 use anyhow::{Context as _, Result};
 use clap::ValueEnum;
+use raconteur_base::color::srgb_to_linear;
 use raconteur_body::Figure;
 use raconteur_render::headless::Headless;
-use raconteur_render::srgb_to_linear;
 use raconteur_stage::{Frame, Lighting, Set};
 
 use picture::{Layout, Picture};
@@ -227,7 +227,7 @@ fn silhouette(
     let [dark, bright] = [before(BEHIND[0])?, before(BEHIND[1])?];
     frame.set = light::room();
     let pixels = dark.chunks_exact(4).zip(bright.chunks_exact(4));
-    let light = |p: &[u8]| srgb_to_linear(f64::from(p[1]));
+    let light = |p: &[u8]| srgb_to_linear(f64::from(p[1]) / 255.0) as f32;
     let changes: Vec<f32> = pixels.map(|(d, b)| light(b) - light(d)).collect();
     let bare = changes.iter().copied().fold(0.0, f32::max);
     Ok(changes

@@ -47,82 +47,33 @@ pub(super) fn scan<'a>(
             i += 1;
         }
         if bytes.get(i) == Some(&b'<') {
-            sink.push(
-                Diagnostic::error(
-                    "eml::malformed-tag",
-                    Span::of(start + i, start + i + 1),
-                    format!(
-                        "`<` inside the tag of {}, which is dropped",
-                        quoted(element)
-                    ),
-                )
-                .hint("is a `>` or `/>` missing before it?"),
-            );
-            return Outcome::Broken(Some(start + i));
+            return stray(element, start + i, sink);
         }
         let name = &raw[name_start..i];
         let name_span = Span::of(start + name_start, start + i);
         i = skip_space(bytes, i);
         if name.is_empty() || bytes.get(i) != Some(&b'=') {
             if name.is_empty() {
-                let ends = |&b: &u8| b.is_ascii_whitespace() || b == b'<';
-                i = bytes[i..]
-                    .iter()
-                    .position(ends)
-                    .map_or(bytes.len(), |n| i + n);
+                i = word_end(bytes, i);
             }
-            let what = &raw[name_start..i];
-            sink.push(
-                Diagnostic::error(
-                    "eml::malformed-attribute",
-                    Span::of(start + name_start, start + i),
-                    format!("expected an attribute, found {}", quoted(what.trim_end())),
-                )
-                .hint("an attribute is written name='value'"),
-            );
+            nameless(&raw[name_start..i], start + name_start, sink);
             continue;
         }
         i = skip_space(bytes, i + 1);
-        let quote = bytes.get(i).copied();
-        let mut is_plain = true;
-        let (value_start, value_end) = match quote {
-            Some(q @ (b'\'' | b'"' | b'`')) => {
-                let from = i + 1;
-                let mut end = from;
-                while end < bytes.len() && bytes[end] != q && bytes[end] != b'<' {
-                    is_plain &= bytes[end] != b'&';
-                    end += 1;
-                }
-                if bytes.get(end) != Some(&q) {
-                    let next = (end < bytes.len()).then_some(end);
-                    return unclosed(element, start, i, next, sink);
-                }
-                if q == b'`' {
-                    unquoted(Span::of(start + i, start + end + 1), sink);
-                }
-                (from, end)
-            }
-            _ => {
-                let end = bytes[i..]
-                    .iter()
-                    .position(|&b| b.is_ascii_whitespace() || b == b'<')
-                    .map_or(bytes.len(), |at| i + at);
-                unquoted(name_span.to(Span::of(start + i, start + end)), sink);
-                is_plain = !bytes[i..end].contains(&b'&');
-                (i, end)
-            }
+        let quote = i;
+        let value = match value(bytes, quote) {
+            Ok(value) => value,
+            Err(next) => return unclosed(element, start, quote, next, sink),
         };
-        i = match quote {
-            Some(b'\'' | b'"' | b'`') => value_end + 1,
-            _ => value_end,
-        };
-        let attribute = Attribute {
-            name,
-            value: &raw[value_start..value_end],
-            name_start: name_span.start,
-            value_start: Span::of(start + value_start, 0).start,
-            is_plain,
-        };
+        match value.marks {
+            Marks::Quotes => {}
+            Marks::Backticks => unquoted(Span::of(start + quote, start + value.past), sink),
+            Marks::None => unquoted(
+                name_span.to(Span::of(start + quote, start + value.past)),
+                sink,
+            ),
+        }
+        i = value.past;
         if out.len() - first >= limit {
             if !over_limit {
                 over_limit = true;
@@ -144,10 +95,78 @@ pub(super) fn scan<'a>(
             );
             sink.push(diagnostic.related(before.name_span(), "first given here"));
         } else {
-            out.push(attribute);
+            out.push(Attribute {
+                name,
+                value: &raw[value.from..value.to],
+                name_start: name_span.start,
+                value_start: Span::of(start + value.from, 0).start,
+                is_plain: value.is_plain,
+            });
             initials |= initial;
         }
     }
+}
+
+/// What stands around a value.
+enum Marks {
+    Quotes,
+    Backticks,
+    None,
+}
+
+/// Where a value stands in the tag.
+struct Value {
+    from: usize,
+    to: usize,
+    /// Where the tag goes on.
+    past: usize,
+    marks: Marks,
+    /// There is no reference in it.
+    is_plain: bool,
+}
+
+/// The value that begins here. Where its quote is not closed, the place of the next markup, if there is one.
+fn value(bytes: &[u8], at: usize) -> Result<Value, Option<usize>> {
+    let Some(q @ (b'\'' | b'"' | b'`')) = bytes.get(at).copied() else {
+        let end = word_end(bytes, at);
+        return Ok(Value {
+            from: at,
+            to: end,
+            past: end,
+            marks: Marks::None,
+            is_plain: !bytes[at..end].contains(&b'&'),
+        });
+    };
+    let from = at + 1;
+    let mut is_plain = true;
+    let mut end = from;
+    while end < bytes.len() && bytes[end] != q && bytes[end] != b'<' {
+        is_plain &= bytes[end] != b'&';
+        end += 1;
+    }
+    if bytes.get(end) != Some(&q) {
+        return Err((end < bytes.len()).then_some(end));
+    }
+    Ok(Value {
+        from,
+        to: end,
+        past: end + 1,
+        marks: if q == b'`' {
+            Marks::Backticks
+        } else {
+            Marks::Quotes
+        },
+        is_plain,
+    })
+}
+
+/// Where what is neither space nor markup ends.
+fn word_end(bytes: &[u8], from: usize) -> usize {
+    let ends = |&b: &u8| b.is_ascii_whitespace() || b == b'<';
+    bytes[from..]
+        .iter()
+        .position(ends)
+        .map_or(bytes.len(), |n| from + n)
 }
 
 fn skip_space(bytes: &[u8], mut i: usize) -> usize {
@@ -180,6 +199,32 @@ static CLASS: [Class; 256] = {
     }
     table
 };
+
+fn stray(element: &str, at: usize, sink: &mut Sink) -> Outcome {
+    sink.push(
+        Diagnostic::error(
+            "eml::malformed-tag",
+            Span::of(at, at + 1),
+            format!(
+                "`<` inside the tag of {}, which is dropped",
+                quoted(element)
+            ),
+        )
+        .hint("is a `>` or `/>` missing before it?"),
+    );
+    Outcome::Broken(Some(at))
+}
+
+fn nameless(what: &str, at: usize, sink: &mut Sink) {
+    sink.push(
+        Diagnostic::error(
+            "eml::malformed-attribute",
+            Span::of(at, at + what.len()),
+            format!("expected an attribute, found {}", quoted(what.trim_end())),
+        )
+        .hint("an attribute is written name='value'"),
+    );
+}
 
 fn unclosed(
     element: &str,

@@ -4,6 +4,7 @@ use crate::namespaces::EXTENSIONS_PREFIX;
 use crate::record::{Field, List, Record, Value, Visit};
 use crate::schema::{self, Element, Presence};
 use crate::{Coords, GestureKey, Handedness, Key, Profile, Track};
+use quick_xml::escape::partial_escape;
 use raconteur_base::Side;
 
 /// An element with its attributes as text.
@@ -219,18 +220,8 @@ pub(super) fn number(number: f64) -> String {
     format!("{}", number + 0.0)
 }
 
-/// Text between tags or quotes. Line ends in it are kept by every reader of XML.
+/// Text between tags or apostrophes. Line ends in it are kept by every reader of XML.
 pub(super) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '\'' => out.push_str("&apos;"),
-            '\r' => out.push_str("&#13;"),
-            c => out.push(c),
-        }
-    }
-    out
+    // Values stand between apostrophes, so that quotes need no reference, which `escape` would make of them.
+    partial_escape(text).replace('\'', "&apos;")
 }

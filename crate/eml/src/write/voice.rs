@@ -1,6 +1,8 @@
 //! Spoken text with its markup.
 
-use super::tag::{Tag, escaped};
+use quick_xml::escape::partial_escape;
+
+use super::tag::Tag;
 use crate::{Boundary, DivKind, MarkEvent, TextSegment, VoiceText};
 
 /// The pauses that have a word.
@@ -15,7 +17,7 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
         let (mut tag, opens) = match piece {
             TextSegment::Text { text, .. } => {
                 // In text a quote is a character like others.
-                out.push_str(&escaped(text).replace("&apos;", "'"));
+                out.push_str(&partial_escape(text.as_str()));
                 continue;
             }
             TextSegment::DivEnd | TextSegment::End => {

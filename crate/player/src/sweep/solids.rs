@@ -42,7 +42,7 @@ impl Hand {
     /// Measures a hand.
     pub(super) fn new(figure: &Figure, side: Side) -> Self {
         let wrist = Bone::on(side, "wrist");
-        let scale = figure.skeleton.stature_m() / 1.7;
+        let scale = figure.skeleton.scale();
         let mut links = Vec::new();
         for finger in finger_bones(side).chunks_exact(3) {
             let offset = |bone: Bone| figure.skeleton.joints()[bone.index()].translation_in_parent;

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use raconteur_base::surface::area_vectors;
 use raconteur_base::{DVec3, ops};
 
 /// A surface in the frame of the head, metres.
@@ -49,14 +50,7 @@ impl Solid {
 
     /// Normals from the triangles; both ends of a closed row have one.
     fn light(&mut self, columns: usize, closed: bool) {
-        let mut normals = vec![DVec3::ZERO; self.positions.len()];
-        for t in self.indices.as_chunks::<3>().0 {
-            let [a, b, c] = t.map(|v| self.positions[v as usize]);
-            let area = (b - a).cross(c - a);
-            for v in t {
-                normals[*v as usize] += area;
-            }
-        }
+        let mut normals = area_vectors(&self.positions, self.indices.as_chunks::<3>().0);
         if closed {
             for row in normals.chunks_mut(columns) {
                 if let [first, .., last] = row {

@@ -19,6 +19,14 @@ const STEP_M: f64 = 0.002;
 const COIL_M: f64 = 0.0022;
 const COIL_TURN_M: f64 = 0.011;
 
+/// A course that a card follows, and its look along it, as [`Laid`] has it.
+struct Wound<'a> {
+    path: &'a [DVec3],
+    length: f64,
+    taper: [f64; 3],
+    whole: f64,
+}
+
 impl Grower<'_> {
     /// Cards of coily hair, from the scalp outwards.
     pub(super) fn coils(&self) -> Vec<Card> {
@@ -79,16 +87,13 @@ impl Grower<'_> {
                 self.space.pushed(p, 0.0008)
             })
             .collect();
-        self.coil(
-            layer,
-            number,
-            &path,
+        let wound = Wound {
+            path: &path,
             length,
-            root,
-            i,
-            [0.7, 1.0, 0.85],
-            length / (layer.length - layer.offset).max(0.2),
-        )
+            taper: [0.7, 1.0, 0.85],
+            whole: length / (layer.length - layer.offset).max(0.2),
+        };
+        self.coil(layer, number, root, i, &wound)
     }
 
     /// A patch that lies at its layer's depth.
@@ -110,50 +115,36 @@ impl Grower<'_> {
                 p + self.space.normal(p) * (depth * wave - self.space.height(p))
             })
             .collect();
-        self.coil(
-            layer,
-            number,
-            &path,
+        let wound = Wound {
+            path: &path,
             length,
-            root,
-            i,
-            [0.8, 1.0, 0.8],
-            50.0 * length,
-        )
+            taper: [0.8, 1.0, 0.8],
+            whole: 50.0 * length,
+        };
+        self.coil(layer, number, root, i, &wound)
     }
 
-    #[allow(clippy::too_many_arguments, reason = "a card is made of all of these")]
-    fn coil(
-        &self,
-        layer: &Layer,
-        number: u64,
-        path: &[DVec3],
-        length: f64,
-        root: &Root,
-        i: i64,
-        taper: [f64; 3],
-        whole: f64,
-    ) -> Card {
+    fn coil(&self, layer: &Layer, number: u64, root: &Root, i: i64, wound: &Wound<'_>) -> Card {
         let seed = self.params.seed + 1000 * (number + 1) + 500;
         let dice = |k: u64| noise::unit(seed, k, i);
         let strips = f64::from(layer.strips[1] - layer.strips[0]);
         Card::along(
             self.space,
-            path,
+            wound.path,
             STEP_M,
             &Laid {
-                length,
+                length: wound.length,
                 width: layer.width
                     * (0.75 + 0.5 * dice(0))
                     * (0.55 + 0.45 * step(0.0, 0.015, root.inside)),
-                taper,
+                taper: wound.taper,
                 spans: layer.spans,
                 strip: layer.strips[0] + (dice(1) * strips) as u32,
                 is_mirrored: dice(2) < 0.5,
                 roll: layer.roll * normal(seed, 9, i),
                 tint: (0.5 + 0.17 * normal(seed, 8, i)).clamp(0.0, 1.0),
                 layer: number as usize,
-                whole,
+                whole: wound.whole,
             },
         )
     }

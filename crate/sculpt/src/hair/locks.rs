@@ -50,12 +50,29 @@ pub(super) struct Grower<'a> {
     pub(super) places: &'a [Root],
 }
 
-/// Roughly normal with standard deviation 1.
+/// Roughly normal with standard deviation 1. Rounded once, unlike `noise::normal`, from which it may differ in the last bit:
+/// the hair of all figures was grown with it.
 pub(super) fn normal(seed: u64, id: u64, i: i64) -> f64 {
     (0..4)
         .map(|k| noise::unit(seed, id * 4 + k, i))
         .sum::<f64>()
         .mul_add(1.732, -3.464)
+}
+
+/// The random numbers of one hair.
+struct Dice {
+    seed: u64,
+    i: i64,
+}
+
+impl Dice {
+    fn unit(&self, k: u64) -> f64 {
+        noise::unit(self.seed, k, self.i)
+    }
+
+    fn bell(&self, k: u64) -> f64 {
+        normal(self.seed, 10 + k, self.i)
+    }
 }
 
 impl Grower<'_> {
@@ -86,6 +103,10 @@ impl Grower<'_> {
         }
         let dense = 0.5 + 0.5 * step(0.0, 0.022, root.inside);
         layer.spacing * dense * (0.42 + 0.58 * step(0.002, 0.018, parting))
+    }
+
+    fn is_short(&self) -> bool {
+        matches!(self.style.length, Length::Short { .. })
     }
 
     fn is_shaved(&self) -> bool {
@@ -154,16 +175,56 @@ impl Grower<'_> {
         locks: &[Lock],
         i: i64,
     ) -> Option<Card> {
-        let seed = self.params.seed + 1000 * (number + 1);
-        let dice = |k: u64| noise::unit(seed, k, i);
-        let bell = |k: u64| normal(seed, 10 + k, i);
+        let dice = Dice {
+            seed: self.params.seed + 1000 * (number + 1),
+            i,
+        };
+        let is_hanging = matches!(self.style.length, Length::Hem { .. });
+        let g = self.growth(layer, root, &dice);
+        let mut path = grow(self.space, self.field, &g, self.params.seed);
+        smooth(&mut path, if self.is_short() { 1 } else { 4 });
+        let lock = locks.iter().min_by(|a, b| {
+            let d = |l: &Lock| l.root.distance_squared(root.position);
+            d(a).total_cmp(&d(b))
+        })?;
+        self.gather(&mut path, lock, layer.gather, g.length);
+        self.wave(&mut path, lock, 0.12 * dice.bell(1));
+        if matches!(self.style.comb, Comb::Parted) {
+            for p in &mut path {
+                *p = off_face(*p);
+            }
+        }
+        smooth(&mut path, if self.is_short() { 1 } else { 5 });
+        let ends = [dice.unit(3), dice.unit(4)];
+        let length = self.cut(&mut path, root, layer, g.length, &ends)?;
+        for (k, p) in path.iter_mut().enumerate() {
+            let arc = k as f64 * g.step;
+            *p = self.space.pushed(
+                *p,
+                0.0005 + (0.6 * g.offset).min(0.006) * step(0.0, 0.02, arc),
+            );
+            if is_hanging && arc > 0.01 {
+                *p = self.space.over_ear(*p, 0.0015 + 0.3 * g.offset);
+            }
+        }
+        if is_hanging {
+            smooth(&mut path, 2);
+        }
+        if !self.is_wearable(&path, length) {
+            return None;
+        }
+        let laid = self.laid(layer, number, root, lock, &dice, length);
+        Some(Card::along(self.space, &path, g.step, &laid))
+    }
+
+    /// How a hair of a layer grows from a root.
+    fn growth(&self, layer: &Layer, root: &Root, dice: &Dice) -> Growth {
         let edge = step(0.0, 0.018, root.inside);
         let parting = self.field.off_parting(root.position);
         let full = self.length(root.position) * layer.length;
-        let is_short = matches!(self.style.length, Length::Short { .. });
-        let is_hanging = matches!(self.style.length, Length::Hem { .. });
+        let is_short = self.is_short();
         let length = if is_short {
-            full * (0.8 + 0.4 * dice(0))
+            full * (0.8 + 0.4 * dice.unit(0))
         } else {
             full
         };
@@ -181,11 +242,11 @@ impl Grower<'_> {
         let offset = layer.offset
             * self.params.volume
             * (0.4 + 0.6 * edge)
-            * (1.0 + 0.18 * bell(0)).clamp(0.6, 1.5)
+            * (1.0 + 0.18 * dice.bell(0)).clamp(0.6, 1.5)
             * (0.6 + 0.4 * step(0.0, 0.04, parting))
             * low
-            + 0.0012 * dice(1);
-        let g = Growth {
+            + 0.0012 * dice.unit(1);
+        Growth {
             root: root.position,
             normal: root.normal,
             length,
@@ -196,50 +257,37 @@ impl Grower<'_> {
                 * low_lift
                 * (0.3 + 0.7 * step(0.0, 0.045, parting))
                 * (0.3 + 0.7 * edge)
-                * (0.7 + 0.6 * dice(2)),
+                * (0.7 + 0.6 * dice.unit(2)),
             bend: self.style.bend,
-        };
-        let mut path = grow(self.space, self.field, &g, self.params.seed);
-        smooth(&mut path, if is_short { 1 } else { 4 });
-        let lock = locks.iter().min_by(|a, b| {
-            let d = |l: &Lock| l.root.distance_squared(root.position);
-            d(a).total_cmp(&d(b))
-        })?;
-        self.gather(&mut path, lock, layer.gather, length);
-        self.wave(&mut path, lock, 0.12 * bell(1));
-        if matches!(self.style.comb, Comb::Parted) {
-            for p in &mut path {
-                *p = off_face(*p);
-            }
         }
-        smooth(&mut path, if is_short { 1 } else { 5 });
-        let length = self.cut(&mut path, root, layer, length, &[dice(3), dice(4)])?;
-        for (k, p) in path.iter_mut().enumerate() {
-            let arc = k as f64 * g.step;
-            *p = self.space.pushed(
-                *p,
-                0.0005 + (0.6 * offset).min(0.006) * step(0.0, 0.02, arc),
-            );
-            if is_hanging && arc > 0.01 {
-                *p = self.space.over_ear(*p, 0.0015 + 0.3 * offset);
-            }
-        }
-        if is_hanging {
-            smooth(&mut path, 2);
-        }
-        if !self.is_wearable(&path, length) {
-            return None;
-        }
+    }
+
+    /// What a card of this length looks like.
+    fn laid(
+        &self,
+        layer: &Layer,
+        number: u64,
+        root: &Root,
+        lock: &Lock,
+        dice: &Dice,
+        length: f64,
+    ) -> Laid {
+        let edge = step(0.0, 0.018, root.inside);
+        let parting = self.field.off_parting(root.position);
+        let is_short = self.is_short();
         let spread = f64::from(layer.strips[1] - layer.strips[0]);
-        let mut strip = layer.strips[0] + (dice(5) * spread) as u32;
+        let mut strip = layer.strips[0] + (dice.unit(5) * spread) as u32;
         // Dense strips would end on the bare skin like chips.
-        if root.inside < 0.006 || root.inside < 0.010 && dice(6) < 0.6 || is_short && length < 0.02
+        if root.inside < 0.006
+            || root.inside < 0.010 && dice.unit(6) < 0.6
+            || is_short && length < 0.02
         {
-            strip = 9 + (dice(7) * 5.0) as u32;
+            strip = 9 + (dice.unit(7) * 5.0) as u32;
         }
         let taper = if is_short {
             [lerp(0.35, 0.75, edge), 1.0, 0.22]
         } else {
+            let is_hanging = matches!(self.style.length, Length::Hem { .. });
             [
                 lerp(0.2, 0.45, edge),
                 1.0,
@@ -248,32 +296,27 @@ impl Grower<'_> {
         };
         // Tones of short cards that differ much would show as scales.
         let vary = if is_short { 0.07 } else { 0.15 };
-        Some(Card::along(
-            self.space,
-            &path,
-            g.step,
-            &Laid {
-                length,
-                width: layer.width
-                    * (0.75 + 0.5 * dice(8))
-                    * (0.45 + 0.55 * step(0.0, 0.022, root.inside))
-                    * (0.55 + 0.45 * step(0.002, 0.018, parting)),
-                taper,
-                spans: layer.spans,
-                strip,
-                is_mirrored: dice(9) < 0.5,
-                roll: layer.roll * bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
-                tint: (0.5 + vary * (lock.character[3] + bell(3))).clamp(0.0, 1.0),
-                layer: number as usize,
-                whole: length,
-            },
-        ))
+        Laid {
+            length,
+            width: layer.width
+                * (0.75 + 0.5 * dice.unit(8))
+                * (0.45 + 0.55 * step(0.0, 0.022, root.inside))
+                * (0.55 + 0.45 * step(0.002, 0.018, parting)),
+            taper,
+            spans: layer.spans,
+            strip,
+            is_mirrored: dice.unit(9) < 0.5,
+            roll: layer.roll * dice.bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
+            tint: (0.5 + vary * (lock.character[3] + dice.bell(3))).clamp(0.0, 1.0),
+            layer: number as usize,
+            whole: length,
+        }
     }
 
     /// Draws a path to its lock's, the farther from the root the more; depth stays.
     fn gather(&self, path: &mut [DVec3], lock: &Lock, share: f64, length: f64) {
         let step_m = self.step();
-        let is_short = matches!(self.style.length, Length::Short { .. });
+        let is_short = self.is_short();
         let guide = |k: usize| lock.path[k.min(lock.path.len() - 1)];
         let far = path
             .iter()

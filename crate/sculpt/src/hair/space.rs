@@ -9,7 +9,7 @@ use raconteur_base::{DMat3, DVec3};
 
 use super::grid::{Grid, Lattice};
 use crate::head::Head;
-use crate::subdivide::vertex_normals;
+use raconteur_base::surface::vertex_normals;
 
 /// From the eyes to the vertex on the common head, metres.
 const EYE_TO_VERTEX_M: f64 = 0.107;

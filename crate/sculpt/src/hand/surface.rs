@@ -6,7 +6,8 @@ use super::anatomy::{Anatomy, FINGER_COUNT};
 use super::cage::Cage;
 use super::field::Field;
 use super::nail::Nail;
-use crate::subdivide::{edge_faces, subdivide, vertex_normals};
+use crate::subdivide::{edge_faces, subdivide};
+use raconteur_base::surface::vertex_normals;
 
 /// Skin of the mean adult hand; frame and units of [`super::anatomy`].
 pub(super) struct Skin {

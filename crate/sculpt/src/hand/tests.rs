@@ -3,9 +3,10 @@
 use raconteur_base::{DAffine3, mirror_vector};
 
 use super::*;
-use crate::subdivide::{edge_faces, vertex_normals, welded};
+use crate::subdivide::{edge_faces, welded};
 use crate::{assemble, people};
 use raconteur_base::crossing::crossings;
+use raconteur_base::surface::vertex_normals;
 use raconteur_body::hand_shape::{HandShape, finger_bones};
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Drive, FacePlaces, Skeleton};

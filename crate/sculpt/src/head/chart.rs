@@ -218,65 +218,196 @@ fn make() -> Chart {
 
 /// Lays the cage into the rectangle; texels.
 fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2> {
-    let at = |k: Key, side: Side| {
-        let v = cage.at(k, side);
-        let right = side == Side::Right && twin[v] != u32::MAX;
-        if right { twin[v] } else { v as u32 }
+    let net = Net {
+        cage,
+        twin,
+        positions,
     };
-    let p = |k: Key| positions[cage.at(k, Side::Left)];
-    let length = |a: Key, b: Key| p(a).distance(p(b));
-    let g = Key::Grid;
-    // A row and a column that cross no hole.
-    let across: Vec<f64> = (0..LAST_COLUMN)
-        .map(|c| length(g(c, 15), g(c + 1, 15)))
-        .collect();
-    let down: Vec<f64> = (0..LAST_ROW)
-        .map(|r| length(g(4, r), g(4, r + 1)))
-        .collect();
-    let crown: f64 = (0..4)
-        .map(|i| length(Key::crown(i, 4), Key::crown(i + 1, 4)))
-        .sum();
-    let width = 2.0 * across.iter().sum::<f64>();
-    let height = crown + down.iter().sum::<f64>();
+    let lengths = net.lengths();
+    let (mut flat, holes) = flattened(open, positions, &net.outline(&lengths), &net.bridges());
+    net.spread(&mut flat, &lengths);
+    net.lay_lids(&mut flat);
+    net.lay_mouth(&mut flat);
+    for border in holes {
+        net.lay_ear(&mut flat, &border);
+    }
+    flat
+}
 
-    // The outline, left half from the front of the neck round to the end of the cut.
-    let neck: Vec<Key> = (0..=LAST_COLUMN).map(|c| g(c, LAST_ROW)).collect();
-    let back: Vec<Key> = (0..=LAST_ROW).rev().map(|r| g(LAST_COLUMN, r)).collect();
-    let top: Vec<Key> = (CUT_FROM - 1..=8).rev().map(|i| Key::crown(i, 0)).collect();
-    let mut held: Vec<(u32, DVec2)> = Vec::new();
-    let mut side_of = |keys: &[Key], from: DVec2, to: DVec2| {
-        let steps: Vec<f64> = keys.windows(2).map(|w| length(w[0], w[1])).collect();
-        let whole: f64 = steps.iter().sum();
-        let mut gone = 0.0;
-        for (i, &key) in keys.iter().enumerate() {
-            let place = from.lerp(to, gone / whole);
-            gone += steps.get(i).copied().unwrap_or(0.0);
-            for (side, sign) in [(Side::Left, 1.0), (Side::Right, -1.0)] {
-                let v = at(key, side);
-                if held.iter().all(|h| h.0 != v) {
-                    held.push((v, DVec2::new(place.x * sign, place.y)));
+/// The cage that is laid, on the mean head.
+struct Net<'a> {
+    cage: &'a Cage,
+    /// The second vertex of those along the cut.
+    twin: &'a [u32],
+    positions: &'a [DVec3],
+}
+
+/// Lengths of the edges of a row and of a column that cross no hole, and of the crown's midline, mm.
+struct Lengths {
+    across: Vec<f64>,
+    down: Vec<f64>,
+    crown: f64,
+}
+
+impl Net<'_> {
+    fn at(&self, k: Key, side: Side) -> u32 {
+        let v = self.cage.at(k, side);
+        let right = side == Side::Right && self.twin[v] != u32::MAX;
+        if right { self.twin[v] } else { v as u32 }
+    }
+
+    fn length(&self, a: Key, b: Key) -> f64 {
+        let p = |k: Key| self.positions[self.cage.at(k, Side::Left)];
+        p(a).distance(p(b))
+    }
+
+    fn lengths(&self) -> Lengths {
+        let g = Key::Grid;
+        Lengths {
+            across: (0..LAST_COLUMN)
+                .map(|c| self.length(g(c, 15), g(c + 1, 15)))
+                .collect(),
+            down: (0..LAST_ROW)
+                .map(|r| self.length(g(4, r), g(4, r + 1)))
+                .collect(),
+            crown: (0..4)
+                .map(|i| self.length(Key::crown(i, 4), Key::crown(i + 1, 4)))
+                .sum(),
+        }
+    }
+
+    /// Where the outline is held: on both sides, from the front of the neck round to the end of the cut.
+    fn outline(&self, lengths: &Lengths) -> Vec<(u32, DVec2)> {
+        let g = Key::Grid;
+        let half: f64 = lengths.across.iter().sum();
+        let height = lengths.crown + lengths.down.iter().sum::<f64>();
+        let neck: Vec<Key> = (0..=LAST_COLUMN).map(|c| g(c, LAST_ROW)).collect();
+        let back: Vec<Key> = (0..=LAST_ROW).rev().map(|r| g(LAST_COLUMN, r)).collect();
+        let top: Vec<Key> = (CUT_FROM - 1..=8).rev().map(|i| Key::crown(i, 0)).collect();
+        let mut held: Vec<(u32, DVec2)> = Vec::new();
+        let mut side_of = |keys: &[Key], from: DVec2, to: DVec2| {
+            let steps: Vec<f64> = keys.windows(2).map(|w| self.length(w[0], w[1])).collect();
+            let whole: f64 = steps.iter().sum();
+            let mut gone = 0.0;
+            for (i, &key) in keys.iter().enumerate() {
+                let place = from.lerp(to, gone / whole);
+                gone += steps.get(i).copied().unwrap_or(0.0);
+                for (side, sign) in [(Side::Left, 1.0), (Side::Right, -1.0)] {
+                    let v = self.at(key, side);
+                    if held.iter().all(|h| h.0 != v) {
+                        held.push((v, DVec2::new(place.x * sign, place.y)));
+                    }
+                }
+            }
+        };
+        side_of(&neck, DVec2::new(0.0, height), DVec2::new(half, height));
+        side_of(&back, DVec2::new(half, height), DVec2::new(half, 0.0));
+        side_of(&top, DVec2::new(half, 0.0), DVec2::ZERO);
+        held
+    }
+
+    /// What is held together: the lips meet; the lids stand open, and their lining follows below.
+    fn bridges(&self) -> Vec<(u32, u32, f64)> {
+        let mut bridges = Vec::new();
+        for side in Side::BOTH {
+            let mouth = |k: usize| self.at(Key::mouth(5, k), side);
+            bridges.extend((0..6).map(|k| (mouth(k), mouth(12 - k), 3.0)));
+            let eye = |k: usize| self.at(Key::eye(6, k), side);
+            bridges.extend((1..8).map(|k| (eye(k), eye(16 - k), 0.35)));
+        }
+        bridges
+    }
+
+    /// Spreads columns and rows over the rectangle.
+    fn spread(&self, flat: &mut [DVec2], lengths: &Lengths) {
+        let g = Key::Grid;
+        let place = |k: Key| flat[self.cage.at(k, Side::Left)];
+        let mut columns: Vec<[f64; 2]> = vec![[0.0; 2]];
+        let mut rows: Vec<[f64; 2]> = vec![[0.0; 2]];
+        let mut sum = 0.0;
+        for c in 0..LAST_COLUMN {
+            sum += lengths.across[usize::from(c)] * COLUMN_SHARES[usize::from(c)];
+            columns.push([place(g(c + 1, 15)).x, sum]);
+        }
+        let mut sum = lengths.crown * CROWN_SHARE;
+        rows.push([place(g(4, 0)).y, sum]);
+        for r in 0..LAST_ROW {
+            sum += lengths.down[usize::from(r)] * row_share(r);
+            rows.push([place(g(4, r + 1)).y, sum]);
+        }
+        let [left, above, right, below] = RECTANGLE;
+        let (wide, high) = (
+            (right - left) / 2.0 / columns[columns.len() - 1][1],
+            (below - above) / sum,
+        );
+        for p in flat {
+            *p = DVec2::new(
+                (left + right) / 2.0 + p.x.signum() * through(&columns, p.x.abs()) * wide,
+                above + through(&rows, p.y) * high,
+            );
+        }
+    }
+
+    /// Lays the lining of the lids within their edges.
+    fn lay_lids(&self, flat: &mut [DVec2]) {
+        for side in Side::BOTH {
+            for (r, share) in [(7, 0.82), (8, 0.64)] {
+                for k in 0..16 {
+                    let edge = |k: usize| flat[self.at(Key::eye(6, k), side) as usize];
+                    // Towards the line between the corners.
+                    let line = (edge(k) + edge(16 - k % 16)) / 2.0;
+                    flat[self.at(Key::eye(r, k), side) as usize] = line + (edge(k) - line) * share;
                 }
             }
         }
-    };
-    let half = width / 2.0;
-    side_of(&neck, DVec2::new(0.0, height), DVec2::new(half, height));
-    side_of(&back, DVec2::new(half, height), DVec2::new(half, 0.0));
-    side_of(&top, DVec2::new(half, 0.0), DVec2::ZERO);
-
-    // The lips meet; the lids stand open, and their lining follows below.
-    let mut bridges = Vec::new();
-    for side in Side::BOTH {
-        let mouth = |k: usize| at(Key::mouth(5, k), side);
-        bridges.extend((0..6).map(|k| (mouth(k), mouth(12 - k), 3.0)));
-        let eye = |k: usize| at(Key::eye(6, k), side);
-        bridges.extend((1..8).map(|k| (eye(k), eye(16 - k), 0.35)));
     }
+
+    /// Lays the bag behind the lips onto the line where they meet.
+    fn lay_mouth(&self, flat: &mut [DVec2]) {
+        for side in Side::BOTH {
+            for k in 0..13 {
+                let edge = |k: usize| flat[self.at(Key::mouth(5, k), side) as usize];
+                let line = (edge(k) + edge(12 - k)) / 2.0;
+                // The bag behind the lips has no map, but the surface is smooth across its edge.
+                for r in 6..=8 {
+                    flat[self.at(Key::mouth(r, k), side) as usize] = line;
+                }
+            }
+        }
+    }
+
+    /// Lays an ear into its hole, if that is one's border.
+    fn lay_ear(&self, flat: &mut [DVec2], border: &[u32]) {
+        let Some(side) = Side::BOTH
+            .into_iter()
+            .find(|&s| border.contains(&self.at(Key::ear(0, 0), s)))
+        else {
+            return;
+        };
+        // Rows and columns were spread: the border's own middle sees all of it.
+        let border: Vec<DVec2> = border.iter().map(|&v| flat[v as usize]).collect();
+        let middle = border.iter().sum::<DVec2>() / border.len() as f64;
+        for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
+            for k in 0..18 {
+                let edge = flat[self.at(Key::ear(0, k), side) as usize];
+                flat[self.at(Key::ear(r, k), side) as usize] = middle + (edge - middle) * share;
+            }
+        }
+    }
+}
+
+/// The harmonic map of the cage without lids, mouth and ears, and the borders of its holes.
+fn flattened(
+    open: &Cage,
+    positions: &[DVec3],
+    held: &[(u32, DVec2)],
+    bridges: &[(u32, u32, f64)],
+) -> (Vec<DVec2>, Vec<Vec<u32>>) {
     let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Eye(6..) | Zone::Ear(_));
     let kept = open.faces.iter().zip(&open.zones).filter(|(_, z)| laid(z));
     let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
     let mut tension = vec![1.0; positions.len()];
-    let (mut flat, mut holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+    let (mut flat, mut holes) = harmonic(&faces, positions, held, bridges, &tension);
     // Nose and lips stand out of the face and would get too few texels.
     let front: Vec<f64> = positions
         .iter()
@@ -284,76 +415,9 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
         .collect();
     for _ in 0..EVENINGS {
         even_out(&faces, positions, &flat, &front, &mut tension);
-        (flat, holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+        (flat, holes) = harmonic(&faces, positions, held, bridges, &tension);
     }
-
-    // Spreads columns and rows.
-    let place = |k: Key| flat[cage.at(k, Side::Left)];
-    let mut columns: Vec<[f64; 2]> = vec![[0.0; 2]];
-    let mut rows: Vec<[f64; 2]> = vec![[0.0; 2]];
-    let mut sum = 0.0;
-    for c in 0..LAST_COLUMN {
-        sum += across[usize::from(c)] * COLUMN_SHARES[usize::from(c)];
-        columns.push([place(g(c + 1, 15)).x, sum]);
-    }
-    let mut sum = crown * CROWN_SHARE;
-    rows.push([place(g(4, 0)).y, sum]);
-    for r in 0..LAST_ROW {
-        sum += down[usize::from(r)] * row_share(r);
-        rows.push([place(g(4, r + 1)).y, sum]);
-    }
-    let [left, above, right, below] = RECTANGLE;
-    let (wide, high) = (
-        (right - left) / 2.0 / columns[columns.len() - 1][1],
-        (below - above) / sum,
-    );
-    let spread = |p: DVec2| {
-        DVec2::new(
-            (left + right) / 2.0 + p.x.signum() * through(&columns, p.x.abs()) * wide,
-            above + through(&rows, p.y) * high,
-        )
-    };
-    for p in &mut flat {
-        *p = spread(*p);
-    }
-    for side in Side::BOTH {
-        for (r, share) in [(7, 0.82), (8, 0.64)] {
-            for k in 0..16 {
-                let edge = |k: usize| flat[at(Key::eye(6, k), side) as usize];
-                // Towards the line between the corners.
-                let line = (edge(k) + edge(16 - k % 16)) / 2.0;
-                flat[at(Key::eye(r, k), side) as usize] = line + (edge(k) - line) * share;
-            }
-        }
-    }
-    for side in Side::BOTH {
-        for k in 0..13 {
-            let edge = |k: usize| flat[at(Key::mouth(5, k), side) as usize];
-            let line = (edge(k) + edge(12 - k)) / 2.0;
-            // The bag behind the lips has no map, but the surface is smooth across its edge.
-            for r in 6..=8 {
-                flat[at(Key::mouth(r, k), side) as usize] = line;
-            }
-        }
-    }
-    for border in holes {
-        let Some(side) = Side::BOTH
-            .into_iter()
-            .find(|&s| border.contains(&at(Key::ear(0, 0), s)))
-        else {
-            continue;
-        };
-        // Rows and columns were spread: the border's own middle sees all of it.
-        let border: Vec<DVec2> = border.iter().map(|&v| flat[v as usize]).collect();
-        let middle = border.iter().sum::<DVec2>() / border.len() as f64;
-        for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
-            for k in 0..18 {
-                let edge = flat[at(Key::ear(0, k), side) as usize];
-                flat[at(Key::ear(r, k), side) as usize] = middle + (edge - middle) * share;
-            }
-        }
-    }
-    flat
+    (flat, holes)
 }
 
 /// A rising line through knots, straight between them.

@@ -7,10 +7,9 @@
 use raconteur_base::DVec3;
 
 use super::cage::{Key, Points};
+use super::registration::ear::NORMAL;
 use super::rig::smooth;
 
-/// Outward normal of the left ear's plane.
-const NORMAL: DVec3 = DVec3::new(0.951_06, -0.1, 0.309_02);
 /// Height of an adult's ear from the rim's top to its lowest place, mm; relief grows with it.
 const HEIGHT_MM: f64 = 62.0;
 

@@ -66,7 +66,8 @@ use self::surface::{Surface, triangles};
 use super::model::Traits;
 use super::part::{MOUTH_BAG, MeshPart, PartMorph, PartVertex};
 use super::person::Person;
-use crate::subdivide::{Stencil, vertex_normals};
+use crate::subdivide::Stencil;
+use raconteur_base::surface::vertex_normals;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
 /// What tells one head from another of the same sex and age.

@@ -6,7 +6,7 @@ use raconteur_base::DVec3;
 
 use super::surface::nearest;
 use crate::part::{JointRef, MeshPart, PartMorph};
-use crate::subdivide::vertex_normals;
+use raconteur_base::surface::vertex_normals;
 
 /// The skin that hairs are rooted in; metres, frame of the head.
 pub(crate) struct Ride {

@@ -88,9 +88,8 @@ impl Dice {
         2.0 * self.unit() - 1.0
     }
 
-    /// Roughly normal with standard deviation 1.
     fn normal(&mut self) -> f64 {
-        (self.unit() + self.unit() + self.unit() + self.unit() - 2.0) * 1.732
+        noise::normal(core::array::from_fn(|_| self.unit()))
     }
 }
 

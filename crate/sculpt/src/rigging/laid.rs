@@ -18,9 +18,10 @@ use crate::part::{JointRef, MOUTH_BAG, MeshPart, PartVertex};
 use crate::people::FigureParams;
 use crate::scan::Scan;
 use crate::similarity::Similarity;
-use crate::subdivide::{firsts, vertex_normals, welded};
+use crate::subdivide::{firsts, welded};
 use crate::surface::{Place, Surface};
 use crate::tissue::Warp;
+use raconteur_base::surface::vertex_normals;
 
 /// Least cosine between the normals of places that belong together.
 const FACING: f64 = 0.4;

@@ -2,7 +2,8 @@
 //! body, its height becomes a normal, and both are filled out and encoded.
 
 use jpeg_encoder::{ColorType, Encoder, QuantizationTableType, SamplingFactor};
-use raconteur_base::{DVec2, DVec3, ops};
+use raconteur_base::color::linear_to_srgb;
+use raconteur_base::{DVec2, DVec3};
 
 use super::SkinParams;
 use super::pigment::Palette;
@@ -229,15 +230,9 @@ fn tilt(layer: &Layer<'_>, t: [u32; 3], change: DVec2) -> [f64; 3] {
         .to_array()
 }
 
-/// Linear 0..1 to sRGB in 255ths (IEC 61966-2-1).
+/// Linear 0..1 to sRGB in 255ths.
 fn srgb(x: f32) -> u8 {
-    let x = f64::from(x.clamp(0.0, 1.0));
-    let y = if x <= 0.003_130_8 {
-        12.92 * x
-    } else {
-        1.055 * ops::pow(x, 1.0 / 2.4) - 0.055
-    };
-    (255.0 * y).round() as u8
+    (255.0 * linear_to_srgb(f64::from(x.clamp(0.0, 1.0)))).round() as u8
 }
 
 /// Encodes a picture of [`SIZE`] squared.

@@ -39,7 +39,7 @@ impl Skin {
             .map(|n| place.transform_point3(n.place))
             .collect();
         let quads: Vec<Vec<u32>> = soft.quads.iter().map(|q| q.to_vec()).collect();
-        let normals = crate::subdivide::vertex_normals(&places, &quads);
+        let normals = raconteur_base::surface::vertex_normals(&places, &quads);
         let triangles: Vec<[DVec3; 3]> = bones
             .iter()
             .flat_map(|part| part.triangles_about_middles(|_| true))

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use raconteur_base::DVec3;
 
 use super::weights::Weights;
-use crate::subdivide::{Stencil, edge_faces, subdivide, vertex_normals};
+use crate::subdivide::{Stencil, edge_faces, subdivide};
+use raconteur_base::surface::vertex_normals;
 
 /// Polygons with skinning weights.
 #[derive(Clone, Debug, Default)]

@@ -2,6 +2,9 @@
 
 use core::f64::consts::LN_2;
 
+use base64::Engine as _;
+use base64::alphabet::STANDARD;
+use base64::engine::general_purpose::{GeneralPurpose, NO_PAD};
 use raconteur_base::ops;
 
 /// Time from one frame to the next, seconds. Frame `i` is measured around `i` times this.
@@ -60,46 +63,20 @@ pub fn code_of_db(db: f64) -> u8 {
     ((db - LOWEST_DB) * 2.0).round().clamp(0.0, 255.0) as u8
 }
 
-const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+/// Base64 without padding (RFC 4648, sections 3.2 and 4). Bits of the last letter that belong to no byte are passed over.
+const BASE64: GeneralPurpose =
+    GeneralPurpose::new(&STANDARD, NO_PAD.with_decode_allow_trailing_bits(true));
 
 /// Base64 without padding (RFC 4648, sections 3.2 and 4).
 #[must_use]
 pub fn to_base64(bytes: &[u8]) -> String {
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let bits = (0..3).fold(0_usize, |bits, i| {
-            bits << 8 | usize::from(three.get(i).copied().unwrap_or(0))
-        });
-        for i in 0..=three.len() {
-            text.push(char::from(ALPHABET[bits >> (18 - 6 * i) & 63]));
-        }
-    }
-    text
+    BASE64.encode(bytes)
 }
 
 /// The bytes of base64 without padding; `None` when it is not base64.
 #[must_use]
 pub fn from_base64(text: &str) -> Option<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let (mut bits, mut held) = (0_u32, 0);
-    for letter in text.bytes() {
-        let value = match letter {
-            b'A'..=b'Z' => letter - b'A',
-            b'a'..=b'z' => letter - b'a' + 26,
-            b'0'..=b'9' => letter - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        bits = bits << 6 | u32::from(value);
-        held += 6;
-        if held >= 8 {
-            held -= 8;
-            bytes.push((bits >> held) as u8);
-        }
-    }
-    // A single letter holds no byte.
-    (held < 6).then_some(bytes)
+    BASE64.decode(text).ok()
 }
 
 /// Milliseconds as seconds.

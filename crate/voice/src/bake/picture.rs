@@ -9,7 +9,9 @@ use crate::markup::sable;
 use crate::signal::spectrogram::{SpectrogramOptions, spectrogram};
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result, anyhow};
-use raconteur_speech::bundle::{FRAME_SECS, hz_of_code, to_base64};
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use quick_xml::escape::partial_escape;
+use raconteur_speech::bundle::{FRAME_SECS, hz_of_code};
 
 use super::cast::Cast;
 use super::speak::{self, Work};
@@ -61,7 +63,7 @@ fn svg(track: &Speech, title: &str) -> Result<String> {
          viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"system-ui, sans-serif\" font-size=\"13\">\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n\
          <text x=\"{LEFT}\" y=\"18\" font-weight=\"600\">{}</text>\n",
-        escaped(title)
+        partial_escape(title)
     );
     let _ = writeln!(
         out,
@@ -93,7 +95,7 @@ fn svg(track: &Speech, title: &str) -> Result<String> {
             "<text x=\"{:.1}\" y=\"{:.0}\" text-anchor=\"middle\" fill=\"#7a1a14\">{}</text>",
             (from + to) / 2.0,
             TOP - 8.0,
-            escaped(&word.text)
+            partial_escape(&word.text)
         );
     }
     for phone in &u.phones {
@@ -106,7 +108,7 @@ fn svg(track: &Speech, title: &str) -> Result<String> {
             TOP + HEIGHT + 6.0,
             (from + to) / 2.0,
             TOP + HEIGHT + 20.0,
-            escaped(&phone.symbol)
+            partial_escape(&phone.symbol)
         );
     }
     pitch(&mut out, track, &x);
@@ -177,15 +179,5 @@ fn spectrum(track: &Speech) -> Result<String> {
     encoder.set_depth(png::BitDepth::Eight);
     let light: Vec<u8> = spectrum.levels.iter().map(|level| 255 - level).collect();
     encoder.write_header()?.write_image_data(&light)?;
-    let mut text = to_base64(&bytes);
-    while !text.len().is_multiple_of(4) {
-        text.push('=');
-    }
-    Ok(text)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    Ok(BASE64_STANDARD.encode(&bytes))
 }

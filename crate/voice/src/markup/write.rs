@@ -2,6 +2,8 @@
 
 use core::fmt::Write as _;
 
+use quick_xml::escape::partial_escape;
+
 use super::divisions::{DivisionTag, tags};
 use super::xml::legal;
 use super::{NAMESPACE, build};
@@ -147,15 +149,18 @@ fn end(out: &mut String, name: Option<&str>) {
 
 /// Adds a text with what XML would take for something else as references.
 pub(crate) fn escape(out: &mut String, text: &str, is_value: bool) {
-    for c in legal(text).chars() {
+    let legal = legal(text);
+    let text = partial_escape(&legal);
+    if !is_value {
+        out.push_str(&text);
+        return;
+    }
+    // `escape` writes apostrophes as references, too, and readers make spaces of lines and tabs in values.
+    for c in text.chars() {
         match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' if is_value => out.push_str("&quot;"),
-            '\r' => out.push_str("&#13;"),
-            '\n' if is_value => out.push_str("&#10;"),
-            '\t' if is_value => out.push_str("&#9;"),
+            '"' => out.push_str("&quot;"),
+            '\n' => out.push_str("&#10;"),
+            '\t' => out.push_str("&#9;"),
             _ => out.push(c),
         }
     }

@@ -1,4 +1,7 @@
 //! Sound at another rate.
+//!
+//! Our own, since no kept crate gives the same samples (rubato has other kernels and delays): all voices would have to be
+//! baked again, and bundles are told apart by their bytes.
 
 use core::f64::consts::PI;
 

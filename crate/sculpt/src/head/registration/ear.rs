@@ -12,7 +12,7 @@ use crate::head::cage::Key;
 use crate::surface::{Place, Surface};
 
 /// Outward normal of the left ear's plane, before it is made one long: 18° to the front.
-const NORMAL: DVec3 = DVec3::new(0.951_06, -0.1, 0.309_02);
+pub(in crate::head) const NORMAL: DVec3 = DVec3::new(0.951_06, -0.1, 0.309_02);
 /// Middle of the ear along the plane's first axis, which points back, mm.
 const MIDDLE_MM: f64 = 35.75;
 /// Ring behind the rim, and the positions at which it is seen from the head.

@@ -8,7 +8,7 @@
 //! for surface registration", doi:10.1109/CVPR.2007.383165).
 
 mod deviation;
-mod ear;
+pub(super) mod ear;
 
 use std::collections::BTreeMap;
 
@@ -23,8 +23,8 @@ use super::refined::{InFace, Refined};
 use super::solve::Fairness;
 use crate::least_squares::{Terms, least_squares};
 use crate::model::{Ancestry, Model, ModelError, Traits};
-use crate::subdivide::vertex_normals;
 use crate::surface::{Place, Surface};
+use raconteur_base::surface::vertex_normals;
 
 /// How firmly the bend is kept smooth, and how firmly a vertex keeps to its nearest place, by
 /// round. Designed.

@@ -6,6 +6,7 @@ use crate::align::{Format, read};
 use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, ensure};
+use quick_xml::escape::partial_escape;
 use raconteur_speech::bundle::SentenceKind;
 
 use super::{Engine, VoiceInfo, aligned, http, labels, punctuation, wave};
@@ -21,7 +22,7 @@ impl Mary {
     /// When it is no `host:port`.
     pub(super) fn new(address: &str) -> Result<Self> {
         ensure!(
-            http::is_address(address),
+            is_address(address),
             "{address:?} is no address of a server; one is host:port"
         );
         Ok(Self {
@@ -82,6 +83,17 @@ impl Engine for Mary {
             .with_context(|| format!("the MARY server has no voice {name:?}"))?;
         sentences.iter().map(|s| self.sentence(voice, s)).collect()
     }
+}
+
+/// Is this `host:port`, and nothing that could be more than that in a request?
+fn is_address(address: &str) -> bool {
+    address.rsplit_once(':').is_some_and(|(host, port)| {
+        !host.is_empty()
+            && host
+                .bytes()
+                .all(|b| b.is_ascii_alphanumeric() || b"-._[]:".contains(&b))
+            && port.parse::<u16>().is_ok()
+    })
 }
 
 /// Reads a line such as `cmu-slt-hsmm en_US female hmm`.
@@ -152,18 +164,12 @@ fn document(sentence: &Sentence, language: &str) -> Result<Option<String>> {
 
 /// A text in XML, without what XML cannot hold.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => out.push(c),
-        }
-    }
-    out
+    let held: String = text
+        .chars()
+        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'))
+        .collect();
+    // Apostrophes are marks of stress in transcriptions and stay as they are.
+    partial_escape(&held).replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -215,7 +221,9 @@ mod tests {
                 loop {
                     let mut line = String::new();
                     reader.read_line(&mut line).unwrap();
-                    if let Some(value) = line.strip_prefix("Content-Length: ") {
+                    if let Some((name, value)) = line.split_once(':')
+                        && name.eq_ignore_ascii_case("Content-Length")
+                    {
                         length = value.trim().parse().unwrap();
                     }
                     if line.trim().is_empty() {
@@ -266,6 +274,21 @@ mod tests {
             .map(|s| (s.symbol.as_str(), s.token))
             .collect();
         assert_eq!(told, [("a", Some(0)), ("pau", None)]);
+    }
+
+    #[test]
+    fn nothing_but_an_address_is_one() {
+        for (address, fine) in [
+            ("localhost:59125", true),
+            ("[::1]:59125", true),
+            ("localhost", false),
+            (":80", false),
+            ("a b:80", false),
+            ("a\r\nX: y:80", false),
+            ("a:99999", false),
+        ] {
+            assert_eq!(is_address(address), fine, "{address}");
+        }
     }
 
     #[test]

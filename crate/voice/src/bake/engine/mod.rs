@@ -18,6 +18,7 @@ mod espeak_events;
 mod espeak_library;
 mod festival;
 pub mod flite;
+#[cfg_attr(target_arch = "wasm32", path = "http_nowhere.rs")]
 mod http;
 pub mod kokoro;
 #[cfg_attr(target_arch = "wasm32", path = "kokoro_nowhere.rs")]

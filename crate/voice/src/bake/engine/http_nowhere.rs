@@ -1,0 +1,8 @@
+//! Stands for requests where nothing but the page's own engine can be asked.
+
+use anyhow::{Result, bail};
+
+/// An error.
+pub(super) fn post(address: &str, _path: &str, _form: &[(&str, &str)]) -> Result<Vec<u8>> {
+    bail!("the server {address} cannot be asked from here")
+}
