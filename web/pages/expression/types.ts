@@ -1,12 +1,14 @@
 /** The types of emotions of Ortony, Clore and Collins, and where the page's disc has them. */
 
+import emotions from '../emotions.json';
 import { WORDS, type EmotionWord } from '../face/disc.js';
 
-export const GOOD = ['joy', 'happy-for', 'gloating', 'hope', 'satisfaction', 'relief', 'pride', 'admiration', 'gratification', 'gratitude', 'love', 'liking'] as const;
-export const BAD = ['distress', 'sorry-for', 'resentment', 'fear', 'fears-confirmed', 'disappointment', 'shame', 'reproach', 'remorse', 'anger', 'hate', 'disliking'] as const;
+/** Those of `EMOTIONS` in `crate/stage/src/emotion.rs`. */
+export const GOOD: readonly EmotionName[] = emotions.good;
+export const BAD: readonly EmotionName[] = emotions.bad;
 
-export type FeltName = (typeof GOOD)[number] | (typeof BAD)[number];
-export type EmotionName = 'neutral' | FeltName;
+/** One of them, or `neutral`. */
+export type EmotionName = string;
 
 /** The greatest potential of `r:emotion`, and how exactly the page sets it. */
 export const STRONGEST = 10;
@@ -16,7 +18,7 @@ export const rounded = (potential: number): number => Math.round(Math.min(STRONG
 
 /** A type's direction on the disc. */
 export interface Ray {
-  readonly name: FeltName;
+  readonly name: EmotionName;
   /** 1 to the right, where evaluation is positive, or -1. */
   readonly side: 1 | -1;
   /** From the horizontal upwards, degrees. */
@@ -27,7 +29,7 @@ export interface Ray {
 const APART = 12;
 
 /** Where F&H table 4.4 has a type. */
-function placeOf(name: FeltName): EmotionWord {
+function placeOf(name: EmotionName): EmotionWord {
   const place = WORDS.find((w) => w.word === name || w.also.includes(name));
   if (place === undefined) throw new Error(`the disc has no ${name}`);
   return place;
@@ -37,8 +39,8 @@ function placeOf(name: FeltName): EmotionWord {
  * One side of the disc from the most active to the most passive direction of F&H table 4.4. Several types share a
  * direction there, so they are spread evenly: each can be dragged to.
  */
-function fan(names: readonly FeltName[], side: 1 | -1): readonly Ray[] {
-  const rise = (name: FeltName): number => {
+function fan(names: readonly EmotionName[], side: 1 | -1): readonly Ray[] {
+  const rise = (name: EmotionName): number => {
     const { activation, evaluation } = placeOf(name);
     return Math.atan2(activation, side * evaluation);
   };
@@ -51,9 +53,7 @@ const LEFT = fan(BAD, -1);
 
 export const RAYS: readonly Ray[] = [...RIGHT, ...LEFT];
 
-const isFelt = (name: EmotionName): name is FeltName => name !== 'neutral';
-
-export const rayOf = (name: EmotionName): Ray | undefined => RAYS.find((ray) => isFelt(name) && ray.name === name);
+export const rayOf = (name: EmotionName): Ray | undefined => RAYS.find((ray) => ray.name === name);
 
 /** A place of the disc: to the right and upwards, 1 at its rim. */
 export interface Spot {

@@ -1,5 +1,7 @@
 /** The disc of emotions: words at their places in activation, evaluation and power, and how a place is written by words (F&H 4.4). */
 
+import emotions from '../emotions.json';
+
 /** A place in the space of emotions; each from -100 to 100. */
 export interface EmotionPoint {
   activation: number;
@@ -13,34 +15,15 @@ export interface EmotionWord extends EmotionPoint {
   readonly also: readonly string[];
 }
 
-const word = (name: string, activation: number, evaluation: number, power: number, ...also: string[]): EmotionWord => ({ word: name, activation, evaluation, power, also });
+const square = (a: EmotionPoint, b: EmotionPoint): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
 
-/** F&H table 4.4 (NECA), with the words that F&H name besides; `WORDS` in `crate/speech/src/emotion.rs`, each place once. */
-export const WORDS: readonly EmotionWord[] = [
-  word('joy', 17.3, 42.2, 12.5, 'happy-for'),
-  word('distress', -17.2, -40.1, -52.4, 'sorry-for'),
-  word('gloating', 40, 30, 30),
-  word('resentment', 0, -40, -20),
-  word('hope', 20, 20, -10),
-  word('fear', 14.8, -44.4, -79.4),
-  word('anxiety', 7.4, -22.2, -39.7),
-  word('panic', 29.6, -88.8, -100),
-  word('satisfaction', -14.9, 33.1, 12.2, 'liking', 'gratification'),
-  word('relief', 3, 33, -3),
-  word('fears-confirmed', -30, -50, -70),
-  word('disappointment', 2.4, -24.9, -37.2),
-  word('pride', 30, 40, 30),
-  word('admiration', 27, 53, 17),
-  word('shame', 4.6, -26.3, -62.3, 'remorse'),
-  word('reproach', -3, -30, 43),
-  word('disliking', 15, -35, -10),
-  word('gratitude', 20, 40, -30),
-  word('anger', 34, -35.6, 20),
-  word('love', 1.2, 33.3, 14.9),
-  word('hate', 60, -60, 30, 'disgust'),
-  word('surprise', 100, 0, 0),
-  word('kidding', 20, 30, 15),
-];
+/** F&H table 4.4 (NECA), with the words that F&H name besides (`WORDS` in `crate/speech/src/emotion.rs`), each place once. */
+export const WORDS: readonly EmotionWord[] = emotions.words.reduce<(EmotionWord & { also: string[] })[]>((places, { word, ...place }) => {
+  const there = places.find((other) => square(other, place) === 0);
+  if (there === undefined) places.push({ word, also: [], ...place });
+  else there.also.push(word);
+  return places;
+}, []);
 
 /** How much of a word is felt, 0 to 1. */
 export interface Share {
@@ -49,8 +32,6 @@ export interface Share {
 }
 
 export const NEUTRAL: Readonly<EmotionPoint> = { activation: 0, evaluation: 0, power: 0 };
-
-const square = (a: EmotionPoint, b: EmotionPoint): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
 
 /** Words that others are blended of: half a wink is none. */
 const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
