@@ -104,6 +104,16 @@ impl Body {
     }
 }
 
+/// What of a clip counts in a mean.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    /// The clip's own time, seconds.
+    pub(crate) time_secs: f64,
+    pub(crate) bones: BoneSet,
+    /// How much it counts.
+    pub(crate) share: f64,
+}
+
 /// A clip fitted to a figure.
 #[derive(Clone, Debug)]
 pub(crate) struct BoundClip {
@@ -197,15 +207,12 @@ impl BoundClip {
     }
 
     /// Adds what the clip says of some bones at a time of its own to a mean.
-    pub(crate) fn add(
-        &self,
-        skeleton: &Skeleton,
-        body: &Body,
-        time_secs: f64,
-        bones: BoneSet,
-        share: f64,
-        into: &mut Layering,
-    ) {
+    pub(crate) fn add(&self, skeleton: &Skeleton, body: &Body, part: Part, into: &mut Layering) {
+        let Part {
+            time_secs,
+            bones,
+            share,
+        } = part;
         if share <= 0.0 || self.moved(bones).is_empty() {
             return;
         }

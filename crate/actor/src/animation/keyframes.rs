@@ -143,6 +143,33 @@ const FOOT: [(&str, bool, usize); 7] = [
     ("roll", true, 6),
 ];
 
+/// What a reach says of a hand.
+const REACH: [&str; 3] = ["place", "fingers", "palm"];
+
+/// Keys of which some values are columns of a track: name, its unit, and the value's place.
+fn filled(fields: &Value, n: usize, columns: &[(&str, f64, usize)]) -> Result<Vec<Values>, String> {
+    let mut keys = vec![Values::default(); n];
+    for &(name, unit, place) in columns {
+        let column = numbers(fields, name, n, 0.0)?;
+        for (key, value) in keys.iter_mut().zip(column) {
+            key[place] = value * unit;
+        }
+    }
+    Ok(keys)
+}
+
+/// Keys of a reach: place, direction of the fingers and of the palm.
+fn reached(fields: &Value, n: usize) -> Result<Vec<Values>, String> {
+    let mut keys = vec![Values::default(); n];
+    for (i, name) in REACH.into_iter().enumerate() {
+        let unit = if i == 0 { 0.01 } else { 1.0 };
+        for (key, v) in keys.iter_mut().zip(triples(fields, name, n, i == 0)?) {
+            (0..3).for_each(|k| key[3 * i + k] = v[k] * unit);
+        }
+    }
+    Ok(keys)
+}
+
 impl Reader<'_> {
     fn track(&mut self, name: &str, fields: &Value) -> Result<(), String> {
         let times = self.times(fields)?;
@@ -177,15 +204,14 @@ impl Reader<'_> {
                 }
             }
         } else if name == "root" {
-            let mut keys = vec![Values::default(); n];
-            for (i, name) in ["left", "up", "front"].into_iter().enumerate() {
-                allowed.push(name);
-                let column = numbers(fields, name, n, 0.0)?;
-                keys.iter_mut()
-                    .zip(column)
-                    .for_each(|(k, v)| k[i] = v * 0.01);
-            }
-            add(&mut self.halves, TrackTarget::Root, keys);
+            let names = ["left", "up", "front"];
+            allowed.extend(names);
+            let columns = [0, 1, 2].map(|i| (names[i], 0.01, i));
+            add(
+                &mut self.halves,
+                TrackTarget::Root,
+                filled(fields, n, &columns)?,
+            );
         } else if let ("hand", Some(sides)) = (bare, sides) {
             allowed.push("shape");
             let shapes = shapes(fields, n)?;
@@ -198,27 +224,18 @@ impl Reader<'_> {
                 }
             }
         } else if let ("foot", Some(sides)) = (bare, sides) {
-            let mut keys = vec![Values::default(); n];
-            for (name, is_angle, i) in FOOT {
-                allowed.push(name);
+            allowed.extend(FOOT.map(|(name, ..)| name));
+            let columns = FOOT.map(|(name, is_angle, i)| {
                 let unit = if is_angle { 1f64.to_radians() } else { 0.01 };
-                let column = numbers(fields, name, n, 0.0)?;
-                keys.iter_mut()
-                    .zip(column)
-                    .for_each(|(k, v)| k[i] = v * unit);
-            }
+                (name, unit, i)
+            });
+            let keys = filled(fields, n, &columns)?;
             for &side in sides {
                 add(&mut self.halves, TrackTarget::Foot(side), keys.clone());
             }
         } else if let ("reach", Some(sides)) = (bare, sides) {
-            let mut keys = vec![Values::default(); n];
-            for (i, name) in ["place", "fingers", "palm"].into_iter().enumerate() {
-                allowed.push(name);
-                let unit = if i == 0 { 0.01 } else { 1.0 };
-                for (key, v) in keys.iter_mut().zip(triples(fields, name, n, i == 0)?) {
-                    (0..3).for_each(|k| key[3 * i + k] = v[k] * unit);
-                }
-            }
+            allowed.extend(REACH);
+            let keys = reached(fields, n)?;
             for &side in sides {
                 add(&mut self.halves, TrackTarget::Reach(side), keys.clone());
             }

@@ -7,7 +7,7 @@ use raconteur_base::{DAffine3, DQuat, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::bound::{Body, BoundClip};
+use super::bound::{Body, BoundClip, Part};
 use super::groups::BoneSet;
 use super::layering::Layering;
 use super::library::Library;
@@ -226,9 +226,17 @@ impl Players {
                 let (body, bones) = (&self.body, track.bones);
                 let (seam_secs, seam) = place.seam.unwrap_or((0.0, 0.0));
                 let share = weight * share;
-                let rest = share * (1.0 - seam);
-                clip.add(skeleton, body, place.at_secs, bones, rest, &mut out);
-                clip.add(skeleton, body, seam_secs, bones, share * seam, &mut out);
+                for (time_secs, share) in [
+                    (place.at_secs, share * (1.0 - seam)),
+                    (seam_secs, share * seam),
+                ] {
+                    let part = Part {
+                        time_secs,
+                        bones,
+                        share,
+                    };
+                    clip.add(skeleton, body, part, &mut out);
+                }
             });
         }
         out

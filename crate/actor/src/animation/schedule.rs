@@ -223,7 +223,7 @@ impl Reader<'_> {
                 let fade_secs = self.fade_secs();
                 let (plan, tracks, lost) = self.tracks(player, tracks)?;
                 let length_secs = duration_secs.clamp(0.0, 1e9);
-                plan.set(t, &tracks, *property, *value, length_secs, fade_secs);
+                plan.set(t, &tracks, *property, *value, [length_secs, fade_secs]);
                 lost?;
             }
             PlayerCommand::Operate {
@@ -347,14 +347,15 @@ impl PlayerPlan {
         (i < self.tracks.len()).then_some(i)
     }
 
+    /// Sets a property of some tracks from a time on: how long weights and speeds take to come
+    /// there, and what is switched.
     fn set(
         &mut self,
         t: f64,
         tracks: &[usize],
         property: Property,
         value: f64,
-        length_secs: f64,
-        fade_secs: f64,
+        [length_secs, fade_secs]: [f64; 2],
     ) {
         let value = if value.is_finite() { value } else { 0.0 };
         match property {

@@ -1,12 +1,13 @@
 //! From phrases to nodes of wrist, hand and fingers: preparation, holds, co-articulation,
 //! retraction.
 
-use raconteur_base::curve::smooth;
+mod flow;
+
 use raconteur_base::{DQuat, DVec3, Length, Side};
 
 use super::fingers::FingerTrack;
-use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SAME_PLACE_M, SHAPING_SECS};
-use super::path::{Bow, reach_secs};
+use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SHAPING_SECS};
+use super::path::reach_secs;
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, HandKey, Phase, Rest, Transition};
@@ -28,11 +29,6 @@ const HOLD_SOFTENING: f64 = 0.16;
 const RETRACT_SLOWNESS: f64 = 1.25;
 /// Shortest time in which a return to rest is worth while before the next stroke, seconds.
 const RETURN_LEAST_SECS: f64 = 0.35;
-/// Height of the arch of a free movement, as a share of its length and per metre of it.
-/// Designed; people's unconstrained reaches are slightly curved, and long ones swing out
-/// around the body.
-const ARCH_SHARE: f64 = 0.08;
-const ARCH_PER_M: f64 = 0.09;
 /// Longest time in which fingers form before a stroke, seconds. Designed.
 const LONGEST_SHAPING_SECS: f64 = 0.9;
 /// A hand waits before it leaves for the next stroke, so that the way there takes no longer
@@ -466,76 +462,5 @@ impl<'a> Planner<'a> {
         }
         let (wrist, rig, rest) = (&self.out.wrist, self.rig, self.rest);
         self.out.hand.meet(|t| wrist.at(rig, t, rest.at(t).wrist).0);
-    }
-
-    /// Gives keys between two movements in much the same direction the speed to pass
-    /// through instead of stopping: the harmonic mean of both speeds along the bisector,
-    /// less the sharper the turn, so that the path never overshoots.
-    fn pass_through(&mut self) {
-        let track = &mut self.out.wrist;
-        for i in 1..track.nodes.len().saturating_sub(1) {
-            let places = [i - 1, i, i + 1].map(|k| track.nodes[k].place);
-            let [Some(pa), Some(pb), Some(pc)] = places else {
-                continue;
-            };
-            if !(track.is_free(i - 1) && track.is_free(i)) {
-                continue;
-            }
-            let (before, after) = (pb - pa, pc - pb);
-            let [ta, tb, tc] = [i - 1, i, i + 1].map(|k| track.times[k]);
-            let (ta, tc) = (tb - ta, tc - tb);
-            // A hold begins or ends with the hand at rest.
-            let still = |v: DVec3| v.magnitude() < 2.0 * HOLD_DRIFT_M;
-            if ta < 1e-3 || tc < 1e-3 || still(before) || still(after) {
-                continue;
-            }
-            let (va, vc) = (before.magnitude() / ta, after.magnitude() / tc);
-            let (da, dc) = (before.normalized(), after.normalized());
-            let agreement = smooth(da.dot(dc).max(0.0));
-            let along = (da + dc).try_normalized().unwrap_or(DVec3::ZERO);
-            track.nodes[i].velocity = along * (agreement * 2.0 * va * vc / (va + vc));
-        }
-    }
-
-    /// Bulge of the piece between two nodes: outwards, forwards and around the body.
-    fn arch_between(&self, a: usize, b: usize) -> DVec3 {
-        let track = &self.out.wrist;
-        let at = |k: usize| {
-            let rest = || self.rest.at(track.times[k]).wrist;
-            track.nodes[k].place.unwrap_or_else(rest)
-        };
-        let (p, q) = (at(a), at(b));
-        let along = q - p;
-        let length = along.magnitude();
-        if length < SAME_PLACE_M.max(2.0 * HOLD_DRIFT_M) {
-            return DVec3::ZERO;
-        }
-        let direction = along / length;
-        let outwards = DVec3::new(0.8 * self.side.sign(), 0.0, 0.6);
-        let square = outwards - direction * direction.dot(outwards);
-        // Who is pressed for time takes the straight way.
-        let leisure = ((track.times[b] - track.times[a]) / reach_secs(length)).min(1.0);
-        let bulge = length.min(0.9) * leisure;
-        let mut bow = Bow {
-            along,
-            arch: square * (bulge * (ARCH_SHARE + ARCH_PER_M * bulge)),
-        };
-        // Grow the bulge until the way is free; the rest is eased out on the way.
-        for _ in 0..4 {
-            let mut worst = DVec3::ZERO;
-            for k in 1..12 {
-                let u = f64::from(k) / 12.0;
-                let out =
-                    self.space.wrist_way_out(p + bow.place(u)) / (4.0 * u * (1.0 - u)).max(0.35);
-                if out.length_squared() > worst.length_squared() {
-                    worst = out;
-                }
-            }
-            if worst.magnitude() < 0.005 {
-                break;
-            }
-            bow.arch += worst.clamp_length_max(0.15);
-        }
-        bow.arch
     }
 }

@@ -3,7 +3,6 @@
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3, noise, ops};
-use raconteur_body::{Bone, Pose};
 
 use super::stream;
 use crate::emotion::Breathing;
@@ -82,17 +81,17 @@ impl Trunk {
         breathing.depth * ops::sin(phase + 0.35 * ops::sin(phase))
     }
 
-    /// Turns spine and neck; the head's gaze comes later. `weight` is the stance's,
-    /// `amount` scales everything.
-    pub fn apply(
+    /// Rotations of lumbar and thoracic spine; the head's gaze comes later. `weight` is the
+    /// stance's, `amount` scales everything.
+    #[must_use]
+    pub fn turns(
         &self,
         rhythm: &SpeechRhythm,
         time_secs: f64,
         weight: f64,
         amount: f64,
         breathing: &Breathing,
-        pose: &mut Pose,
-    ) {
+    ) -> [DQuat; 2] {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
         let breath = self.breath(rhythm, time_secs, breathing);
         let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
@@ -100,11 +99,11 @@ impl Trunk {
         let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
         let roll = amount * (0.010 * n(1, 0.17) - 0.016 * weight);
         let yaw = amount * (0.022 * n(2, 0.15) * lively - 0.01 * weight);
-        pose.set(Bone::Lumbar, spine(lean, roll, yaw));
+        let lumbar = spine(lean, roll, yaw);
         let lean = amount * (0.010 * n(3, 0.29) * lively - 0.007 * breath) - 0.008;
         let roll = amount * (0.007 * n(4, 0.31) - 0.016 * weight);
         let yaw = amount * 0.016 * n(5, 0.21) * lively;
-        pose.set(Bone::Thoracic, spine(lean, roll, yaw));
+        [lumbar, spine(lean, roll, yaw)]
     }
 
     /// Rise of one shoulder, radians; `side_id` 0 or 1.

@@ -3,6 +3,7 @@
 use raconteur_base::DAffine3;
 
 use super::aim::Aim;
+use super::meet::Wish;
 use super::perform::Manipulators;
 use crate::limb::chain::Base;
 use crate::limb::{Frame, Joints, Limb};
@@ -19,8 +20,12 @@ impl Manipulators {
     ) -> Joints {
         let mut joints = *joints;
         if aim.share > 0.0 {
-            let near = Some(&aim.joints);
-            let now = self.solved(limb, &aim.frame, aim.swivel_rad, limited, near, base);
+            let wish = Wish {
+                swivel_rad: aim.swivel_rad,
+                limited,
+                current: Some(&aim.joints),
+            };
+            let now = self.solved(limb, &aim.frame, &wish, base);
             aim.lead(&mut joints, &now, self.limbs.get(limb.index()));
         }
         joints
@@ -41,7 +46,12 @@ impl Manipulators {
         });
         // Solved as it will be again: without a change of the body nothing is added.
         let limited = f64::from(u8::from(self.tracks[limb.index()].has_limits()));
-        let (solved, _) = self.solved(limb, frame, swivel_rad, limited, Some(joints), base);
+        let wish = Wish {
+            swivel_rad,
+            limited,
+            current: Some(joints),
+        };
+        let (solved, _) = self.solved(limb, frame, &wish, base);
         Aim {
             frame: *frame,
             place: trunk.inverse().transform_point3(frame.position),

@@ -8,11 +8,12 @@ use super::aim::Aim;
 use super::head::HEAD_BONES;
 use super::jacobian::Twist;
 use super::meet::Terms;
+use super::motion::{Goal, Held, LimbMotion, Mend, MotionKind, SETTLE_SECS, even_secs};
 use super::path::Curve;
 use super::perform::Manipulators;
 use super::scan::Scan;
-use super::scene::Scene;
-use super::track::{Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_SECS, even_secs};
+use super::scene::{Moment, Scene};
+use super::track::LimbTrack;
 use super::{Command, ManipulatorScript, Motion, Pace};
 use crate::limb::ARM_BONES;
 use crate::limb::chain::{Base, ROLL};
@@ -34,6 +35,8 @@ const FASTEST_RAD_PER_S: f64 = 2.5;
 
 /// Where a limb is at a moment.
 pub(super) struct Now {
+    /// Story time, seconds.
+    pub(super) at_secs: f64,
     /// The figure just before the limb is moved.
     pub(super) pose: Pose,
     pub(super) trunk: DAffine3,
@@ -162,7 +165,7 @@ impl Manipulators {
             Motion::Configure { .. } | Motion::Stop => return,
             Motion::Joints { angles, secs } => self.to_joints(limb, angles, *secs, &now),
             Motion::JointInterpolation { to, pace } => {
-                self.interpolate_joints(limb, at, to, *pace, &now, scene)
+                self.interpolate_joints(limb, to, *pace, &now, scene)
             }
             Motion::FrameInterpolation { to, secs } => MotionKind::Line {
                 from: now.frame,
@@ -292,6 +295,7 @@ impl Manipulators {
             rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin
         });
         Now {
+            at_secs: time_secs,
             pose: before,
             trunk,
             base,
@@ -368,7 +372,6 @@ impl Manipulators {
     fn interpolate_joints(
         &self,
         limb: Limb,
-        at: f64,
         to: &Frame,
         pace: Pace,
         now: &Now,
@@ -378,12 +381,12 @@ impl Manipulators {
             Pace::Secs(secs) => (false, secs.max(0.0)),
             Pace::RadPerSec(_) => (true, 0.0),
         };
-        let (mut end, mut aim) = self.held_at(limb, to, at + secs, now, scene);
+        let (mut end, mut aim) = self.held_at(limb, to, now.at_secs + secs, now, scene);
         if let Pace::RadPerSec(speed) = pace {
             // Slower motion is not visible.
             let speed = speed.max(1e-3);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
-            (end, aim) = self.held_at(limb, to, at + secs, now, scene);
+            (end, aim) = self.held_at(limb, to, now.at_secs + secs, now, scene);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
         }
         MotionKind::Joints {
@@ -421,14 +424,11 @@ impl Manipulators {
             swivel_rad: None,
             preference: self.tracks[limb.index()].preference(time_secs),
         };
-        let met = self.meet(
-            limb,
-            &goal,
-            &terms,
-            Some(&now.joints),
-            scene.skeleton,
-            &pose,
-        );
+        let moment = Moment {
+            skeleton: scene.skeleton,
+            pose: &pose,
+        };
+        let met = self.meet(limb, &goal, &terms, Some(&now.joints), moment);
         let mut joints = met.joints;
         for (i, (joint, from)) in joints.iter_mut().zip(&now.joints).enumerate() {
             if !limited || i == ROLL {

@@ -5,8 +5,9 @@ use raconteur_base::{DVec3, Length};
 
 use super::compile::Now;
 use super::jacobian::{Twist, joint_speeds};
+use super::motion::{Held, MotionKind, SETTLE_SECS};
 use super::perform::Manipulators;
-use super::track::{BRAKE_SECS, Held, MotionKind, SETTLE_SECS};
+use super::track::BRAKE_SECS;
 use crate::limb::chain::Base;
 use crate::limb::limits;
 use crate::limb::{Frame, Limb};

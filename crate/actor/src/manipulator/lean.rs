@@ -3,8 +3,8 @@
 use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
+use super::motion::Goal;
 use super::perform::Manipulators;
-use super::track::Goal;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::Limb;
 

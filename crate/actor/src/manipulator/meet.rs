@@ -8,9 +8,10 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use super::aim::Aim;
 use super::aim::FORCED;
 use super::head::HEAD_BONES;
+use super::motion::Goal;
 use super::perform::Manipulators;
+use super::scene::Moment;
 use super::steady::{nearest, spline};
-use super::track::Goal;
 use crate::limb::ARM_BONES;
 use crate::limb::chain::{Base, END, Posed, ROLL};
 use crate::limb::limits;
@@ -41,6 +42,17 @@ pub(super) struct Terms {
     pub(super) swivel_rad: Option<f64>,
     /// What the user prefers.
     pub(super) preference: Preference,
+}
+
+/// How a limb is to come to a frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wish<'a> {
+    /// Of elbow or knee from the natural direction, radians.
+    pub(super) swivel_rad: f64,
+    /// How much limits count, 0 to 1.
+    pub(super) limited: f64,
+    /// Joints that those of the solution are to be near to; none: the most comfortable.
+    pub(super) current: Option<&'a Joints>,
 }
 
 /// A goal met as far as it can be.
@@ -127,13 +139,14 @@ impl Manipulators {
         skeleton: &Skeleton,
         pose: &Pose,
     ) -> Met {
+        let moment = Moment { skeleton, pose };
         let track = &self.tracks[limb.index()];
         let mut terms = self.terms_at(limb, time_secs);
         let recent = self.recent(limb, time_secs);
         if matches!(goal, Goal::Frame { .. }) {
-            terms.swivel_rad = self.steady_swivel(limb, goal, &recent, &terms, skeleton, pose);
+            terms.swivel_rad = self.steady_swivel(limb, goal, &recent, &terms, moment);
         }
-        let mut met = self.meet(limb, goal, &terms, None, skeleton, pose);
+        let mut met = self.meet(limb, goal, &terms, None, moment);
         let even = smooth(met.forced / FORCED);
         let even_end = even.max(smooth(met.forced_end / FORCED));
         let mut mean = [0.0; 7];
@@ -142,7 +155,7 @@ impl Manipulators {
                 break;
             }
             let mut other = match goal {
-                Some(goal) => self.meet(limb, goal, &terms, None, skeleton, pose).joints,
+                Some(goal) => self.meet(limb, goal, &terms, None, moment).joints,
                 None => met.joints,
             };
             if let Some(rig) = self.limbs.get(limb.index()) {
@@ -196,7 +209,8 @@ impl Manipulators {
     ) -> Option<f64> {
         let terms = self.terms_at(limb, time_secs);
         let recent = self.recent(limb, time_secs);
-        self.steady_swivel(limb, goal, &recent, &terms, skeleton, pose)
+        let moment = Moment { skeleton, pose };
+        self.steady_swivel(limb, goal, &recent, &terms, moment)
     }
 
     fn terms_at(&self, limb: Limb, time_secs: f64) -> Terms {
@@ -233,9 +247,9 @@ impl Manipulators {
         goal: &Goal,
         recent: &[(Option<Goal>, f64); 4],
         terms: &Terms,
-        skeleton: &Skeleton,
-        pose: &Pose,
+        moment: Moment<'_>,
     ) -> Option<f64> {
+        let Moment { skeleton, pose } = moment;
         let rig = self.limbs.get(limb.index())?;
         let trunk = self.trunk(limb, skeleton, pose);
         let (_, _, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
@@ -291,9 +305,9 @@ impl Manipulators {
         goal: &Goal,
         terms: &Terms,
         current: Option<&Joints>,
-        skeleton: &Skeleton,
-        pose: &Pose,
+        moment: Moment<'_>,
     ) -> Met {
+        let Moment { skeleton, pose } = moment;
         let trunk = self.trunk(limb, skeleton, pose);
         let (cue, scapula, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
         let mut forced = [0.0; 2];
@@ -322,9 +336,13 @@ impl Manipulators {
                     };
                     rig.map_or(0.0, |rig| rig.swivel_for(&near, &base, &comfort))
                 });
-                let swivel = swivel + swivel_rad;
+                let wish = Wish {
+                    swivel_rad: swivel + swivel_rad,
+                    limited: terms.limited,
+                    current,
+                };
                 let joints;
-                (joints, forced) = self.solved(limb, frame, swivel, terms.limited, current, &base);
+                (joints, forced) = self.solved(limb, frame, &wish, &base);
                 (joints, Some(*frame))
             }
         };
@@ -349,11 +367,14 @@ impl Manipulators {
         &self,
         limb: Limb,
         frame: &Frame,
-        swivel_rad: f64,
-        limited: f64,
-        current: Option<&Joints>,
+        wish: &Wish<'_>,
         base: &Base,
     ) -> (Joints, [f64; 2]) {
+        let Wish {
+            swivel_rad,
+            limited,
+            current,
+        } = *wish;
         let rig = self.limbs.get(limb.index());
         let choice = Choice {
             limited,

@@ -18,6 +18,7 @@ pub mod head;
 pub mod jacobian;
 mod lean;
 mod meet;
+mod motion;
 pub mod path;
 mod perform;
 mod root;

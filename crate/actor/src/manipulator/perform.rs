@@ -8,9 +8,10 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::ManipulatorScript;
 use super::head::HeadRig;
+use super::motion::Goal;
 use super::root::RootTrack;
 use super::steady::Steady;
-use super::track::{Goal, LimbTrack};
+use super::track::LimbTrack;
 use crate::kinematics::world_from_bone;
 use crate::limb::chain::{Base, LimbRig, Posed};
 use crate::limb::limits::{self, Limit};

@@ -54,6 +54,8 @@ struct Followed {
     target: Option<Joints>,
     /// Whether the joints have not caught up with the target.
     is_behind: bool,
+    /// Whether its motion is over.
+    rests: bool,
 }
 
 /// The state of following.
@@ -233,7 +235,8 @@ impl Manipulators {
             };
             let mut met = self.meet_alone(limb, &goal, secs, scene.skeleton, &pose);
             let rests = secs >= scan.rests_from[i];
-            met.joints = self.step(limb, even, &mut scan.limbs[i], &met, rests, scene);
+            scan.limbs[i].rests = rests;
+            met.joints = self.step(limb, even, &mut scan.limbs[i], &met, scene);
             met.posed = self.posed(limb, &met.joints, &met.base);
             self.place(limb, &met, weight, &mut pose);
         }
@@ -246,7 +249,6 @@ impl Manipulators {
         even: i64,
         followed: &mut Followed,
         met: &Met,
-        rests: bool,
         scene: &Scene<'_>,
     ) -> Joints {
         let i = limb.index();
@@ -269,7 +271,7 @@ impl Manipulators {
         let mut snaps = self.snaps(limb, even, [&before, target], turned, scene);
         followed.target = Some(*target);
         let forced = met.forced_by();
-        let [stays, end_stays] = forced.map(|forced| forced >= FORCED && rests && !was);
+        let [stays, end_stays] = forced.map(|forced| forced >= FORCED && followed.rests && !was);
         let mut joints = *target;
         if stays {
             joints = last;

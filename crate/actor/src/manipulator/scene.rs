@@ -2,6 +2,13 @@
 
 use raconteur_body::{Pose, Skeleton};
 
+/// The figure at one moment.
+#[derive(Clone, Copy)]
+pub(super) struct Moment<'a> {
+    pub(super) skeleton: &'a Skeleton,
+    pub(super) pose: &'a Pose,
+}
+
 /// What commands are resolved with.
 pub(super) struct Scene<'a> {
     pub(super) skeleton: &'a Skeleton,

@@ -8,7 +8,8 @@ use raconteur_base::Side;
 use raconteur_body::Figure;
 use raconteur_eml::{Diagnostic, Document};
 
-use crate::lower::gestures::{self, Hands, Reach};
+use crate::lower::gestures::Hands;
+use crate::lower::reach::{self, Reach};
 use crate::lower::units::Units;
 use crate::lower::{manipulators, parameters};
 
@@ -39,7 +40,7 @@ impl Cast {
     /// What of a document this figure cannot do: targets out of its reach, control parameters
     /// that do not exist.
     pub(crate) fn problems(&self, document: &Document) -> Vec<Diagnostic> {
-        let far = gestures::out_of_reach(document, &self.units, &self.reach, self.hands);
+        let far = reach::out_of_reach(document, &self.units, &self.reach, self.hands);
         far.into_iter()
             .chain(parameters::problems(document))
             .chain(manipulators::problems(document, &self.units, &self.reach))

@@ -2,16 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_actor::gesture::{ArmPlan, Phase as ArmPhase, Space as CourseSpace, Transition};
+use raconteur_actor::gesture::{Phase as ArmPhase, Space as CourseSpace, Transition};
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
-use raconteur_base::order::sort_by_number;
 use raconteur_base::profile::Profile as Pace;
-use raconteur_base::{DVec3, Length, Side, mirror_vector};
+use raconteur_base::{DVec3, Side, mirror_vector};
+use raconteur_body::HandShape;
 use raconteur_body::hand_shape::HandAngles;
-use raconteur_body::{Bone, HandShape, Pose, Skeleton};
 use raconteur_eml::{
-    ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Interpolator, Key, MotionKey,
-    PalmKey, Phase, PreferredHand, Profile, ShapeKey, Space, Span, Timeline, Track,
+    ClauseKind, Coords, Document, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey,
+    Phase, PreferredHand, Profile, ShapeKey, Space, Timeline, Track,
 };
 
 use raconteur_stage::{Gesture, TakenSpace};
@@ -71,7 +70,7 @@ pub(super) fn track_for<K>(
     Some((common, hands.mirrors(side, handedness)))
 }
 
-fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
+pub(crate) fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
     let p = match key.value.coords {
         Coords::Speaker => units.speaker_point(key.value.position),
         Coords::World => units.world_point(key.value.position),
@@ -324,165 +323,6 @@ pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64, stature_m: f64) 
     })
 }
 
-/// What arms and legs of a figure can reach.
-pub(crate) struct Reach {
-    /// Left and right, world, metres.
-    pub(crate) shoulders_in_world: [DVec3; 2],
-    /// Length of an arm to the wrist, metres.
-    pub(crate) arm_m: f64,
-    /// Left and right, world, metres.
-    pub(crate) hips_in_world: [DVec3; 2],
-    /// Length of a leg to the ankle, metres.
-    pub(crate) leg_m: f64,
-}
-
-impl Reach {
-    /// Measures a skeleton in its zero pose.
-    pub(crate) fn of(skeleton: &Skeleton) -> Self {
-        let mut world = Vec::new();
-        skeleton.solve(&Pose::zero(), &mut world);
-        let at = |bone: Bone| world[bone.index()].translation;
-        let length = |bone| skeleton.offset_length_m(bone);
-        Self {
-            shoulders_in_world: [at(Bone::LShoulder), at(Bone::RShoulder)],
-            arm_m: length(Bone::LElbow) + length(Bone::LWrist),
-            hips_in_world: [at(Bone::LHip), at(Bone::RHip)],
-            leg_m: length(Bone::LKnee) + length(Bone::LSubtalar),
-        }
-    }
-}
-
-/// A warning for every position that the arm cannot reach; the hand goes as far towards it
-/// as it can (GEVH fig. 3.6).
-#[must_use]
-pub(crate) fn out_of_reach(
-    document: &Document,
-    units: &Units,
-    reach: &Reach,
-    hands: Hands,
-) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    // Positions in the world are not checked where the figure may move to them.
-    let goes = document
-        .iter()
-        .any(|(_, c)| matches!(c.kind, ClauseKind::VhMove(_)));
-    for (_, clause) in document.iter() {
-        let ClauseKind::GestureKey(gesture) = &clause.kind else {
-            continue;
-        };
-        let mut far = Vec::new();
-        for side in Side::BOTH
-            .into_iter()
-            .filter(|s| gesture.handedness.includes(*s, hands.dominant))
-        {
-            let Some((track, mirrored)) =
-                track_for(&gesture.motions, side, gesture.handedness, hands)
-            else {
-                continue;
-            };
-            // The mirrored hand is exactly as far away as the one that was written.
-            if mirrored && gesture.handedness == Handedness::Both {
-                continue;
-            }
-            let told = |key: &&Key<MotionKey>| !goes || key.value.coords == Coords::Speaker;
-            for key in track.keys.iter().filter(told) {
-                let beyond = (position(key, mirrored, units)
-                    - reach.shoulders_in_world[side.index()])
-                .magnitude()
-                    - reach.arm_m;
-                // A tenth of a millimetre is below what rounding in a script can mean.
-                if beyond > 1e-4 {
-                    far.push((beyond, key.span, side));
-                }
-            }
-        }
-        found.extend(farthest(&far));
-    }
-    found
-}
-
-/// One warning a clause: at the place that is farthest beyond reach, metres, of all.
-fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
-    let (beyond, span, side) = far.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let arm = if *side == Side::Left { "left" } else { "right" };
-    let others = match far.len() {
-        1 => String::new(),
-        2 => "; another one of this gesture is, too".to_owned(),
-        n => format!("; {} others of this gesture are, too", n - 1),
-    };
-    let message = format!(
-        "this place is {:.0} cm beyond the reach of the {arm} arm{others}",
-        beyond * 100.0,
-    );
-    Some(
-        Diagnostic::warning("player::out-of-reach", *span, message)
-            .hint("the hand goes as far towards it as it can"),
-    )
-}
-
-/// Lateness that cannot be seen, seconds (half of what must hold for strokes).
-const UNSEEN_SECS: f64 = 0.01;
-
-/// A warning for every key that comes late because the hand has too far to go in the time.
-#[must_use]
-pub(crate) fn late(
-    document: &Document,
-    timeline: &Timeline,
-    plans: [&ArmPlan; 2],
-) -> Vec<Diagnostic> {
-    let mut found: BTreeMap<Span, f64> = BTreeMap::new();
-    for side in Side::BOTH {
-        let planned = plans[side.index()].keys().iter();
-        let mut late: Vec<_> = planned
-            .filter(|k| k.arrives_secs - k.time_secs > UNSEEN_SECS)
-            .collect();
-        sort_by_number(&mut late, |k| k.time_secs);
-        if late.is_empty() {
-            continue;
-        }
-        let mut check = |secs: f64, span: Span| {
-            let first = late.partition_point(|k| k.time_secs <= secs - 1e-6);
-            let near = late[first..]
-                .iter()
-                .take_while(|k| k.time_secs < secs + 1e-6);
-            for key in near {
-                let worst = found.entry(span).or_default();
-                *worst = worst.max(key.arrives_secs - key.time_secs);
-            }
-        };
-        for timed in &timeline.clauses {
-            let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
-                continue;
-            };
-            let start = timed.start_secs;
-            for track in &gesture.hand_shapes {
-                for key in &track.keys {
-                    check(start + offset_secs(gesture, track, key), key.span);
-                }
-            }
-            for track in &gesture.palms {
-                for key in &track.keys {
-                    check(start + offset_secs(gesture, track, key), key.span);
-                }
-            }
-            for track in &gesture.motions {
-                for key in &track.keys {
-                    check(start + offset_secs(gesture, track, key), key.span);
-                }
-            }
-        }
-    }
-    let warning = |(span, delay): (Span, f64)| {
-        let message = format!(
-            "the hand comes {} ms late here",
-            (delay * 1e3).round() as u64
-        );
-        Diagnostic::warning("player::late", span, message)
-            .hint("it has too far to go in the time; give it more, or a place nearer by")
-    };
-    found.into_iter().map(warning).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -503,7 +343,7 @@ mod tests {
 
     fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
         let (document, timeline) = resolved(body);
-        let units = Units::of(&Skeleton::example());
+        let units = Units::of(&raconteur_body::Skeleton::example());
         strokes(&document, &timeline, side, &units, RIGHT)
     }
 

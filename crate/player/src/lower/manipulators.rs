@@ -16,7 +16,7 @@ use raconteur_eml::{
 };
 use raconteur_stage::{Gesture, TakenSpace};
 
-use crate::lower::gestures::Reach;
+use crate::lower::reach::Reach;
 use crate::lower::units::Units;
 
 /// How much farther a hand comes when the spine helps, as a share of the arm; measured on the

@@ -22,6 +22,7 @@ pub(crate) mod parameters;
 pub(crate) mod piece;
 pub(crate) mod plan;
 pub(crate) mod questions;
+pub(crate) mod reach;
 pub(crate) mod repertoire;
 pub(crate) mod script;
 pub(crate) mod shots;

@@ -2,15 +2,13 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::{Actor, FaceRig, LipTrack, Report};
-use raconteur_base::{DAffine3, DVec3, Side};
+use raconteur_actor::{Actor, FaceRig, LipTrack};
+use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
-use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{Diagnostic, Performer, Scenery, Timeline, thinned};
+use raconteur_body::{Figure, Pose};
+use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{
-    Camera, Feelings, Frame, Lighting, Room, Set, SetKind, View, aside_in, pupil,
-};
+use raconteur_stage::{Feelings, Frame, Lighting, SetKind, View};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -21,13 +19,12 @@ use crate::lower::repertoire::Repertoire;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
 use crate::lower::ways::WayCue;
-use crate::lower::{animations, gestures, palms};
+use crate::lower::{animations, palms, reach};
 use crate::options::Options;
 use crate::play::clock::Clock;
 use crate::play::event::Event;
-use crate::play::fibres;
 use crate::play::layers::{Layers, Posed};
-use crate::play::picture::{Picture, Subject};
+use crate::play::picture::Picture;
 use crate::play::rehearsal::{Needs, Rehearsal};
 use crate::play::score::Score;
 use crate::play::soft::SoftFace;
@@ -36,6 +33,7 @@ use crate::play::sway::Sway;
 mod clips;
 mod improvise;
 pub(crate) mod readings;
+mod shown;
 mod welcome;
 
 use clips::Animations;
@@ -398,163 +396,10 @@ impl Player {
         self.place = place;
     }
 
-    /// The place in which the story is told.
-    fn set(&self) -> Set {
-        if let Some(place) = self.place {
-            return Set::of(place);
-        }
-        let environment = self.script.document.environment.as_ref();
-        Set::of(match environment.map(|e| e.set).unwrap_or_default() {
-            Scenery::Curtain => SetKind::Curtain,
-            Scenery::Fireside => SetKind::Fireside,
-            Scenery::Garden => SetKind::Garden,
-            Scenery::Night => SetKind::Night,
-            Scenery::School => SetKind::School,
-        })
-    }
-
-    /// Takes what is felt, and the shots and lights that come of it, anew.
-    fn direct(&mut self) {
-        let library = &self.animations.library;
-        self.feelings = self.score.feelings(library, self.end_secs());
-        self.picture.take(self.score.plans(), &self.feelings);
-    }
-
-    /// Lights the frame as it is at a story time.
-    fn light(&mut self, time_secs: f64) {
-        let set = self.set();
-        let lamps = self.lighting.unwrap_or_else(|| set.lighting());
-        let light = self.picture.illumination(time_secs);
-        self.frame.set = Set {
-            // Who asks for less motion sees the place stand still.
-            time_secs: if self.picture.moves() { time_secs } else { 0.0 },
-            ..light.set(set)
-        };
-        self.frame.lighting = light.lamps(&lamps);
-        let flicker = self.frame.set.flicker();
-        for channel in &mut self.frame.lighting.rim.irradiance {
-            *channel *= flicker;
-        }
-    }
-
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower
     /// edge, 0 to [`raconteur_stage::MOST_CAPTIONS`].
     pub fn set_captions(&mut self, share: f64) {
         self.picture.set_captions(share);
-    }
-
-    /// The camera of the frame that is shown, for a picture of `aspect` (width over height).
-    pub(crate) fn camera(&self, aspect: f64) -> Camera {
-        let time_secs = self.frame.time_secs;
-        // Where the script has moved the figure; the camera does not follow its sway.
-        let moved = self.layers.actor().world_from_figure(time_secs);
-        let stature_m = self.cast.figure.skeleton.stature_m();
-        let subject = Subject {
-            floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
-            stature_m,
-        };
-        let aside = self.set().aside();
-        // What lies aside has as much less room at one side; few hands go as far as gestures are given room for.
-        let held = aspect - 0.5 * aside_in(aspect, aside).abs();
-        let room = |rest| Room {
-            aside,
-            ..self.layers.room_at(time_secs, rest, stature_m, held)
-        };
-        self.picture.camera(time_secs, aspect, &subject, room)
-    }
-
-    /// The order of evaluation: time, body and face, joints, sound, picture.
-    fn evaluate(&mut self, time_secs: f64) -> Report {
-        let t = self.clock.shown_secs(time_secs, self.end_secs());
-        self.frame.time_secs = t;
-        let report = self.layers.evaluate(
-            &self.cast.figure.skeleton,
-            &self.cast.face,
-            t,
-            &mut self.pose,
-            &mut self.frame.morph_weights,
-        );
-        if let Some(welcome) = &mut self.welcome {
-            let weights = &mut self.frame.morph_weights;
-            welcome.blend(
-                &self.cast.figure.skeleton,
-                &self.cast.face,
-                t,
-                &mut self.pose,
-                weights,
-            );
-        }
-        self.cast
-            .figure
-            .skeleton
-            .solve(&self.pose, &mut self.frame.world_from_joint);
-        self.swing(t);
-        if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut self.soft) {
-            let controls = |t: f64| {
-                let controls = self.layers.controls(t);
-                let welcome = self.welcome.as_ref();
-                welcome.map_or(controls, |w| w.controls(t, &controls))
-            };
-            soft.at(tissue, t, &controls, &mut self.frame.tissue);
-        }
-        self.frame.speech = self.speech_at(t);
-        self.light(t);
-        let arousal = self.layers.actor().arousal(t);
-        self.frame.pupil_mm = pupil::diameter_mm(&self.frame.lighting, arousal, t);
-        self.frame.shown = self.picture.shown(t);
-        self.draw_tissue();
-        self.frame.handles.clear();
-        self.frame.handles.extend(report.led.into_iter().flatten());
-        report
-    }
-
-    /// Lets the hair of the frame's joints swing.
-    fn swing(&mut self, time_secs: f64) {
-        let Some(sway) = &mut self.sway else {
-            return;
-        };
-        let (figure, face) = (&self.cast.figure, &self.cast.face);
-        let (layers, welcome, room) = (&mut self.layers, &mut self.welcome, &mut self.room);
-        let mut posture = |t: f64, out: &mut Vec<DAffine3>| {
-            let (pose, weights) = (&mut room.pose, &mut room.morph_weights);
-            layers.evaluate(&figure.skeleton, face, t, pose, weights);
-            if let Some(welcome) = welcome {
-                welcome.blend(&figure.skeleton, face, t, pose, weights);
-            }
-            figure.skeleton.solve(pose, out);
-        };
-        let of = (&figure.skeleton, &figure.springs);
-        sway.at(
-            of,
-            time_secs,
-            &mut posture,
-            &mut self.frame.world_from_joint,
-        );
-    }
-
-    /// Lines of the face's tissue, where they are shown.
-    fn draw_tissue(&mut self) {
-        self.frame.lines.clear();
-        let shown = self.frame.shown;
-        if !(shown.springs || shown.muscles || shown.skull) {
-            return;
-        }
-        let skull = Bone::Skull.index();
-        let ends = (
-            self.frame.world_from_joint.get(skull),
-            self.cast.figure.inverse_bind.get(skull),
-        );
-        if let (Some(tissue), Some(soft), (Some(world), Some(bind))) =
-            (&self.cast.figure.tissue, &self.soft, ends)
-        {
-            fibres::draw(
-                shown,
-                (tissue, soft.network()),
-                &self.frame.tissue,
-                *world * *bind,
-                &mut self.frame.lines,
-            );
-        }
     }
 }
 
@@ -565,7 +410,7 @@ fn diagnostics(script: &Script, cast: &Cast, actor: &Actor) -> Vec<Diagnostic> {
     diagnostics.extend(cast.problems(document));
     diagnostics.extend(animations::problems(document, timeline, None));
     let plans = Side::BOTH.map(|side| actor.plan(side));
-    diagnostics.extend(gestures::late(document, timeline, plans));
+    diagnostics.extend(reach::late(document, timeline, plans));
     diagnostics.extend(palms::missed(document, timeline, plans, cast.hands));
     thinned(diagnostics)
 }

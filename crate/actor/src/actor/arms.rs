@@ -1,0 +1,97 @@
+//! The arms: where gestures and rest want the hands, apart from each other and out of the body.
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::Actor;
+use crate::animation::Animated;
+use crate::gesture::HandTarget;
+use crate::gesture::contact::PlacedHand;
+use crate::kinematics::{rotation_of, world_from_bone};
+use crate::limb::{ArmGoal, ArmSolution};
+
+impl Actor {
+    /// Poses both arms and their hands: their solutions, where the wrists were sent, and how much
+    /// of that is rest.
+    pub(super) fn arms(
+        &self,
+        skeleton: &Skeleton,
+        t: f64,
+        animated: Option<&Animated>,
+        pose: &mut Pose,
+    ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
+        let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
+        let targets = self.plans.each_ref().map(|plan| plan.at(t));
+        // What rests goes with the trunk; what gestures is in the world.
+        let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
+        let turned = rotation_of(&moved);
+        let mut hands =
+            Side::BOTH.map(|side| self.place(side, &targets[side.index()], &moved, turned));
+        let breathing = self.feeling.breath(t);
+        let solve = |side: Side, hand: &PlacedHand| {
+            let i = side.index();
+            let goal = ArmGoal {
+                wrist_in_world: hand.wrist,
+                hand_in_world: Some(hand.hand),
+                shrug_rad: self
+                    .trunk
+                    .shrug(&self.rhythm, t, i as u64, self.amount, &breathing),
+            };
+            self.rigs[i].solve(&thorax, &goal)
+        };
+        let mut arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
+        // Hands meet as they are, which is not always as they are wanted.
+        let met = Side::BOTH.map(|side| {
+            let i = side.index();
+            PlacedHand {
+                hand: self.rigs[i].hand_of(&thorax, &arms[i]),
+                ..hands[i]
+            }
+        });
+        let axes = [turned * DVec3::X, turned * DVec3::Z];
+        let apart = self.contact.apart([&met[0], &met[1]], axes);
+        if apart != DVec3::ZERO {
+            hands[0].wrist += apart * 0.5;
+            hands[1].wrist -= apart * 0.5;
+            arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
+        }
+        for side in Side::BOTH {
+            let i = side.index();
+            self.calming[i].lead(side, t, &mut arms[i]);
+            arms[i].apply(side, pose);
+            for (bone, rotation) in hands[i].fingers {
+                pose.set(bone, rotation);
+            }
+            if let Some(animated) = animated {
+                let fingers = targets[i].finger_rest_share;
+                animated.blend_arm(side, targets[i].rest_share, fingers, pose);
+            }
+        }
+        let rest_shares = targets.each_ref().map(|target| target.rest_share);
+        (arms, hands.map(|hand| hand.wrist), rest_shares)
+    }
+
+    /// A target as a hand in the world, outside the body.
+    fn place(
+        &self,
+        side: Side,
+        target: &HandTarget,
+        moved: &DAffine3,
+        turned: DQuat,
+    ) -> PlacedHand {
+        let carried = target
+            .wrist
+            .lerp(moved.transform_point3(target.wrist), target.rest_share);
+        let in_body = moved.inverse().transform_point3(carried);
+        let hand = DQuat::IDENTITY.slerp(turned, target.hand_rest_share) * target.hand;
+        let mut placed = PlacedHand {
+            wrist: self.space.keep_out(in_body),
+            hand: (turned.inverse() * hand).normalized(),
+            fingers: target.shape.rotations(side),
+        };
+        placed.wrist += self.contact.way_out(side, &placed);
+        placed.wrist = carried + turned * (placed.wrist - in_body);
+        placed.hand = hand.normalized();
+        placed
+    }
+}

@@ -1,0 +1,255 @@
+//! One motion of a limb, from where it was, as a function of its own time.
+
+use raconteur_base::curve::minimum_jerk;
+use raconteur_base::{DAffine3, DQuat, DVec3};
+
+use super::aim::Aim;
+use super::between;
+use super::path::Curve;
+use crate::limb::{Frame, Joints};
+
+/// Time in which elbow and girdle take their own way again after a change of motion, seconds.
+pub(super) const SETTLE_SECS: f64 = 0.6;
+/// Time that gathering and losing speed takes at a given joint speed, seconds.
+const RAMP_SECS: f64 = 0.2;
+
+/// A limb held by its joints.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Held {
+    pub(super) joints: Joints,
+    /// The wrist as the girdle is to take it, trunk axes, metres.
+    pub(super) cue: DVec3,
+    /// Lean of the spine that the limb asks for, rotation vector.
+    pub(super) lean: DVec3,
+    /// What it asks for more because the other arm leans the spine away from it.
+    pub(super) help: DVec3,
+}
+
+impl Held {
+    /// The wrist as the girdle is to take it on a trunk for what is aimed at, trunk axes, metres.
+    pub(super) fn cued(&self, aim: Option<&Aim>, trunk: &DAffine3) -> DVec3 {
+        self.cue + aim.map_or(DVec3::ZERO, |aim| aim.moved_on(trunk))
+    }
+
+    fn toward(&self, to: &Self, share: f64) -> Self {
+        Self {
+            joints: between(&self.joints, &to.joints, share),
+            cue: self.cue.lerp(to.cue, share),
+            lean: self.lean.lerp(to.lean, share),
+            help: self.help.lerp(to.help, share),
+        }
+    }
+}
+
+/// What a limb is to do at one moment.
+#[derive(Clone, Copy, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "goals are made at every evaluation, which allocates nothing"
+)]
+pub(super) enum Goal {
+    /// Joints as they are given, and where they are to bring the end, if that is said.
+    Joints(Held, Option<Aim>),
+    /// The end in a place.
+    Frame {
+        frame: Frame,
+        /// How far elbow or knee are turned from their natural way, radians.
+        swivel_rad: f64,
+        /// What the girdle's cue is off the target, trunk axes, metres.
+        cue_lag: DVec3,
+        /// What the spine's lean is off what the target asks for, rotation vector: its own, and
+        /// what it asks for more because of the other arm.
+        lean_lag: [DVec3; 2],
+    },
+}
+
+/// How a segment moves.
+#[derive(Clone, Debug)]
+pub(super) enum MotionKind {
+    /// Joint angles, with minimum jerk or at an even speed.
+    Joints {
+        from: Held,
+        to: Held,
+        /// Where `to` is to bring the end; none where the angles themselves are asked for.
+        aim: Option<Box<Aim>>,
+        secs: f64,
+        even: bool,
+    },
+    /// Joint angles from its beginning on.
+    Cut(Held),
+    /// A straight line with the shortest turn.
+    Line { from: Frame, to: Frame, secs: f64 },
+    /// A function of time.
+    Curve(Curve),
+    /// Joint angles at even steps, and where they bring the end.
+    Samples {
+        steps: Vec<(Held, Aim)>,
+        step_secs: f64,
+        /// The target that they are on the way to, if there is one.
+        to: Option<Box<Frame>>,
+    },
+    /// A place in the world.
+    Lock(Frame),
+}
+
+impl MotionKind {
+    /// How long it moves, seconds; infinite for a loop.
+    pub(super) fn secs(&self) -> f64 {
+        match self {
+            Self::Joints { secs, .. } | Self::Line { secs, .. } => *secs,
+            Self::Curve(curve) => curve.secs(),
+            Self::Samples {
+                steps, step_secs, ..
+            } => steps.len() as f64 * step_secs,
+            Self::Cut(_) | Self::Lock(_) => 0.0,
+        }
+    }
+}
+
+/// A motion from where the limb was.
+#[derive(Clone, Debug)]
+pub(super) struct LimbMotion {
+    pub(super) kind: MotionKind,
+    /// Where elbow or knee were turned at its beginning, radians from their natural way.
+    pub(super) swivel_rad: f64,
+    /// What the girdle's cue was off the place, trunk axes, metres.
+    pub(super) cue_lag: DVec3,
+    /// The spine's lean minus the target's, rotation vector: its own, and what it asked for more
+    /// because of the other arm.
+    pub(super) lean_lag: [DVec3; 2],
+    /// What its joints were off, radians, and its upper bone, base axes.
+    pub(super) mend: Mend,
+}
+
+/// What joints are off from where they are to be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mend {
+    /// Each joint, radians; of limbs those of the shoulder or hip are 0.
+    pub(super) joints: Joints,
+    /// The turn of the upper bone of a limb, which has two sets of angles.
+    pub(super) upper: DQuat,
+}
+
+impl Default for Mend {
+    fn default() -> Self {
+        Self {
+            joints: Joints::default(),
+            upper: DQuat::IDENTITY,
+        }
+    }
+}
+
+impl LimbMotion {
+    /// What the limb is to do some seconds after it began.
+    pub(super) fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> Goal {
+        let frame = match &self.kind {
+            MotionKind::Joints {
+                from,
+                to,
+                aim,
+                secs: whole,
+                even,
+            } => {
+                let share = if *even {
+                    evenly(secs, *whole)
+                } else {
+                    minimum_jerk(secs / whole.max(1e-9))
+                };
+                let aim = aim.as_ref().map(|aim| aim.counting(share, aim.frame));
+                return Goal::Joints(from.toward(to, share), aim);
+            }
+            MotionKind::Cut(held) => return Goal::Joints(*held, None),
+            MotionKind::Samples {
+                steps,
+                step_secs,
+                to,
+            } => {
+                let last = steps.len().saturating_sub(1);
+                let at = (secs / step_secs).clamp(0.0, last as f64);
+                let index = at.floor() as usize;
+                let ((a, aim), (b, next)) = (&steps[index], &steps[(index + 1).min(last)]);
+                let share = at - index as f64;
+                // Velocities lead the joints, and to no place.
+                let aim = to.as_ref().map(|to| {
+                    let aim = aim.toward(next, share);
+                    // It begins where the limb is, whatever led it there.
+                    let counts = minimum_jerk(secs / SETTLE_SECS);
+                    let is_over = at >= last as f64;
+                    let target = if is_over { **to } else { aim.frame };
+                    aim.counting(counts, target)
+                });
+                return Goal::Joints(a.toward(b, share), aim);
+            }
+            MotionKind::Line {
+                from,
+                to,
+                secs: whole,
+            } => from.toward(to, minimum_jerk(secs / whole.max(1e-9))),
+            MotionKind::Curve(curve) => curve.at(secs),
+            MotionKind::Lock(frame) => frame.moved(figure_from_world),
+        };
+        let left = 1.0 - minimum_jerk(secs / SETTLE_SECS);
+        Goal::Frame {
+            frame,
+            swivel_rad: self.swivel_rad * left,
+            cue_lag: self.cue_lag * left,
+            lean_lag: self.lean_lag.map(|lag| lag * left),
+        }
+    }
+}
+
+/// Share of a way gone at an even speed, with time added at both ends to gather and lose it:
+/// [`even_secs`] is the whole.
+fn evenly(secs: f64, whole: f64) -> f64 {
+    let ramp = RAMP_SECS.min(0.5 * whole);
+    if ramp <= 0.0 {
+        return f64::from(u8::from(secs > 0.0));
+    }
+    // The integral of a smooth ramp of speed from 0 to 1.
+    let gathered = |s: f64| {
+        let s = s.clamp(0.0, 1.0);
+        s * s * s * (1.0 - 0.5 * s)
+    };
+    let secs = secs.clamp(0.0, whole);
+    let first = ramp * gathered(secs / ramp);
+    let last = ramp * gathered((whole - secs) / ramp);
+    let cruise = (secs.min(whole - ramp) - ramp).max(0.0);
+    let way = if secs < whole - ramp {
+        first + cruise
+    } else {
+        whole - ramp - last
+    };
+    way / (whole - ramp)
+}
+
+/// Time that a way of `rad` takes at an even speed of `rad_per_sec`, seconds.
+pub(super) fn even_secs(rad: f64, rad_per_sec: f64) -> f64 {
+    let cruise = rad / rad_per_sec;
+    // A short way never comes to its speed.
+    cruise + RAMP_SECS.min(cruise)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_even_way_is_even_and_smooth_at_its_ends() {
+        let whole = even_secs(3.0, 1.5);
+        assert!((whole - 2.2).abs() < 1e-12);
+        let h = 1e-4;
+        let speed = |t: f64| 3.0 * (evenly(t + h, whole) - evenly(t - h, whole)) / (2.0 * h);
+        for i in 0..100 {
+            let t = 0.25 + 1.7 * f64::from(i) / 100.0;
+            assert!((speed(t) - 1.5).abs() < 1e-6, "{t}: {}", speed(t));
+        }
+        assert!(speed(0.01) < 0.1 && speed(whole - 0.01) < 0.1);
+        assert_eq!(evenly(0.0, whole), 0.0);
+        assert!((evenly(whole, whole) - 1.0).abs() < 1e-12);
+        // Ways shorter than the ramps keep below the speed.
+        let short = even_secs(0.1, 1.5);
+        assert!((evenly(short, short) - 1.0).abs() < 1e-12);
+        let step = (evenly(0.51 * short, short) - evenly(0.49 * short, short)) * 0.1;
+        assert!(step / (0.02 * short) < 1.6);
+    }
+}
