@@ -31,21 +31,18 @@ import { Questioner } from './lesson/questioner.js';
 import type { Span } from './base/ranges.js';
 import type { Part } from './media/text-tracks.js';
 import { FrameLoop } from './story/frame-loop.js';
+import type { FaceCourse, FaceSpot, FigureFace, NaturalHair } from './base/face-types.js';
+import type { Answer } from './base/performance.js';
+import type { Question } from './base/questions.js';
 import {
   PlayerError,
-  type Answer,
   type Backend,
   type Diagnostic,
-  type FaceCourse,
-  type FaceSpot,
-  type FigureFace,
   type Hand,
   type Light,
-  type NaturalHair,
   type PlayerState,
   type PoseNumbers,
   type Quality,
-  type Question,
   type Statistics,
   type Telling,
   type View,

@@ -9,25 +9,19 @@ import type { StoryFiles } from '../engine/loader.js';
 import { giveBack } from './graphics.js';
 import type { PictureEvents } from './picture-events.js';
 import { isTrap, trapError } from '../engine/trap.js';
+import { type Engine, TickStatus } from '../base/engine.js';
+import type { FaceCourse, FaceSpot, FigureFace, NaturalHair } from '../base/face-types.js';
+import type { Cue, Interruption, Performance } from '../base/performance.js';
 import {
   type Backend,
-  type Cue,
   type Diagnostic,
-  type Engine,
-  type FaceCourse,
-  type FaceSpot,
-  type FigureFace,
-  type Interruption,
   type Light,
-  type NaturalHair,
-  type Performance,
   type PictureStatistics,
   type Piece,
   PlayerError,
   type PoseNumbers,
   type Quality,
   type Story,
-  TickStatus,
   type View,
   type Expressed,
 } from '../base/types.js';
