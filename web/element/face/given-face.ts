@@ -1,9 +1,9 @@
 /** What is on the face of the figure on stage. */
 
-import type { FaceFile } from './avatar.js';
 import { applyFace, Paint, type Lent } from './face-look.js';
 import type { Engine } from '../base/engine.js';
 import type { FigureFace } from '../base/face-types.js';
+import { PlayerError } from '../base/types.js';
 
 /** The face that a figure has got, where it is not its own, what others lend it, and what is painted on it. */
 export class GivenFace {
@@ -34,9 +34,15 @@ export class GivenFace {
     await paint.put(engine, this.face ?? {}, () => current() && paint === this.#paint);
   }
 
-  /** What a file of the figure with this face is made of; undefined while it has its own. */
-  async file(name: string, glb: Uint8Array): Promise<FaceFile | undefined> {
+  /** A file of the figure, of which `glb` is the one with its own face, with this face; undefined while it has its own. */
+  async file(name: string, glb: Uint8Array): Promise<Uint8Array | undefined> {
     const { face, lent } = this;
-    return face === undefined ? undefined : { name, glb, face, lent, painted: await this.#paint.file() };
+    if (face === undefined) return undefined;
+    const parts = { name, glb, face, lent, painted: await this.#paint.file() };
+    // Most players never write figures.
+    const { faceFile } = await import('./avatar.js').catch((error: unknown) => {
+      throw new PlayerError('The part that writes figures could not be fetched: is the network there?', { cause: error });
+    });
+    return await faceFile(parts);
   }
 }

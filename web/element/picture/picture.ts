@@ -1,7 +1,6 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
 import { applyView, Asked } from './asked.js';
-import type { FaceFile } from '../face/avatar.js';
 import { createEngine } from '../engine/backend.js';
 import type { Lent } from '../face/face-look.js';
 import { GivenFace } from '../face/given-face.js';
@@ -281,8 +280,8 @@ export class Picture {
     else await this.#images.paint(engine);
   }
 
-  /** What a file of the figure with its face is made of; undefined while it has its own. */
-  async faceFile(name: string): Promise<FaceFile | undefined> {
+  /** A file of the figure with its face; undefined while it has its own. */
+  async faceFile(name: string): Promise<Uint8Array | undefined> {
     return await this.#given.file(name, this.#reader.files.figure.glb);
   }
 

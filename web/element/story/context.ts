@@ -23,6 +23,7 @@ export interface PlayerHost extends LitElement {
   readonly captions: boolean;
   readonly autoplay: boolean;
   readonly preload: string;
+  readonly loading: 'lazy' | 'eager';
   readonly crossOrigin: string | null;
   readonly sinkId: string;
   readonly paused: boolean;
