@@ -7,6 +7,7 @@ import { course } from './web/tools/course.js';
 import { buildDocs } from './web/tools/docs.js';
 import { deadLinks } from './web/tools/links.js';
 import { notices } from './web/tools/notices.js';
+import { PAGES, pages, servedPage } from './web/tools/pages.js';
 import { withParts } from './web/tools/parts.js';
 import { kinds } from './web/tools/wasm.mjs';
 
@@ -138,7 +139,7 @@ export default defineConfig(({ mode }) => {
     publicDir: false,
     // Imports name the builds that ship; those of the tests lie elsewhere.
     resolve: { alias: [{ find: /^\.\.\/pkg\//, replacement: `${join(root, kind.folder)}/` }] },
-    plugins: [parts(), library(), folders(), clips(), course()],
+    plugins: [pages(root), parts(), library(), folders(), clips(), course()],
     // Its files are called as the page's are.
     worker: { format: 'es', rolldownOptions: { output: { entryFileNames: 'app/[name]-[hash].js', assetFileNames } } },
     build: {
@@ -151,11 +152,7 @@ export default defineConfig(({ mode }) => {
       rolldownOptions: {
         input: {
           index: join(root, 'index.html'),
-          viewer: join(root, 'viewer/index.html'),
-          gestures: join(root, 'gestures/index.html'),
-          face: join(root, 'face/index.html'),
-          expression: join(root, 'expression/index.html'),
-          composite: join(root, 'composite/index.html'),
+          ...Object.fromEntries(PAGES.map((name) => [name, servedPage(root, name)])),
           'raconteur-player': join(root, 'web/element/index.ts'),
           'raconteur-composite': join(root, 'web/composite/index.ts'),
           'raconteur-course': join(root, 'web/course/index.ts'),

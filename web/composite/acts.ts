@@ -1,7 +1,7 @@
 /** What one does to a face, as data: histories and saved sessions are lists of it. */
 
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/face/faces.js';
-import type { FaceLook, FaceMark } from '../element/base/types.js';
+import type { FaceLook, FaceMark } from '../element/base/face-types.js';
 import { keptWith } from './words.js';
 
 type Three = readonly [number, number, number];

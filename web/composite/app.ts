@@ -2,7 +2,8 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/face/faces.js';
-import type { FaceLook, FaceMark, FigureFace, Light } from '../element/base/types.js';
+import type { FaceLook, FaceMark, FigureFace } from '../element/base/face-types.js';
+import type { Light } from '../element/base/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { AGEING, changedBy, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';

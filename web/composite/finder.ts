@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { FacePack } from '../element/face/faces.js';
-import type { FaceMark } from '../element/base/types.js';
+import type { FaceMark } from '../element/base/face-types.js';
 import type { App, Tab } from './app.js';
 import { indexOf, nearest, search, TABLE, type Index, type Row, type Thing } from './find.js';
 import { BEARDS, HAIR, MARKS, WEAR } from './look.js';

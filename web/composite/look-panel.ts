@@ -1,7 +1,7 @@
 /** Hair, beard, brows, and what the head wears. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/base/types.js';
+import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/base/face-types.js';
 import { numberField, vars } from '../pages/fields.js';
 import type { App } from './app.js';
 import { hexOf, linearOf } from '../element/base/colour.js';

@@ -1,6 +1,6 @@
 /** Hair, beard, what is worn, marks and light in words, for reports. */
 
-import type { FaceMark, HairColour, NaturalHair } from '../element/base/types.js';
+import type { FaceMark, HairColour, NaturalHair } from '../element/base/face-types.js';
 import type { App } from './app.js';
 import { plainLook } from '../element/face/face-look.js';
 import { BEARDS, HAIR, MARKS, SHAPES, WEAR } from './look.js';

@@ -1,7 +1,7 @@
 /** What hair a head has, what it wears and what is painted on it: the choices there are, and whether a file's are among them. */
 
 import { FORMER_HAIR } from '../element/face/face-look.js';
-import type { FaceLook, FaceMark, HairColour, TattooShape, Wear, WearKind } from '../element/base/types.js';
+import type { FaceLook, FaceMark, HairColour, TattooShape, Wear, WearKind } from '../element/base/face-types.js';
 
 /** Hair: what is not the figure's own is a file of the library, `hair/NAME.glb`. */
 export const HAIR: Readonly<Record<string, string>> = {

@@ -1,7 +1,7 @@
 /** Scars, moles, birthmarks and tattoos: what is placed next, and a list of those that are there. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FaceMark, FaceSpot, TattooShape } from '../element/base/types.js';
+import type { FaceMark, FaceSpot, TattooShape } from '../element/base/face-types.js';
 import { numberField } from '../pages/fields.js';
 import type { App } from './app.js';
 import { LONGEST_MARK, MARKS, MOST_LETTERS, MOST_MARKS, SHAPES } from './look.js';

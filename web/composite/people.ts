@@ -1,7 +1,7 @@
 /** Who the faces of the database are, and which of them are like a description (F&H 5.1.1). It chooses faces, and never changes one. */
 
 import type { FacePack } from '../element/face/faces.js';
-import type { FaceLook, NaturalHair } from '../element/base/types.js';
+import type { FaceLook, NaturalHair } from '../element/base/face-types.js';
 
 type Personal = FacePack['people'][number];
 

@@ -2,7 +2,7 @@
 
 import type { RaconteurPlayer } from '../element/element.js';
 import type { FaceConstraint } from '../element/face/faces.js';
-import type { FigureFace } from '../element/base/types.js';
+import type { FigureFace } from '../element/base/face-types.js';
 import type { App } from './app.js';
 import { openHidden, wait } from './hidden-player.js';
 import { Latest } from './latest.js';

@@ -1,7 +1,7 @@
 /** Puts the face that is edited on the figure: one at a time, soon while it changes, and with all its detail when it has come to rest. */
 
 import type { RaconteurPlayer } from '../element/element.js';
-import type { FigureFace } from '../element/base/types.js';
+import type { FigureFace } from '../element/base/face-types.js';
 import { wait } from './hidden-player.js';
 
 /** Whose face has not changed for so long sees it with all its detail, milliseconds. */

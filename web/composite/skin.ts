@@ -1,6 +1,6 @@
 /** What of a texture is finer than the colours of vertices, or lies in the eyes: it is read off the values of its attributes. */
 
-import type { FaceLook } from '../element/base/types.js';
+import type { FaceLook } from '../element/base/face-types.js';
 
 /** A colour, linear. */
 type Rgb = readonly [number, number, number];

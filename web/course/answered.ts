@@ -1,6 +1,6 @@
 /** Statements of xAPI about answers: questions as activities of their own (Data, 2.4.4.1 and appendix C). */
 
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import type { Reply } from './report.js';
 import { identifierOf, patternsOf, responseOf, targetOf, TYPES, type Limits } from './responses.js';
 import { contextOf, courseOf, durationOf, scoreOf, VERBS, type Session } from './statements.js';

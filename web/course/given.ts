@@ -1,7 +1,7 @@
 /** Answers as a learner reads them. */
 
 import { readOf } from '../element/lesson/question-fields.js';
-import type { Question, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionOption } from '../element/base/questions.js';
 
 const LIST = ', ';
 const ORDER = ' → ';

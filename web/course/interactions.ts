@@ -1,7 +1,7 @@
 /** Answers as SCORM has them: `cmi.interactions` of 1.2 (Run-Time Environment, 3.4.7) and of 2004 (4.2.9). */
 
 import type { Answered } from '../element/base/answers.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import type { Reply } from './report.js';
 import { gapsText, identifierOf, numberText, pairsOf, patternsOf, placesOf, responseOf, rightNames, TYPES, type Limits } from './responses.js';
 import { BETWEEN, decimal, plain } from './texts.js';

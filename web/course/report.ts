@@ -2,7 +2,7 @@
 
 import type { Answered, Score } from '../element/base/answers.js';
 import type { Span } from '../element/base/ranges.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import type { Memory } from './memory.js';
 import type { Troubles } from './trouble.js';
 

@@ -1,7 +1,7 @@
 /** Answers as texts in the form that SCORM 2004 (Run-Time Environment, 4.2.9) and xAPI (Data, 2.4.4.1) have in common. */
 
 import { numberOf } from '../element/lesson/judge.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 import type { Reply } from './report.js';
 import { BETWEEN, decimal, plain } from './texts.js';
 

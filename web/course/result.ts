@@ -4,7 +4,7 @@ import { html, nothing, render, type TemplateResult } from 'lit';
 import type { Answered, Score } from '../element/base/answers.js';
 import { rightAnswer } from '../element/lesson/feedback.js';
 import { wordsOf } from '../element/lesson/question-words.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import { givenText } from './given.js';
 import type { CourseWords } from './words.js';
 

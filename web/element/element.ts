@@ -2,7 +2,7 @@
 
 import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
-import { attributes } from './media/attributes.js';
+import { Arrival } from './story/arrival.js';
 import { Away } from './story/away.js';
 import { FigureLoader } from './story/figure-loader.js';
 import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './story/context.js';
@@ -12,9 +12,11 @@ import { Diagnostics } from './base/diagnostics.js';
 import look from './element.css?inline';
 import { interrupt, perform, Sender } from './story/fragments.js';
 import { template } from './template.js';
+import { CaptionRoom } from './captions/caption-room.js';
 import { Idle } from './controls/idle.js';
 import { handleKey } from './controls/keyboard.js';
-import { MediaElement, type Parts } from './media-element.js';
+import type { Parts } from './media-element.js';
+import { PlayerAttributes } from './player-attributes.js';
 import { after, dispatch } from './media/media-events.js';
 import { MindConnection } from './mind/mind-connection.js';
 import { soundOf } from './sound/outlet.js';
@@ -23,6 +25,7 @@ import { Playback } from './media/playback.js';
 import { hasCaptions, statisticsOf } from './story/show.js';
 import { StandIn } from './story/stand-in.js';
 import { StoryLoader } from './story/story-loader.js';
+import { telling } from './story/telling.js';
 import { reducesMotion, Surroundings } from './base/surroundings.js';
 import { spare } from './base/fetching.js';
 import type { Answered, Score } from './base/answers.js';
@@ -31,30 +34,22 @@ import { Questioner } from './lesson/questioner.js';
 import type { Span } from './base/ranges.js';
 import type { Part } from './media/text-tracks.js';
 import { FrameLoop } from './story/frame-loop.js';
+import type { FaceCourse, FaceSpot, FigureFace, NaturalHair } from './base/face-types.js';
+import type { Answer } from './base/performance.js';
+import type { Question } from './base/questions.js';
 import {
   PlayerError,
-  type Answer,
   type Backend,
   type Diagnostic,
-  type FaceCourse,
-  type FaceSpot,
-  type FigureFace,
-  type Hand,
   type Light,
-  type NaturalHair,
   type PlayerState,
   type PoseNumbers,
-  type Quality,
-  type Question,
   type Statistics,
   type Telling,
   type View,
   type Words,
   type Expressed,
 } from './base/types.js';
-
-/** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
-const MOST_CAPTIONS = 0.2;
 
 /**
  * The custom element: a media element whose medium is a story that somebody performs. Attributes set properties; the player writes
@@ -99,57 +94,17 @@ const MOST_CAPTIONS = 0.2;
  * @csspart retry - The button that tries again
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the interface types the listeners of events that the class dispatches.
-export class RaconteurPlayer extends MediaElement {
+export class RaconteurPlayer extends PlayerAttributes {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
   /** What takes the keys is the frame within: it has the focus that the player is given by `focus()` or a click. */
-  static override shadowRootOptions: ShadowRootInit = { ...MediaElement.shadowRootOptions, delegatesFocus: true };
+  static override shadowRootOptions: ShadowRootInit = { ...PlayerAttributes.shadowRootOptions, delegatesFocus: true };
   static override styles = [unsafeCSS(look), unsafeCSS(questionLook)];
-  static override properties = attributes;
-
-  /**
-   * Name of a figure of the library, or the address of a `.glb` or `.vrm`. Without it the figure that
-   * the story chooses performs (`r:performer`), else `sofia`; `currentFigure` tells who does. The
-   * figure before stays on stage until this one is ready, and for good when it cannot be used.
-   */
-  declare figure: string | undefined;
-  /** The dominant hand of who performs; otherwise the story says it, or else the figure. */
-  declare handedness: Hand | undefined;
-  /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it receives events. See docs/live.md. */
-  declare mind: string | undefined;
-  /**
-   * Who says what has no recording. `here`, the default: an engine in the page where one speaks the language, which
-   * is fetched when such a thing is played, else the browser's own voice. `browser`: the browser's own voice alone.
-   */
-  declare speech: 'here' | 'browser';
-  /** Address of the asset library, which holds `figures/`; by default the folder `assets/` beside the script. */
-  declare assets: string;
-  /** A picture to show before the story is played, and where none can be drawn. */
-  declare poster: string | undefined;
-  /**
-   * Address of a film of the story, as `raconteur render --video` makes it, or several of the same film in other
-   * encodings with spaces between them: shown in time with the sound where no picture can be drawn, fetched only there.
-   */
-  declare film: string | undefined;
-  /** What the player is called by screen readers; say which story it tells. */
-  declare label: string;
-  /** Forces a back end; by default WebGPU where the browser has it. */
-  declare backend: Backend | undefined;
-  /** How much work goes into a picture; `auto`, the default, follows what the device can do. */
-  declare quality: Quality;
-  /** `lazy` loads when the player comes near the window, `eager` at once. */
-  declare loading: 'lazy' | 'eager';
-  /** Shows what is said. */
-  declare captions: boolean;
-  /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
-  declare remarks: boolean;
 
   /** What the element is by itself; there is none where a page is made without a browser. */
   readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #announcement = '';
-  /** The place of a whole caption, while there are captions, and its share of the stage's height. */
-  #captionRoom: Element | null = null;
-  #captionShare = 0;
+  readonly #captionRoom = new CaptionRoom(this);
 
   readonly #questioner = new Questioner(() => this.#context);
   readonly #diagnostics = new Diagnostics((diagnostic) => {
@@ -184,7 +139,7 @@ export class RaconteurPlayer extends MediaElement {
   readonly #figures = new FigureLoader(this.#context);
   readonly #standIn = new StandIn(this.#context);
   readonly #away = new Away(this, () => this.#stories.release());
-  readonly #own = new OwnText(this, () => this.#ownChanged());
+  readonly #own = new OwnText(this, () => this.#arrival.changeOwn());
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {
@@ -218,6 +173,7 @@ export class RaconteurPlayer extends MediaElement {
       if (event === 'pause') this.#away.count();
     },
   });
+  readonly #arrival = new Arrival(this.#context, this.#stories, this.#figures, () => this.renew());
   readonly #idle = new Idle(
     // Controls that hold the keyboard's focus stay.
     () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
@@ -226,17 +182,12 @@ export class RaconteurPlayer extends MediaElement {
   readonly #actions = actionsOf(this, this.#context);
   readonly #around = new Surroundings(
     () => this.#resize(),
-    (isNear) => this.#appeared(isNear),
+    (isNear) => this.#arrival.appear(isNear),
   );
 
   constructor() {
     super();
-    this.quality = 'auto';
-    this.speech = 'here';
     this.assets = RaconteurPlayer.library;
-    this.label = 'Story';
-    this.loading = 'lazy';
-    this.captions = this.remarks = false;
     if (this.#internals !== undefined) this.#internals.role = 'region';
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
@@ -335,12 +286,9 @@ export class RaconteurPlayer extends MediaElement {
    * body are those of the figure on stage. Rejects while that has its own face.
    */
   async figureFile(name: string): Promise<Blob> {
-    const parts = await this.#context.show?.picture.faceFile(name);
-    if (parts === undefined) throw new PlayerError('The figure on stage has its own face.');
-    const { faceFile } = await import('./face/avatar.js').catch((error: unknown) => {
-      throw new PlayerError('The part that writes figures could not be fetched: is the network there?', { cause: error });
-    });
-    return new Blob([(await faceFile(parts)) as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
+    const file = await this.#context.show?.picture.faceFile(name);
+    if (file === undefined) throw new PlayerError('The figure on stage has its own face.');
+    return new Blob([file as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
   }
 
   /** A copy of the picture on stage, as large as it is drawn; with a `view` from there, as `look` has it. Undefined where there is none. */
@@ -365,18 +313,7 @@ export class RaconteurPlayer extends MediaElement {
    * player is paused.
    */
   tell(words: Words): Telling {
-    const end = new AbortController();
-    const tell = async (): Promise<void> => {
-      const [{ tellWords }, show] = await Promise.all([import('./story/tell.js'), this.#stories.stage()]);
-      await tellWords(this.#context, show, words, end.signal);
-    };
-    return {
-      done: tell(),
-      interrupt: () => {
-        end.abort();
-        this.interrupt();
-      },
-    };
+    return telling(this.#context, this.#stories.stage(), words, () => this.interrupt());
   }
 
   /**
@@ -486,7 +423,7 @@ export class RaconteurPlayer extends MediaElement {
   }
 
   protected override updated(): void {
-    if (this.renderRoot.querySelector('.caption-room') !== this.#captionRoom) this.#measureRoom();
+    this.#captionRoom.follow();
     this.#makeRoom();
   }
 
@@ -494,7 +431,7 @@ export class RaconteurPlayer extends MediaElement {
     if (changed.has('mind') && this.#context.show !== undefined) void this.#mind.connect(this.#context.show);
     if (changed.has('src')) this.#context.text = undefined;
     if (changed.has('label') && this.#internals !== undefined) this.#internals.ariaLabel = this.label;
-    this.#loadChanged(changed);
+    this.#arrival.change(changed);
     this.#standIn.keep(this.#stories.lost === 'yes');
     this.#context.show?.voice.setVolume(this.muted ? 0 : this.volume);
     const { show } = this.#context;
@@ -505,57 +442,20 @@ export class RaconteurPlayer extends MediaElement {
     show.picture.setQuality(this.quality);
   }
 
-  /** Loads, or changes the figure, where attributes ask for that. */
-  #loadChanged(changed: PropertyValues<this>): void {
-    const { show, onScreen } = this.#context;
-    // A mind alone has a stage, too.
-    const minded = changed.has('mind') && !this.src && show === undefined;
-    const replaced = minded || (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
-    const figure = (changed.has('figure') || changed.has('handedness')) && this.hasUpdated;
-    if (figure && !replaced && show !== undefined) {
-      void this.#figures.change(show).then(() => this.#stories.giveVoice());
-    } else if ((replaced || figure) && this.hasUpdated) {
-      if (replaced) this.renew();
-      else this.#stories.close();
-      if ((onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
-    } else if ((changed.has('loading') || changed.has('preload') || changed.has('autoplay')) && (onScreen || this.loading === 'eager') && this.#stories.hasStory) {
-      void this.#stories.come();
-    }
-  }
-
-  /** Another text stands between the tags. */
-  #ownChanged(): void {
-    if (this.src || this.#context.text !== undefined) return;
-    this.renew();
-    if ((this.#context.onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.come();
-  }
-
-  #appeared(isNear: boolean): void {
-    this.#context.onScreen = isNear;
-    if (this.#context.onScreen && this.#stories.hasStory) void this.#stories.come();
-    this.#frames.keep();
-  }
-
   #resize(): void {
     const { clientWidth, clientHeight } = this;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#context.show?.picture.resize(clientWidth, clientHeight);
     this.follow();
-    this.#measureRoom();
+    this.#captionRoom.measure();
     this.#makeRoom();
     // While it plays the next frame comes by itself.
     if (this.paused) this.#frames.advance();
   }
 
-  /** Looks how much of the stage a whole caption takes: where that may have changed, as to look lays the stage out. */
-  #measureRoom(): void {
-    this.#captionRoom = this.renderRoot.querySelector('.caption-room');
-    this.#captionShare = this.clientHeight > 0 ? Math.min(MOST_CAPTIONS, (this.#captionRoom?.clientHeight ?? 0) / this.clientHeight) : 0;
-  }
-
   /** Has shots keep hands and feet above captions. */
   #makeRoom(): void {
-    const isNew = this.#context.show?.picture.setCaptions(this.#captionShare);
+    const isNew = this.#context.show?.picture.setCaptions(this.#captionRoom.share);
     if (isNew && this.paused) this.#frames.advance();
   }
 

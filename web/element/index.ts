@@ -14,26 +14,10 @@ export type { Part } from './media/text-tracks.js';
 export { openFaces } from './face/open-faces.js';
 export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './face/faces.js';
 export { PlayerError } from './base/types.js';
-export type {
-  AudioFile,
-  Backend,
-  Cue,
-  Diagnostic,
-  FaceCourse,
-  FigureFace,
-  Hand,
-  Place,
-  Quality,
-  Question,
-  QuestionKind,
-  QuestionOption,
-  Statistics,
-  Story,
-  Utterance,
-  View,
-  Way,
-  Word,
-} from './base/types.js';
+export type { FaceCourse, FigureFace } from './base/face-types.js';
+export type { Cue } from './base/performance.js';
+export type { Question, QuestionKind, QuestionOption, Way } from './base/questions.js';
+export type { AudioFile, Backend, Diagnostic, Hand, Place, Quality, Statistics, Story, Utterance, View, Word } from './base/types.js';
 
 // The library lies beside the script, wherever that comes from. A name of its own for the script, so
 // that the build leaves the folder alone; and nothing else may import this file, which would then be

@@ -1,13 +1,13 @@
 /** The interface of `HTMLMediaElement` and what of `HTMLVideoElement` applies (HTML, 4.8.8 to 4.8.11), over a player's parts. */
 
-import { LitElement } from 'lit';
-import { mediaAttributes } from './media/attributes.js';
+import { mediaAttributes, THEMSELVES } from './media/attributes.js';
 import type { PlayerContext } from './story/context.js';
 import { addStates, canPlay, checkedRate, checkedVolume, crossOriginOf, finite, preloadOf, type MediaStates } from './media/media.js';
 import { dispatch, isPending } from './media/media-events.js';
 import { openDevice } from './sound/outlet.js';
-import { Capture, FrameCallbacks, PictureInPicture } from './sound/outputs.js';
+import { Outputs } from './sound/outputs.js';
 import type { Playback } from './media/playback.js';
+import { PromptElement } from './media/prompt-element.js';
 import { Ranges, without } from './base/ranges.js';
 import type { Lesson } from './lesson/lesson.js';
 import type { StoryLoader } from './story/story-loader.js';
@@ -23,22 +23,10 @@ export interface Parts {
   readonly lesson: Lesson;
 }
 
-/** Properties that are attributes. */
-const THEMSELVES: ReadonlyMap<string, string> = new Map([
-  ['src', 'src'],
-  ['preload', 'preload'],
-  ['crossorigin', 'crossOrigin'],
-  ['autoplay', 'autoplay'],
-  ['controls', 'controls'],
-  ['loop', 'loop'],
-  ['disablepictureinpicture', 'disablePictureInPicture'],
-  ['playsinline', 'playsInline'],
-]);
-
 export interface MediaElement extends MediaStates {}
 
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: `addStates` gives the class and its instances these constants.
-export abstract class MediaElement extends LitElement {
+export abstract class MediaElement extends PromptElement {
   static override properties = mediaAttributes;
 
   #volume = 1;
@@ -53,16 +41,11 @@ export abstract class MediaElement extends LitElement {
   #startSecs = 0;
   /** A source is being looked for. */
   #looks = false;
-  /** Listeners may be called in the middle of an update. */
-  #updating = false;
   readonly #tracks = new StoryTextTracks(
     (shown) => this.showCaptions(shown),
     () => this.#march(this.currentTime),
   );
-  readonly #frames = new FrameCallbacks();
-  readonly #capture = new Capture();
-  readonly #pictureInPicture = new PictureInPicture(this.#capture);
-  #size = { width: 0, height: 0 };
+  readonly #outputs = new Outputs();
 
   protected abstract get parts(): Parts;
 
@@ -359,12 +342,12 @@ export abstract class MediaElement extends LitElement {
 
   /** Width of the picture, device pixels; 0 before there is one. */
   get videoWidth(): number {
-    return this.#size.width;
+    return this.#outputs.size.width;
   }
 
   /** Height of the picture, device pixels; 0 before there is one. */
   get videoHeight(): number {
-    return this.#size.height;
+    return this.#outputs.size.height;
   }
 
   /** The story's captions, while there is a story, and what `addTextTrack` added. */
@@ -379,22 +362,22 @@ export abstract class MediaElement extends LitElement {
 
   /** Calls back when the next picture has been drawn; gives a handle for `cancelVideoFrameCallback`. */
   requestVideoFrameCallback(callback: VideoFrameRequestCallback): number {
-    return this.#frames.request(callback);
+    return this.#outputs.frames.request(callback);
   }
 
   /** Takes such a call back. */
   cancelVideoFrameCallback(handle: number): void {
-    this.#frames.cancel(handle);
+    this.#outputs.frames.cancel(handle);
   }
 
   /** How many pictures were drawn since the player was made. */
   getVideoPlaybackQuality(): VideoPlaybackQuality {
-    return { creationTime: performance.now(), totalVideoFrames: this.#frames.count, droppedVideoFrames: 0, corruptedVideoFrames: 0 };
+    return { creationTime: performance.now(), totalVideoFrames: this.#outputs.frames.count, droppedVideoFrames: 0, corruptedVideoFrames: 0 };
   }
 
   /** Picture and sound as a stream, with at most so many pictures a second; volume and mute count. */
   captureStream(rate?: number): MediaStream {
-    const stream = this.#capture.open(rate, true);
+    const stream = this.#outputs.capture.open(rate, true);
     this.parts.context.keepTime();
     return stream;
   }
@@ -410,10 +393,7 @@ export abstract class MediaElement extends LitElement {
 
   /** Shows the picture in a window over all others. Rejects as a `<video>` does: `InvalidStateError` where there is no picture or it is disabled. */
   async requestPictureInPicture(): Promise<PictureInPictureWindow> {
-    if (!document.pictureInPictureEnabled) throw new DOMException('This browser, or this page, has no picture in picture.', 'NotSupportedError');
-    if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
-    if (this.disablePictureInPicture) throw new DOMException('The page does not want it.', 'InvalidStateError');
-    const opened = await this.#pictureInPicture.open(this.renderRoot as ShadowRoot, (event) => this.dispatchEvent(event));
+    const opened = await this.#outputs.openWindow(this.renderRoot as ShadowRoot, this.disablePictureInPicture, (event) => this.dispatchEvent(event));
     this.parts.context.keepTime();
     return opened;
   }
@@ -455,52 +435,27 @@ export abstract class MediaElement extends LitElement {
   /** A picture of a moment was drawn, or there is another canvas, voice or size. */
   protected follow(drawnSecs?: number): void {
     const { context, stories } = this.parts;
-    const { canvas } = stories;
-    const { width = 0, height = 0 } = (context.show && canvas) ?? {};
-    this.#capture.follow({ canvas: context.show && canvas, voice: context.show?.voice });
-    if (width !== this.#size.width || height !== this.#size.height) {
-      this.#size = { width, height };
-      if (width > 0) dispatch(this, 'resize');
-    }
-    if (drawnSecs === undefined || context.show === undefined) return;
-    if (width > 0) this.#frames.drawn(drawnSecs, this.#size);
+    const { show } = context;
+    const isResized = this.#outputs.follow({ canvas: show && stories.canvas, voice: show?.voice });
+    if (isResized && this.videoWidth > 0) dispatch(this, 'resize');
+    if (drawnSecs === undefined || show === undefined) return;
+    this.#outputs.drawn(drawnSecs);
     this.#march(drawnSecs);
   }
 
   protected get isWatchedElsewhere(): boolean {
-    return document.pictureInPictureElement === this || this.#capture.isTaken;
+    return document.pictureInPictureElement === this || this.#outputs.capture.isTaken;
   }
 
   /** Playing goes on, or has come to its end. */
   protected capture(goesOn: boolean): void {
-    this.#capture.setLive(goesOn);
+    this.#outputs.capture.setLive(goesOn);
   }
 
   /** Brings text tracks to a moment. Time passes for them once the story was played or sought. */
   #march(secs: number): void {
     const { show, started } = this.parts.context;
     if (show !== undefined && started) this.#tracks.march(show.captions, secs, () => !this.paused && this.pause());
-  }
-
-  /** A change of `src` takes effect with the next update; calls that depend on it bring that update about at once. */
-  protected settleAttributes(): void {
-    if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
-  }
-
-  /** Whoever waits for an update has it also where the element was never in a document: it is played there, too. */
-  protected override getUpdateComplete(): Promise<boolean> {
-    if (!this.hasUpdated && !this.isConnected) {
-      // As with the first connection.
-      (this as { renderRoot: HTMLElement | DocumentFragment }).renderRoot ??= this.createRenderRoot();
-      this.enableUpdating(true);
-    }
-    return super.getUpdateComplete();
-  }
-
-  protected override performUpdate(): void {
-    this.#updating = true;
-    super.performUpdate();
-    this.#updating = false;
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null, namespace?: string | null): void {

@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Animations, addressOf } from '../element/engine/animations.js';
-import type { Engine } from '../element/base/types.js';
+import type { Engine } from '../element/base/engine.js';
 
 const library = new URL('https://example.org/assets/');
 const story = new URL('https://example.org/stories/rabbit/story.eml');

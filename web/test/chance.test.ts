@@ -5,7 +5,7 @@ import { shuffled } from '../element/lesson/chance.js';
 import { Lesson } from '../element/lesson/lesson.js';
 import { shownOf } from '../element/lesson/question-fields.js';
 import { addressOf } from '../element/lesson/question-picture.js';
-import type { Question, QuestionKind, Way } from '../element/base/types.js';
+import type { Question, QuestionKind, Way } from '../element/base/questions.js';
 
 const NAMES = ['a', 'b', 'c'];
 const question = (name: string, order: number, more: Partial<Question> = {}): Question => ({

@@ -12,7 +12,7 @@ import { BEARDS, HAIR, toggled } from '../composite/look.js';
 import { chosen, describe, figureOf, lookOf } from '../composite/people.js';
 import { skinOf } from '../composite/skin.js';
 import { lendersOf, paintOf, plainLook, toldLook } from '../element/face/face-look.js';
-import type { FaceLook, FigureFace } from '../element/base/types.js';
+import type { FaceLook, FigureFace } from '../element/base/face-types.js';
 
 const pack = { faces: 10, vertices: 5 };
 const add = (amount: number): Act => ({ kind: 'add', part: 'shape', name: 'weight', amount, region: {} });

@@ -5,7 +5,8 @@ import type { RaconteurPlayer } from '../element/element.js';
 import { Lesson } from '../element/lesson/lesson.js';
 import type { Answered, Score } from '../element/base/answers.js';
 import { Ranges, united, type Span } from '../element/base/ranges.js';
-import type { PlayerState, Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
+import type { PlayerState } from '../element/base/types.js';
 
 // Node takes more listeners of one signal for a leak; browsers do not.
 setMaxListeners(50);

@@ -8,7 +8,7 @@ import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import type { Shelf } from '../course/shelf.js';
 import { BrowserRecord } from '../course/storage.js';
 import { XapiRecord } from '../course/xapi.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import { FakePlayer } from './course-learner.js';
 import { oneOf, random, type Next } from './course-questions.js';
 import { verbOf, type Told } from './course-statements.js';

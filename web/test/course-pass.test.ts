@@ -9,7 +9,7 @@ import { Troubles } from '../course/trouble.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/base/answers.js';
 import { Ranges, type Span } from '../element/base/ranges.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 
 const question = (name: string, atSecs: number): Question => ({
   order: 0,

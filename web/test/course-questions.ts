@@ -1,7 +1,7 @@
 /** Random questions of all kinds and random answers to them, for tests. */
 
 import type { Reply } from '../course/report.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 
 /** A random number from 0 to 1, the same for the same seed. */
 export function random(seed: number): () => number {

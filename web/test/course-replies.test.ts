@@ -8,7 +8,7 @@ import type { Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import { decimal, plain } from '../course/texts.js';
 import { numberOf } from '../element/lesson/judge.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 import { KINDS, random, randomQuestion, randomReply, randomText, squashed } from './course-questions.js';
 import { sized } from './tier.js';
 

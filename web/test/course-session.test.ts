@@ -6,7 +6,7 @@ import { NOTHING, readMemory, writeMemory } from '../course/memory.js';
 import { MOST_MEMORY, Scorm, SCORM_12 } from '../course/scorm.js';
 import { BrowserRecord } from '../course/storage.js';
 import { XapiRecord } from '../course/xapi.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import { FakePlayer } from './course-learner.js';
 import { verbOf, type Told } from './course-statements.js';
 import { COURSE, FakeStore, launchOf, memoryAt, prepare, settled, shelf, verbs } from './course-store.js';

@@ -5,7 +5,7 @@ import { questionId } from '../course/answered.js';
 import { NOTHING } from '../course/memory.js';
 import type { Reply, Report } from '../course/report.js';
 import { XapiRecord } from '../course/xapi.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 import { random, randomQuestion, randomReply, randomText, type Next } from './course-questions.js';
 import { faultsOf, faultsOfOrder, verbOf, type Told } from './course-statements.js';
 import { COURSE, FakeStore, launchOf, memoryAt, prepare, report, settled, shelf } from './course-store.js';

@@ -7,7 +7,7 @@ import { Scorm, SCORM_12, SCORM_2004 } from '../course/scorm.js';
 import { shareOf } from '../course/seen.js';
 import { BrowserRecord } from '../course/storage.js';
 import { united, without, type Span } from '../element/base/ranges.js';
-import type { Question } from '../element/base/types.js';
+import type { Question } from '../element/base/questions.js';
 import { FakePlayer } from './course-learner.js';
 import { random } from './course-questions.js';
 import { sized } from './tier.js';

@@ -6,7 +6,7 @@ import { feedbackOf, rightAnswer } from '../element/lesson/feedback.js';
 import { judge } from '../element/lesson/judge.js';
 import { Lesson, LIVE } from '../element/lesson/lesson.js';
 import { wordsOf } from '../element/lesson/question-words.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 import { KINDS, random, randomGiven, randomQuestion } from './course-questions.js';
 import { sized } from './tier.js';
 

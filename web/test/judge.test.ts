@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { gapsOf, judge, MOST_CHARACTERS, numberOf, plain } from '../element/lesson/judge.js';
 import { shownOf } from '../element/lesson/question-fields.js';
-import type { Question, QuestionKind, QuestionOption } from '../element/base/types.js';
+import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 
 const option = (name: string, more: Partial<QuestionOption> = {}): QuestionOption => ({ name, text: name, isRight: false, ...more });
 const question = (kind: QuestionKind, options: readonly QuestionOption[], prompt = '?'): Question => ({

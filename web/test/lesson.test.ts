@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Lesson, type Turn } from '../element/lesson/lesson.js';
-import type { Question, Way } from '../element/base/types.js';
+import type { Question, Way } from '../element/base/questions.js';
 
 const option = (name: string, isRight = false) => ({ name, text: name.toUpperCase(), isRight });
 /** A question whose answers lie after it. */

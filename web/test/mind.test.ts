@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { MindLink, type MindHost } from '../element/mind/mind.js';
-import type { Answer, Diagnostic, MindState } from '../element/base/types.js';
+import type { Answer } from '../element/base/performance.js';
+import type { Diagnostic, MindState } from '../element/base/types.js';
 
 /** A socket whose other side is the test. */
 class FakeSocket {

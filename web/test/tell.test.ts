@@ -1,7 +1,8 @@
 import { afterEach, beforeAll, beforeEach, expect, test, vi } from 'vitest';
 import type { TellingFunctions } from '../element/engine/backend.js';
 import { tellTo, type Stage } from '../element/story/tell.js';
-import type { Answer, Diagnostic } from '../element/base/types.js';
+import type { Answer } from '../element/base/performance.js';
+import type { Diagnostic } from '../element/base/types.js';
 import { COMPILE_MS, openBuild } from './build.js';
 
 /** A text cut into pieces at places that a seed gives. */

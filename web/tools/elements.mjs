@@ -7,7 +7,9 @@ import { create, ts } from '@custom-elements-manifest/analyzer';
 import { runnerImport } from 'vite';
 import { main, root } from './steps.mjs';
 
-const SOURCES = ['element', 'media-element', 'base/events'];
+const SOURCES = ['element', 'player-attributes', 'media-element', 'base/events'];
+/** What comes from this class is told as a media element's; what comes from the others, as the player's own. */
+const INHERITED = 'MediaElement';
 const CLASS = 'RaconteurPlayer';
 const reference = join(root, 'docs/element.md');
 
@@ -20,7 +22,7 @@ function eventsOf(source) {
       name: member.name.text,
       type: { text: member.type.getText() },
       description: ts.getJSDocCommentsAndTags(member).map(({ comment }) => comment).join(' '),
-      inheritedFrom: name.text === 'MediaEventMap' ? { name: 'MediaElement' } : undefined,
+      inheritedFrom: name.text === 'MediaEventMap' ? { name: INHERITED } : undefined,
     })),
   );
 }
@@ -43,7 +45,7 @@ export async function manifest(script) {
   const sources = SOURCES.map(parse);
   const { schemaVersion, modules } = create({ modules: sources });
   const { description, members, cssProperties, cssParts } = modules.flatMap(({ declarations }) => declarations).find(({ name }) => name === CLASS);
-  const shown = members.filter(isPublic).map(({ inheritedFrom, ...member }) => ({ ...member, ...(inheritedFrom && { inheritedFrom: { name: inheritedFrom.name } }) }));
+  const shown = members.filter(isPublic).map(({ inheritedFrom, ...member }) => ({ ...member, ...(inheritedFrom?.name === INHERITED && { inheritedFrom: { name: INHERITED } }) }));
   const declaration = {
     kind: 'class',
     customElement: true,

@@ -8,11 +8,11 @@ import { root } from './steps.mjs';
 /** What a test in a browser visits, and the files in which it begins. */
 export const ENTRIES = {
   home: ['index.html'],
-  viewer: ['viewer/index.html'],
-  gestures: ['gestures/index.html'],
-  face: ['face/index.html'],
-  expression: ['expression/index.html'],
-  composite: ['composite/index.html', 'web/composite/index.ts'],
+  viewer: ['web/pages/viewer/index.html'],
+  gestures: ['web/pages/gestures/index.html'],
+  face: ['web/pages/face/index.html'],
+  expression: ['web/pages/expression/index.html'],
+  composite: ['web/pages/composite/index.html', 'web/composite/index.ts'],
   docs: ['docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'web/tools/docs.ts', 'web/pages/docs.css'],
   player: ['web/element/index.ts'],
   course: ['web/course/index.ts', 'web/tools/course.ts'],

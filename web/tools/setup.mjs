@@ -52,8 +52,8 @@ function hasWasmTarget() {
 }
 
 /** What a page is made of besides its wasm files. */
-const PAGE_SOURCES = ['index.html', 'gestures', 'viewer', 'face', 'expression', 'composite', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/speech', 'packages', 'web/pages', 'web/composite', 'web/tools/docs.ts', 'web/tools/links.ts',
-  'web/tools/notices.ts', 'web/tools/parts.ts', 'assets', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs'];
+const PAGE_SOURCES = ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/speech', 'packages', 'web/pages', 'web/composite', 'web/tools/docs.ts', 'web/tools/links.ts',
+  'web/tools/notices.ts', 'web/tools/pages.ts', 'web/tools/parts.ts', 'assets', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs'];
 
 /** The page, built into the folder of its kind of build (see `kinds`). `bindgen` as for `buildWasm`. */
 export async function page(kind = kinds.shipped, bindgen) {

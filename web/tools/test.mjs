@@ -43,7 +43,7 @@ const unlessPassed = async (name, inputs, work) => {
 /** What plays in a browser test, and what those of the pages add. */
 const PLAYED = [...builds.map((build) => `.setup/${stampOf(kind, build)}`), 'web/element', 'web/speech', 'packages', 'web/test/tier.ts', 'web/tools/chromium.mjs', 'tests/browser', 'assets', 'vite.config.ts', 'package-lock.json'];
 // Among them are figures in three.js beside the command line's pictures of them.
-const PAGES = ['crate/cli', 'index.html', 'gestures', 'viewer', 'face', 'expression', 'composite', 'web/pages', 'web/composite', 'web/course', 'web/tools/course.ts', 'docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md'];
+const PAGES = ['crate/cli', 'index.html', 'web/pages', 'web/tools/pages.ts', 'web/composite', 'web/course', 'web/tools/course.ts', 'docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md'];
 
 /** What ran, for the report at the end. */
 const tests = [];

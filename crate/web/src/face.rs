@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::*;
 use crate::activity::{Activity, ActivityGuard};
 use crate::player::{Player, plain};
 
-/// A colour of hair; `NaturalHair` in `web/element/base/types.ts`.
+/// A colour of hair; `NaturalHair` in `web/element/base/face-types.ts`.
 #[derive(Serialize)]
 struct NaturalHair {
     name: &'static str,
@@ -25,7 +25,7 @@ impl Player {
     /// Gives the figure on stage a face of a face model; what is played goes on. `skin` holds x, y and z of
     /// each vertex (metres, frame of the head), `organs` what lies in the head, `factors` those of the
     /// colours of each vertex, of the irises and of the brows, or nothing; `look` is a `FaceLook` of
-    /// `web/element/base/types.ts`, or undefined. One that `moves` is on its way to another, which follows: it is
+    /// `web/element/base/face-types.ts`, or undefined. One that `moves` is on its way to another, which follows: it is
     /// shown soon rather than finely. Nothing happens before a `load`.
     #[wasm_bindgen(js_name = setFace)]
     pub fn set_face(

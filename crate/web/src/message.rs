@@ -1,4 +1,4 @@
-//! Messages to JavaScript: plain objects, named as `web/element/base/types.ts` names them.
+//! Messages to JavaScript: plain objects, named as the types of `web/element/base` are.
 
 use raconteur_player::eml::{self, LineIndex};
 use raconteur_player::stage::{Angle, EmotionType, Shot};

@@ -29,7 +29,7 @@ const MOST_PIXELS: f64 = 8192.0;
 /// Less idle life than this asks for less motion of the camera as well.
 const LITTLE_MOTION: f64 = 0.5;
 
-/// The outcome of a tick; `TickStatus` in `web/element/base/types.ts`.
+/// The outcome of a tick; `TickStatus` in `web/element/base/engine.ts`.
 #[derive(Clone, Copy)]
 #[repr(u32)]
 enum TickStatus {

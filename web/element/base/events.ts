@@ -1,7 +1,9 @@
 /** The events of the element, and what their listeners are given. */
 
 import type { Answered, Score } from './answers.js';
-import type { Cue, Diagnostic, MindState, Question, Word } from './types.js';
+import type { Cue } from './performance.js';
+import type { Question } from './questions.js';
+import type { Diagnostic, MindState, Word } from './types.js';
 
 /** Those of a media element (HTML, 4.8.11.16), which do not bubble. */
 export interface MediaEventMap {

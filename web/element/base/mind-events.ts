@@ -1,7 +1,8 @@
 /** What a mind is sent. */
 
 import type { Answered } from './answers.js';
-import type { Answer, Cue, Question } from './types.js';
+import type { Answer, Cue } from './performance.js';
+import type { Question } from './questions.js';
 
 /** Messages to a mind besides cues. */
 export type Note =

@@ -2,7 +2,8 @@
 
 import { fetchBytes, type Credentials, type Fetching } from '../base/fetching.js';
 import { Shared } from '../base/shared.js';
-import type { Engine, Story } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { Story } from '../base/types.js';
 
 /** Beyond this an animation is not read; the library's largest has 14 KB, files of avatars some megabytes. */
 const MOST_BYTES = 32e6;

@@ -3,7 +3,8 @@
 import webglUrl from '../../pkg/webgl/raconteur_bg.wasm?url';
 import webgpuUrl from '../../pkg/webgpu/raconteur_bg.wasm?url';
 import { fetchModule, SCRIPT } from '../base/fetching.js';
-import type { Backend, Diagnostic, Engine, Performer } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { Backend, Diagnostic, Performer } from '../base/types.js';
 
 /** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
 export interface PalmFunctions {

@@ -1,6 +1,7 @@
 /** Who performs: the bytes of a figure, and its pictures once it is read. */
 
-import { PlayerError, type Diagnostic, type Engine, type Hand } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import { PlayerError, type Diagnostic, type Hand } from '../base/types.js';
 
 /** A figure as it came, ready for an engine. */
 export interface FigureFile {

@@ -1,6 +1,7 @@
 /** Utterances: the story's, and those of live fragments while they are remembered. */
 
-import type { Performance, Utterance } from '../base/types.js';
+import type { Performance } from '../base/performance.js';
+import type { Utterance } from '../base/types.js';
 
 /** As long as the engine remembers ended fragments. */
 const KEEP_SECS = 300;

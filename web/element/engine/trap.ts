@@ -3,7 +3,8 @@
 import { doingOf, panicOf } from './backend.js';
 import { shown } from '../base/fetching.js';
 import type { StoryFiles } from './loader.js';
-import { PlayerError, type Engine } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import { PlayerError } from '../base/types.js';
 
 /** The numbers that `doing` of `crate/web` gives. */
 export const Doing = {

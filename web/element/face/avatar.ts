@@ -4,7 +4,8 @@ import instantiate from '../../pkg/avatar/raconteur.js';
 import wasmUrl from '../../pkg/avatar/raconteur_bg.wasm?url';
 import { toldLook } from './face-look.js';
 import { fetchModule, SCRIPT } from '../base/fetching.js';
-import type { Diagnostic, FaceLook, FigureFace } from '../base/types.js';
+import type { FaceLook, FigureFace } from '../base/face-types.js';
+import type { Diagnostic } from '../base/types.js';
 
 /** It is not larger. */
 const MOST_BYTES = 64e6;

@@ -1,6 +1,6 @@
 /** Decodes what `course()` of the element gives: the controls of the face over time, and the segments of speech that move the mouth. Only pages that draw them load this. */
 
-import type { FaceCourse } from '../base/types.js';
+import type { FaceCourse } from '../base/face-types.js';
 
 /** A phone, or a part of a diphthong, as it moves the mouth. Story seconds. */
 export interface Segment {

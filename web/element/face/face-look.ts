@@ -1,7 +1,8 @@
 /** What a face on a figure needs beside its numbers: hair that other figures lend, and paint on its skin. */
 
 import type { PaintedSkin } from './marks.js';
-import type { Engine, FaceLook, FigureFace } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { FaceLook, FigureFace } from '../base/face-types.js';
 
 /** What is said of hair and is no file: the figure's own, none, none ever, and what is painted. */
 const NOT_LENT: readonly string[] = ['', 'own', 'none', 'bald'];

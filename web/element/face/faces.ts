@@ -3,7 +3,7 @@
 import instantiate from '../../pkg/faces/raconteur.js';
 import wasmUrl from '../../pkg/faces/raconteur_bg.wasm?url';
 import { fetchBytes, fetchModule, SCRIPT, type Progress } from '../base/fetching.js';
-import type { FigureFace } from '../base/types.js';
+import type { FigureFace } from '../base/face-types.js';
 
 /** Neither the part that edits nor a file of a pack is larger. */
 const MOST_BYTES = 64e6;

@@ -3,7 +3,8 @@
 import { hexOf } from '../base/colour.js';
 import type { SkinPaint } from './face-look.js';
 import { Speckles } from './speckles.js';
-import type { Engine, FaceMark, TattooShape } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { FaceMark, TattooShape } from '../base/face-types.js';
 
 /** Two-dimensional, of an `OffscreenCanvas`. */
 type Context = OffscreenCanvasRenderingContext2D;

@@ -1,7 +1,8 @@
 /** Freckles, spots of age, moles and stubble, painted into the picture of the skin spot by spot. */
 
 import type { SkinPaint } from './face-look.js';
-import type { Engine, SpotKind } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { SpotKind } from '../base/face-types.js';
 
 /** Numbers of one spot, as an engine tells it. */
 const NUMBERS = 7;

@@ -1,7 +1,7 @@
 /** What an answer counts: all points, none, or a share of them where what is right of it counts by itself. */
 
 import { isFilled, isMatched, type Judgement } from './judge.js';
-import type { Question } from '../base/types.js';
+import type { Question } from '../base/questions.js';
 
 /** Points are told to a hundredth, which records and people can read. */
 const STEPS = 100;

@@ -4,7 +4,7 @@ import { gapsOf } from './judge.js';
 import { LIVE, type Taken } from './lesson.js';
 import { readOf } from './question-fields.js';
 import type { QuestionWords } from './question-words.js';
-import type { Question, QuestionOption } from '../base/types.js';
+import type { Question, QuestionOption } from '../base/questions.js';
 
 /** The text after an answer; empty where there is none: the story says something itself, or whoever asks live does. */
 export function feedbackOf({ question, answered, isSilent }: Taken, words: QuestionWords): string {

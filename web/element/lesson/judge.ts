@@ -1,6 +1,6 @@
 /** Whether what somebody gives is an answer to a question, whether it is right, and which options it fits. */
 
-import type { Question, QuestionOption } from '../base/types.js';
+import type { Question, QuestionOption } from '../base/questions.js';
 
 /** What an answer is worth. */
 export interface Judgement {

@@ -10,7 +10,7 @@ import { isOutcome, judge, type Judgement } from './judge.js';
 import { leftOut } from './pools.js';
 import { type Span, united } from '../base/ranges.js';
 import type { Part } from '../media/text-tracks.js';
-import type { Question, Way } from '../base/types.js';
+import type { Question, Way } from '../base/questions.js';
 import { type Value, Values } from './values.js';
 
 /** What a learner has done in a story, as data. */

@@ -1,7 +1,7 @@
 /** Which items of a story's pools are performed for a learner, and what is passed over with the others. */
 
 import { shuffled } from './chance.js';
-import type { Question, Way } from '../base/types.js';
+import type { Question, Way } from '../base/questions.js';
 
 /** The places of items that are not drawn, and of all that stands in them. */
 export function leftOut(questions: readonly Question[], ways: readonly Way[], seed: number): ReadonlySet<number> {

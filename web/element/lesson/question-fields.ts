@@ -5,7 +5,7 @@ import { repeat } from 'lit/directives/repeat.js';
 import { shuffled } from './chance.js';
 import { gapsOf, MOST_CHARACTERS } from './judge.js';
 import type { QuestionWords } from './question-words.js';
-import type { Question, QuestionOption, QuestionPicture } from '../base/types.js';
+import type { Question, QuestionOption, QuestionPicture } from '../base/questions.js';
 
 /** What fields need besides their question. */
 export interface Fields {

@@ -11,7 +11,8 @@ import type { Limit } from './limit.js';
 import { fieldsOf, gapsIn, givenIn, optionsIn, readOf, shownOf } from './question-fields.js';
 import { addressOf } from './question-picture.js';
 import { wordsOf } from './question-words.js';
-import type { Question, QuestionOption, QuestionPicture, Story } from '../base/types.js';
+import type { Question, QuestionOption, QuestionPicture } from '../base/questions.js';
+import type { Story } from '../base/types.js';
 
 /** Languages that are written from the right. */
 const FROM_RIGHT = new Set(['ar', 'ckb', 'dv', 'fa', 'he', 'ps', 'sd', 'ug', 'ur', 'yi']);

@@ -2,7 +2,7 @@
 
 import { isOutcome } from './judge.js';
 import type { Answered, Score } from '../base/answers.js';
-import type { Way } from '../base/types.js';
+import type { Way } from '../base/questions.js';
 
 export type Value = number | string | boolean;
 

@@ -27,6 +27,18 @@ export const mediaAttributes: PropertyDeclarations = {
   playbackRate: { attribute: 'playback-rate', converter: rateFrom },
 };
 
+/** Properties of a media element that are attributes, by these; `muted` is not, which says how the player begins. */
+export const THEMSELVES: ReadonlyMap<string, string> = new Map([
+  ['src', 'src'],
+  ['preload', 'preload'],
+  ['crossorigin', 'crossOrigin'],
+  ['autoplay', 'autoplay'],
+  ['controls', 'controls'],
+  ['loop', 'loop'],
+  ['disablepictureinpicture', 'disablePictureInPicture'],
+  ['playsinline', 'playsInline'],
+]);
+
 /** Those of a storyteller. */
 export const attributes: PropertyDeclarations = {
   figure: text,

@@ -1,7 +1,8 @@
 /** A mind: EML in by WebSocket, events out as JSON. Fetched only by players that have one. */
 
 import type { MindEvent, Note } from '../base/mind-events.js';
-import type { Answer, Diagnostic, MindState } from '../base/types.js';
+import type { Answer } from '../base/performance.js';
+import type { Diagnostic, MindState } from '../base/types.js';
 
 /** A longer message is no fragment; the engine takes a quarter of this. */
 const MOST_CHARACTERS = 65_536;

@@ -1,7 +1,8 @@
 /** How a page wants a story shown, whichever engine shows it. */
 
 import { reducesMotion } from '../base/surroundings.js';
-import type { Engine, Light, Quality, View } from '../base/types.js';
+import type { Engine } from '../base/engine.js';
+import type { Light, Quality, View } from '../base/types.js';
 
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
 const REDUCED_MOTION = 0.25;

@@ -1,33 +1,31 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
 import { applyView, Asked } from './asked.js';
-import type { FaceFile } from '../face/avatar.js';
 import { createEngine } from '../engine/backend.js';
-import { applyFace, Paint, type Lent } from '../face/face-look.js';
-import { showImages, unusable, type FigureFile } from '../engine/figure.js';
+import type { Lent } from '../face/face-look.js';
+import { GivenFace } from '../face/given-face.js';
+import { copyOf, newCanvas } from './canvas.js';
+import type { FigureFile } from '../engine/figure.js';
+import { FigureImages } from './figure-images.js';
 import type { StoryFiles } from '../engine/loader.js';
 import { giveBack } from './graphics.js';
+import { Pace } from './pace.js';
 import type { PictureEvents } from './picture-events.js';
+import { StoryReader } from './story-reader.js';
 import { isTrap, trapError } from '../engine/trap.js';
+import { type Engine, TickStatus } from '../base/engine.js';
+import type { FaceCourse, FaceSpot, FigureFace, NaturalHair } from '../base/face-types.js';
+import type { Cue, Interruption, Performance } from '../base/performance.js';
 import {
   type Backend,
-  type Cue,
   type Diagnostic,
-  type Engine,
-  type FaceCourse,
-  type FaceSpot,
-  type FigureFace,
-  type Interruption,
   type Light,
-  type NaturalHair,
-  type Performance,
   type PictureStatistics,
   type Piece,
   PlayerError,
   type PoseNumbers,
   type Quality,
   type Story,
-  TickStatus,
   type View,
   type Expressed,
 } from '../base/types.js';
@@ -44,35 +42,28 @@ export class Picture {
   #backend: Backend;
   /** Those that may be used instead, the best first. */
   readonly #others: Backend[];
-  #files: StoryFiles;
   #events: PictureEvents;
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
-  /** When the last picture of a running sequence was requested. */
-  #lastAsked = 0;
-  #resting = true;
+  readonly #pace = new Pace();
   #recoveries = 0;
   #lost = false;
   #closed = false;
   /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
   #lastShown = 0;
-  /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
-  #holding = false;
-  /** What of the figure is missing, once its pictures are decoded. */
-  #decoded: Promise<Diagnostic[]> = Promise.resolve([]);
-  #asked = new Asked();
-  /** The face that the figure has got, where it is not its own, what others lend it, and what is painted on it. */
-  #face: FigureFace | undefined;
-  #lent: Lent = new Map();
-  #paint = new Paint();
+  readonly #asked = new Asked();
+  readonly #given = new GivenFace();
+  readonly #reader: StoryReader;
+  readonly #images: FigureImages;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
   private constructor([backend, ...others]: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents) {
     this.#backend = backend;
     this.#others = others;
-    this.#files = files;
+    this.#reader = new StoryReader(files, this.#asked, this.#given, (engine, live, followed) => this.#follow(engine, live, followed));
+    this.#images = new FigureImages(this.#reader, this.#given, (engine) => engine === this.#engine);
     this.#events = events;
   }
 
@@ -92,7 +83,7 @@ export class Picture {
       }
     } while (picture.#stepDown());
     const engine = await createEngine(picture.#backend, undefined);
-    const story = picture.#read(engine);
+    const story = picture.#reader.read(engine);
     picture.#engine = engine;
     picture.#lost = true;
     events.lost(false);
@@ -107,7 +98,7 @@ export class Picture {
   async tell(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
     const engine = this.#engine;
     if (engine === undefined || this.#canvas === undefined) return undefined;
-    const before = this.#files.figure;
+    const before = this.#reader.files.figure;
     const same = before.glb === files.figure.glb && before.name === files.figure.name;
     // Its pictures may still be decoded: they are those of this very figure.
     const told = same ? { ...files, figure: before } : files;
@@ -115,10 +106,10 @@ export class Picture {
     this.#asked.openEnded = false;
     let story: Story;
     try {
-      story = this.#read(engine, told, same);
-      this.#files = told;
+      story = this.#reader.read(engine, told, same);
+      this.#reader.files = told;
       await told.animations.fetch(engine);
-      story = this.#animate(engine, story) ?? story;
+      story = this.#reader.animate(engine, story) ?? story;
     } catch (error) {
       if (!isTrap(error)) throw error;
       console.warn('raconteur: the engine failed', error);
@@ -126,7 +117,7 @@ export class Picture {
     }
     this.#restart(engine);
     events.canvas(this.#canvas);
-    return { story, missing: await (same ? this.#decoded : this.#decode(engine)) };
+    return { story, missing: await (same ? this.#images.missing : this.#images.decode(engine)) };
   }
 
   /** Goes on with the next back end, if there is one. */
@@ -138,9 +129,9 @@ export class Picture {
 
   /** As if nothing had been shown yet. */
   #restart(engine: Engine): void {
-    this.#lastShown = this.#lastAsked = this.#recoveries = 0;
+    this.#lastShown = this.#recoveries = 0;
     this.firstShownMs = undefined;
-    engine.setResting((this.#resting = true));
+    this.#pace.restart(engine);
     engine.seek(0);
   }
 
@@ -200,16 +191,16 @@ export class Picture {
   rehearse(eml: string, motion: number | undefined, roomy: boolean): Story | undefined {
     this.#asked.motion = motion;
     this.#asked.roomy = roomy;
-    this.#files = { ...this.#files, eml, edited: true };
-    const story = this.#guard((engine) => this.#reread(engine, this.#files));
+    this.#reader.files = { ...this.#reader.files, eml, edited: true };
+    const story = this.#guard((engine) => this.#reader.reread(engine));
     this.seek(this.#lastShown);
     return story;
   }
 
   /** The story with another voice; undefined while there is no engine: the next one reads it. */
   voiced(bundle: Uint8Array): Story | undefined {
-    this.#files = { ...this.#files, bundle };
-    const story = this.#guard((engine) => (this.#files.edited ? this.#reread(engine, this.#files) : this.#read(engine, this.#files, true)));
+    this.#reader.files = { ...this.#reader.files, bundle };
+    const story = this.#guard((engine) => (this.#reader.files.edited ? this.#reader.reread(engine) : this.#reader.read(engine, this.#reader.files, true)));
     this.seek(this.#lastShown);
     return story;
   }
@@ -221,13 +212,13 @@ export class Picture {
 
   /** Takes the speech of fragments that will come. */
   hear(bundle: Uint8Array): void {
-    if (this.#guard((engine) => engine.hear(bundle))) this.#files = { ...this.#files, bundle };
+    if (this.#guard((engine) => engine.hear(bundle))) this.#reader.files = { ...this.#reader.files, bundle };
   }
 
   /** Performs a fragment of EML; undefined while there is no engine. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
     const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
-    this.#guard((engine) => this.#animate(engine, undefined));
+    this.#guard((engine) => this.#reader.animate(engine, undefined));
     return performed;
   }
 
@@ -248,15 +239,15 @@ export class Picture {
   async setFigure(figure: FigureFile): Promise<{ story: Story; missing: Diagnostic[] }> {
     const engine = this.#engine;
     if (engine === undefined) throw new PlayerError('The picture is lost, so the figure cannot be changed.');
-    const files = { ...this.#files, figure };
+    const files = { ...this.#reader.files, figure };
     let story: Story;
     // Who comes has a face of its own.
-    const face = this.#face;
-    this.#face = undefined;
+    const { face } = this.#given;
+    this.#given.face = undefined;
     try {
-      story = this.#read(engine, files);
+      story = this.#reader.read(engine, files);
     } catch (error) {
-      this.#face = face;
+      this.#given.face = face;
       // A trap may have left anything behind; an error has left everything as it was.
       if (isTrap(error)) {
         this.#engine = undefined;
@@ -264,40 +255,34 @@ export class Picture {
       }
       throw error;
     }
-    this.#files = files;
+    this.#reader.files = files;
     engine.seek(this.#lastShown);
-    return { story, missing: await this.#decode(engine) };
+    return { story, missing: await this.#images.decode(engine) };
   }
 
   /** Gives the figure a face of a face model, or its own again; `lent` are the files of figures that lend it hair. Resolves when that can be drawn as it is. */
   async setFace(face: FigureFace | undefined, lent: Lent): Promise<void> {
-    const before = this.#face;
+    const before = this.#given.face;
     const engine = this.#engine;
-    this.#face = face;
-    this.#lent = lent;
+    this.#given.face = face;
+    this.#given.lent = lent;
     if (engine === undefined) return;
     try {
-      if (face !== undefined) applyFace(engine, face, lent);
-      else if (before !== undefined) this.#read(engine);
+      if (face !== undefined) this.#given.apply(engine);
+      else if (before !== undefined) this.#reader.read(engine);
     } catch (error) {
-      this.#face = before;
+      this.#given.face = before;
       throw error;
     }
     this.seek(this.#lastShown);
     // Its own face is in its file, and comes with pictures anew.
-    if (face === undefined && before !== undefined) await this.#decode(engine);
-    else await this.#paintOver(engine);
+    if (face === undefined && before !== undefined) await this.#images.decode(engine);
+    else await this.#images.paint(engine);
   }
 
-  async #paintOver(engine: Engine): Promise<void> {
-    const [figure, paint] = [this.#files.figure, this.#paint];
-    await paint.put(engine, this.#face ?? {}, () => engine === this.#engine && figure === this.#files.figure && paint === this.#paint);
-  }
-
-  /** What a file of the figure with its face is made of; undefined while it has its own. */
-  async faceFile(name: string): Promise<FaceFile | undefined> {
-    const face = this.#face;
-    return face === undefined ? undefined : { name, glb: this.#files.figure.glb, face, lent: this.#lent, painted: await this.#paint.file() };
+  /** A file of the figure with its face; undefined while it has its own. */
+  async faceFile(name: string): Promise<Uint8Array | undefined> {
+    return await this.#given.file(name, this.#reader.files.figure.glb);
   }
 
   /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below. */
@@ -319,33 +304,9 @@ export class Picture {
     this.#guard((engine) => engine.setLight(name, turn));
   }
 
-  /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
-  #decode(engine: Engine): Promise<Diagnostic[]> {
-    return (this.#decoded = this.#decodeNow(engine));
-  }
-
-  async #decodeNow(engine: Engine): Promise<Diagnostic[]> {
-    const figure = this.#files.figure;
-    const current = () => figure === this.#files.figure && !this.#closed;
-    this.#holding = true;
-    const missing = await showImages(engine, current);
-    if (current()) {
-      this.#paint = new Paint();
-      await this.#paintOver(engine);
-    }
-    // The pictures of a later figure may still be decoded; it lifts the hold itself.
-    if (current()) this.#holding = false;
-    return missing;
-  }
-
-  /** What the canvas shows, if it was drawn just now: a canvas forgets its picture when it has gone to the screen. */
+  /** What the canvas shows, if it was drawn just now. */
   copy(): HTMLCanvasElement | undefined {
-    const from = this.#canvas;
-    if (from === undefined || from.width === 0 || from.height === 0) return undefined;
-    const to = document.createElement('canvas');
-    [to.width, to.height] = [from.width, from.height];
-    to.getContext('2d')?.drawImage(from, 0, 0);
-    return to;
+    return this.#canvas && copyOf(this.#canvas);
   }
 
   /** Size of the canvas in CSS pixels. */
@@ -357,13 +318,6 @@ export class Picture {
   #fit(engine: Engine): void {
     const { width, height } = this.#size;
     if (width > 0) engine.resize(width, height, Math.min(MOST_DPR, window.devicePixelRatio || 1));
-  }
-
-  /** Tells the engine how fast pictures come while the story plays on screen; it draws more simply where they are slow. */
-  #keepPace(engine: Engine, running: boolean): void {
-    const now = performance.now();
-    if (running && this.#lastAsked > 0) engine.reportFrame(now - this.#lastAsked);
-    this.#lastAsked = running ? now : 0;
   }
 
   /** Moves without passing the cues between. */
@@ -386,12 +340,12 @@ export class Picture {
     return (
       this.#guard((engine) => {
         // What is passed while nothing is shown is told of with the next picture.
-        if (this.#holding) return [];
+        if (this.#images.pending) return [];
         this.#lastShown = secs;
         // A face that changes is no picture that stands still.
-        const isStill = resting && this.#face?.moves !== true;
-        if (isStill !== this.#resting) engine.setResting((this.#resting = isStill));
-        this.#keepPace(engine, running);
+        const isStill = resting && !this.#given.moves;
+        this.#pace.rest(engine, isStill);
+        this.#pace.keep(engine, running);
         this.#shown(engine.tick(secs));
         return resting ? [] : engine.drainEvents();
       }) ?? []
@@ -411,10 +365,10 @@ export class Picture {
 
   #wait(draw: (engine: Engine) => number): void {
     this.#guard((engine) => {
-      if (this.#holding) return;
+      if (this.#images.pending) return;
       // Few pictures, so each has the time for every pixel.
-      if (!this.#resting) engine.setResting((this.#resting = true));
-      this.#keepPace(engine, false);
+      this.#pace.rest(engine, true);
+      this.#pace.keep(engine, false);
       this.#shown(draw(engine));
     });
   }
@@ -457,7 +411,7 @@ export class Picture {
     if (this.#engine !== undefined) return;
     try {
       const engine = await createEngine(this.#backend, undefined);
-      this.#read(engine);
+      this.#reader.read(engine);
       engine.seek(this.#lastShown);
       if (this.#closed) release(engine);
       else this.#engine = engine;
@@ -468,6 +422,7 @@ export class Picture {
 
   close(): void {
     this.#closed = true;
+    this.#images.close();
     if (this.#engine !== undefined) release(this.#engine);
     this.#engine = undefined;
     const canvas = this.#canvas;
@@ -477,25 +432,21 @@ export class Picture {
     if (canvas !== undefined) giveBack(canvas, this.#backend);
   }
 
-  /** A lost canvas keeps its dead context, so each try has a canvas of its own. */
   async #create(): Promise<{ story: Story; missing: Diagnostic[] }> {
-    const canvas = document.createElement('canvas');
-    canvas.setAttribute('aria-hidden', 'true');
-    canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
+    const canvas = newCanvas(() => {
       if (canvas === this.#canvas) void this.recover();
     });
     this.#events.canvas(canvas);
     let engine: Engine | undefined;
     try {
       engine = await createEngine(this.#backend, canvas);
-      let story = this.#read(engine);
+      let story = this.#reader.read(engine);
       // The first picture has its animations, if they come soon.
-      await this.#files.animations.fetch(engine);
+      await this.#reader.files.animations.fetch(engine);
       engine.setQuality(this.#asked.quality);
-      engine.setResting(this.#resting);
-      const missing = await this.#decode(engine);
-      story = this.#animate(engine, story) ?? story;
+      this.#pace.pass(engine);
+      const missing = await this.#images.decode(engine);
+      story = this.#reader.animate(engine, story) ?? story;
       this.#engine = engine;
       this.#canvas = canvas;
       this.#fit(engine);
@@ -507,53 +458,15 @@ export class Picture {
     }
   }
 
-  /** `kept`: the figure is on stage already. */
-  #read(engine: Engine, files = this.#files, kept = false): Story {
-    const { eml, bundle, figure, edited, language, problem } = files;
-    const motion = this.#asked.life;
-    this.#asked.prepare(engine);
-    engine.setHandedness(figure.handedness ?? '');
-    engine.setLanguage(language);
-    try {
-      const told = kept ? engine.tell(eml, bundle, motion) : undefined;
-      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
-      if (told === undefined && this.#face !== undefined) applyFace(engine, this.#face, this.#lent);
-      engine.setOpenEnded(this.#asked.openEnded);
-      // An edited text is shown with room for what it may become.
-      if (edited) return this.#reread(engine, files);
-      const animated = this.#animate(engine, story, files) ?? story;
-      return problem === undefined ? animated : { ...animated, diagnostics: [problem, ...animated.diagnostics] };
-    } catch (error) {
-      // An engine throws for a figure alone; all else is in diagnostics.
-      if (error instanceof PlayerError) throw error;
-      throw isTrap(error) ? trapError(engine, files, error) : unusable(figure.where, error);
-    }
-  }
-
-  #reread(engine: Engine, files: StoryFiles): Story {
-    const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
-    if (story === undefined) throw new PlayerError('Nobody is on stage.');
-    engine.setOpenEnded(this.#asked.openEnded);
-    return this.#animate(engine, story, files) ?? story;
-  }
-
-  /** Hands the engine the animations that have come, and when others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
-  #animate(engine: Engine, story: Story | undefined, files = this.#files): Story | undefined {
-    const told = files.animations.provide(engine, files.eml);
-    this.#follow(engine, story === undefined, files);
-    if (told === undefined || story === undefined) return story;
-    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
-  }
-
   /** Takes animations that come later. */
   #follow(engine: Engine, live: boolean, { animations, eml }: StoryFiles): void {
     void animations.next(engine)?.then(() => {
-      if (engine !== this.#engine || eml !== this.#files.eml || animations !== this.#files.animations) return;
+      if (engine !== this.#engine || eml !== this.#reader.files.eml || animations !== this.#reader.files.animations) return;
       // What comes to a text that is edited is there from its beginning; else it eases in.
-      const anew = this.#files.edited === true && !live;
-      const later = this.#guard(() => (anew ? this.#reread(engine, this.#files) : animations.provide(engine, eml)));
+      const anew = this.#reader.files.edited === true && !live;
+      const later = this.#guard(() => (anew ? this.#reader.reread(engine) : animations.provide(engine, eml)));
       if (anew) this.seek(this.#lastShown);
-      else this.#follow(engine, live, this.#files);
+      else this.#follow(engine, live, this.#reader.files);
       if (later !== undefined) this.#events.retold(later, live, anew);
     });
   }
@@ -565,7 +478,7 @@ export class Picture {
     try {
       return use(engine);
     } catch (error) {
-      const failure = isTrap(error) ? trapError(engine, this.#files, error) : error;
+      const failure = isTrap(error) ? trapError(engine, this.#reader.files, error) : error;
       console.error('raconteur: the engine failed', failure);
       this.#events.failed(failure instanceof Error ? failure.message : String(failure));
       this.#engine = undefined;

@@ -2,6 +2,41 @@
 
 import type { Voice } from './voice.js';
 
+/** All of them of one player, and the size of its picture. */
+export class Outputs {
+  readonly frames = new FrameCallbacks();
+  readonly capture = new Capture();
+  readonly #window = new PictureInPicture(this.capture);
+  #size = { width: 0, height: 0 };
+
+  /** That of the picture, device pixels; 0 before there is one. */
+  get size(): { readonly width: number; readonly height: number } {
+    return this.#size;
+  }
+
+  /** Another canvas, voice or size may be there; whether the size is another. */
+  follow(playing: Playing): boolean {
+    this.capture.follow(playing);
+    const { width = 0, height = 0 } = playing.canvas ?? {};
+    if (width === this.#size.width && height === this.#size.height) return false;
+    this.#size = { width, height };
+    return true;
+  }
+
+  /** A picture of a moment was drawn, where there is a picture. */
+  drawn(secs: number): void {
+    if (this.#size.width > 0) this.frames.drawn(secs, this.#size);
+  }
+
+  /** Shows the picture in a window over all others; `tell` is told when it comes and goes. Rejects as a `<video>` does. */
+  async openWindow(root: ShadowRoot, isDisabled: boolean, tell: (event: Event) => void): Promise<PictureInPictureWindow> {
+    if (!document.pictureInPictureEnabled) throw new DOMException('This browser, or this page, has no picture in picture.', 'NotSupportedError');
+    if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
+    if (isDisabled) throw new DOMException('The page does not want it.', 'InvalidStateError');
+    return await this.#window.open(root, tell);
+  }
+}
+
 /** What was drawn, for `requestVideoFrameCallback`. */
 type FrameCallback = (nowMs: number, frame: VideoFrameCallbackMetadata) => void;
 
@@ -44,7 +79,7 @@ export class FrameCallbacks {
 }
 
 /** What plays now. */
-export interface Playing {
+interface Playing {
   readonly canvas: HTMLCanvasElement | undefined;
   readonly voice: Voice | undefined;
 }
@@ -53,7 +88,7 @@ export interface Playing {
  * Streams of picture and sound. They follow the player to its next canvas and its next story; those with sound, which pages
  * have asked for, end with the story (https://w3c.github.io/mediacapture-fromelement/).
  */
-export class Capture {
+class Capture {
   readonly #streams: { readonly stream: MediaStream; readonly rate: number | undefined; readonly hasSound: boolean }[] = [];
   #playing: Playing = { canvas: undefined, voice: undefined };
   #isLive = true;
@@ -107,7 +142,7 @@ function empty(stream: MediaStream): void {
 }
 
 /** A window over all others that shows the player's picture (https://w3c.github.io/picture-in-picture/). */
-export class PictureInPicture {
+class PictureInPicture {
   #video: HTMLVideoElement | undefined;
   readonly #capture: Capture;
 

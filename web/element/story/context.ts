@@ -7,7 +7,8 @@ import type { PlayerEventMap } from '../base/events.js';
 import type { Credentials } from '../base/fetching.js';
 import type { MindEvent } from '../base/mind-events.js';
 import type { Show } from './show.js';
-import type { Backend, Hand, PoseNumbers, Question, Story, View } from '../base/types.js';
+import type { Question } from '../base/questions.js';
+import type { Backend, Hand, PoseNumbers, Story, View } from '../base/types.js';
 
 /** The element as its parts know it: attributes they read, and what they have it do. */
 export interface PlayerHost extends LitElement {
@@ -22,6 +23,7 @@ export interface PlayerHost extends LitElement {
   readonly captions: boolean;
   readonly autoplay: boolean;
   readonly preload: string;
+  readonly loading: 'lazy' | 'eager';
   readonly crossOrigin: string | null;
   readonly sinkId: string;
   readonly paused: boolean;

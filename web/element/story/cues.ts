@@ -4,7 +4,7 @@ import { fire, wordsFor, type PlayerContext } from './context.js';
 import { dispatch, takeBackSeek } from '../media/media-events.js';
 import type { Show } from './show.js';
 import type { TransportEvent } from '../media/transport.js';
-import type { Cue } from '../base/types.js';
+import type { Cue } from '../base/performance.js';
 
 /** Tells a cue to the mind and to the page. */
 export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, show: Show): void {

@@ -8,7 +8,8 @@ import type { FigureFile } from '../engine/figure.js';
 import { fetchFigure, type Wanted } from '../engine/loader.js';
 import type { Show } from './show.js';
 import { updateMusic } from './sound.js';
-import { PlayerError, type Backend, type FigureFace } from '../base/types.js';
+import type { FigureFace } from '../base/face-types.js';
+import { PlayerError, type Backend } from '../base/types.js';
 
 /** Names in the library have no other letters. */
 const LIBRARY_NAME = /^[\w-]+$/;

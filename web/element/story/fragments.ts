@@ -6,7 +6,7 @@ import { dispatch } from '../media/media-events.js';
 import { passCue } from './cues.js';
 import type { Show } from './show.js';
 import { speakFragment, substituteVoice, updateMusic } from './sound.js';
-import type { Answer, Interruption } from '../base/types.js';
+import type { Answer, Interruption } from '../base/performance.js';
 
 /** Senders of fragments, as the engine tells them apart. */
 export const Sender = { Page: 0, Mind: 1 } as const;

@@ -4,7 +4,8 @@ import { openInstance, type TellingFunctions } from '../engine/backend.js';
 import { languageOf, type PlayerContext } from './context.js';
 import { perform, Sender } from './fragments.js';
 import type { Show } from './show.js';
-import type { Answer, Diagnostic, Words } from '../base/types.js';
+import type { Answer } from '../base/performance.js';
+import type { Diagnostic, Words } from '../base/types.js';
 
 /** A longer text is told so far. */
 const MOST_CHARACTERS = 100_000;

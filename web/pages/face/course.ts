@@ -1,7 +1,7 @@
 /** What the strip draws of a course: dominance, and the curves that move most. */
 
 import { curvesOf, DIRECT_CONTROLS, type DirectControl, type FaceCurves, type Segment } from '../../element/face/course.js';
-import type { FaceCourse } from '../../element/base/types.js';
+import type { FaceCourse } from '../../element/base/face-types.js';
 import { MUSCLE_ORDER, namesOf } from './dials.js';
 
 /** Dominance of a segment at a time: α·exp(−θ·|τ|), full while it is held (F&H 3.1.3). */

@@ -2,7 +2,8 @@
 
 import { type Caption, captionAt, captionsOf } from '../../element/captions/captions.js';
 import type { PlayerEventMap, RaconteurPlayer } from '../../element/index.js';
-import type { FaceCourse, Utterance } from '../../element/base/types.js';
+import type { FaceCourse } from '../../element/base/face-types.js';
+import type { Utterance } from '../../element/base/types.js';
 import { corrected, guessed, matches, scriptOf, scriptOfTexts } from './script.js';
 
 /** Where home.css gives the lines a place. */

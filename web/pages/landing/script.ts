@@ -1,7 +1,8 @@
 /** What a story says and when, before it is said: the words of its speech bundle, at the times that the engine has for them. */
 
 import { type Segment, segmentsOf } from '../../element/face/course.js';
-import type { FaceCourse, Utterance, Word } from '../../element/base/types.js';
+import type { FaceCourse } from '../../element/base/face-types.js';
+import type { Utterance, Word } from '../../element/base/types.js';
 
 /** Of `speech.json` what is read here; docs/speech-bundle.md tells of all. */
 interface Bundle {

@@ -1,7 +1,7 @@
 /** The page of the composite editor: the element, and what a page of its own adds. */
 
-import { onUndoKeys } from '../pages/workbench.js';
-import { register } from './register.js';
+import { onUndoKeys } from '../workbench.js';
+import { register } from '../../composite/register.js';
 
 register('../assets/');
 const editor = document.querySelector('raconteur-composite');

@@ -1,0 +1,64 @@
+/** How an engine is told what it is to show. */
+
+import type { Asked } from './asked.js';
+import { unusable } from '../engine/figure.js';
+import type { StoryFiles } from '../engine/loader.js';
+import { isTrap, trapError } from '../engine/trap.js';
+import type { GivenFace } from '../face/given-face.js';
+import type { Engine } from '../base/engine.js';
+import { PlayerError, type Story } from '../base/types.js';
+
+/** Has engines read the files of a story, as the page has asked for it and with the face that the figure was given. */
+export class StoryReader {
+  files: StoryFiles;
+  readonly #asked: Asked;
+  readonly #given: GivenFace;
+  /** Takes animations that come later; `live`: they are of live clauses. */
+  readonly #follow: (engine: Engine, live: boolean, files: StoryFiles) => void;
+
+  constructor(files: StoryFiles, asked: Asked, given: GivenFace, follow: (engine: Engine, live: boolean, files: StoryFiles) => void) {
+    this.files = files;
+    this.#asked = asked;
+    this.#given = given;
+    this.#follow = follow;
+  }
+
+  /** `kept`: the figure is on stage already. */
+  read(engine: Engine, files = this.files, kept = false): Story {
+    const { eml, bundle, figure, edited, language, problem } = files;
+    const motion = this.#asked.life;
+    this.#asked.prepare(engine);
+    engine.setHandedness(figure.handedness ?? '');
+    engine.setLanguage(language);
+    try {
+      const told = kept ? engine.tell(eml, bundle, motion) : undefined;
+      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
+      if (told === undefined) this.#given.apply(engine);
+      engine.setOpenEnded(this.#asked.openEnded);
+      // An edited text is shown with room for what it may become.
+      if (edited) return this.reread(engine, files);
+      const animated = this.animate(engine, story, files) ?? story;
+      return problem === undefined ? animated : { ...animated, diagnostics: [problem, ...animated.diagnostics] };
+    } catch (error) {
+      // An engine throws for a figure alone; all else is in diagnostics.
+      if (error instanceof PlayerError) throw error;
+      throw isTrap(error) ? trapError(engine, files, error) : unusable(figure.where, error);
+    }
+  }
+
+  /** Has the figure on stage read the text as one that is edited. */
+  reread(engine: Engine, files = this.files): Story {
+    const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
+    if (story === undefined) throw new PlayerError('Nobody is on stage.');
+    engine.setOpenEnded(this.#asked.openEnded);
+    return this.animate(engine, story, files) ?? story;
+  }
+
+  /** Hands the engine the animations that have come, and when others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
+  animate(engine: Engine, story: Story | undefined, files = this.files): Story | undefined {
+    const told = files.animations.provide(engine, files.eml);
+    this.#follow(engine, story === undefined, files);
+    if (told === undefined || story === undefined) return story;
+    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
+  }
+}
