@@ -4,11 +4,11 @@ use std::cell::RefCell;
 
 use anyhow::{Result, anyhow, bail};
 use js_sys::{Array, Float32Array, Function, Int16Array, Object, Reflect, Uint8Array};
-use raconteur_voice::bake::engine::espeak::{self, Espeak, Event, Synthesis, Traced, What};
-use raconteur_voice::bake::engine::flite::{self, Flite, Output, SOUND};
-use raconteur_voice::bake::engine::kokoro::{self, Kokoro};
+use raconteur_voice::bake::engine::espeak::{self, Event, Synthesis, Traced, What};
+use raconteur_voice::bake::engine::flite::{self, Output, SOUND};
+use raconteur_voice::bake::engine::kokoro;
 use raconteur_voice::bake::engine::server::{self, Server};
-use raconteur_voice::bake::engine::{Engine, Pending};
+use raconteur_voice::bake::engine::{Engine, Machine, Pending, hosted};
 use wasm_bindgen::prelude::*;
 
 thread_local! {
@@ -19,10 +19,10 @@ thread_local! {
 /// The engine of a name, run by `host`: a class of `web/speech` or of a package.
 pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
     HOST.set(Some(host));
+    if let Some(engine) = hosted(name, &Worker) {
+        return Ok(engine);
+    }
     Ok(match name {
-        "flite" => Box::new(Flite(Worker)),
-        "espeak-ng" => Box::new(Espeak(Worker)),
-        "kokoro" => Box::new(Kokoro(Worker)),
         "server" => Box::new(Server(Worker)),
         _ => bail!("no engine {name:?} speaks in a page"),
     })
@@ -30,6 +30,20 @@ pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
 
 /// The engine in the worker.
 struct Worker;
+
+impl Machine for Worker {
+    fn kokoro(&self) -> impl kokoro::Host + 'static {
+        Self
+    }
+
+    fn flite(&self) -> impl flite::Host + 'static {
+        Self
+    }
+
+    fn espeak(&self) -> impl espeak::Host + 'static {
+        Self
+    }
+}
 
 /// Calls a function of the host.
 fn call(name: &str, arguments: &[JsValue]) -> Result<JsValue> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Lines after which a file holds a second idea; generated tables are exempt and say so
 /// on their first line.
-const LONGEST: usize = 600;
+const LONGEST: usize = 500;
 
 /// Folders that are made, not written.
 const MADE: [&str; 7] = [

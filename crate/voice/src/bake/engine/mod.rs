@@ -28,6 +28,7 @@ mod loudness;
 mod mary;
 mod matching;
 mod recording;
+mod registry;
 mod scheme;
 pub mod server;
 mod wave;
@@ -35,11 +36,12 @@ mod wave;
 pub use absent::Absent;
 #[cfg(not(target_arch = "wasm32"))]
 pub use kokoro_network::look_in;
+pub use registry::{ENGINES, Machine, by_name, hosted};
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::Result;
 
 pub use crate::content::Gender;
 use crate::plan::Plan;
@@ -48,6 +50,7 @@ use raconteur_eml::nearest;
 use raconteur_speech::bundle::SentenceKind;
 
 use super::program::Missing;
+use registry::LOCAL_ENGINES;
 
 /// Most characters that are read of a token; the baker parts longer ones.
 const MOST_CHARACTERS: usize = 40;
@@ -155,16 +158,6 @@ pub trait Engine: Sync {
 #[error("the voice is not ready yet")]
 pub struct Pending;
 
-/// The names that [`by_name`] knows.
-pub const ENGINES: [&str; 6] = [
-    "kokoro",
-    "festival",
-    "flite",
-    "espeak-ng",
-    "marytts",
-    "recordings",
-];
-
 /// What some engines need to know.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct EngineOptions {
@@ -183,49 +176,19 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
     Ok((wave.samples, wave.rate_hz))
 }
 
-/// The engine of a name.
-///
-/// # Errors
-/// When there is none, or when it lacks an option.
-pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
-    Ok(match name {
-        "kokoro" => Box::new(kokoro::Kokoro(kokoro_network::Installed::default())),
-        "festival" => Box::new(festival::Festival),
-        "flite" => Box::new(flite::Flite(flite::Installed)),
-        "espeak-ng" => Box::new(espeak::Espeak(espeak_library::Installed)),
-        "marytts" => {
-            ensure!(
-                !options.server.is_empty(),
-                "the engine marytts needs the address of a server, host:port"
-            );
-            Box::new(mary::Mary::new(&options.server)?)
-        }
-        "recordings" => {
-            let folder = options.recordings.clone();
-            let folder =
-                folder.context("the engine recordings needs the folder that they lie in")?;
-            Box::new(recording::Recordings::new(folder))
-        }
-        _ => bail!("no engine {name:?}; there are {}", ENGINES.join(", ")),
-    })
-}
-
 /// An engine that runs on this machine: its name, and its voices or what it lacks.
 type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
 
 /// The engines that run on this machine, in the order in which they are preferred. They are queried
 /// once.
-pub fn local() -> &'static [Local; 4] {
-    static LOCAL: OnceLock<[Local; 4]> = OnceLock::new();
+pub fn local() -> &'static [Local] {
+    static LOCAL: OnceLock<[Local; LOCAL_ENGINES.len()]> = OnceLock::new();
     LOCAL.get_or_init(|| {
-        let kokoro = kokoro::Kokoro(kokoro_network::Installed::default());
-        let asked: [(&str, &dyn Engine); 4] = [
-            ("kokoro", &kokoro),
-            ("festival", &festival::Festival),
-            ("flite", &flite::Flite(flite::Installed)),
-            ("espeak-ng", &espeak::Espeak(espeak_library::Installed)),
-        ];
-        asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))
+        let options = EngineOptions::default();
+        LOCAL_ENGINES.map(|name| {
+            let voices = by_name(name, &options).and_then(|engine| engine.voices());
+            (name, voices.map_err(|error| Missing::of(&error)))
+        })
     })
 }
 
