@@ -16,7 +16,7 @@ use crate::lines::Lines;
 use crate::overlay::Overlay;
 use crate::pipeline::{SharedResources, is_bare};
 use crate::refusal::Refusal;
-use crate::shadow::ShadowView;
+use crate::shadow::{ShadowView, Subject};
 use crate::target::{TargetKind, Targets};
 use crate::tier::Tier;
 use crate::uniform::{FrameUniform, stand_in_world};
@@ -292,19 +292,16 @@ impl Renderer {
     fn send(&mut self, frame: &Frame, size: (u32, u32)) {
         let stature_m = self.figure.as_ref().map_or(1.7, |f| f.stature_m);
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
-        let stand = stand_in_world(frame);
+        let subject = Subject {
+            camera: &frame.camera,
+            view: &view,
+            stand_in_world: stand_in_world(frame),
+            stature_m,
+        };
+        let softness = f64::from(frame.lighting.softness);
         let texels = self.tier.shadow_texels;
-        let shadows = [&frame.lighting.key, &frame.lighting.rim].map(|light| {
-            ShadowView::new(
-                light,
-                f64::from(frame.lighting.softness),
-                &frame.camera,
-                &view,
-                stand,
-                stature_m,
-                texels,
-            )
-        });
+        let shadows = [&frame.lighting.key, &frame.lighting.rim]
+            .map(|light| ShadowView::new(light, softness, &subject, texels));
         let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, size);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);
