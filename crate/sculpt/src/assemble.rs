@@ -194,16 +194,37 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
                 .map(|i| i + base),
         );
     }
+    append_morphs(mesh, base, part, &seams, &positions, morph_names);
+    if !part.bound.is_empty() {
+        let binding = mesh.binding.get_or_insert_with(|| Binding {
+            starts: vec![0],
+            ..Binding::default()
+        });
+        bind(binding, base, &part.bound);
+    }
+    mesh.morphs.retain(|m| !m.vertices.is_empty());
+    mesh.morphs.sort_by_key(|m| m.target);
+}
+
+/// Adds the morphs of a part whose vertices begin at `base`.
+fn append_morphs(
+    mesh: &mut Mesh,
+    base: u32,
+    part: &MeshPart,
+    seams: &Seams,
+    positions: &[DVec3],
+    morph_names: &[String],
+) {
     for morph in &part.morphs {
         let Ok(target) = morph_names.binary_search(&morph.name) else {
             continue;
         };
-        let mut moved = positions.clone();
+        let mut moved = positions.to_vec();
         for &(v, d) in &morph.deltas {
             moved[v as usize] += d;
         }
         let turned = seams.normals(&moved, &part.faces);
-        let rest = seams.normals(&positions, &part.faces);
+        let rest = seams.normals(positions, &part.faces);
         let slot = mesh
             .morphs
             .iter()
@@ -234,15 +255,6 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
             }
         }
     }
-    if !part.bound.is_empty() {
-        let binding = mesh.binding.get_or_insert_with(|| Binding {
-            starts: vec![0],
-            ..Binding::default()
-        });
-        bind(binding, base, &part.bound);
-    }
-    mesh.morphs.retain(|m| !m.vertices.is_empty());
-    mesh.morphs.sort_by_key(|m| m.target);
 }
 
 /// Nodes that one vertex follows at most: those of the smallest weights are left out.

@@ -41,6 +41,14 @@ struct Lock {
     character: [f64; 4],
 }
 
+/// A hair that is about to grow: its layer and the layer's number, its root, its chances.
+struct Hair<'a> {
+    layer: &'a Layer,
+    number: u64,
+    root: &'a Root,
+    dice: Dice,
+}
+
 /// What grows on one head.
 pub(super) struct Grower<'a> {
     pub(super) space: &'a Space,
@@ -83,7 +91,16 @@ impl Grower<'_> {
         for (number, layer) in (0..).zip(self.style.layers) {
             let roots = spread(self.places, |r| self.spacing(layer, r));
             for (i, root) in (0..).zip(roots) {
-                out.extend(self.strand(layer, number, &root, &locks, i));
+                let hair = Hair {
+                    layer,
+                    number,
+                    root: &root,
+                    dice: Dice {
+                        seed: self.params.seed + 1000 * (number + 1),
+                        i,
+                    },
+                };
+                out.extend(self.strand(&hair, &locks));
             }
         }
         out.extend(self.baby_hairs());
@@ -167,36 +184,24 @@ impl Grower<'_> {
     }
 
     /// One card, unless what grew is no hair that anyone would wear.
-    fn strand(
-        &self,
-        layer: &Layer,
-        number: u64,
-        root: &Root,
-        locks: &[Lock],
-        i: i64,
-    ) -> Option<Card> {
-        let dice = Dice {
-            seed: self.params.seed + 1000 * (number + 1),
-            i,
-        };
+    fn strand(&self, hair: &Hair<'_>, locks: &[Lock]) -> Option<Card> {
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
-        let g = self.growth(layer, root, &dice);
+        let g = self.growth(hair);
         let mut path = grow(self.space, self.field, &g, self.params.seed);
         smooth(&mut path, if self.is_short() { 1 } else { 4 });
         let lock = locks.iter().min_by(|a, b| {
-            let d = |l: &Lock| l.root.distance_squared(root.position);
+            let d = |l: &Lock| l.root.distance_squared(hair.root.position);
             d(a).total_cmp(&d(b))
         })?;
-        self.gather(&mut path, lock, layer.gather, g.length);
-        self.wave(&mut path, lock, 0.12 * dice.bell(1));
+        self.gather(&mut path, lock, hair.layer.gather, g.length);
+        self.wave(&mut path, lock, 0.12 * hair.dice.bell(1));
         if matches!(self.style.comb, Comb::Parted) {
             for p in &mut path {
                 *p = off_face(*p);
             }
         }
         smooth(&mut path, if self.is_short() { 1 } else { 5 });
-        let ends = [dice.unit(3), dice.unit(4)];
-        let length = self.cut(&mut path, root, layer, g.length, &ends)?;
+        let length = self.cut(&mut path, hair, g.length)?;
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * g.step;
             *p = self.space.pushed(
@@ -213,12 +218,15 @@ impl Grower<'_> {
         if !self.is_wearable(&path, length) {
             return None;
         }
-        let laid = self.laid(layer, number, root, lock, &dice, length);
+        let laid = self.laid(hair, lock, length);
         Some(Card::along(self.space, &path, g.step, &laid))
     }
 
     /// How a hair of a layer grows from a root.
-    fn growth(&self, layer: &Layer, root: &Root, dice: &Dice) -> Growth {
+    fn growth(&self, hair: &Hair<'_>) -> Growth {
+        let Hair {
+            layer, root, dice, ..
+        } = hair;
         let edge = step(0.0, 0.018, root.inside);
         let parting = self.field.off_parting(root.position);
         let full = self.length(root.position) * layer.length;
@@ -263,15 +271,13 @@ impl Grower<'_> {
     }
 
     /// What a card of this length looks like.
-    fn laid(
-        &self,
-        layer: &Layer,
-        number: u64,
-        root: &Root,
-        lock: &Lock,
-        dice: &Dice,
-        length: f64,
-    ) -> Laid {
+    fn laid(&self, hair: &Hair<'_>, lock: &Lock, length: f64) -> Laid {
+        let Hair {
+            layer,
+            number,
+            root,
+            dice,
+        } = hair;
         let edge = step(0.0, 0.018, root.inside);
         let parting = self.field.off_parting(root.position);
         let is_short = self.is_short();
@@ -308,7 +314,7 @@ impl Grower<'_> {
             is_mirrored: dice.unit(9) < 0.5,
             roll: layer.roll * dice.bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
             tint: (0.5 + vary * (lock.character[3] + dice.bell(3))).clamp(0.0, 1.0),
-            layer: number as usize,
+            layer: *number as usize,
             whole: length,
         }
     }
@@ -367,14 +373,9 @@ impl Grower<'_> {
     }
 
     /// Where the hair ends, metres from its root; turns the ends of a hem in.
-    fn cut(
-        &self,
-        path: &mut [DVec3],
-        root: &Root,
-        layer: &Layer,
-        length: f64,
-        dice: &[f64; 2],
-    ) -> Option<f64> {
+    fn cut(&self, path: &mut [DVec3], hair: &Hair<'_>, length: f64) -> Option<f64> {
+        let Hair { layer, root, .. } = hair;
+        let dice = [3, 4].map(|k| hair.dice.unit(k));
         let step_m = self.step();
         let last = (path.len() - 2) as f64 * step_m;
         let cut = match self.style.length {

@@ -313,6 +313,27 @@ fn girth_mm(hand: &Hand, at_mm: f64, keep: impl Fn(usize) -> bool) -> f64 {
     sum
 }
 
+fn within(what: &str, value: f64, (mean, sd): (f64, f64)) {
+    assert!(
+        (value - mean).abs() <= sd,
+        "{what}: {value:.1} against {mean} ± {sd}"
+    );
+}
+
+/// Lengths of a finger's metacarpal and phalanges, metres.
+fn segments_m(anatomy: &Anatomy, place: &Placement, f: usize) -> [f64; 4] {
+    let finger = &anatomy.fingers[f];
+    let at = |along: f64| place.position(finger.point(DVec3::new(0.0, along, 0.0)));
+    let [a, b, c, d] = finger.joints().map(at);
+    let base = place.position(anatomy.metacarpal_base[f - 1]);
+    [
+        base.distance(a),
+        a.distance(b),
+        b.distance(c),
+        c.distance(d),
+    ]
+}
+
 #[test]
 fn hands_of_both_sexes_measure_as_surveys_say() {
     // Mean and SD, mm: ANSUR II 2012, all adults (men n = 4082, women n = 1986).
@@ -349,12 +370,6 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
         [(53.69, 4.36), (32.74, 2.77), (18.11, 2.54)],
     ];
     let tips = [19.66, 21.35, 21.25, 19.69];
-    let within = |what: &str, value: f64, (mean, sd): (f64, f64)| {
-        assert!(
-            (value - mean).abs() <= sd,
-            "{what}: {value:.1} against {mean} ± {sd}"
-        );
-    };
     let mut segments = [[0.0; 4]; 4];
     for (sex, stature, survey) in ansur {
         let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
@@ -390,16 +405,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
         let around = girth_mm(&hand, 78.0 * scale, no_thumb);
         within("circumference", around, survey[4]);
         for f in 1..5 {
-            let finger = &anatomy.fingers[f];
-            let at = |along: f64| place.position(finger.point(DVec3::new(0.0, along, 0.0)));
-            let [a, b, c, d] = finger.joints().map(at);
-            let base = place.position(anatomy.metacarpal_base[f - 1]);
-            let own = [
-                base.distance(a),
-                a.distance(b),
-                b.distance(c),
-                c.distance(d),
-            ];
+            let own = segments_m(&anatomy, &place, f);
             for (sum, length) in segments[f - 1].iter_mut().zip(own) {
                 *sum += length * 500.0;
             }

@@ -330,15 +330,9 @@ impl Shape {
             (0..=8).map(edge).collect(),
             (8..=16).rev().map(edge).collect(),
         ];
-        parts.extend(strands::hairs(
-            ride,
-            line,
-            &edges,
-            globe,
-            side,
-            params.seed,
-            &params.brow,
-        ));
+        let (seed, hairs) = (params.seed, &params.brow);
+        parts.push(strands::brow(ride, line, side, seed, hairs));
+        parts.push(strands::lashes(ride, &edges, globe, side, seed, hairs));
         parts
     }
 
