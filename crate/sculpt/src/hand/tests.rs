@@ -320,6 +320,14 @@ fn within(what: &str, value: f64, (mean, sd): (f64, f64)) {
     );
 }
 
+/// Where a left hand of these measures lies.
+fn placed(params: &HandParams, anatomy: &Anatomy) -> Placement {
+    let field = Field::new(anatomy);
+    let cage = cage::build(anatomy, &field);
+    let surface = surface::build(anatomy, &field, &cage);
+    Placement::new(params, Side::Left, &surface)
+}
+
 /// Lengths of a finger's metacarpal and phalanges, metres.
 fn segments_m(anatomy: &Anatomy, place: &Placement, f: usize) -> [f64; 4] {
     let finger = &anatomy.fingers[f];
@@ -375,15 +383,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
         let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
         let anatomy = Anatomy::new(HandBuild::of(sex, 35.0));
-        let place = {
-            let field = Field::new(&anatomy);
-            let cage = cage::build(&anatomy, &field);
-            Placement::new(
-                &params,
-                Side::Left,
-                &surface::build(&anatomy, &field, &cage),
-            )
-        };
+        let place = placed(&params, &anatomy);
         let vertices = &hand.skin().vertices;
         let tip = vertices.iter().map(|v| v.position.x).fold(0.0, f64::max) * 1000.0;
         let scale = place.length_scale * 1000.0;
