@@ -3,6 +3,7 @@
 //!
 //! An edited face need not lie in the spaces any more, and so it is kept as all of its numbers.
 
+mod affine;
 mod constrain;
 #[cfg(feature = "learn")]
 mod learn;
@@ -10,8 +11,6 @@ mod random;
 mod region;
 #[cfg(test)]
 pub(crate) mod tests;
-
-use raconteur_base::ops;
 
 use crate::attribute::set_apart;
 use crate::blend::Neighbours;
@@ -22,6 +21,7 @@ use crate::pack::{Difference, FaceModel, NamedAttribute};
 use crate::space::FaceSpace;
 use crate::untangle::Untangle;
 
+pub use affine::Affine;
 pub use constrain::Constraint;
 #[cfg(feature = "learn")]
 pub use learn::FeatureMeasure;
@@ -54,36 +54,6 @@ pub struct Change {
     part: Part,
     numbers: Vec<f64>,
     organs: Vec<f64>,
-}
-
-/// An affine change of a segment (F&H 5.1.3): about its middle it is scaled, then turned, then moved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Affine {
-    /// Factors along x, y and z.
-    pub scale: [f64; 3],
-    /// Turn about x, y and z in this order, radians.
-    pub turn_rad: [f64; 3],
-    /// Way along x, y and z, metres.
-    pub way_m: [f64; 3],
-}
-
-impl Affine {
-    /// Nothing.
-    pub const NONE: Self = Self {
-        scale: [1.0; 3],
-        turn_rad: [0.0; 3],
-        way_m: [0.0; 3],
-    };
-
-    fn apply(&self, p: [f64; 3], middle: [f64; 3]) -> [f64; 3] {
-        let mut q: [f64; 3] = core::array::from_fn(|i| (p[i] - middle[i]) * self.scale[i]);
-        for (axis, angle) in self.turn_rad.into_iter().enumerate() {
-            let (sin, cos) = ops::sincos(angle);
-            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-            (q[a], q[b]) = (q[a] * cos - q[b] * sin, q[a] * sin + q[b] * cos);
-        }
-        core::array::from_fn(|i| q[i] + middle[i] + self.way_m[i])
-    }
 }
 
 /// A model with what editing takes.

@@ -10,6 +10,7 @@ use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 use crate::RenderError;
 use crate::counts::Counts;
 use crate::detail::Detail;
+use crate::fallback::FallbackTextures;
 use crate::figure::{
     DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow, is_reshaped,
     joint_rows, place_face,
@@ -19,7 +20,6 @@ use crate::layouts::Layouts;
 use crate::lid::LidEdge;
 use crate::lip::Lips;
 use crate::morph::{MorphedMesh, ShapeVertex};
-use crate::strands;
 use crate::texture::{self, Role};
 use crate::tissue::{BoundMesh, Nodes, TissueVertex};
 use crate::vertices::{FixedVertex, fixed_vertices, shape_vertices};
@@ -80,50 +80,6 @@ impl GpuTissue {
             mesh.apply(&self.nodes, level);
             let offset = (mesh.first_vertex * size_of::<TissueVertex>()) as u64;
             queue.write_buffer(&self.vertices, offset, bytemuck::cast_slice(&mesh.current));
-        }
-    }
-}
-
-/// What stands in for pictures, and how they are read.
-pub(crate) struct FallbackTextures {
-    white: TextureView,
-    flat: TextureView,
-    level: TextureView,
-    /// The atlas of strands, which all hair is drawn with.
-    strands: TextureView,
-    sampler: wgpu::Sampler,
-    strand_sampler: wgpu::Sampler,
-}
-
-impl FallbackTextures {
-    pub(crate) fn new(adapter: &wgpu::Adapter, device: &Device, queue: &Queue) -> Self {
-        let anisotropic = adapter
-            .get_downlevel_capabilities()
-            .flags
-            .contains(wgpu::DownlevelFlags::ANISOTROPIC_FILTERING);
-        let dot = |role, rgba: [u8; 4]| texture::upload(device, queue, role, 1, 1, &rgba);
-        Self {
-            white: dot(Role::Color, [255; 4]),
-            flat: dot(Role::Normal, [128, 128, 255, 255]),
-            level: dot(Role::Height, [128; 4]),
-            strands: texture::upload_levels(device, queue, &strands::atlas()),
-            sampler: device.create_sampler(&wgpu::SamplerDescriptor {
-                address_mode_u: wgpu::AddressMode::Repeat,
-                address_mode_v: wgpu::AddressMode::Repeat,
-                mag_filter: wgpu::FilterMode::Linear,
-                min_filter: wgpu::FilterMode::Linear,
-                mipmap_filter: wgpu::MipmapFilterMode::Linear,
-                anisotropy_clamp: if anisotropic { 8 } else { 1 },
-                ..Default::default()
-            }),
-            // Cards seen edge-on are hidden anyway, and a processor that samples them
-            // anisotropically reads the whole atlas for a pixel.
-            strand_sampler: device.create_sampler(&wgpu::SamplerDescriptor {
-                mag_filter: wgpu::FilterMode::Linear,
-                min_filter: wgpu::FilterMode::Linear,
-                mipmap_filter: wgpu::MipmapFilterMode::Linear,
-                ..Default::default()
-            }),
         }
     }
 }

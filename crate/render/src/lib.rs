@@ -22,6 +22,7 @@ mod counts;
 mod detail;
 mod device;
 mod environment;
+mod fallback;
 mod figure;
 mod gpu;
 mod gpu_figure;

@@ -1,12 +1,13 @@
 //! Shader modules, layouts and pipelines.
 
+mod description;
+mod entries;
 mod theatre;
 
-use raconteur_body::MaterialKind;
 use raconteur_stage::{Fill, SetKind, Shown};
 use wgpu::{
-    BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,
-    ShaderModule, TextureFormat, VertexBufferLayout,
+    BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline, ShaderModule,
+    TextureFormat, VertexBufferLayout,
 };
 
 use crate::Quality;
@@ -16,9 +17,11 @@ use crate::lines::LineInstance;
 use crate::morph::SHAPE_LAYOUT;
 use crate::overlay::OverlayVertex;
 use crate::sources::{STAGE, TONE_MAP};
-use crate::target::{DEPTH_FORMAT, TargetKind};
+use crate::target::TargetKind;
 use crate::tissue::TissueVertex;
 use crate::vertices::FixedVertex;
+use description::{BEHIND, PipelineDescription, full_screen, pipeline_layout};
+use entries::{figure_entry, fragment_entry, material_entry};
 use theatre::Theatre;
 
 /// What every tier of quality shares: made once for a device.
@@ -95,118 +98,6 @@ fn flag(on: bool) -> f64 {
 /// How many of the streams there are.
 fn stream_count(bound: bool) -> usize {
     2 + usize::from(bound)
-}
-
-/// What differs between pipelines; the rest of the descriptor is the same for all.
-struct PipelineDescription<'a> {
-    label: &'a str,
-    module: &'a ShaderModule,
-    layout: &'a wgpu::PipelineLayout,
-    constants: &'a [(&'a str, f64)],
-    vertex: &'a str,
-    buffers: &'a [Option<VertexBufferLayout<'static>>],
-    fragment: Option<&'a str>,
-    target: Option<TextureFormat>,
-    blend: Option<BlendState>,
-    writes: wgpu::ColorWrites,
-    samples: u32,
-    coverage: bool,
-    cull: Option<Face>,
-    topology: PrimitiveTopology,
-    /// Compare and write, when there is a depth buffer.
-    depth: Option<(CompareFunction, bool)>,
-    bias: wgpu::DepthBiasState,
-}
-
-impl PipelineDescription<'_> {
-    fn build(&self, device: &Device) -> RenderPipeline {
-        let options = wgpu::PipelineCompilationOptions {
-            constants: self.constants,
-            ..Default::default()
-        };
-        let targets = [self.target.map(|format| wgpu::ColorTargetState {
-            format,
-            blend: self.blend,
-            write_mask: self.writes,
-        })];
-        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(self.label),
-            layout: Some(self.layout),
-            vertex: wgpu::VertexState {
-                module: self.module,
-                entry_point: Some(self.vertex),
-                compilation_options: options.clone(),
-                buffers: self.buffers,
-            },
-            primitive: wgpu::PrimitiveState {
-                cull_mode: self.cull,
-                topology: self.topology,
-                ..Default::default()
-            },
-            depth_stencil: self.depth.map(|(compare, write)| wgpu::DepthStencilState {
-                format: DEPTH_FORMAT,
-                depth_write_enabled: Some(write),
-                depth_compare: Some(compare),
-                stencil: wgpu::StencilState::default(),
-                bias: self.bias,
-            }),
-            multisample: wgpu::MultisampleState {
-                count: self.samples,
-                mask: !0,
-                alpha_to_coverage_enabled: self.coverage,
-            },
-            fragment: self.fragment.map(|entry_point| wgpu::FragmentState {
-                module: self.module,
-                entry_point: Some(entry_point),
-                compilation_options: options,
-                targets: if self.target.is_some() { &targets } else { &[] },
-            }),
-            multiview_mask: None,
-            cache: None,
-        })
-    }
-}
-
-/// What is drawn behind everything tests depth and leaves it.
-const BEHIND: Option<(CompareFunction, bool)> = Some((CompareFunction::LessEqual, false));
-
-/// One triangle over the whole picture.
-fn full_screen<'a>(
-    module: &'a ShaderModule,
-    layout: &'a wgpu::PipelineLayout,
-    format: TextureFormat,
-) -> PipelineDescription<'a> {
-    PipelineDescription {
-        label: "full screen",
-        module,
-        layout,
-        constants: &[],
-        vertex: "",
-        buffers: &[],
-        fragment: None,
-        target: Some(format),
-        blend: None,
-        writes: wgpu::ColorWrites::ALL,
-        samples: 1,
-        coverage: false,
-        cull: None,
-        topology: PrimitiveTopology::TriangleList,
-        depth: None,
-        bias: wgpu::DepthBiasState::default(),
-    }
-}
-
-fn pipeline_layout(
-    device: &Device,
-    label: &str,
-    groups: &[&BindGroupLayout],
-) -> wgpu::PipelineLayout {
-    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|g| Some(*g)).collect();
-    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some(label),
-        bind_group_layouts: &groups,
-        immediate_size: 0,
-    })
 }
 
 impl Pipelines {
@@ -552,43 +443,4 @@ fn make_shadow(
         },
     }
     .build(device)
-}
-
-fn figure_entry(bound: bool) -> &'static str {
-    if bound { "vs_bound" } else { "vs_figure" }
-}
-
-/// Hairs of brows and lashes are widened where they are drawn as such.
-fn material_entry(key: PipelineKey) -> &'static str {
-    match (key.kind, key.bound) {
-        (MaterialKind::Lash, true) => "vs_bound_lash",
-        (MaterialKind::Lash, false) => "vs_lash",
-        (_, bound) => figure_entry(bound),
-    }
-}
-
-fn fragment_entry(key: PipelineKey, simple: bool) -> &'static str {
-    match key.kind {
-        MaterialKind::Skin | MaterialKind::Nail if simple => "fs_simple_skin",
-        MaterialKind::Hair if simple => "fs_simple_hair",
-        MaterialKind::Hair if key.alpha_mode == AlphaMode::Blend => "fs_hair_soft",
-        MaterialKind::Cloth | MaterialKind::Leather if simple => "fs_simple_cloth",
-        MaterialKind::Plain if simple && key.alpha_mode == AlphaMode::Opaque => "fs_simple_skin",
-        MaterialKind::Skin => "fs_skin",
-        MaterialKind::Eye => "fs_eye",
-        MaterialKind::Cornea => "fs_cornea",
-        MaterialKind::Teeth => "fs_teeth",
-        MaterialKind::Mouth => "fs_mouth",
-        MaterialKind::Hair => "fs_hair",
-        MaterialKind::Lash => "fs_lash",
-        MaterialKind::Cloth => "fs_cloth",
-        MaterialKind::Leather => "fs_leather",
-        MaterialKind::Nail => "fs_nail",
-        MaterialKind::Plain => "fs_plain",
-        MaterialKind::Rib
-        | MaterialKind::Woven
-        | MaterialKind::Denim
-        | MaterialKind::Corduroy
-        | MaterialKind::Fleece => "fs_cloth",
-    }
 }

@@ -1,31 +1,29 @@
 //! Draws frames of one figure to any target of the chosen format.
 
 mod change;
+mod passes;
 
-use raconteur_body::{Figure, MaterialKind};
-use raconteur_stage::{Fill, Frame, SetKind, Shown};
+use raconteur_body::Figure;
+use raconteur_stage::{Fill, Frame, SetKind};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
 use crate::backdrop::{Backdrop, Drawn};
 use crate::counts::Counts;
 use crate::detail::{self, Detail};
-use crate::figure::{AlphaMode, MAX_JOINTS, PipelineKey};
+use crate::fallback::FallbackTextures;
+use crate::figure::MAX_JOINTS;
 use crate::gpu::{bind_group, binding, empty_buffer};
-use crate::gpu_figure::{FallbackTextures, GpuFigure};
+use crate::gpu_figure::GpuFigure;
 use crate::lines::Lines;
 use crate::overlay::Overlay;
-use crate::pipeline::{SharedResources, is_bare};
+use crate::pipeline::SharedResources;
 use crate::refusal::Refusal;
-use crate::shadow::ShadowView;
+use crate::shadow::{ShadowView, Subject};
 use crate::target::{TargetKind, Targets};
 use crate::tier::Tier;
 use crate::uniform::{FrameUniform, stand_in_world};
 use crate::view::View;
 use crate::{Quality, RenderError, RenderInfo, RenderOptions};
-
-/// Share of the depth buffer, from the front, that overlays take. The near
-/// plane is 0.1 m away, so a figure at half a metre begins at four fifths of the depth.
-const OVERLAY_DEPTH: f32 = 0.05;
 
 /// The renderer: pipelines, the figure and the textures of the current size.
 pub struct Renderer {
@@ -292,19 +290,16 @@ impl Renderer {
     fn send(&mut self, frame: &Frame, size: (u32, u32)) {
         let stature_m = self.figure.as_ref().map_or(1.7, |f| f.stature_m);
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
-        let stand = stand_in_world(frame);
+        let subject = Subject {
+            camera: &frame.camera,
+            view: &view,
+            stand_in_world: stand_in_world(frame),
+            stature_m,
+        };
+        let softness = f64::from(frame.lighting.softness);
         let texels = self.tier.shadow_texels;
-        let shadows = [&frame.lighting.key, &frame.lighting.rim].map(|light| {
-            ShadowView::new(
-                light,
-                f64::from(frame.lighting.softness),
-                &frame.camera,
-                &view,
-                stand,
-                stature_m,
-                texels,
-            )
-        });
+        let shadows = [&frame.lighting.key, &frame.lighting.rim]
+            .map(|light| ShadowView::new(light, softness, &subject, texels));
         let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, size);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);
@@ -350,226 +345,5 @@ impl Renderer {
             let overlay = self.overlay.get_or_insert_with(|| Overlay::new(device));
             overlay.send(queue, frame, stature_m as f32);
         }
-    }
-
-    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder, shown: &Shown, counts: &mut Counts) {
-        if self.tier.lights == 0 {
-            return;
-        }
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("shadow"),
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.tier.shadow_map,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        let Some(figure) = &self.figure else { return };
-        // A hidden figure or a wireframe casts nothing.
-        if !shown.body || shown.fill != Fill::Solid {
-            return;
-        }
-        pass.set_bind_group(0, &self.frame_group, &[]);
-        let side = self.tier.shadow_texels as f32;
-        for light in 0..self.tier.lights {
-            pass.set_viewport(side * light as f32, 0.0, side, side, 0.0, 1.0);
-            figure.draw_shadow(&mut pass, counts, self.detail, |shadow, bound| {
-                self.tier.pipelines.shadow(light, shadow, bound)
-            });
-        }
-    }
-
-    /// Draws the stage as a still, if the picture is the first that needs it.
-    fn draw_backdrop(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
-        let theatre = self.tier.pipelines.theatre();
-        let still = theatre.and_then(|t| t.still.as_ref());
-        let (Drawn::Now, Some(backdrop), Some(still)) =
-            (self.backdrop_drawn, &self.backdrop, still)
-        else {
-            return;
-        };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("backdrop"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &backdrop.view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            ..Default::default()
-        });
-        let (width, height) = backdrop.drawn_size();
-        pass.set_viewport(0.0, 0.0, width, height, 0.0, 1.0);
-        pass.set_bind_group(0, &self.tier.lit_group, &[]);
-        pass.set_pipeline(still);
-        pass.draw(0..3, 0..1);
-        counts.add(1);
-    }
-
-    /// Fills what solid surfaces leave with the stage.
-    fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
-        let pipelines = &self.tier.pipelines;
-        match (&self.backdrop, &pipelines.laid) {
-            (Some(backdrop), Some(laid)) if self.backdrop_drawn != Drawn::Directly => {
-                pass.set_bind_group(0, &backdrop.group, &[]);
-                pass.set_pipeline(laid);
-                pass.draw(0..3, 0..1);
-                pass.set_bind_group(0, &self.tier.lit_group, &[]);
-            }
-            _ => {
-                let Some(theatre) = pipelines.theatre() else {
-                    return;
-                };
-                pass.set_pipeline(&theatre.behind);
-                pass.draw(0..3, 0..1);
-            }
-        }
-        counts.add(1);
-    }
-
-    fn draw_stage(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        view: &TextureView,
-        shown: &Shown,
-        counts: &mut Counts,
-    ) {
-        let Some(targets) = &self.targets else {
-            return;
-        };
-        let picture = targets.picture.as_ref().unwrap_or(view);
-        let color = match &targets.samples {
-            Some(samples) => (samples, Some(picture), wgpu::StoreOp::Discard),
-            None => (picture, None, wgpu::StoreOp::Store),
-        };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("stage"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: color.0,
-                depth_slice: None,
-                resolve_target: color.1,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: color.2,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &targets.depth,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        pass.set_bind_group(0, &self.tier.lit_group, &[]);
-        let pipelines = &self.tier.pipelines;
-        let is_bare = is_bare(shown);
-        let bare = |key: PipelineKey| pipelines.bare(shown, key.bound).filter(|_| is_bare);
-        // By edges or in clay, brows and lashes are as solid as all else.
-        let opaque = |key: PipelineKey| {
-            key.alpha_mode != AlphaMode::Blend || is_bare && key.kind == MaterialKind::Lash
-        };
-        // The lowest quality has no time for soft ends of hair.
-        let is_soft_hair = |key: PipelineKey| key.kind == MaterialKind::Hair;
-        let is_direct = self.tier.target.is_direct;
-        let blended = |key: PipelineKey| {
-            key.alpha_mode == AlphaMode::Blend && !(is_direct && is_soft_hair(key))
-        };
-        let thin = shown.fill != Fill::Solid;
-        let at = (shown, self.detail);
-        // Solid surfaces go first; then the theatre fills the rest; then what adds light
-        // and what lets it through.
-        let figure = self.figure.as_ref().filter(|_| shown.body);
-        if let Some(figure) = figure.filter(|_| !thin) {
-            figure.draw(&mut pass, counts, at, opaque, |key| {
-                bare(key).or_else(|| pipelines.material(key))
-            });
-        }
-        self.fill_with_stage(&mut pass, counts);
-        if let Some(figure) = figure {
-            if thin {
-                figure.draw(&mut pass, counts, at, opaque, bare);
-            } else if !is_bare {
-                figure.draw(&mut pass, counts, at, blended, |key| {
-                    pipelines.material(key)
-                });
-            }
-        }
-        self.draw_lines(&mut pass, counts);
-        self.draw_overlay(&mut pass, shown, targets.size, counts);
-    }
-
-    /// Draws lines over the figure: those behind it, then those before it.
-    fn draw_lines(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
-        let lines = self.lines.as_ref().filter(|l| l.count() > 0);
-        let (Some(lines), Some(both)) = (lines, &self.tier.pipelines.lines) else {
-            return;
-        };
-        pass.set_vertex_buffer(0, lines.buffer.slice(..));
-        for pipeline in both {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..4, 0..lines.count());
-            counts.add(2 * lines.count());
-        }
-    }
-
-    /// Draws bones, frames and targets nearer than everything else, and among themselves as near
-    /// as they are.
-    fn draw_overlay(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        shown: &Shown,
-        (width, height): (u32, u32),
-        counts: &mut Counts,
-    ) {
-        let overlay = self.overlay.as_ref().filter(|o| o.len() > 0);
-        let (true, Some(overlay), Some(pipeline)) =
-            (shown.has_overlay(), overlay, &self.tier.pipelines.overlay)
-        else {
-            return;
-        };
-        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, OVERLAY_DEPTH);
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, overlay.buffer.slice(..));
-        pass.draw(0..overlay.len(), 0..1);
-        counts.add(overlay.len() / 3);
-    }
-
-    fn tone_map(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        view: &TextureView,
-        counts: &mut Counts,
-    ) {
-        let (Some(group), Some(pipeline)) = (&self.tone_map_group, &self.tier.pipelines.tone_map)
-        else {
-            return;
-        };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("tone map"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            ..Default::default()
-        });
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, group, &[]);
-        pass.draw(0..3, 0..1);
-        counts.add(1);
     }
 }

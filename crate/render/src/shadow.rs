@@ -20,6 +20,16 @@ pub(crate) struct ShadowView {
     pub(crate) depth_of_metre: f32,
 }
 
+/// What a shadow map shows: the figure and the part of it that is in the picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Subject<'a> {
+    pub(crate) camera: &'a Camera,
+    pub(crate) view: &'a View,
+    /// Where the figure stands.
+    pub(crate) stand_in_world: DVec3,
+    pub(crate) stature_m: f64,
+}
+
 /// Distance between filter taps on the figure, metres: the edge of a large soft lamp.
 const SOFT_TAP_M: f64 = 0.0028;
 
@@ -30,19 +40,22 @@ impl ShadowView {
     pub(crate) fn new(
         light: &DirectedLight,
         softness: f64,
-        camera: &Camera,
-        view: &View,
-        stand: DVec3,
-        stature_m: f64,
+        subject: &Subject<'_>,
         texels: u32,
     ) -> Self {
+        let Subject {
+            camera,
+            view,
+            stand_in_world,
+            stature_m,
+        } = *subject;
         let towards = light
             .towards_light_in_world
             .try_normalize()
             .unwrap_or(DVec3::Y);
         // Outstretched arms reach half the stature from the middle.
         let whole = 0.72 * stature_m;
-        let middle = stand + DVec3::Y * (0.5 * stature_m);
+        let middle = stand_in_world + DVec3::Y * (0.5 * stature_m);
         let distance = (camera.target_in_world - camera.eye_in_world).length();
         let seen_half_height = distance * view.half_height;
         let half_diagonal = seen_half_height

@@ -48,6 +48,10 @@ struct Definition {
     take: Take,
 }
 
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a table: one argument for each of its columns"
+)]
 const fn define(
     name: &'static str,
     landmarks: &'static str,

@@ -62,6 +62,47 @@ fn combine(terms: &[(u32, f64)], parents: &[Stencil]) -> Stencil {
     sum.into_iter().collect()
 }
 
+/// The middle of a face, `weight` times.
+fn face_stencil(face: &[u32], weight: f64) -> Stencil {
+    face.iter()
+        .map(|&v| (v, weight / face.len() as f64))
+        .collect()
+}
+
+/// Where a vertex goes, by the edges and faces around it.
+fn vertex_terms<'a>(
+    v: u32,
+    around: &[(u32, u32)],
+    is_rim: impl Fn(&(u32, u32)) -> bool,
+    faces: impl Iterator<Item = &'a Vec<u32>>,
+) -> Stencil {
+    let rim: Vec<_> = around.iter().filter(|e| is_rim(e)).collect();
+    let mut terms = Vec::new();
+    if around.is_empty() {
+        terms.push((v, 1.0));
+    } else if rim.len() == 2 {
+        terms.push((v, 0.75));
+        for e in rim {
+            terms.push((if e.0 == v { e.1 } else { e.0 }, 0.125));
+        }
+    } else if !rim.is_empty() {
+        // A corner where several boundaries meet stays.
+        terms.push((v, 1.0));
+    } else {
+        let n = around.len() as f64;
+        // (mean of face points + 2 mean of edge mid-points + (n − 3) v) / n
+        terms.push((v, (n - 3.0) / n));
+        for face in faces {
+            terms.extend(face_stencil(face, 1.0 / (n * n)));
+        }
+        for e in around {
+            terms.push((e.0, 1.0 / (n * n)));
+            terms.push((e.1, 1.0 / (n * n)));
+        }
+    }
+    terms
+}
+
 /// One step; stencils are over the given faces' own vertices.
 fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
     let edges = edge_faces(faces);
@@ -80,40 +121,14 @@ fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
         }
     }
     let identity: Vec<Stencil> = (0..vertex_count as u32).map(|v| vec![(v, 1.0)]).collect();
-    let face_stencil = |f: u32, weight: f64| -> Vec<(u32, f64)> {
-        let face = &faces[f as usize];
-        face.iter()
-            .map(|&v| (v, weight / face.len() as f64))
-            .collect()
-    };
+    let face_stencil = |f: u32, weight: f64| face_stencil(&faces[f as usize], weight);
 
     let mut stencils: Vec<Stencil> = Vec::with_capacity(vertex_count + edges.len() + faces.len());
     for v in 0..vertex_count as u32 {
         let around = &vertex_edges[v as usize];
-        let rim: Vec<_> = around.iter().filter(|e| edges[e].len() == 1).collect();
-        let mut terms = Vec::new();
-        if around.is_empty() {
-            terms.push((v, 1.0));
-        } else if rim.len() == 2 {
-            terms.push((v, 0.75));
-            for e in rim {
-                terms.push((if e.0 == v { e.1 } else { e.0 }, 0.125));
-            }
-        } else if !rim.is_empty() {
-            // A corner where several boundaries meet stays.
-            terms.push((v, 1.0));
-        } else {
-            let n = around.len() as f64;
-            // (mean of face points + 2 mean of edge mid-points + (n − 3) v) / n
-            terms.push((v, (n - 3.0) / n));
-            for &f in &vertex_faces[v as usize] {
-                terms.extend(face_stencil(f, 1.0 / (n * n)));
-            }
-            for e in around {
-                terms.push((e.0, 1.0 / (n * n)));
-                terms.push((e.1, 1.0 / (n * n)));
-            }
-        }
+        let is_rim = |e: &(u32, u32)| edges[e].len() == 1;
+        let around_faces = vertex_faces[v as usize].iter().map(|&f| &faces[f as usize]);
+        let terms = vertex_terms(v, around, is_rim, around_faces);
         stencils.push(combine(&terms, &identity));
     }
     for (key, sides) in &edges {

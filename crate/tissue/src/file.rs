@@ -126,6 +126,30 @@ fn arch(r: &mut Reader<'_>) -> Result<Arch, TissueError> {
     })
 }
 
+/// Reads what of the skin, whose places are read, touches teeth and the other lip.
+fn contact(r: &mut Reader<'_>, out: &mut Tissue) -> Result<(), TissueError> {
+    let count = out.rest.len();
+    let corner = |r: &mut Reader<'_>| r.index(count);
+    out.columns = r.list(|r| {
+        Ok(Column {
+            contact: [corner(r)?, corner(r)?],
+            edge: r.vector()?,
+            bites: r.share()?,
+        })
+    })?;
+    let columns = out.columns.len();
+    out.lips = r.list(|r| {
+        Ok(LipNode {
+            node: corner(r)?,
+            column: r.index(columns)?,
+            closes: f32::from(r.u8()? as i8) / 127.0,
+        })
+    })?;
+    out.pairs = r.list(|r| Ok([corner(r)?, corner(r)?]))?;
+    out.before_teeth = r.list(corner)?;
+    Ok(())
+}
+
 /// Reads a tissue.
 ///
 /// # Errors
@@ -194,23 +218,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Tissue, TissueError> {
             weight: r.share()?,
         })
     })?;
-    out.columns = r.list(|r| {
-        Ok(Column {
-            contact: [corner(r)?, corner(r)?],
-            edge: r.vector()?,
-            bites: r.share()?,
-        })
-    })?;
-    let columns = out.columns.len();
-    out.lips = r.list(|r| {
-        Ok(LipNode {
-            node: corner(r)?,
-            column: r.index(columns)?,
-            closes: f32::from(r.u8()? as i8) / 127.0,
-        })
-    })?;
-    out.pairs = r.list(|r| Ok([corner(r)?, corner(r)?]))?;
-    out.before_teeth = r.list(corner)?;
+    contact(&mut r, &mut out)?;
     out.arches = [arch(&mut r)?, arch(&mut r)?];
     if r.0.len() < PADDING && r.0.iter().all(|b| *b == 0) {
         Ok(out)

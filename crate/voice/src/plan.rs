@@ -1,6 +1,8 @@
 //! From content to sentences: what an engine speaks in one request, by
 //! whom and in which language, and the silences between.
 
+mod settle;
+
 use crate::content::{Boundary, Content, Division, Speaker};
 use crate::language;
 use crate::resolve::{Item, resolve};
@@ -231,76 +233,6 @@ impl Planner<'_> {
             self.settle_signs(None);
         }
         self.say_waiting();
-    }
-
-    /// Gives the signs since the last word to it, or to the `next`, which is then the last.
-    fn settle_signs(&mut self, next: Option<(&str, usize, Option<usize>)>) {
-        let signs = core::mem::take(&mut self.signs);
-        // After a pause they belong to what follows.
-        let previous = self.waiting.last().map(|_| self.plan.words.len() - 1);
-        let count = signs::belonging_to_previous(
-            &signs.iter().map(String::as_str).collect::<Vec<_>>(),
-            previous.map(|word| self.plan.words[word].as_str()),
-            next.map(|(text, ..)| text),
-        );
-        let (before, after) = signs.split_at(count);
-        if let Some(word) = previous {
-            for sign in before {
-                signs::attach(&mut self.plan.words[word], sign);
-                self.wait_sign(word, sign, next.and_then(|(_, _, together)| together));
-            }
-        }
-        let Some((text, style, together)) = next else {
-            return;
-        };
-        let script = Script::of(text).filter(|script| !script.is_read_in(self.language));
-        let other = self.waiting.last().is_some_and(|w| {
-            w.together != together || !self.alike(w.style, style) || self.script != script
-        });
-        if other {
-            self.say_waiting();
-        }
-        self.script = script;
-        let word = self.plan.words.len();
-        for sign in after {
-            self.waiting.push(Waiting {
-                word,
-                is_sign: true,
-                text: sign.clone(),
-                after: String::new(),
-                style,
-                together,
-            });
-        }
-        self.plan
-            .words
-            .push([after, &[text.to_owned()]].concat().join(" "));
-    }
-
-    /// Signs after a word are read with it. `next` is what the word after them is together with.
-    fn wait_sign(&mut self, word: usize, sign: &str, next: Option<usize>) {
-        let Some(last) = self.waiting.last_mut() else {
-            return;
-        };
-        // What stands for several words, or is one thing with them, has those within in it.
-        if last.together.is_some() {
-            let signs = match last.together == next {
-                true => &mut last.text,
-                false => &mut last.after,
-            };
-            let is_dash = sign.contains(['-', '\u{2013}', '\u{2014}']);
-            signs.push_str(if is_dash { "," } else { sign });
-            return;
-        }
-        let style = last.style;
-        self.waiting.push(Waiting {
-            word,
-            is_sign: true,
-            text: sign.to_owned(),
-            after: String::new(),
-            style,
-            together: None,
-        });
     }
 
     /// Whether words of two styles may be read as one text.

@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 use crate::activity::{Activity, ActivityGuard};
 use crate::lesson::Lesson;
 use crate::message::Story;
-use crate::player::{Player, plain, provide};
+use crate::player::{Player, plain};
+use crate::reading::provide;
 
 #[wasm_bindgen]
 #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]

@@ -52,6 +52,8 @@ mod palm;
 #[cfg(target_arch = "wasm32")]
 mod player;
 #[cfg(target_arch = "wasm32")]
+mod reading;
+#[cfg(target_arch = "wasm32")]
 mod telling;
 #[cfg(target_arch = "wasm32")]
 pub use activity::doing;
@@ -62,6 +64,8 @@ pub use decode::decode_script;
 #[cfg(target_arch = "wasm32")]
 pub use palm::{hand_directions, palm_of};
 #[cfg(target_arch = "wasm32")]
-pub use player::{Player, pose_digests};
+pub use player::Player;
+#[cfg(target_arch = "wasm32")]
+pub use reading::pose_digests;
 #[cfg(target_arch = "wasm32")]
 pub use telling::{cut_text, told, told_on};

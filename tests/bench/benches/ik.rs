@@ -106,7 +106,18 @@ fn solvers(c: &mut Criterion) {
             targets[n]
         }
     };
+    closed_form(c, &skeleton, &rig, &base, &mut next);
+    numerical(c, &skeleton, &base, &mut next);
+}
 
+/// The engine's own solver, from the bare formulas to a chosen pose.
+fn closed_form(
+    c: &mut Criterion,
+    skeleton: &Skeleton,
+    rig: &LimbRig,
+    base: &Base,
+    next: &mut impl FnMut() -> Frame,
+) {
     let elbow = |target: &Frame| {
         let to = (target.position - base.origin).normalize();
         (DVec3::NEG_Y - to * to.dot(DVec3::NEG_Y)).normalize_or(DVec3::NEG_Z)
@@ -114,13 +125,13 @@ fn solvers(c: &mut Criterion) {
     c.bench_function("closed form: eight solutions, elbow given", |b| {
         b.iter(|| {
             let target = next();
-            black_box(rig.solutions(&target, elbow(&target), &base, false))
+            black_box(rig.solutions(&target, elbow(&target), base, false))
         });
     });
     c.bench_function("closed form: eight solutions of table 3.1", |b| {
-        b.iter(|| black_box(rig.table_solutions(&next(), &base)));
+        b.iter(|| black_box(rig.table_solutions(&next(), base)));
     });
-    let space = BodySpace::new(&skeleton, None);
+    let space = BodySpace::new(skeleton, None);
     let obstacles = Obstacles {
         body: &space,
         body_from_figure: DAffine3::IDENTITY,
@@ -134,19 +145,27 @@ fn solvers(c: &mut Criterion) {
     c.bench_function("closed form: swivel, solutions, limits, bones", |b| {
         b.iter(|| {
             let target = next();
-            let swivel = rig.swivel_for(&target, &base, &comfort);
-            let elbow = rig.elbow_at(&target, &base, swivel);
-            let found = rig.solutions(&target, elbow, &base, true);
+            let swivel = rig.swivel_for(&target, base, &comfort);
+            let elbow = rig.elbow_at(&target, base, swivel);
+            let found = rig.solutions(&target, elbow, base, true);
             let choice = Choice {
                 limited: 1.0,
                 current: None,
                 preferred: &AT_EASE,
             };
-            let chosen = rig.choose(&found, &target, &base, &choice);
-            black_box(chosen.map(|joints| rig.posed(&joints, &base)))
+            let chosen = rig.choose(&found, &target, base, &choice);
+            black_box(chosen.map(|joints| rig.posed(&joints, base)))
         });
     });
+}
 
+/// Two solvers of a kept library, which approach the target step by step.
+fn numerical(
+    c: &mut Criterion,
+    skeleton: &Skeleton,
+    base: &Base,
+    next: &mut impl FnMut() -> Frame,
+) {
     let upper_m = skeleton.offset_length_m(Bone::LElbow);
     let fore_m = skeleton.offset_length_m(Bone::LWrist);
     let chain = chain(upper_m, fore_m);

@@ -3,9 +3,15 @@
 //! Every joint carries a small octahedron around itself, so that a test can see where a
 //! joint went by looking at its vertices. Joints have arbitrary axes, as rigs do.
 
-use base64::prelude::{BASE64_STANDARD, Engine as _};
+mod file;
+mod spelling;
+
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, noise, ops};
 use serde_json::{Value, json};
+
+use self::file::push;
+pub(crate) use self::file::{File, pack};
+use self::spelling::spelled;
 
 /// Whose names the joints bear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,159 +153,6 @@ fn joints(avatar: &Avatar) -> Vec<Joint> {
     list
 }
 
-/// A part's name in a dialect.
-fn spelled(dialect: Dialect, part: &str, index: usize) -> String {
-    let bare = part.strip_prefix("left").or(part.strip_prefix("right"));
-    let left = part.starts_with("left");
-    let Some(bare) = bare else {
-        let word = match (dialect, part) {
-            (Dialect::Vrm0 | Dialect::Vrm1, _) => return format!("node{index}"),
-            (Dialect::Blender, p) => return p.to_owned(),
-            (_, "hips") => "Hips",
-            (_, "spine") => "Spine",
-            (_, "chest") => "Spine1",
-            (_, "neck") => "Neck",
-            _ => "Head",
-        };
-        return if dialect == Dialect::Mixamo {
-            format!("mixamorig:{word}")
-        } else {
-            word.to_owned()
-        };
-    };
-    let finger = ["Thumb", "Index", "Middle", "Ring", "Little"]
-        .iter()
-        .find(|f| bare.starts_with(**f));
-    let phalanx = ["Proximal", "Intermediate", "Distal"]
-        .iter()
-        .position(|p| bare.ends_with(p))
-        .map_or(0, |i| i + 1);
-    match dialect {
-        Dialect::Vrm0 | Dialect::Vrm1 => format!("node{index}"),
-        Dialect::Blender => {
-            let word = match (bare, finger) {
-                (_, Some(f)) => format!(
-                    "f_{}.0{phalanx}",
-                    f.replace("Little", "pinky").to_lowercase()
-                ),
-                ("UpperArm", _) => "upper_arm".to_owned(),
-                ("LowerArm", _) => "forearm".to_owned(),
-                ("UpperLeg", _) => "thigh".to_owned(),
-                ("LowerLeg", _) => "shin".to_owned(),
-                ("Toes", _) => "toe".to_owned(),
-                (other, _) => other.to_lowercase(),
-            };
-            format!("{word}.{}", if left { 'L' } else { 'R' })
-        }
-        Dialect::Mixamo | Dialect::ReadyPlayerMe => {
-            let word = match (bare, finger) {
-                (_, Some(f)) => format!("Hand{}{phalanx}", f.replace("Little", "Pinky")),
-                ("UpperArm", _) => "Arm".to_owned(),
-                ("LowerArm", _) => "ForeArm".to_owned(),
-                ("UpperLeg", _) => "UpLeg".to_owned(),
-                ("LowerLeg", _) => "Leg".to_owned(),
-                ("Toes", _) => "ToeBase".to_owned(),
-                (other, _) => other.to_owned(),
-            };
-            let prefix = if dialect == Dialect::Mixamo {
-                "mixamorig:"
-            } else {
-                ""
-            };
-            format!("{prefix}{}{word}", if left { "Left" } else { "Right" })
-        }
-    }
-}
-
-/// A file's JSON and its buffer.
-pub(crate) struct File {
-    pub(crate) json: Value,
-    pub(crate) bin: Vec<u8>,
-    /// Parts by VRM's name in the order of their octahedra, six vertices each.
-    pub(crate) parts: Vec<String>,
-}
-
-impl File {
-    fn view(&mut self, bytes: &[u8]) -> usize {
-        self.bin.resize(self.bin.len().next_multiple_of(4), 0);
-        let view = json!({ "buffer": 0, "byteOffset": self.bin.len(), "byteLength": bytes.len() });
-        self.bin.extend_from_slice(bytes);
-        push(&mut self.json["bufferViews"], view)
-    }
-
-    pub(crate) fn accessor(
-        &mut self,
-        bytes: &[u8],
-        component: u32,
-        ty: &str,
-        count: usize,
-    ) -> usize {
-        let view = self.view(bytes);
-        let accessor = json!({
-            "bufferView": view, "componentType": component, "type": ty, "count": count,
-        });
-        push(&mut self.json["accessors"], accessor)
-    }
-
-    pub(crate) fn vectors(&mut self, list: &[DVec3]) -> usize {
-        let bytes: Vec<u8> = list
-            .iter()
-            .flat_map(DVec3::to_array)
-            .flat_map(|x| (x as f32).to_le_bytes())
-            .collect();
-        self.accessor(&bytes, 5126, "VEC3", list.len())
-    }
-
-    /// The vertices of a part in the first mesh.
-    pub(crate) fn range(&self, part: &str) -> core::ops::Range<usize> {
-        let i = self.parts.iter().position(|p| p == part);
-        let i = i.unwrap_or_else(|| panic!("no part {part}"));
-        6 * i..6 * i + 6
-    }
-
-    /// As a binary file.
-    pub(crate) fn glb(&self) -> Vec<u8> {
-        let mut json = self.json.clone();
-        json["buffers"] = json!([{ "byteLength": self.bin.len() }]);
-        pack(json.to_string().as_bytes(), &self.bin)
-    }
-
-    /// As a text file with its data inside.
-    pub(crate) fn gltf(&self) -> Vec<u8> {
-        let uri = format!(
-            "data:application/octet-stream;base64,{}",
-            BASE64_STANDARD.encode(&self.bin)
-        );
-        let mut json = self.json.clone();
-        json["buffers"] = json!([{ "byteLength": self.bin.len(), "uri": uri }]);
-        json.to_string().into_bytes()
-    }
-}
-
-fn push(list: &mut Value, item: Value) -> usize {
-    if !list.is_array() {
-        *list = json!([]);
-    }
-    let list = list.as_array_mut().expect("a list");
-    list.push(item);
-    list.len() - 1
-}
-
-/// A container of two chunks.
-pub(crate) fn pack(json: &[u8], bin: &[u8]) -> Vec<u8> {
-    let mut out = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
-    for (tag, chunk, fill) in [(b"JSON", json, b' '), (b"BIN\0", bin, 0)] {
-        let length = chunk.len().next_multiple_of(4);
-        out.extend((length as u32).to_le_bytes());
-        out.extend(tag);
-        out.extend(chunk);
-        out.resize(out.len() + length - chunk.len(), fill);
-    }
-    let total = (out.len() as u32).to_le_bytes();
-    out[8..12].copy_from_slice(&total);
-    out
-}
-
 const OCTAHEDRON: [DVec3; 6] = [
     DVec3::X,
     DVec3::NEG_X,
@@ -319,46 +172,20 @@ const FACES: [[u16; 3]; 8] = [
     [0, 3, 5],
 ];
 
-/// Makes the avatar.
-pub(crate) fn make(avatar: &Avatar) -> File {
-    let joints = joints(avatar);
-    let u = avatar.units_per_metre;
-    let scale = if avatar.armature_scaled { 1.0 / u } else { 1.0 };
-    let armature = DAffine3::from_scale_rotation_translation(
-        DVec3::splat(scale),
-        DQuat::from_xyzw(
-            0.0,
-            ops::sin(0.5 * avatar.yaw_rad),
-            0.0,
-            ops::cos(0.5 * avatar.yaw_rad),
-        ),
-        DVec3::ZERO,
-    );
-    let mut file = File {
-        json: json!({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0, 1] }] }),
-        bin: Vec::new(),
-        parts: joints.iter().map(|j| j.part.clone()).collect(),
-    };
-    // Joint from the armature's space, with axes that mean nothing.
-    let own: Vec<DAffine3> = joints
+fn index(joints: &[Joint], part: &str) -> usize {
+    joints
         .iter()
-        .enumerate()
-        .map(|(i, j)| {
-            let q = [1, 2, 3, 4].map(|k| noise::signed(7, k, i as i64));
-            DAffine3::from_rotation_translation(DQuat::from_array(q).normalize(), j.at * u)
-        })
-        .collect();
-    let index = |name: &str| {
-        joints
-            .iter()
-            .position(|j| j.part == name)
-            .expect("a parent")
-    };
+        .position(|j| j.part == part)
+        .expect("a parent")
+}
+
+/// Armature, body and joints; `own` is each joint from the armature's space.
+fn nodes(avatar: &Avatar, joints: &[Joint], own: &[DAffine3], armature: &DAffine3) -> Vec<Value> {
     // Node 0 is the armature, node 1 the body, then the joints, then the face.
     let mut nodes = vec![json!({}), json!({ "name": "Body", "mesh": 0, "skin": 0 })];
     for (i, joint) in joints.iter().enumerate() {
         let local = match &joint.parent {
-            Some(parent) => own[index(parent)].inverse() * own[i],
+            Some(parent) => own[index(joints, parent)].inverse() * own[i],
             None => own[i],
         };
         let (_, rotation, translation) = local.to_scale_rotation_translation();
@@ -383,7 +210,11 @@ pub(crate) fn make(avatar: &Avatar) -> File {
         "name": "Armature", "children": [2],
         "scale": scales.to_array(), "rotation": rotation.to_array(),
     });
+    nodes
+}
 
+/// The mesh of octahedra and its skin.
+fn add_body(file: &mut File, joints: &[Joint], own: &[DAffine3], u: f64) {
     let mut positions = Vec::new();
     let mut indices: Vec<u16> = Vec::new();
     let mut carriers: Vec<u8> = Vec::new();
@@ -421,9 +252,41 @@ pub(crate) fn make(avatar: &Avatar) -> File {
     file.json["skins"] = json!([{
         "joints": (2..joints.len() + 2).collect::<Vec<_>>(), "inverseBindMatrices": bind_view,
     }]);
+}
 
+/// Makes the avatar.
+pub(crate) fn make(avatar: &Avatar) -> File {
+    let joints = joints(avatar);
+    let u = avatar.units_per_metre;
+    let scale = if avatar.armature_scaled { 1.0 / u } else { 1.0 };
+    let armature = DAffine3::from_scale_rotation_translation(
+        DVec3::splat(scale),
+        DQuat::from_xyzw(
+            0.0,
+            ops::sin(0.5 * avatar.yaw_rad),
+            0.0,
+            ops::cos(0.5 * avatar.yaw_rad),
+        ),
+        DVec3::ZERO,
+    );
+    let mut file = File {
+        json: json!({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0, 1] }] }),
+        bin: Vec::new(),
+        parts: joints.iter().map(|j| j.part.clone()).collect(),
+    };
+    // Joint from the armature's space, with axes that mean nothing.
+    let own: Vec<DAffine3> = joints
+        .iter()
+        .enumerate()
+        .map(|(i, j)| {
+            let q = [1, 2, 3, 4].map(|k| noise::signed(7, k, i as i64));
+            DAffine3::from_rotation_translation(DQuat::from_array(q).normalize(), j.at * u)
+        })
+        .collect();
+    let mut nodes = nodes(avatar, &joints, &own, &armature);
+    add_body(&mut file, &joints, &own, u);
     if !avatar.morphs.is_empty() {
-        add_face(&mut file, avatar, &mut nodes, index("head"), &own);
+        add_face(&mut file, avatar, &mut nodes, index(&joints, "head"), &own);
     }
     file.json["nodes"] = json!(nodes);
     add_tables(&mut file, avatar, &joints);

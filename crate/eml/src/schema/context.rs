@@ -1,9 +1,14 @@
 //! Walks the tree by the table: which elements may stand where, which attributes
 //! they have.
 
+mod fields;
+mod tally;
+
+pub(crate) use self::fields::Fields;
+pub(crate) use self::tally::Tally;
 use super::lookup::same;
 use super::meant::{element_meant, unprefixed};
-use super::{Attribute, Content, Element, Presence, TIMED, Tree, find, find_extension, variant_in};
+use super::{Attribute, Content, Element, Presence, Tree, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
 use crate::markup::{self, NodeKind};
 use crate::namespaces::{self, Namespaces, Owner, local_name};
@@ -36,81 +41,6 @@ pub(crate) struct Context<'t> {
     /// Activation and evaluation of an emotion whose word has a place alone, while its element is
     /// read.
     pub(crate) placed: Option<[f64; 2]>,
-}
-
-/// The attributes of one element, found in the table. Values are read on demand
-/// (`values.rs`).
-pub(crate) struct Fields<'t> {
-    pub(crate) element: &'static Element,
-    /// The start tag.
-    pub(crate) tag: Span,
-    /// The name in the start tag.
-    pub(crate) name: Span,
-    pub(super) attributes: &'t [markup::Attribute<'t>],
-    /// For each attribute of the table its index in `attributes`.
-    slots: [u16; MOST_ATTRIBUTES],
-    /// How many attributes the element has in the table.
-    count: usize,
-    /// Where in the table to look first for the next attribute.
-    next: Cell<usize>,
-    complete: bool,
-    extended: bool,
-}
-
-impl<'t> Fields<'t> {
-    /// Whether every required attribute is there.
-    pub(crate) fn is_complete(&self) -> bool {
-        self.complete
-    }
-
-    /// Whether any attribute of the extensions is written.
-    pub(crate) fn is_extended(&self) -> bool {
-        self.extended
-    }
-
-    /// Whether an attribute is written.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.get(name).is_some_and(|(_, written)| written.is_some())
-    }
-
-    /// The entry of an attribute and how it is written, when it is.
-    pub(super) fn get(
-        &self,
-        name: &str,
-    ) -> Option<(&'static Attribute, Option<&'t markup::Attribute<'t>>)> {
-        let (slot, attribute) = self.slot(name)?;
-        Some((
-            attribute,
-            self.attributes.get(usize::from(self.slots[slot])),
-        ))
-    }
-
-    /// The attribute with exactly this name and its place among all of the element.
-    /// Scripts and readers mostly go in the order of the table, so the search starts
-    /// behind what was found last.
-    fn slot(&self, name: &str) -> Option<(usize, &'static Attribute)> {
-        let own = self.element.attributes;
-        let mut slot = self.next.get();
-        for _ in 0..self.count {
-            if slot >= self.count {
-                slot = 0;
-            }
-            let attribute = own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()]);
-            if same(attribute.name, name) {
-                self.next.set(slot + 1);
-                return Some((slot, attribute));
-            }
-            slot += 1;
-        }
-        None
-    }
-
-    /// Where the value of an attribute is, or else the start tag.
-    pub(crate) fn span_of(&self, name: &str) -> Span {
-        self.get(name)
-            .and_then(|(_, written)| written)
-            .map_or(self.tag, markup::Attribute::value_span)
-    }
 }
 
 impl<'t> Context<'t> {
@@ -490,53 +420,6 @@ impl<'t> Context<'t> {
             .filter(|voice| voice.may_stand_in(parent.name))
             .map(|_| "spoken text goes into `voice-text`".to_owned());
         self.push_with_hint(diagnostic, hint);
-    }
-}
-
-/// What an element has had of its children so far.
-pub(crate) struct Tally {
-    parent: &'static Element,
-    /// The elements whose number is limited: few, so the first ones need no allocation.
-    counts: [Option<(&'static Element, u32)>; 4],
-    more_counts: Vec<(&'static Element, u32)>,
-    seen: [bool; MOST_REQUIRED],
-    missing: usize,
-}
-
-impl Tally {
-    pub(crate) fn new(parent: &'static Element) -> Self {
-        Self {
-            parent,
-            counts: [None; 4],
-            more_counts: Vec::new(),
-            seen: [false; MOST_REQUIRED],
-            missing: parent.required_children.len(),
-        }
-    }
-
-    /// Counts one more of an element.
-    fn count(&mut self, entry: &'static Element) -> u32 {
-        for slot in &mut self.counts {
-            let (element, count) = slot.get_or_insert((entry, 0));
-            if std::ptr::eq(*element, entry) {
-                *count += 1;
-                return *count;
-            }
-        }
-        let known = self
-            .more_counts
-            .iter_mut()
-            .find(|(element, _)| std::ptr::eq(*element, entry));
-        match known {
-            Some((_, count)) => {
-                *count += 1;
-                *count
-            }
-            None => {
-                self.more_counts.push((entry, 1));
-                1
-            }
-        }
     }
 }
 

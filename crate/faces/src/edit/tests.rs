@@ -1,6 +1,6 @@
 //! Edits of faces on a plane.
 
-use raconteur_base::noise;
+use raconteur_base::{noise, ops};
 
 use super::*;
 use crate::attribute::Attribute;

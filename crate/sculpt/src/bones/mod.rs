@@ -6,6 +6,7 @@
 //! anatomy: long bones are shafts with heads, flat bones plates.
 
 mod body;
+mod head_skin;
 mod limbs;
 mod skull;
 #[cfg(test)]
@@ -13,7 +14,7 @@ mod tests;
 
 use raconteur_base::{DQuat, DVec3, Side};
 
-pub(crate) use self::skull::hit;
+pub(crate) use self::head_skin::hit;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::built::Built;
 use super::hand::skeleton;

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::skull::to_triangle;
+use super::head_skin::to_triangle;
 use super::*;
 use crate::subdivide::edge_faces;
 use crate::tests::soundness::shipped;

@@ -326,6 +326,25 @@ fn charts(wearer: &Wearer<'_>) -> [Chart; 3] {
     [trunk, sleeve(Side::Left), sleeve(Side::Right)]
 }
 
+/// The zone of the cloth in which each point lies.
+fn zones(shell: &Shell, on_arm: &[f64]) -> Vec<Option<ClothZone>> {
+    shell
+        .weights
+        .iter()
+        .zip(on_arm)
+        .map(|(w, arm)| {
+            if *arm < 0.5 {
+                Some(ClothZone::Trunk)
+            } else {
+                Side::BOTH
+                    .into_iter()
+                    .find(|s| w.arm(*s) >= 0.5)
+                    .map(ClothZone::Sleeve)
+            }
+        })
+        .collect()
+}
+
 /// Pins, rest lengths, folds and the tightened cuffs and hem.
 fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
     let (field, cage, joints) = (wearer.field, wearer.cage, wearer.joints);
@@ -376,21 +395,7 @@ fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
     hold_hem_in(&mut shell, top, &on_arm, unit);
     let folds = folds(top, wearer, cut);
     let normals = shell.normals();
-    let place: Vec<Option<ClothZone>> = shell
-        .weights
-        .iter()
-        .zip(&on_arm)
-        .map(|(w, arm)| {
-            if *arm < 0.5 {
-                Some(ClothZone::Trunk)
-            } else {
-                Side::BOTH
-                    .into_iter()
-                    .find(|s| w.arm(*s) >= 0.5)
-                    .map(ClothZone::Sleeve)
-            }
-        })
-        .collect();
+    let place = zones(&shell, &on_arm);
     let strokes: Vec<Fold> = folds.iter().map(|f| f.1).collect();
     crease(&mut shell.points, &normals, &strokes, |f, v| {
         place[v] == Some(folds[f].0) && pin[v] < 0.99

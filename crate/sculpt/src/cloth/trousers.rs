@@ -128,6 +128,22 @@ fn charts(wearer: &Wearer<'_>) -> ([Chart; 3], f64) {
     )
 }
 
+/// How far the waist and the ends of the legs are held where they were cut, 0..1.
+fn pins(shell: &Shell, unit: f64) -> Vec<f64> {
+    let top = shell.points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+    let mut pin: Vec<f64> = shell
+        .points
+        .iter()
+        .map(|p| fade(p.y, top - 6.0 * unit, top))
+        .collect();
+    for v in shell.loops().into_iter().flatten() {
+        if shell.points[v as usize].y < 0.3 {
+            pin[v as usize] = 0.97;
+        }
+    }
+    pin
+}
+
 fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;
@@ -163,17 +179,7 @@ fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
             p.x = p.x.min(-0.35 * CM);
         }
     }
-    let top = shell.points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
-    let mut pin: Vec<f64> = shell
-        .points
-        .iter()
-        .map(|p| fade(p.y, top - 6.0 * unit, top))
-        .collect();
-    for v in shell.loops().into_iter().flatten() {
-        if shell.points[v as usize].y < 0.3 {
-            pin[v as usize] = 0.97;
-        }
-    }
+    let pin = pins(shell, unit);
     let folds = folds(&sheet, wearer, cut);
     let shell = &mut sheet.shell;
     let normals = shell.normals();

@@ -28,13 +28,18 @@ const PLAIN: f64 = 0.45;
 /// A place of the skin farther from the head without ears than this is an ear, metres.
 const ON_EAR_M: f64 = 0.004;
 
+/// A scalp, the line of hair on it, and how hair is combed over it.
+pub(super) struct Scalp {
+    pub(super) space: Space,
+    pub(super) line: Line,
+    pub(super) field: Field,
+}
+
 /// Hair painted on the scalp.
 pub(crate) struct Cap {
     /// Share of hair and its tone, on the flat scalp.
     strokes: Vec<[f32; 2]>,
-    line: Line,
-    field: Field,
-    space: Space,
+    scalp: Scalp,
     solid: f64,
     /// Linear RGB of hair at its root.
     colour: [f64; 3],
@@ -43,9 +48,7 @@ pub(crate) struct Cap {
 
 impl Cap {
     pub(super) fn new(
-        space: Space,
-        line: Line,
-        field: Field,
+        scalp: Scalp,
         style: &Style,
         places: &[Root],
         colour: [f64; 3],
@@ -53,9 +56,7 @@ impl Cap {
     ) -> Self {
         let mut cap = Self {
             strokes: vec![[0.0, PLAIN as f32]; SIDE * SIDE],
-            line,
-            field,
-            space,
+            scalp,
             solid: style.solid,
             colour,
             seed,
@@ -85,8 +86,8 @@ impl Cap {
             let tone = (0.5 + 0.24 * normal(self.seed + 6, 3, i)).clamp(0.0, 1.0);
             let mut at = root.position;
             for k in 0..(own * STEPS as f64) as usize {
-                let n = self.space.normal(at);
-                let d = self.field.direction(root.position, at, 0.0);
+                let n = self.scalp.space.normal(at);
+                let d = self.scalp.field.direction(root.position, at, 0.0);
                 let d = (d - n * d.dot(n)).normalize_or(DVec3::NEG_Y)
                     + super::comb::stray(self.seed + 9, at, 250.0) * 0.22;
                 let next = at + d.normalize_or(DVec3::NEG_Y) * pace;
@@ -125,18 +126,18 @@ impl Cap {
         lerp(
             ON_PARTING,
             1.0,
-            step(0.0, 0.0024, self.field.off_parting(p) + ragged),
+            step(0.0, 0.0024, self.scalp.field.off_parting(p) + ragged),
         )
     }
 
     /// Colour of hair at a place of the head's skin, in the frame of the head, metres, and the share
     /// that it covers; `None` away from the scalp.
     pub(crate) fn at(&self, p: DVec3) -> Option<([f64; 3], f64)> {
-        let q = self.space.frame.place(p);
-        if q.y < -0.10 || self.space.height_without_ears(q) > ON_EAR_M {
+        let q = self.scalp.space.frame.place(p);
+        if q.y < -0.10 || self.scalp.space.height_without_ears(q) > ON_EAR_M {
             return None;
         }
-        let inside = self.line.distance(q);
+        let inside = self.scalp.line.distance(q);
         if inside < -0.02 {
             return None;
         }

@@ -1,44 +1,39 @@
 //! Hair in locks: cards of every layer, drawn to the guides of their locks, waved and cut.
 
-use std::f64::consts::TAU;
+mod shape;
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise, ops};
 
 use super::card::{Card, Laid};
 use super::comb::{Field, step};
-use super::grow::{Growth, grow, smooth, tangent};
+use super::grow::{Growth, grow, smooth};
 use super::layers::Layer;
 use super::line::angles;
 use super::roots::{Root, spread};
 use super::space::Space;
 use super::style::{Comb, Length, Style};
 use super::{HairParams, HairStyle};
-use crate::texture::space_noise;
 
 /// Length of a step of hair that hangs and of short hair, metres.
 const LONG_STEP_M: f64 = 0.004;
 const SHORT_STEP_M: f64 = 0.003;
 /// Longest way of hair that is cut at a hem, beyond the hem itself, metres.
 const OVER_HEM_M: f64 = 0.26;
-/// Hair is tied within this distance of the tie, metres.
-const TIED_M: f64 = 0.012;
-/// What is dropped: cards that turn by more within 12 mm (radians), that point outward by more
-/// of their length, that stand off farther (metres).
-const MOST_TURN: f64 = 0.70;
-/// Waves shorter than this are curls, metres.
-const CURL_M: f64 = 0.08;
-const MOST_OUTWARD: f64 = 0.55;
-const MOST_HEIGHT_M: f64 = 0.036;
-/// Hair that lies farther out on a shoulder is dropped, metres.
-const WIDEST_M: f64 = 0.122;
-
 /// A lock: its root, the way its middle goes, and its own character.
 struct Lock {
     root: DVec3,
     path: Vec<DVec3>,
     /// Nearly normal numbers.
     character: [f64; 4],
+}
+
+/// A hair that is about to grow: its layer and the layer's number, its root, its chances.
+struct Hair<'a> {
+    layer: &'a Layer,
+    number: u64,
+    root: &'a Root,
+    dice: Dice,
 }
 
 /// What grows on one head.
@@ -83,7 +78,16 @@ impl Grower<'_> {
         for (number, layer) in (0..).zip(self.style.layers) {
             let roots = spread(self.places, |r| self.spacing(layer, r));
             for (i, root) in (0..).zip(roots) {
-                out.extend(self.strand(layer, number, &root, &locks, i));
+                let hair = Hair {
+                    layer,
+                    number,
+                    root: &root,
+                    dice: Dice {
+                        seed: self.params.seed + 1000 * (number + 1),
+                        i,
+                    },
+                };
+                out.extend(self.strand(&hair, &locks));
             }
         }
         out.extend(self.baby_hairs());
@@ -167,36 +171,24 @@ impl Grower<'_> {
     }
 
     /// One card, unless what grew is no hair that anyone would wear.
-    fn strand(
-        &self,
-        layer: &Layer,
-        number: u64,
-        root: &Root,
-        locks: &[Lock],
-        i: i64,
-    ) -> Option<Card> {
-        let dice = Dice {
-            seed: self.params.seed + 1000 * (number + 1),
-            i,
-        };
+    fn strand(&self, hair: &Hair<'_>, locks: &[Lock]) -> Option<Card> {
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
-        let g = self.growth(layer, root, &dice);
+        let g = self.growth(hair);
         let mut path = grow(self.space, self.field, &g, self.params.seed);
         smooth(&mut path, if self.is_short() { 1 } else { 4 });
         let lock = locks.iter().min_by(|a, b| {
-            let d = |l: &Lock| l.root.distance_squared(root.position);
+            let d = |l: &Lock| l.root.distance_squared(hair.root.position);
             d(a).total_cmp(&d(b))
         })?;
-        self.gather(&mut path, lock, layer.gather, g.length);
-        self.wave(&mut path, lock, 0.12 * dice.bell(1));
+        self.gather(&mut path, lock, hair.layer.gather, g.length);
+        self.wave(&mut path, lock, 0.12 * hair.dice.bell(1));
         if matches!(self.style.comb, Comb::Parted) {
             for p in &mut path {
                 *p = off_face(*p);
             }
         }
         smooth(&mut path, if self.is_short() { 1 } else { 5 });
-        let ends = [dice.unit(3), dice.unit(4)];
-        let length = self.cut(&mut path, root, layer, g.length, &ends)?;
+        let length = self.cut(&mut path, hair, g.length)?;
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * g.step;
             *p = self.space.pushed(
@@ -213,12 +205,15 @@ impl Grower<'_> {
         if !self.is_wearable(&path, length) {
             return None;
         }
-        let laid = self.laid(layer, number, root, lock, &dice, length);
+        let laid = self.laid(hair, lock, length);
         Some(Card::along(self.space, &path, g.step, &laid))
     }
 
     /// How a hair of a layer grows from a root.
-    fn growth(&self, layer: &Layer, root: &Root, dice: &Dice) -> Growth {
+    fn growth(&self, hair: &Hair<'_>) -> Growth {
+        let Hair {
+            layer, root, dice, ..
+        } = hair;
         let edge = step(0.0, 0.018, root.inside);
         let parting = self.field.off_parting(root.position);
         let full = self.length(root.position) * layer.length;
@@ -263,15 +258,13 @@ impl Grower<'_> {
     }
 
     /// What a card of this length looks like.
-    fn laid(
-        &self,
-        layer: &Layer,
-        number: u64,
-        root: &Root,
-        lock: &Lock,
-        dice: &Dice,
-        length: f64,
-    ) -> Laid {
+    fn laid(&self, hair: &Hair<'_>, lock: &Lock, length: f64) -> Laid {
+        let Hair {
+            layer,
+            number,
+            root,
+            dice,
+        } = hair;
         let edge = step(0.0, 0.018, root.inside);
         let parting = self.field.off_parting(root.position);
         let is_short = self.is_short();
@@ -308,149 +301,9 @@ impl Grower<'_> {
             is_mirrored: dice.unit(9) < 0.5,
             roll: layer.roll * dice.bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
             tint: (0.5 + vary * (lock.character[3] + dice.bell(3))).clamp(0.0, 1.0),
-            layer: number as usize,
+            layer: *number as usize,
             whole: length,
         }
-    }
-
-    /// Draws a path to its lock's, the farther from the root the more; depth stays.
-    fn gather(&self, path: &mut [DVec3], lock: &Lock, share: f64, length: f64) {
-        let step_m = self.step();
-        let is_short = self.is_short();
-        let guide = |k: usize| lock.path[k.min(lock.path.len() - 1)];
-        let far = path
-            .iter()
-            .enumerate()
-            .map(|(k, p)| p.distance(guide(k)))
-            .fold(0.0, f64::max);
-        // Locks that part ways are not dragged across one another.
-        let near = if is_short {
-            step(0.035, 0.013, far)
-        } else {
-            step(0.06, 0.022, far)
-        };
-        for (k, p) in path.iter_mut().enumerate() {
-            let arc = k as f64 * step_m;
-            let w = share
-                * near
-                * if is_short {
-                    ops::pow((arc / length).clamp(0.0, 1.0), 1.3)
-                } else {
-                    step(0.04, 0.2, arc)
-                };
-            let off = *p - guide(k);
-            let n = self.space.hull_normal(*p);
-            *p = guide(k) + off * (1.0 - w) + n * (off.dot(n) * w * 0.8);
-        }
-    }
-
-    /// Waves that neighbours nearly share.
-    fn wave(&self, path: &mut [DVec3], lock: &Lock, own_phase: f64) {
-        let [reach, pace] = self.style.wave;
-        let reach = reach * self.params.wave * (1.0 + 0.25 * lock.character[1]);
-        if reach <= 0.0 {
-            return;
-        }
-        let pace = pace * (1.0 + 0.1 * lock.character[2]);
-        let phase = 1.5 * space_noise(self.params.seed + 31, lock.root * 9.0)
-            + 0.18 * lock.character[0]
-            + own_phase;
-        let straight = path.to_vec();
-        for (k, p) in path.iter_mut().enumerate() {
-            let arc = k as f64 * self.step();
-            let n = self.space.hull_normal(straight[k]);
-            let side = tangent(&straight, k).cross(n).normalize_or_zero();
-            let amount = reach * step(0.045, 0.14, arc);
-            let turn = TAU * arc / pace + phase;
-            *p += side * (amount * ops::sin(turn)) + n * (0.55 * amount * ops::cos(turn + 0.5));
-        }
-    }
-
-    /// Where the hair ends, metres from its root; turns the ends of a hem in.
-    fn cut(
-        &self,
-        path: &mut [DVec3],
-        root: &Root,
-        layer: &Layer,
-        length: f64,
-        dice: &[f64; 2],
-    ) -> Option<f64> {
-        let step_m = self.step();
-        let last = (path.len() - 2) as f64 * step_m;
-        let cut = match self.style.length {
-            Length::Short { .. } => length,
-            Length::ToTie => {
-                let Comb::Tied(tie) = self.style.comb else {
-                    return None;
-                };
-                let at = path.iter().position(|p| p.distance(tie) < TIED_M);
-                let end = at.unwrap_or_else(|| {
-                    (0..path.len())
-                        .min_by(|a, b| path[*a].distance(tie).total_cmp(&path[*b].distance(tie)))
-                        .unwrap_or(0)
-                });
-                (end as f64 * step_m * (1.0 - 0.6 * layer.uneven * dice[0])).max(0.03)
-            }
-            Length::Hem {
-                hem,
-                layered,
-                front,
-            } => {
-                let front = front * step(0.0, 0.06, root.position.z);
-                let line = hem * self.params.length - front
-                    + layered * layer.uneven * ops::pow(dice[0], 1.5)
-                    + 0.004 * space_noise(self.params.seed + 5, root.position * 30.0);
-                let end = path
-                    .iter()
-                    .position(|p| p.y < line)
-                    .unwrap_or(path.len() - 1);
-                let shorter = if layer.uneven > 1.2 {
-                    0.45 + 0.55 * dice[1]
-                } else if layer.uneven > 0.2 && dice[1] < 0.25 {
-                    1.0 - dice[1]
-                } else {
-                    1.0
-                };
-                (end as f64 * step_m).max(0.05).min(length) * shorter
-            }
-        }
-        .min(last);
-        if matches!(self.style.length, Length::Hem { .. }) {
-            for (k, p) in path.iter_mut().enumerate() {
-                let e = ((k as f64 * step_m - cut + 0.05) / 0.05).clamp(0.0, 1.0);
-                // On a shoulder there is no room to turn in.
-                let e = e * step(0.012, 0.03, self.space.whole.at(*p));
-                *p -= self.space.hull_normal(*p) * (0.009 * e * e);
-            }
-        }
-        Some(cut)
-    }
-
-    fn is_wearable(&self, path: &[DVec3], length: f64) -> bool {
-        if matches!(self.style.length, Length::Short { .. }) {
-            return true;
-        }
-        let step_m = self.step();
-        let end = ((length / step_m) as usize).min(path.len() - 1);
-        for k in (4..end.saturating_sub(3)).filter(|k| *k as f64 * step_m > 0.012) {
-            let (a, b) = (path[k] - path[k - 3], path[k + 3] - path[k]);
-            // Curls turn by nature.
-            let is_curl = self.style.wave[1] < CURL_M;
-            if !is_curl && a.angle_between(b) > MOST_TURN {
-                return false;
-            }
-            let p = path[k];
-            if p.x.abs() > WIDEST_M {
-                return false;
-            }
-            if p.y > -0.09 && k as f64 * step_m > 0.03 {
-                let out = tangent(path, k).dot(self.space.hull_normal(p));
-                if out > MOST_OUTWARD || self.space.height_without_ears(p) > MOST_HEIGHT_M {
-                    return false;
-                }
-            }
-        }
-        true
     }
 
     /// Fine short hair along the line; where hair hangs, that of forehead and temples alone.

@@ -38,6 +38,7 @@ pub use raconteur_body::HairColour;
 use colour::Palette;
 pub use space::Sample;
 
+use self::cap::Scalp;
 use self::chains::Chains;
 use self::comb::Field;
 use self::light::Shade;
@@ -228,7 +229,8 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
             *p = frame.place_back(*p);
         }
         let roots = palette.root();
-        grown.cap = Some(Cap::new(space, line, field, &style, &places, roots, p.seed));
+        let scalp = Scalp { space, line, field };
+        grown.cap = Some(Cap::new(scalp, &style, &places, roots, p.seed));
     }
     if let Some(b) = &p.beard {
         grown

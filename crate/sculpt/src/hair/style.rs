@@ -104,6 +104,7 @@ pub(super) const NAPE: DVec3 = DVec3::new(0.0, -0.030, -0.094);
 pub(super) const TIE: DVec3 = DVec3::new(0.0, 0.030, -0.098);
 
 /// The numbers of a style; `None` for a bald head.
+#[expect(clippy::too_many_lines, reason = "a table: one row for each style")]
 pub(super) fn style(of: HairStyle) -> Option<Style> {
     Some(match of {
         HairStyle::Bald => return None,

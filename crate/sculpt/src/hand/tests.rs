@@ -313,6 +313,35 @@ fn girth_mm(hand: &Hand, at_mm: f64, keep: impl Fn(usize) -> bool) -> f64 {
     sum
 }
 
+fn within(what: &str, value: f64, (mean, sd): (f64, f64)) {
+    assert!(
+        (value - mean).abs() <= sd,
+        "{what}: {value:.1} against {mean} ± {sd}"
+    );
+}
+
+/// Where a left hand of these measures lies.
+fn placed(params: &HandParams, anatomy: &Anatomy) -> Placement {
+    let field = Field::new(anatomy);
+    let cage = cage::build(anatomy, &field);
+    let surface = surface::build(anatomy, &field, &cage);
+    Placement::new(params, Side::Left, &surface)
+}
+
+/// Lengths of a finger's metacarpal and phalanges, metres.
+fn segments_m(anatomy: &Anatomy, place: &Placement, f: usize) -> [f64; 4] {
+    let finger = &anatomy.fingers[f];
+    let at = |along: f64| place.position(finger.point(DVec3::new(0.0, along, 0.0)));
+    let [a, b, c, d] = finger.joints().map(at);
+    let base = place.position(anatomy.metacarpal_base[f - 1]);
+    [
+        base.distance(a),
+        a.distance(b),
+        b.distance(c),
+        c.distance(d),
+    ]
+}
+
 #[test]
 fn hands_of_both_sexes_measure_as_surveys_say() {
     // Mean and SD, mm: ANSUR II 2012, all adults (men n = 4082, women n = 1986).
@@ -349,26 +378,12 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
         [(53.69, 4.36), (32.74, 2.77), (18.11, 2.54)],
     ];
     let tips = [19.66, 21.35, 21.25, 19.69];
-    let within = |what: &str, value: f64, (mean, sd): (f64, f64)| {
-        assert!(
-            (value - mean).abs() <= sd,
-            "{what}: {value:.1} against {mean} ± {sd}"
-        );
-    };
     let mut segments = [[0.0; 4]; 4];
     for (sex, stature, survey) in ansur {
         let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
         let anatomy = Anatomy::new(HandBuild::of(sex, 35.0));
-        let place = {
-            let field = Field::new(&anatomy);
-            let cage = cage::build(&anatomy, &field);
-            Placement::new(
-                &params,
-                Side::Left,
-                &surface::build(&anatomy, &field, &cage),
-            )
-        };
+        let place = placed(&params, &anatomy);
         let vertices = &hand.skin().vertices;
         let tip = vertices.iter().map(|v| v.position.x).fold(0.0, f64::max) * 1000.0;
         let scale = place.length_scale * 1000.0;
@@ -390,16 +405,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
         let around = girth_mm(&hand, 78.0 * scale, no_thumb);
         within("circumference", around, survey[4]);
         for f in 1..5 {
-            let finger = &anatomy.fingers[f];
-            let at = |along: f64| place.position(finger.point(DVec3::new(0.0, along, 0.0)));
-            let [a, b, c, d] = finger.joints().map(at);
-            let base = place.position(anatomy.metacarpal_base[f - 1]);
-            let own = [
-                base.distance(a),
-                a.distance(b),
-                b.distance(c),
-                c.distance(d),
-            ];
+            let own = segments_m(&anatomy, &place, f);
             for (sum, length) in segments[f - 1].iter_mut().zip(own) {
                 *sum += length * 500.0;
             }

@@ -60,15 +60,15 @@ fn cornea_radius(angle: f64) -> f64 {
     }
 }
 
-fn part(
-    name: &str,
+/// What a part of the eye is made of.
+struct Look {
     kind: MaterialKind,
     roughness: f32,
-    dome: Dome,
-    centre: DVec3,
     color: [f64; 3],
-    joint: Drive,
-) -> MeshPart {
+}
+
+fn part(name: &str, look: &Look, dome: Dome, centre: DVec3, joint: Drive) -> MeshPart {
+    let color = look.color;
     let vertices = dome
         .points
         .iter()
@@ -85,9 +85,9 @@ fn part(
     MeshPart {
         name: name.to_owned(),
         material: Material {
-            kind,
+            kind: look.kind,
             base_color: [1.0; 4],
-            roughness,
+            roughness: look.roughness,
             double_sided: false,
             maps: Maps::default(),
         },
@@ -121,29 +121,35 @@ pub(crate) fn eye(
     vec![
         part(
             &format!("eye_{letter}"),
-            MaterialKind::Eye,
-            0.25,
+            &Look {
+                kind: MaterialKind::Eye,
+                roughness: 0.25,
+                color: iris,
+            },
             ball,
             centre_mm,
-            iris,
             Drive::Eye(side),
         ),
         part(
             &format!("cornea_{letter}"),
-            MaterialKind::Cornea,
-            0.05,
+            &Look {
+                kind: MaterialKind::Cornea,
+                roughness: 0.05,
+                color: [1.0; 3],
+            },
             wet,
             centre_mm,
-            [1.0; 3],
             Drive::Eye(side),
         ),
         part(
             &format!("caruncle_{letter}"),
-            MaterialKind::Mouth,
-            0.65,
+            &Look {
+                kind: MaterialKind::Mouth,
+                roughness: 0.65,
+                color: [0.20, 0.10, 0.085],
+            },
             flesh,
             caruncle_mm,
-            [0.20, 0.10, 0.085],
             Drive::Bone(Bone::Skull),
         ),
     ]

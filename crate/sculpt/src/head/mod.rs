@@ -6,9 +6,11 @@
 //! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
 //! this module, millimetres inside it.
 
+mod bare;
 mod binding;
 mod cage;
 mod chart;
+mod cut;
 mod ear_relief;
 mod eye;
 mod field;
@@ -38,15 +40,16 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
-
 use raconteur_base::{DVec3, Side, mirror_vector};
 use serde::{Deserialize, Serialize};
 
+pub(crate) use self::bare::bare_sheet;
+pub use self::bare::{BareSkin, Organs};
 pub use self::binding::{Binding, Bound};
-use self::cage::{Cage, Key, LAST_ROW, Zone};
+use self::cage::{Cage, Key, LAST_ROW};
 pub(crate) use self::chart::Places;
-use self::chart::{Chart, chart};
+use self::chart::chart;
+use self::cut::{PartCut, behind, cut_part, is_bag, skin_cut};
 pub use self::field::{FIELDS, Field, expression_fields, field_index};
 use self::fitted::Fitted;
 pub(crate) use self::fitted::{CENTRED, eye_mm};
@@ -64,11 +67,11 @@ use self::strands::BrowLine;
 pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
 use super::model::Traits;
-use super::part::{MOUTH_BAG, MeshPart, PartMorph, PartVertex};
+use super::part::{MOUTH_BAG, MeshPart, PartVertex};
 use super::person::Person;
 use crate::subdivide::Stencil;
 use raconteur_base::surface::vertex_normals;
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::MaterialKind;
 
 /// What tells one head from another of the same sex and age.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -187,11 +190,6 @@ struct Painted {
 
 /// Where the flesh in the inner corner of the eye lies from that corner, left, mm.
 const FLESH_FROM_CORNER_MM: DVec3 = DVec3::new(2.0, 0.8, -1.9);
-
-/// Inside of the mouth: a part of its own.
-fn is_bag(zone: Zone) -> bool {
-    matches!(zone, Zone::Mouth(5..))
-}
 
 impl Painted {
     fn of(shape: &Shape, warp: &dyn Fn(DVec3) -> DVec3, follow: &soft::Follow) -> Self {
@@ -330,15 +328,9 @@ impl Shape {
             (0..=8).map(edge).collect(),
             (8..=16).rev().map(edge).collect(),
         ];
-        parts.extend(strands::hairs(
-            ride,
-            line,
-            &edges,
-            globe,
-            side,
-            params.seed,
-            &params.brow,
-        ));
+        let (seed, hairs) = (params.seed, &params.brow);
+        parts.push(strands::brow(ride, line, side, seed, hairs));
+        parts.push(strands::lashes(ride, &edges, globe, side, seed, hairs));
         parts
     }
 
@@ -402,184 +394,6 @@ fn named(shape: &Shape, drawn: &[u32]) -> Vec<(String, u32)> {
         .into_iter()
         .filter_map(|(name, v)| Some((name, drawn_at(v)? as u32)))
         .collect()
-}
-
-/// The skin of a head without anything else, in a fraction of the time: the same vertices as those of
-/// [`build`].
-#[derive(Clone, Debug)]
-pub struct BareSkin {
-    /// Where the vertices are; metres, frame of the head.
-    pub positions: Vec<DVec3>,
-    /// Polygons, counter-clockwise from outside.
-    pub faces: Vec<Vec<u32>>,
-    /// Named points: name and vertex.
-    pub landmarks: Vec<(String, u32)>,
-    /// Segments.
-    pub segments: Vec<HeadSegment>,
-    /// What lies in it.
-    pub organs: Organs,
-}
-
-/// What lies in a head and moves by itself; metres, frame of the head.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Organs {
-    /// Centres of the left and the right eyeball.
-    pub eye_centres: [DVec3; 2],
-    /// Upper-lid rotation that closes the eye, left and right, radians.
-    pub lid_closure_rad: [f64; 2],
-    /// Height of the chin's lowest point.
-    pub chin: f64,
-}
-
-impl Organs {
-    /// All numbers one after another.
-    #[must_use]
-    pub fn numbers(&self) -> Vec<f64> {
-        let all = self.eye_centres.iter().flat_map(DVec3::to_array);
-        all.chain(self.lid_closure_rad).chain([self.chin]).collect()
-    }
-}
-
-impl BareSkin {
-    /// That of a person's head.
-    #[must_use]
-    pub fn of(person: &Person, params: &HeadParams) -> Self {
-        let shape = Shape::of(person, &params.bound, params.asymmetry);
-        let vertices: Vec<PartVertex> = (0..shape.surface.len())
-            .map(|v| shape.vertex(v, 1.0))
-            .collect();
-        let part = cut_part(&shape.surface, chart(), &[], &skin_cut(&vertices));
-        let drawn = behind(&part, &shape.positions);
-        Self {
-            positions: part.vertices.iter().map(|v| v.position).collect(),
-            faces: part.faces,
-            landmarks: named(&shape, &drawn),
-            segments: segment::segments(&shape, &drawn),
-            organs: Organs {
-                eye_centres: shape.eye_centres().map(|p| p * 1e-3),
-                lid_closure_rad: shape.rig.closure_rad,
-                chin: shape.extent()[0],
-            },
-        }
-    }
-}
-
-/// The skin as a part of the surface.
-fn skin_cut(vertices: &[PartVertex]) -> PartCut<'_> {
-    PartCut {
-        name: "head",
-        kind: MaterialKind::Skin,
-        roughness: 0.48,
-        vertices,
-        keep: |z| !is_bag(z),
-    }
-}
-
-/// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
-/// a place twice where its texture has a seam.
-fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
-    let key = |p: DVec3| p.to_array().map(f64::to_bits);
-    let by_place: BTreeMap<[u64; 3], u32> = positions
-        .iter()
-        .zip(0u32..)
-        .map(|(&p, v)| (key(p * 1e-3), v))
-        .collect();
-    part.vertices
-        .iter()
-        .map(|v| by_place.get(&key(v.position)).copied().unwrap_or(u32::MAX))
-        .collect()
-}
-
-/// A part that is cut from the surface.
-struct PartCut<'a> {
-    name: &'a str,
-    kind: MaterialKind,
-    roughness: f32,
-    /// Vertices of the whole surface.
-    vertices: &'a [PartVertex],
-    /// Whether faces of a zone belong to it.
-    keep: fn(Zone) -> bool,
-}
-
-/// The faces of some zones, and the chart's vertex of each of theirs.
-fn kept(surface: &Surface, chart: &Chart, keep: fn(Zone) -> bool) -> (Vec<usize>, Vec<Vec<u32>>) {
-    let mut index = vec![u32::MAX; chart.uv.len()];
-    let mut used: Vec<usize> = Vec::new();
-    let kept = chart.faces.iter().zip(&surface.zones);
-    let faces = kept
-        .filter(|&(_, &z)| keep(z))
-        .map(|(face, _)| {
-            let slot = |&v: &u32| {
-                let slot = &mut index[v as usize];
-                if *slot == u32::MAX {
-                    *slot = used.len() as u32;
-                    used.push(v as usize);
-                }
-                *slot
-            };
-            face.iter().map(slot).collect()
-        })
-        .collect();
-    (used, faces)
-}
-
-/// What the skin of a head is painted on, and for each vertex of the drawn skin its vertex there.
-pub(crate) fn bare_sheet(person: &Person, params: &HeadParams) -> (HeadSheet, Vec<usize>) {
-    let shape = Shape::of(person, &params.bound, params.asymmetry);
-    let line = BrowLine::above(&shape.fitted.brow);
-    let (used, _) = kept(&shape.surface, chart(), skin_cut(&[]).keep);
-    (shape.sheet(&line, params.brow.colour), used)
-}
-
-/// The faces of some zones as a part of their own, with vertices doubled along the chart's
-/// cut; `moved` are the morphs of the whole surface.
-fn cut_part(
-    surface: &Surface,
-    chart: &Chart,
-    moved: &[(&'static str, Vec<DVec3>)],
-    cut: &PartCut<'_>,
-) -> MeshPart {
-    let (used, faces) = kept(surface, chart, cut.keep);
-    let source = |v: &usize| chart.source[*v] as usize;
-    let morphs = moved
-        .iter()
-        .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
-        .filter(|m| !m.deltas.is_empty())
-        .collect();
-    MeshPart {
-        name: cut.name.to_owned(),
-        material: Material {
-            kind: cut.kind,
-            base_color: [1.0; 4],
-            roughness: cut.roughness,
-            double_sided: false,
-            maps: Maps::default(),
-        },
-        vertices: used
-            .iter()
-            .map(|v| PartVertex {
-                uv: chart.uv[*v],
-                ..cut.vertices[source(v)].clone()
-            })
-            .collect(),
-        faces,
-        morphs,
-        bound: Vec::new(),
-    }
-}
-
-/// Movements below 20 µm are left out.
-fn part_morph(name: &str, deltas_mm: &[DVec3]) -> PartMorph {
-    let kept = |(_, d): &(usize, &DVec3)| d.length_squared() > 4e-4;
-    PartMorph {
-        name: name.to_owned(),
-        deltas: deltas_mm
-            .iter()
-            .enumerate()
-            .filter(kept)
-            .map(|(i, &d)| (i as u32, d * 1e-3))
-            .collect(),
-    }
 }
 
 fn neck_rim(shape: &Shape) -> Vec<DVec3> {

@@ -159,20 +159,33 @@ fn lay(part: &mut MeshPart, strand: &Strand, ride: &Ride, holds: &Holds, color: 
     part.faces.push(vec![a, a + 1, a + 2]);
 }
 
-/// Brow and lashes of one side. `edges` are the lash edges of the upper and the lower lid
-/// from the inner to the outer corner.
-#[allow(clippy::too_many_arguments, reason = "each is a thing of its own")]
-pub(crate) fn hairs(
+fn letter(side: Side) -> &'static str {
+    if side == Side::Left { "left" } else { "right" }
+}
+
+/// The brow of one side.
+pub(crate) fn brow(
     ride: &Ride,
     line: &BrowLine,
+    side: Side,
+    seed: u64,
+    p: &BrowParams,
+) -> MeshPart {
+    let brow = brow::brow(ride, line, side, seed, p);
+    let name = format!("brow_{}", letter(side));
+    part(name, &brow, ride, 3, p.colour)
+}
+
+/// The lashes of one side. `edges` are the lash edges of the upper and the lower lid
+/// from the inner to the outer corner.
+pub(crate) fn lashes(
+    ride: &Ride,
     edges: &[Vec<DVec3>; 2],
     globe: DVec3,
     side: Side,
     seed: u64,
     p: &BrowParams,
-) -> Vec<MeshPart> {
-    let letter = if side == Side::Left { "left" } else { "right" };
-    let brow = brow::brow(ride, line, side, seed, p);
+) -> MeshPart {
     let mut lashes = lash::lashes(&edges[0], globe, lash::Row::Upper, side, seed, p);
     lashes.extend(lash::lashes(
         &edges[1],
@@ -183,8 +196,6 @@ pub(crate) fn hairs(
         p,
     ));
     let lash_color = p.colour.map(|c| c * p.lash_tone);
-    vec![
-        part(format!("brow_{letter}"), &brow, ride, 3, p.colour),
-        part(format!("lash_{letter}"), &lashes, ride, 2, lash_color),
-    ]
+    let name = format!("lash_{}", letter(side));
+    part(name, &lashes, ride, 2, lash_color)
 }

@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DQuat, DVec3, Side};
 
+use super::cage::Zone;
 use super::*;
 use crate::assemble;
 use raconteur_base::crossing::crossings;

@@ -115,6 +115,16 @@ impl HeadSheet {
     }
 }
 
+/// Where a texel lies, in all its frames.
+struct Spot {
+    /// On the mean head, millimetres.
+    on_mean: DVec3,
+    /// On this head, millimetres.
+    on_own: DVec3,
+    /// Of this head's skin.
+    normal: DVec3,
+}
+
 impl FacePainter<'_> {
     pub(super) fn tissue(&self, t: [u32; 3], hit: &Hit) -> Tissue {
         let s = self.sheet;
@@ -149,7 +159,12 @@ impl FacePainter<'_> {
         }
         let seed = self.skin.seed << 8;
         self.mottle(&mut tissue, p, seed);
-        self.scattered(&mut tissue, q, p, normal, seed);
+        let spot = Spot {
+            on_mean: q,
+            on_own: p,
+            normal,
+        };
+        self.scattered(&mut tissue, &spot, seed);
 
         // Lips: thin skin without melanin's veil over dense vessels.
         let edge = 0.10 * space_noise(seed + 21, p / 1.3);
@@ -165,15 +180,7 @@ impl FacePainter<'_> {
 
         let lid = rise(0.6, 2.0, eye);
         let smoothness = (1.0 - lip) * (1.0 - 0.6 * lid) * (1.0 - rise(0.4, 2.0, nostril));
-        self.relief(
-            &mut tissue,
-            q,
-            p,
-            normal,
-            pores * smoothness,
-            smoothness,
-            seed,
-        );
+        self.relief(&mut tissue, &spot, pores * smoothness, smoothness, seed);
         if self.skin.beard > 0.0 {
             self.beard(&mut tissue, half, p, seed, (1.0 - lip) * (1.0 - lid));
         }
@@ -238,8 +245,9 @@ impl FacePainter<'_> {
     }
 
     /// Freckles, moles, age spots and widened vessels.
-    fn scattered(&self, tissue: &mut Tissue, q: DVec3, p: DVec3, normal: DVec3, seed: u64) {
-        let ragged = 1.0 + 0.5 * space_noise(seed + 6, p / 1.2);
+    fn scattered(&self, tissue: &mut Tissue, at: &Spot, seed: u64) {
+        let (q, normal) = (at.on_mean, at.normal);
+        let ragged = 1.0 + 0.5 * space_noise(seed + 6, at.on_own / 1.2);
         let freckle = self.marks.freckles.at(q, normal).core;
         tissue.ln_melanosomes += 0.75 * (freckle * ragged).min(1.2);
         let spot = self.marks.spots.at(q, normal).core;
@@ -264,21 +272,9 @@ impl FacePainter<'_> {
     }
 
     /// Wrinkles, the fine net of furrows, pores.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "one texel's place in all its frames"
-    )]
-    fn relief(
-        &self,
-        tissue: &mut Tissue,
-        q: DVec3,
-        p: DVec3,
-        normal: DVec3,
-        pores: f64,
-        net: f64,
-        seed: u64,
-    ) {
-        let wrinkle = self.marks.wrinkles.at(q, normal);
+    fn relief(&self, tissue: &mut Tissue, at: &Spot, pores: f64, net: f64, seed: u64) {
+        let p = at.on_own;
+        let wrinkle = self.marks.wrinkles.at(at.on_mean, at.normal);
         tissue.height_mm += 0.3 * wrinkle.bank - wrinkle.core;
         // Less light in the furrow, and what there is comes through blood.
         tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);

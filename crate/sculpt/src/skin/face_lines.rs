@@ -93,8 +93,8 @@ impl<'a> Scribe<'a> {
         if column < 0.0 { mirror_vector(p) } else { p }
     }
 
-    /// A line across both halves along a row, with its own bend.
-    fn across(&mut self, row: f64, from: f64, to: f64, bend: f64, strength: f64, width: f64) {
+    /// A line across both halves along a row, between two columns, with its own bend.
+    fn across(&mut self, row: f64, [from, to]: [f64; 2], bend: f64, strength: f64, width: f64) {
         let (a, b) = (self.between(-0.1, 0.1), self.between(0.6, 1.4));
         let through: Vec<DVec3> = (0..=12)
             .map(|i| {
@@ -116,16 +116,16 @@ impl<'a> Scribe<'a> {
             let (a, b) = (self.between(0.6, 1.0), self.between(0.6, 1.0));
             let strength = deep * centre * self.between(0.55, 1.1);
             if self.chance() < 0.55 {
-                self.across(row, -reach * a, reach * b, 0.16, strength, 0.75);
+                self.across(row, [-reach * a, reach * b], 0.16, strength, 0.75);
             } else {
                 let meet = self.between(-1.2, 1.2);
-                self.across(row, -reach * a, meet, 0.16, strength, 0.7);
-                self.across(row + 0.12, meet - 0.8, reach * b, 0.16, strength, 0.7);
+                self.across(row, [-reach * a, meet], 0.16, strength, 0.7);
+                self.across(row + 0.12, [meet - 0.8, reach * b], 0.16, strength, 0.7);
             }
             // A fine companion.
             let start = self.between(-4.5, 1.0);
             let end = start + self.between(2.0, 4.0);
-            self.across(row + 0.23, start, end, 0.12, 0.35 * deep, 0.45);
+            self.across(row + 0.23, [start, end], 0.12, 0.35 * deep, 0.45);
         }
     }
 
@@ -147,7 +147,7 @@ impl<'a> Scribe<'a> {
         for row in [6.0, 6.7, 7.5] {
             let r = row + self.between(-0.15, 0.15);
             let to = self.between(0.7, 1.1);
-            self.across(r, -1.0, to, -2.0, deep, 0.55);
+            self.across(r, [-1.0, to], -2.0, deep, 0.55);
         }
     }
 
@@ -337,7 +337,7 @@ impl<'a> Scribe<'a> {
             let reach = self.between(6.0, 11.0);
             let strength = (0.04 + 0.40 * age) * if i == 1 { 1.0 } else { 0.6 };
             let to = reach * self.between(0.75, 1.0);
-            self.across(row, -reach, to, 0.12, strength, 1.0);
+            self.across(row, [-reach, to], 0.12, strength, 1.0);
         }
         let deep = 0.28 * self.skin.since(55.0);
         for _ in 0..120 {

@@ -4,16 +4,20 @@
 //! first ring; the legs' first rings share three points of the crotch. Three rings lie
 //! close around elbow and knee.
 
+mod labels;
+mod wrap;
+
 use std::collections::BTreeMap;
 
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, Side, mirror_vector, ops};
 
+use self::labels::weights;
+use self::wrap::{wind, wrap};
 use super::field::{Field, Regions};
 use super::shape::{CM, Joints};
 use super::shell::Shell;
-use super::weights::{Rig, Weights};
-use crate::subdivide::edge_faces;
+use super::weights::Weights;
 use raconteur_body::skeleton::Bone;
 
 /// Heights of the trunk's rows over an adult's stature.
@@ -401,200 +405,4 @@ fn faces(index: &BTreeMap<Key, u32>) -> (Vec<Vec<u32>>, Vec<Tag>) {
         }
     }
     (faces, tags)
-}
-
-/// Forty rounds of sliding and projecting; the right side mirrors the left.
-fn wrap(shell: &mut Shell, keys: &[Key], index: &BTreeMap<Key, u32>, field: &Field) {
-    let (around, _) = shell.neighbours();
-    let mut normals = vec![DVec3::ZERO; keys.len()];
-    for round in 0..40 {
-        if round > 1 {
-            let before = shell.points.clone();
-            for (v, key) in keys.iter().enumerate() {
-                if key.slides() && !key.is_right() {
-                    let mean: DVec3 = around[v].iter().map(|&i| before[i as usize]).sum::<DVec3>()
-                        / around[v].len().max(1) as f64;
-                    let d = mean - before[v];
-                    shell.points[v] += (d - normals[v] * d.dot(normals[v])) * 0.35;
-                }
-            }
-        }
-        for (v, key) in keys.iter().enumerate() {
-            if key.is_right() {
-                continue;
-            }
-            let p = &mut shell.points[v];
-            let (d, n) = field.value_and_normal(*p, key.regions(), 1.0);
-            *p -= n * d.clamp(-2.5 * CM, 2.5 * CM) * 0.8;
-            normals[v] = n;
-            if key.is_midline() {
-                p.x = 0.0;
-            } else if matches!(key, Key::Leg(..)) {
-                p.x = p.x.max(0.2 * CM);
-            }
-        }
-        for (v, key) in keys.iter().enumerate() {
-            if key.is_right() {
-                shell.points[v] = mirror_vector(shell.points[index[&key.mirrored()] as usize]);
-            }
-        }
-    }
-}
-
-/// Winds the faces outwards. Neighbours run along their edge in opposite directions, so one that
-/// lies folded where the field is creased still faces as those about it do; which way is out, the
-/// field's gradient decides over all.
-fn wind(shell: &mut Shell, field: &Field) {
-    let edges = edge_faces(&shell.faces);
-    let runs = |face: &[u32], a: u32, b: u32| {
-        (0..face.len()).any(|i| face[i] == a && face[(i + 1) % face.len()] == b)
-    };
-    let mut wound = vec![false; shell.faces.len()];
-    for start in 0..shell.faces.len() {
-        if wound[start] {
-            continue;
-        }
-        wound[start] = true;
-        let (mut piece, mut next) = (vec![start], 0);
-        while let Some(&f) = piece.get(next) {
-            next += 1;
-            let face = shell.faces[f].clone();
-            for i in 0..face.len() {
-                let (a, b) = (face[i], face[(i + 1) % face.len()]);
-                for &g in &edges[&(a.min(b), a.max(b))] {
-                    let g = g as usize;
-                    if wound[g] {
-                        continue;
-                    }
-                    if runs(&shell.faces[g], a, b) {
-                        shell.faces[g].reverse();
-                    }
-                    wound[g] = true;
-                    piece.push(g);
-                }
-            }
-        }
-        let out: f64 = piece
-            .iter()
-            .map(|&f| outward(&shell.points, &shell.faces[f], field))
-            .sum();
-        if out < 0.0 {
-            piece.iter().for_each(|&f| shell.faces[f].reverse());
-        }
-    }
-}
-
-/// Twice the area with which a quad faces out of the field, square metres.
-fn outward(points: &[DVec3], face: &[u32], field: &Field) -> f64 {
-    let p = |i: usize| points[face[i] as usize];
-    let area = (p(2) - p(0)).cross(p(3) - p(1));
-    let centre = (p(0) + p(1) + p(2) + p(3)) / 4.0;
-    let regions = if centre.y < 0.49 * field.stature_m {
-        Regions::LOWER
-    } else {
-        Regions::UPPER
-    };
-    area.dot(field.value_and_normal(centre, regions, 1.0).1)
-}
-
-/// One label for each vertex, then rounds of averaging with the neighbours.
-fn weights(shell: &Shell, keys: &[Key], heights: &[f64], joints: &Joints) -> Vec<Weights> {
-    let mut w: Vec<Weights> = keys.iter().map(|k| label(*k, heights, joints)).collect();
-    let (around, _) = shell.neighbours();
-    for round in 0..36 {
-        let before = w.clone();
-        for (v, key) in keys.iter().enumerate() {
-            let on_limb = match key {
-                Key::Arm(_, j, _) => ARM_RINGS[*j] > 0.68,
-                Key::Leg(_, j, _) => LEG_RINGS[*j] > 0.68,
-                Key::Trunk(..) | Key::Crotch(_) => false,
-            };
-            if on_limb && round >= 3 {
-                continue;
-            }
-            let share = 0.5 / around[v].len().max(1) as f64;
-            let terms = around[v].iter().map(|&i| (&before[i as usize], share));
-            w[v] = Weights::mix(terms.chain([(&before[v], 0.5)]));
-        }
-    }
-    w
-}
-
-/// Weights along the spine at a height: each bone carries the trunk from its joint to the
-/// next, with a soft change at the joint.
-fn spine_label(y: f64, joints: &Joints) -> Weights {
-    let mut out = Weights::bone(Bone::Sacroiliac);
-    for bone in [Bone::Lumbar, Bone::Thoracic, Bone::Cervical] {
-        let reach = if bone == Bone::Cervical { 1.5 } else { 3.5 } * CM;
-        let above = smooth((y - joints.at(bone).y + reach) / (2.0 * reach));
-        out = out.lerp(&Weights::bone(bone), above);
-    }
-    out
-}
-
-fn label(key: Key, heights: &[f64], joints: &Joints) -> Weights {
-    match key {
-        Key::Crotch(_) => Weights::bone(Bone::Sacroiliac),
-        Key::Trunk(r, column) => {
-            let last = ROWS.len() - 1;
-            let q = column.min(COLUMNS - column);
-            let side = if column < 12 { Side::Left } else { Side::Right };
-            let girdle = (r > HOLE.0 && r <= HOLE.1 && (3..=9).contains(&q))
-                || ((HOLE.1 - 1..=HOLE.1).contains(&r) && (q == 2 || q == 10));
-            if r == last {
-                Weights::bone(Bone::Skull)
-            } else if r + 1 == last {
-                Weights::bone(Bone::Cervical)
-            } else if girdle {
-                Weights::bone(Bone::on(side, "scapula"))
-            } else {
-                spine_label(heights[r], joints)
-            }
-        }
-        Key::Arm(side, j, k) => {
-            // Over the shoulder the girdle reaches farther out, or a raised arm would fold
-            // the cloth into the trunk; the armpit's cloth goes with the arm.
-            let top = ops::cos(core::f64::consts::TAU * k as f64 / RING as f64).max(0.0);
-            let near = 1.0 - smooth((ARM_RINGS[j] - 0.10) / 0.5);
-            arm_label(side, ARM_RINGS[j] - 0.09 * top * near)
-        }
-        Key::Leg(side, j, _) => {
-            let [hip, knee, foot] = ["hip", "knee", "subtalar"].map(|n| Bone::on(side, n));
-            match LEG_RINGS[j] {
-                t if t < 0.15 => Weights::one(Rig::Half(hip)),
-                t if t < 0.90 => Weights::bone(hip),
-                t if t < 1.09 => Weights::one(Rig::Half(knee)),
-                t if t < 1.95 => Weights::bone(knee),
-                _ => Weights::bone(foot),
-            }
-        }
-    }
-}
-
-/// Weights along the arm: half joints at shoulder and elbow, the wrist's twist by thirds.
-#[must_use]
-pub fn arm_label(side: Side, t: f64) -> Weights {
-    let [scapula, shoulder, elbow, wrist] =
-        ["scapula", "shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
-    let stops = [
-        (-0.04, Rig::Bone(scapula)),
-        (0.14, Rig::Half(shoulder)),
-        (0.40, Rig::Swing(shoulder, 1)),
-        (0.60, Rig::Swing(shoulder, 1)),
-        (0.72, Rig::Swing(shoulder, 2)),
-        (0.86, Rig::Bone(shoulder)),
-        (1.0, Rig::Half(elbow)),
-        (1.17, Rig::Bone(elbow)),
-        (1.36, Rig::Twist(wrist, 1)),
-        (1.66, Rig::Twist(wrist, 2)),
-        (1.92, Rig::Twist(wrist, 2)),
-        (2.0, Rig::Half(wrist)),
-        (2.08, Rig::Bone(wrist)),
-    ];
-    let i = stops.partition_point(|s| s.0 <= t);
-    match (i.checked_sub(1).map(|b| stops[b]), stops.get(i)) {
-        (None, _) => Weights::one(stops[0].1),
-        (Some(last), None) => Weights::one(last.1),
-        (Some(a), Some(b)) => Weights::one(a.1).lerp(&Weights::one(b.1), (t - a.0) / (b.0 - a.0)),
-    }
 }

@@ -332,6 +332,7 @@ impl Field {
 }
 
 /// Muscles and pads of the left side.
+#[expect(clippy::too_many_lines, reason = "a table: one row for each pad")]
 fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     let (s, f, child, old) = (p.stature_m, p.sex, p.child(), p.old());
     let k = p.scale() * lerp(1.0, 0.9, child);

@@ -2,6 +2,10 @@
 
 use super::{CHANNELS, Class, PhoneTargets};
 
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a table: one argument for each of its columns"
+)]
 const fn row(
     name: &'static str,
     viseme: &'static str,

@@ -162,15 +162,15 @@ mod tests {
         Accent, AudioFile, Emotion, Holds, Phone, Phrase, Sentence, Syllable, Word,
     };
 
-    #[test]
-    fn what_is_written_is_read_again() {
+    /// An utterance that has something in every field.
+    fn utterance() -> Utterance {
         let word = |text: &str, start_secs, end_secs| Word {
             text: text.to_owned(),
             start_secs,
             end_secs,
             emphasized: false,
         };
-        let utterance = Utterance {
+        Utterance {
             key: 0x0123_4567_89ab_cdef,
             content: 7,
             source: Some(u64::MAX),
@@ -234,7 +234,12 @@ mod tests {
             }],
             f0: vec![0, 1, 255],
             intensity: vec![3, 2],
-        };
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let utterance = utterance();
         let voice = |engine: &str| Voice {
             engine: engine.to_owned(),
             voice: "v".to_owned(),

@@ -309,6 +309,20 @@ impl Dice {
         (profile != Profile::default()).then(|| Box::new(profile))
     }
 
+    /// Any element that holds spoken text.
+    fn container(&mut self) -> Markup {
+        let containers: Vec<fn() -> Markup> = ELEMENTS
+            .iter()
+            .filter_map(|e| match e.role {
+                Role::Container(blank) => Some(blank),
+                _ => None,
+            })
+            .collect();
+        let mut markup = self.pick(&containers)();
+        self.fill(markup.record());
+        markup
+    }
+
     fn voice(&mut self) -> VoiceText {
         let mut pieces = Vec::new();
         let mut open: Vec<(bool, f64)> = Vec::new();
@@ -347,15 +361,7 @@ impl Dice {
                     open.push((true, emphasis));
                 }
                 5 => {
-                    let containers: Vec<fn() -> Markup> = ELEMENTS
-                        .iter()
-                        .filter_map(|e| match e.role {
-                            Role::Container(blank) => Some(blank),
-                            _ => None,
-                        })
-                        .collect();
-                    let mut markup = self.pick(&containers)();
-                    self.fill(markup.record());
+                    let markup = self.container();
                     open.push((false, emphasis));
                     if let Markup::Emph(emph) = &markup {
                         emphasis = schema::emphasis(emph.level);

@@ -1,165 +1,20 @@
 //! `raconteur serve`: minds by standard input, TCP and WebSocket; floods, garbage, tokens.
 
+mod server;
+
 use std::fmt::Write as _;
 use std::fs;
-use std::io::{BufRead as _, BufReader, ErrorKind, Read as _, Write as _};
+use std::io::{ErrorKind, Read as _, Write as _};
 use std::net::TcpStream;
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
-use tungstenite::client::IntoClientRequest as _;
-use tungstenite::{Message, WebSocket};
+use tungstenite::Message;
 
-/// Nothing that is awaited takes as long on the slowest machine.
-const LONG: Duration = Duration::from_secs(60);
+use self::server::{LONG, Server, Tcp, closing, command, hear, is, root, websocket};
 
 const LINE: &str = "<voice-text time='0' timeId='v'><div>Hello <emph><tm name='w'/>world!</emph>\
                     </div></voice-text>";
-
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
-    command
-        .arg("serve")
-        .args(arguments)
-        .current_dir(root())
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    command
-}
-
-/// A server that ends with its test.
-struct Server {
-    child: Child,
-    /// Where it says that it listens, in order.
-    addresses: Vec<String>,
-    /// What it says that a mind by TCP says first, with the end of the line.
-    greeting: String,
-}
-
-impl Server {
-    /// Starts one with this many ways in.
-    fn start(arguments: &[&str], ways: usize) -> Self {
-        let mut child = command(arguments).spawn().expect("the program runs");
-        let stderr = child.stderr.take().expect("standard error");
-        let mut lines = BufReader::new(stderr).lines();
-        let mut addresses = Vec::new();
-        let mut greeting = String::new();
-        let by_tcp = arguments.contains(&"--tcp");
-        while addresses.len() < ways || (by_tcp && greeting.is_empty()) {
-            let line = lines.next().expect("an address").expect("text");
-            if let Some((_, first)) = line.split_once("its first line is: ") {
-                greeting = format!("{first}\n");
-            }
-            let Some((_, at)) = line.split_once(" at ") else {
-                continue;
-            };
-            let at = at.trim_start_matches("ws://").trim_end_matches('/');
-            addresses.push(at.to_owned());
-        }
-        // What else it says must find a reader.
-        std::thread::spawn(move || lines.count());
-        Self {
-            child,
-            addresses,
-            greeting,
-        }
-    }
-
-    /// A mind by TCP that is let in.
-    fn mind(&self) -> Tcp {
-        let address = self.addresses.last().expect("an address");
-        let mut mind = Tcp::connect(address);
-        mind.send(&self.greeting);
-        mind
-    }
-}
-
-impl Drop for Server {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-/// A mind by TCP.
-struct Tcp {
-    stream: TcpStream,
-    lines: BufReader<TcpStream>,
-}
-
-impl Tcp {
-    fn connect(address: &str) -> Self {
-        let stream = TcpStream::connect(address).expect("a connection");
-        stream.set_read_timeout(Some(LONG)).expect("a timeout");
-        stream.set_write_timeout(Some(LONG)).expect("a timeout");
-        let lines = BufReader::new(stream.try_clone().expect("a second handle"));
-        Self { stream, lines }
-    }
-
-    fn send(&mut self, text: &str) {
-        self.stream.write_all(text.as_bytes()).expect("sent");
-    }
-
-    /// The next line; none when the connection has ended.
-    fn next(&mut self) -> Option<Value> {
-        let mut line = String::new();
-        match self.lines.read_line(&mut line) {
-            Ok(0) => None,
-            Ok(_) => Some(serde_json::from_str(&line).unwrap_or_else(|e| panic!("{e}: {line}"))),
-            Err(e) if e.kind() == ErrorKind::ConnectionReset => None,
-            Err(e) => panic!("{e}"),
-        }
-    }
-
-    /// The next line for which something holds.
-    fn until(&mut self, holds: impl Fn(&Value) -> bool) -> Value {
-        let since = Instant::now();
-        while since.elapsed() < LONG {
-            let line = self.next().expect("the connection is open");
-            if holds(&line) {
-                return line;
-            }
-        }
-        panic!("it did not come");
-    }
-}
-
-fn is(line: &Value, kind: &str) -> bool {
-    line["kind"] == kind
-}
-
-fn websocket(url: &str, header: Option<(&'static str, &str)>) -> Result<WebSocket<TcpStream>, u16> {
-    let mut request = url.into_client_request().expect("a request");
-    if let Some((name, value)) = header {
-        let value = value.parse().expect("a header");
-        request.headers_mut().insert(name, value);
-    }
-    let host = request.uri().authority().expect("a host").to_string();
-    let stream = TcpStream::connect(host).expect("a connection");
-    stream.set_read_timeout(Some(LONG)).expect("a timeout");
-    match tungstenite::client(request, stream) {
-        Ok((socket, _)) => Ok(socket),
-        Err(tungstenite::HandshakeError::Failure(tungstenite::Error::Http(response))) => {
-            Err(response.status().as_u16())
-        }
-        Err(error) => panic!("{error}"),
-    }
-}
-
-fn hear(socket: &mut WebSocket<TcpStream>) -> Value {
-    loop {
-        if let Message::Text(text) = socket.read().expect("a message") {
-            return serde_json::from_str(&text).expect("JSON");
-        }
-    }
-}
 
 /// The recorded session of docs/live.md: lines after `> ` go in, the others come out.
 #[test]
@@ -422,17 +277,6 @@ fn dripping_strangers_keep_nobody_out() {
         match stranger.read_to_end(&mut answer) {
             Ok(_) => {}
             Err(e) => assert_eq!(e.kind(), ErrorKind::ConnectionReset),
-        }
-    }
-}
-
-/// How a WebSocket is closed.
-fn closing(socket: &mut WebSocket<TcpStream>) -> Option<u16> {
-    loop {
-        match socket.read() {
-            Ok(Message::Close(frame)) => return frame.map(|f| f.code.into()),
-            Ok(_) => {}
-            Err(e) => panic!("{e}"),
         }
     }
 }

@@ -1,0 +1,83 @@
+//! The attributes of an element.
+
+use super::MOST_ATTRIBUTES;
+use crate::Span;
+use crate::markup;
+use crate::schema::lookup::same;
+use crate::schema::{Attribute, Element, TIMED};
+use std::cell::Cell;
+
+/// The attributes of one element, found in the table. Values are read on demand
+/// (`values.rs`).
+pub(crate) struct Fields<'t> {
+    pub(crate) element: &'static Element,
+    /// The start tag.
+    pub(crate) tag: Span,
+    /// The name in the start tag.
+    pub(crate) name: Span,
+    pub(in crate::schema) attributes: &'t [markup::Attribute<'t>],
+    /// For each attribute of the table its index in `attributes`.
+    pub(super) slots: [u16; MOST_ATTRIBUTES],
+    /// How many attributes the element has in the table.
+    pub(super) count: usize,
+    /// Where in the table to look first for the next attribute.
+    pub(super) next: Cell<usize>,
+    pub(super) complete: bool,
+    pub(super) extended: bool,
+}
+
+impl<'t> Fields<'t> {
+    /// Whether every required attribute is there.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.complete
+    }
+
+    /// Whether any attribute of the extensions is written.
+    pub(crate) fn is_extended(&self) -> bool {
+        self.extended
+    }
+
+    /// Whether an attribute is written.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.get(name).is_some_and(|(_, written)| written.is_some())
+    }
+
+    /// The entry of an attribute and how it is written, when it is.
+    pub(in crate::schema) fn get(
+        &self,
+        name: &str,
+    ) -> Option<(&'static Attribute, Option<&'t markup::Attribute<'t>>)> {
+        let (slot, attribute) = self.slot(name)?;
+        Some((
+            attribute,
+            self.attributes.get(usize::from(self.slots[slot])),
+        ))
+    }
+
+    /// The attribute with exactly this name and its place among all of the element.
+    /// Scripts and readers mostly go in the order of the table, so the search starts
+    /// behind what was found last.
+    pub(super) fn slot(&self, name: &str) -> Option<(usize, &'static Attribute)> {
+        let own = self.element.attributes;
+        let mut slot = self.next.get();
+        for _ in 0..self.count {
+            if slot >= self.count {
+                slot = 0;
+            }
+            let attribute = own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()]);
+            if same(attribute.name, name) {
+                self.next.set(slot + 1);
+                return Some((slot, attribute));
+            }
+            slot += 1;
+        }
+        None
+    }
+
+    /// Where the value of an attribute is, or else the start tag.
+    pub(crate) fn span_of(&self, name: &str) -> Span {
+        self.get(name)
+            .and_then(|(_, written)| written)
+            .map_or(self.tag, markup::Attribute::value_span)
+    }
+}

@@ -1,0 +1,80 @@
+//! The skin of a head alone.
+
+use raconteur_base::DVec3;
+
+use super::chart::chart;
+use super::cut::{behind, cut_part, kept, skin_cut};
+use super::segment::{self, HeadSegment};
+use super::sheet::HeadSheet;
+use super::strands::BrowLine;
+use super::{HeadParams, Shape, named};
+use crate::part::PartVertex;
+use crate::person::Person;
+
+/// The skin of a head without anything else, in a fraction of the time: the same vertices as those of
+/// [`build`](super::build).
+#[derive(Clone, Debug)]
+pub struct BareSkin {
+    /// Where the vertices are; metres, frame of the head.
+    pub positions: Vec<DVec3>,
+    /// Polygons, counter-clockwise from outside.
+    pub faces: Vec<Vec<u32>>,
+    /// Named points: name and vertex.
+    pub landmarks: Vec<(String, u32)>,
+    /// Segments.
+    pub segments: Vec<HeadSegment>,
+    /// What lies in it.
+    pub organs: Organs,
+}
+
+/// What lies in a head and moves by itself; metres, frame of the head.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Organs {
+    /// Centres of the left and the right eyeball.
+    pub eye_centres: [DVec3; 2],
+    /// Upper-lid rotation that closes the eye, left and right, radians.
+    pub lid_closure_rad: [f64; 2],
+    /// Height of the chin's lowest point.
+    pub chin: f64,
+}
+
+impl Organs {
+    /// All numbers one after another.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let all = self.eye_centres.iter().flat_map(DVec3::to_array);
+        all.chain(self.lid_closure_rad).chain([self.chin]).collect()
+    }
+}
+
+impl BareSkin {
+    /// That of a person's head.
+    #[must_use]
+    pub fn of(person: &Person, params: &HeadParams) -> Self {
+        let shape = Shape::of(person, &params.bound, params.asymmetry);
+        let vertices: Vec<PartVertex> = (0..shape.surface.len())
+            .map(|v| shape.vertex(v, 1.0))
+            .collect();
+        let part = cut_part(&shape.surface, chart(), &[], &skin_cut(&vertices));
+        let drawn = behind(&part, &shape.positions);
+        Self {
+            positions: part.vertices.iter().map(|v| v.position).collect(),
+            faces: part.faces,
+            landmarks: named(&shape, &drawn),
+            segments: segment::segments(&shape, &drawn),
+            organs: Organs {
+                eye_centres: shape.eye_centres().map(|p| p * 1e-3),
+                lid_closure_rad: shape.rig.closure_rad,
+                chin: shape.extent()[0],
+            },
+        }
+    }
+}
+
+/// What the skin of a head is painted on, and for each vertex of the drawn skin its vertex there.
+pub(crate) fn bare_sheet(person: &Person, params: &HeadParams) -> (HeadSheet, Vec<usize>) {
+    let shape = Shape::of(person, &params.bound, params.asymmetry);
+    let line = BrowLine::above(&shape.fitted.brow);
+    let (used, _) = kept(&shape.surface, chart(), skin_cut(&[]).keep);
+    (shape.sheet(&line, params.brow.colour), used)
+}

@@ -1,0 +1,130 @@
+//! Parts cut from the surface of a head: skin, and the bag of the mouth.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::DVec3;
+
+use super::cage::Zone;
+use super::chart::Chart;
+use super::surface::Surface;
+use crate::part::{MeshPart, PartMorph, PartVertex};
+use raconteur_body::figure::{Maps, Material, MaterialKind};
+
+/// Inside of the mouth: a part of its own.
+pub(super) fn is_bag(zone: Zone) -> bool {
+    matches!(zone, Zone::Mouth(5..))
+}
+
+/// The skin as a part of the surface.
+pub(super) fn skin_cut(vertices: &[PartVertex]) -> PartCut<'_> {
+    PartCut {
+        name: "head",
+        kind: MaterialKind::Skin,
+        roughness: 0.48,
+        vertices,
+        keep: |z| !is_bag(z),
+    }
+}
+
+/// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
+/// a place twice where its texture has a seam.
+pub(super) fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
+    let key = |p: DVec3| p.to_array().map(f64::to_bits);
+    let by_place: BTreeMap<[u64; 3], u32> = positions
+        .iter()
+        .zip(0u32..)
+        .map(|(&p, v)| (key(p * 1e-3), v))
+        .collect();
+    part.vertices
+        .iter()
+        .map(|v| by_place.get(&key(v.position)).copied().unwrap_or(u32::MAX))
+        .collect()
+}
+
+/// A part that is cut from the surface.
+pub(super) struct PartCut<'a> {
+    pub(super) name: &'a str,
+    pub(super) kind: MaterialKind,
+    pub(super) roughness: f32,
+    /// Vertices of the whole surface.
+    pub(super) vertices: &'a [PartVertex],
+    /// Whether faces of a zone belong to it.
+    pub(super) keep: fn(Zone) -> bool,
+}
+
+/// The faces of some zones, and the chart's vertex of each of theirs.
+pub(super) fn kept(
+    surface: &Surface,
+    chart: &Chart,
+    keep: fn(Zone) -> bool,
+) -> (Vec<usize>, Vec<Vec<u32>>) {
+    let mut index = vec![u32::MAX; chart.uv.len()];
+    let mut used: Vec<usize> = Vec::new();
+    let kept = chart.faces.iter().zip(&surface.zones);
+    let faces = kept
+        .filter(|&(_, &z)| keep(z))
+        .map(|(face, _)| {
+            let slot = |&v: &u32| {
+                let slot = &mut index[v as usize];
+                if *slot == u32::MAX {
+                    *slot = used.len() as u32;
+                    used.push(v as usize);
+                }
+                *slot
+            };
+            face.iter().map(slot).collect()
+        })
+        .collect();
+    (used, faces)
+}
+
+/// The faces of some zones as a part of their own, with vertices doubled along the chart's
+/// cut; `moved` are the morphs of the whole surface.
+pub(super) fn cut_part(
+    surface: &Surface,
+    chart: &Chart,
+    moved: &[(&'static str, Vec<DVec3>)],
+    cut: &PartCut<'_>,
+) -> MeshPart {
+    let (used, faces) = kept(surface, chart, cut.keep);
+    let source = |v: &usize| chart.source[*v] as usize;
+    let morphs = moved
+        .iter()
+        .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
+        .filter(|m| !m.deltas.is_empty())
+        .collect();
+    MeshPart {
+        name: cut.name.to_owned(),
+        material: Material {
+            kind: cut.kind,
+            base_color: [1.0; 4],
+            roughness: cut.roughness,
+            double_sided: false,
+            maps: Maps::default(),
+        },
+        vertices: used
+            .iter()
+            .map(|v| PartVertex {
+                uv: chart.uv[*v],
+                ..cut.vertices[source(v)].clone()
+            })
+            .collect(),
+        faces,
+        morphs,
+        bound: Vec::new(),
+    }
+}
+
+/// Movements below 20 µm are left out.
+fn part_morph(name: &str, deltas_mm: &[DVec3]) -> PartMorph {
+    let kept = |(_, d): &(usize, &DVec3)| d.length_squared() > 4e-4;
+    PartMorph {
+        name: name.to_owned(),
+        deltas: deltas_mm
+            .iter()
+            .enumerate()
+            .filter(kept)
+            .map(|(i, &d)| (i as u32, d * 1e-3))
+            .collect(),
+    }
+}
