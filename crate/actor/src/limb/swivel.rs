@@ -255,7 +255,7 @@ impl LimbRig {
         let hinge = circle.direction.cross(outwards) * facing;
         let across = side - fore * fore.dot(side);
         let twist = (FREE_TWIST - across.dot(hinge) / across.magnitude().max(0.2)).max(0.0);
-        1.2 * bend * bend + 1.2 * twist * twist
+        1.2 * bend * bend + 0.95 * twist * twist
     }
 }
 
