@@ -15,7 +15,7 @@ const ALLOWED: [(&str, &[&str]); 18] = [
     ("tissue", &["base"]),
     ("body", &["base", "tissue"]),
     ("reshape", &["base", "body"]),
-    ("faces", &["base", "body"]),
+    ("faces", &["base"]),
     ("actor", &["base", "speech", "body", "tissue"]),
     ("stage", &["base", "body"]),
     ("render", &["stage", "body", "base"]),
