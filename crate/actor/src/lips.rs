@@ -90,8 +90,9 @@ struct Segment {
 }
 
 impl LipTrack {
-    /// From an utterance's phones (seconds from its start, ascending). The utterance is taken to
-    /// have silence on both sides.
+    /// From an utterance's phones (seconds from its start, ascending): a segment for each, two for a
+    /// diphthong, with the times between which its dominance holds. The utterance is taken to have
+    /// silence on both sides.
     #[must_use]
     pub fn new(phones: &[Phone]) -> Self {
         let mut segments = Vec::with_capacity(phones.len() + 8);

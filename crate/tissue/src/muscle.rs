@@ -238,9 +238,10 @@ mod tests {
         if std::env::var_os("UPDATE").is_some() {
             std::fs::write(path, &wanted).expect("the page is written");
         }
+        let page = std::fs::read_to_string(path).expect("the page of the face");
         assert!(
             page == wanted,
-            "run it again with UPDATE=1 to write docs/face.md"
+            "docs/face.md is stale: UPDATE=1 cargo test -p raconteur-tissue"
         );
     }
 

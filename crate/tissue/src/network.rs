@@ -265,8 +265,9 @@ impl Network {
         }
     }
 
-    /// The nodes between the last two steps: 0 the one before, 1 the last. `nodes` has room
-    /// for all.
+    /// The nodes between the last two steps, 0 the one before, 1 the last: how far each is from rest,
+    /// smoothed but on lips, lids and nose, how its normal turned, its wrinkles and blood. `nodes` has
+    /// room for all.
     pub fn write(&mut self, tissue: &Tissue, share: f32, nodes: &mut [NodeState]) {
         let steps = self.springs.before.iter().zip(&self.springs.places);
         for (shown, (a, b)) in self.shown.iter_mut().zip(steps) {

@@ -138,7 +138,8 @@ impl Calming {
         }
     }
 
-    /// Leads an arm at a time.
+    /// Leads an arm at a time: within a stretch that was found to jump its four joints turn
+    /// smoothly from those before to those after it; everywhere else the arm is left alone.
     pub(crate) fn lead(&self, side: Side, time_secs: f64, arm: &mut ArmSolution) {
         let begun = self.stretches.partition_point(|c| c.span()[0] <= time_secs);
         if let Some(calm) = begun.checked_sub(1).and_then(|i| self.stretches.get(i)) {

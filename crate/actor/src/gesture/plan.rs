@@ -104,7 +104,9 @@ impl ArmPlan {
         &self.rig
     }
 
-    /// What the hand should do at a time. O(log n), no allocation.
+    /// What the hand should do at a time: at a planned key its place exactly, between two of them
+    /// what the way from one to the other makes of the time, before the first and after the last
+    /// rest. O(log n), no allocation.
     #[must_use]
     pub fn at(&self, time_secs: f64) -> HandTarget {
         let rest = self.rest.at(time_secs);

@@ -71,8 +71,9 @@ impl Girdle {
         (turned, self.shoulder_at(world_from_thorax, scapula))
     }
 
-    /// Rotation of the scapula bone for a wrist: the girdle rises and reaches with the arm,
-    /// and by a shrug, radians.
+    /// Rotation of the scapula bone for a wrist: it rises by up to 0.34 rad as the wrist comes up
+    /// and away from the body, and by a shrug, radians; it protracts as far as the wrist is ahead
+    /// and not across the chest.
     #[must_use]
     pub fn scapula_for(
         &self,

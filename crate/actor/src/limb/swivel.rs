@@ -150,7 +150,10 @@ impl LimbRig {
         ops::atan2(hinge.dot(second), hinge.dot(first))
     }
 
-    /// The best swivel for a target in reach, radians from the natural direction.
+    /// The best swivel for a target in reach, radians from the natural direction: the mean of nine
+    /// about that, each weighed by the exponential function of its negative effort. Effort is to be
+    /// lifted, to strain the hand, to go beyond the shoulder's limits, against the user's preference
+    /// or into what is in the way.
     #[must_use]
     pub fn swivel_for(&self, target: &Frame, base: &Base, comfort: &Comfort<'_>) -> f64 {
         let axes = self.axes_for(target, base);

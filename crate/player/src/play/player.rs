@@ -370,16 +370,6 @@ impl Player {
             .collect()
     }
 
-    /// The frame of a time, for a picture of `aspect` (width over height). Times outside
-    /// the story show its first or last moment, unless it is open-ended; a time that is not a
-    /// number, the first.
-    pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
-        self.leave_welcome(self.clock.shown_secs(time_secs, self.end_secs()));
-        self.evaluate(time_secs);
-        self.frame.camera = self.camera(aspect);
-        &self.frame
-    }
-
     /// Shows the whole figure from another side, whatever the shot; the shot again by none.
     /// The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {

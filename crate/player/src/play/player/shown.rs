@@ -4,13 +4,23 @@ use raconteur_actor::Report;
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::Bone;
 use raconteur_eml::Scenery;
-use raconteur_stage::{Camera, Room, Set, SetKind, aside_in, pupil};
+use raconteur_stage::{Camera, Frame, Room, Set, SetKind, aside_in, pupil};
 
 use super::Player;
 use crate::play::fibres;
 use crate::play::picture::Subject;
 
 impl Player {
+    /// The frame of a time, for a picture of `aspect` (width over height). Times outside
+    /// the story show its first or last moment, unless it is open-ended; a time that is not a
+    /// number, the first.
+    pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
+        self.leave_welcome(self.clock.shown_secs(time_secs, self.end_secs()));
+        self.evaluate(time_secs);
+        self.frame.camera = self.camera(aspect);
+        &self.frame
+    }
+
     /// The camera of the frame that is shown, for a picture of `aspect` (width over height).
     pub(crate) fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
