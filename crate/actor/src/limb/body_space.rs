@@ -190,6 +190,10 @@ impl BodySpace {
     /// How deep a place that needs `room_m` around it is in the trunk, as a share of the half
     /// axes: 1 in the middle, 0 outside.
     pub(super) fn depth_in_trunk(&self, p: DVec3, room_m: f64) -> f64 {
+        // Most of an arm is beside the trunk, and needs no measure of its depth there.
+        if p.x.abs() >= self.half_width + room_m {
+            return 0.0;
+        }
         let [half_width, half_depth] = self.half_axes_at(p, room_m);
         let (x, z) = (p.x / half_width, (p.z - self.axis_z) / half_depth);
         let square = x * x + z * z;
