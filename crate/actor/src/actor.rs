@@ -36,7 +36,7 @@ pub struct Report {
     /// How far each wrist of the pose is from there, metres.
     pub wrist_errors_m: [f64; 2],
     /// World from the target of each limb that a manipulator or, without a turn, a gesture
-    /// leads, in the order of [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
+    /// leads, in the order of [`Limb::ALL`](crate::limb::Limb::ALL) without the head.
     pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
