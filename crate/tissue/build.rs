@@ -38,7 +38,7 @@ fn main() -> io::Result<()> {
 
 /// How many there are, a constant for each, and its row.
 fn muscles_of(rows: &[Row<'_>], out: &mut String) -> fmt::Result {
-    let all: Vec<_> = table::each(rows).collect();
+    let all: Vec<_> = table::for_each_muscle(rows).collect();
     writeln!(
         out,
         "/// How many muscles a face has, left and right counted apart."
@@ -83,7 +83,7 @@ the muscles do (F&H section 3.1.1) and the action units that the targets are nam
         arkit,
         out,
     )?;
-    let each = || table::each(rows);
+    let each = || table::for_each_muscle(rows);
     let apart = each().filter_map(|(row, side)| {
         let [seal, bite] = row.closures?;
         Some(format!("Muscle::{}{side}, {seal}, {bite}", row.code))
@@ -133,7 +133,7 @@ fn list(
 fn pairs(rows: &[Row<'_>], against: &[Antagonists<'_>], out: &mut String) -> fmt::Result {
     // Of a set those muscles whose names end so; those of the middle are on every side.
     let set = |names: &[&str], wanted: Option<&str>| {
-        let all = table::each(rows).filter(|(row, side)| {
+        let all = table::for_each_muscle(rows).filter(|(row, side)| {
             let is_there = wanted.is_none_or(|w| side.is_empty() || *side == w);
             is_there && names.contains(&row.name)
         });

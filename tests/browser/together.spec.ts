@@ -8,7 +8,7 @@ import { expect, ready, test } from './stage.js';
 
 const PLAYERS = sized(4, 8);
 /** Mean absolute difference of a picture from its own mean: a canvas of one colour has none. */
-const LEAST_SPREAD = 4;
+const MIN_SPREAD = 4;
 
 /** What each player draws, as greys of a few places: pictures of the window would hold up a machine that plays eight stories. */
 const looks = (page: Page): Promise<number[][]> =>
@@ -45,7 +45,7 @@ test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag:
       })),
     );
   await expect.poll(async () => (await shown()).every(({ first, calls }) => first > 0 && calls > 0), { timeout: 60_000 }).toBe(true);
-  for (const { spread } of await Promise.all(players.map((player) => stage.picture(player)))) expect(spread).toBeGreaterThan(LEAST_SPREAD);
+  for (const { spread } of await Promise.all(players.map((player) => stage.picture(player)))) expect(spread).toBeGreaterThan(MIN_SPREAD);
   await page.evaluate(() => Promise.all([...document.querySelectorAll<RaconteurPlayer>('raconteur-player')].map((player) => player.play())));
   await stage.until(1, players.at(-1));
   const before = await looks(page);
@@ -56,7 +56,7 @@ test(`${PLAYERS} players on one page paint at once, at rest and in play`, { tag:
     expect(
       apart(look, () => mean),
       `player ${i}`,
-    ).toBeGreaterThan(LEAST_SPREAD);
+    ).toBeGreaterThan(MIN_SPREAD);
     expect(
       apart(look, (k) => before[i]?.[k] ?? 0),
       `player ${i}`,

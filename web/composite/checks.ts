@@ -2,7 +2,7 @@
 
 import type { Act } from './acts.js';
 import { LIMITS } from './limits.js';
-import { isLook, isMark, MOST_MARKS } from './look.js';
+import { isLook, isMark, MAX_MARKS } from './look.js';
 
 /** What is wrong, in words that follow "step 12:"; undefined where nothing is. */
 type Fault = string | undefined;
@@ -82,7 +82,7 @@ const CHECKS: Readonly<Record<Act['kind'], (act: Fields) => Fault>> = {
   marks: ({ what, marks }) =>
     first(
       text('name', what),
-      list('marks', marks, MOST_MARKS, (mark) => (isMark(mark) ? undefined : 'a mark is none that there is')),
+      list('marks', marks, MAX_MARKS, (mark) => (isMark(mark) ? undefined : 'a mark is none that there is')),
     ),
 };
 

@@ -11,7 +11,7 @@ import { TABS } from './template.js';
 type Attribute = FacePack['attributes'][number];
 
 /** Things that are offered beside features, at most. */
-const MOST = 8;
+const MAX_OFFERS = 8;
 
 const named = (kind: string, names: Readonly<Record<string, string>>): Row[] =>
   Object.entries(names).map(([key, name]) => ({ thing: `${kind} ${key}` as Thing, shown: '', called: [name] }));
@@ -49,7 +49,7 @@ export function found(app: App, index: Index, typed: string): Found {
   const others = things.filter((thing) => !thing.startsWith('feature '));
   return {
     features,
-    ways: things.length === 0 ? proposals(app, index, typed) : waysTo(app, others.slice(0, MOST)),
+    ways: things.length === 0 ? proposals(app, index, typed) : waysTo(app, others.slice(0, MAX_OFFERS)),
     isElsewhere: things[0]?.startsWith('feature ') === false,
   };
 }

@@ -12,8 +12,8 @@ const SCALE_PX = 200;
 /** A turn of a segment, radians for each pixel. */
 const TURN_PER_PX = 0.006;
 /** A drag moves no farther, metres; nor larger or smaller than by this factor. */
-const FARTHEST_M = 0.02;
-const LARGEST = 1.6;
+const MAX_M = 0.02;
+const MAX_BYTES = 1.6;
 
 type Three = readonly [number, number, number];
 
@@ -37,7 +37,7 @@ export function changeOf(drag: Exclude<App['drag'], 'view'>, right: number, up: 
   const still: Change = { scale: [1, 1, 1], turn: [0, 0, 0], way: [0, 0, 0] };
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
   if (drag === 'move') {
-    const [x, y] = [within(right * metres, FARTHEST_M), within(up * metres, FARTHEST_M)];
+    const [x, y] = [within(right * metres, MAX_M), within(up * metres, MAX_M)];
     return { ...still, way: [x * cos, y, -x * sin] };
   }
   if (drag === 'turn') {
@@ -45,7 +45,7 @@ export function changeOf(drag: Exclude<App['drag'], 'view'>, right: number, up: 
     const angle = within(right * TURN_PER_PX, 0.6);
     return Math.abs(sin) > Math.SQRT1_2 ? { ...still, turn: [-Math.sign(sin) * angle, 0, 0] } : { ...still, turn: [0, 0, -Math.sign(cos) * angle] };
   }
-  const factor = (pixels: number): number => Math.exp(within(pixels / SCALE_PX, Math.log(LARGEST)));
+  const factor = (pixels: number): number => Math.exp(within(pixels / SCALE_PX, Math.log(MAX_BYTES)));
   return { ...still, scale: Math.abs(sin) > Math.SQRT1_2 ? [1, factor(up), factor(right)] : [factor(right), factor(up), 1] };
 }
 

@@ -8,14 +8,14 @@ import { LIGHTS } from './scene.js';
 
 const DEGREE = Math.PI / 180;
 /** Hair with so little grey has none. */
-const LEAST_GREY = 0.005;
+const MIN_GREY = 0.005;
 
 /** A colour by the nearest natural one, and its grey. */
 export function colourWords(colour: HairColour | undefined, natural: readonly NaturalHair[]): string | undefined {
   if (colour === undefined) return undefined;
   const far = (n: NaturalHair): number => Math.hypot(n.colour.eumelanin - colour.eumelanin, n.colour.pheomelanin - colour.pheomelanin);
   const nearest = [...natural].sort((a, b) => far(a) - far(b))[0];
-  const grey = colour.grey < LEAST_GREY ? undefined : colour.grey === 1 ? 'white' : `${Math.round(100 * colour.grey)} percent grey`;
+  const grey = colour.grey < MIN_GREY ? undefined : colour.grey === 1 ? 'white' : `${Math.round(100 * colour.grey)} percent grey`;
   return [colour.grey === 1 ? undefined : nearest?.name, grey].filter((word) => word !== undefined).join(', ') || undefined;
 }
 

@@ -77,11 +77,11 @@ export const MARKS: Readonly<Record<FaceMark['kind'], FirstMark>> = {
 };
 export const SHAPES: Readonly<Record<TattooShape, string>> = { star: 'Star', heart: 'Heart', cross: 'Cross', anchor: 'Anchor', dots: 'Three dots', text: 'Letters' };
 /** A face has no more marks. */
-export const MOST_MARKS = 100;
+export const MAX_MARKS = 100;
 /** A mark is not longer, metres. */
-export const LONGEST_MARK = 0.12;
+export const MAX_MARK_LENGTH = 0.12;
 /** Letters in a tattoo, at most. */
-export const MOST_LETTERS = 24;
+export const MAX_LETTERS = 24;
 
 /** The look with another thing worn, in the place of what it excludes; without it where it was worn. */
 export function toggled(look: FaceLook, kind: WearKind): FaceLook {
@@ -115,7 +115,7 @@ export function isLook(x: unknown): x is FaceLook {
 
 /** Whether what a file holds is a mark. */
 export function isMark(x: unknown): x is FaceMark {
-  if (!isRecord(x) || !Object.hasOwn(MARKS, String(x['kind'])) || !isWithin(x['size'], 0.0005, LONGEST_MARK) || !isWithin(x['turn'], -7, 7)) return false;
+  if (!isRecord(x) || !Object.hasOwn(MARKS, String(x['kind'])) || !isWithin(x['size'], 0.0005, MAX_MARK_LENGTH) || !isWithin(x['turn'], -7, 7)) return false;
   const { corners, shares, shape = 'star', text = '', strength = 1 } = x;
   const isThree = (list: unknown, is: (one: unknown) => boolean): boolean => Array.isArray(list) && list.length === 3 && list.every(is);
   return (
@@ -124,6 +124,6 @@ export function isMark(x: unknown): x is FaceMark {
     isWithin(strength, 0, 1) &&
     Object.hasOwn(SHAPES, String(shape)) &&
     typeof text === 'string' &&
-    text.length <= MOST_LETTERS
+    text.length <= MAX_LETTERS
   );
 }

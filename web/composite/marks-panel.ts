@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { FaceMark, FaceSpot, TattooShape } from '../element/base/face-types.js';
 import { numberField } from '../pages/fields.js';
 import type { App } from './app.js';
-import { LONGEST_MARK, MARKS, MOST_LETTERS, MOST_MARKS, SHAPES } from './look.js';
+import { MAX_MARK_LENGTH, MARKS, MAX_LETTERS, MAX_MARKS, SHAPES } from './look.js';
 
 const DEGREE = Math.PI / 180;
 
@@ -29,7 +29,7 @@ export function marks(app: App): TemplateResult {
     app.placing = placing === kind ? undefined : kind;
     app.redraw();
   };
-  const full = all.length >= MOST_MARKS;
+  const full = all.length >= MAX_MARKS;
   return html`<div class="group" role="group" aria-label="Place">
       ${(Object.keys(MARKS) as FaceMark['kind'][]).map(
         (kind) => html`<button type="button" class="plain" ?disabled=${full} aria-pressed=${placing === kind} @click=${() => choose(kind)}>${MARKS[kind].name}</button>`,
@@ -40,7 +40,7 @@ export function marks(app: App): TemplateResult {
 }
 
 function told({ placing, marks: all }: App, full: boolean): string {
-  if (full) return `A face has at most ${MOST_MARKS} marks.`;
+  if (full) return `A face has at most ${MAX_MARKS} marks.`;
   const what = typeof placing === 'number' ? (all[placing]?.kind ?? 'scar') : placing;
   if (what !== undefined)
     return `Press on the face where the ${MARKS[what].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
@@ -75,7 +75,7 @@ function entry(app: App, mark: FaceMark, i: number): TemplateResult {
     app.do({ kind: 'marks', marks: app.marks.filter((_, k) => k !== i), what: `${name.toLowerCase()} taken away` });
   };
   return html`<section class="region" aria-label=${title}><h3>${title}</h3>
-    ${field('Length', 1000 * mark.size, [2, 1000 * LONGEST_MARK], 1, 'mm', (mm) => ({ size: mm / 1000 }))}
+    ${field('Length', 1000 * mark.size, [2, 1000 * MAX_MARK_LENGTH], 1, 'mm', (mm) => ({ size: mm / 1000 }))}
     ${mark.kind === 'mole' ? nothing : field('Turned', mark.turn / DEGREE, [-180, 180], 5, '°', (degrees) => ({ turn: degrees * DEGREE }))}
     ${field('Strength', 100 * (mark.strength ?? 1), [10, 100], 5, '%', (percent) => ({ strength: percent / 100 }))}
     ${mark.kind === 'tattoo' ? motif(mark, title, alter) : nothing}
@@ -92,5 +92,5 @@ function motif(mark: FaceMark, title: string, alter: (change: Partial<FaceMark>,
     const to = (event.target as HTMLSelectElement).value as TattooShape;
     alter({ shape: to, ...(to === 'text' ? { text: mark.text ?? 'Mom' } : {}) }, `tattoo: ${SHAPES[to].toLowerCase()}`);
   }}>${(Object.entries(SHAPES) as [TattooShape, string][]).map(([key, name]) => html`<option value=${key} .selected=${key === shape}>${name}</option>`)}</select></label>
-    ${shape === 'text' ? html`<label class="select side"><span>Letters</span><input type="text" maxlength=${MOST_LETTERS} .value=${mark.text ?? ''} autocomplete="off" @change=${(event: Event) => alter({ text: (event.target as HTMLInputElement).value }, 'tattoo: letters')} /></label>` : nothing}`;
+    ${shape === 'text' ? html`<label class="select side"><span>Letters</span><input type="text" maxlength=${MAX_LETTERS} .value=${mark.text ?? ''} autocomplete="off" @change=${(event: Event) => alter({ text: (event.target as HTMLInputElement).value }, 'tattoo: letters')} /></label>` : nothing}`;
 }

@@ -14,9 +14,9 @@ type Attribute = FacePack['attributes'][number];
 /** One press of a button for more or less. */
 const STEP = 0.1;
 /** Attributes go somewhat farther than people do. */
-const FARTHEST = 1.5;
+const MAX_OFFSET = 1.5;
 /** A slider that is nearer to its middle is in it. */
-const LEAST = 0.005;
+const MIN_OFFSET = 0.005;
 export const PARTS: Readonly<Record<FacePart, string>> = { shape: 'Shape', texture: 'Colour' };
 
 // --- features ---
@@ -33,7 +33,7 @@ function feature(app: App, a: Attribute): TemplateResult {
     else app.move({ kind: 'hold', held: app.held.map((h) => (h === held ? { ...h, value: target } : h)) });
   };
   const step = (by: number): void => {
-    to(Math.min(FARTHEST, Math.max(-FARTHEST, value + by)));
+    to(Math.min(MAX_OFFSET, Math.max(-MAX_OFFSET, value + by)));
     app.done();
   };
   const hold = (): void => {
@@ -43,7 +43,7 @@ function feature(app: App, a: Attribute): TemplateResult {
   return html`<div class=${held === undefined ? 'feature' : 'feature fixed'} title=${a.derived ?? ''}>
     <div class="ends" aria-hidden="true"><span>${terms[0]}</span><span>${terms[1]}</span></div>
     ${also === '' ? nothing : html`<small class="also">${also}</small>`}
-    ${numberField({ label: of, value, min: -FARTHEST, max: FARTHEST, step: 0.01, text: told(value, terms), set: to, done: () => app.done() })}
+    ${numberField({ label: of, value, min: -MAX_OFFSET, max: MAX_OFFSET, step: 0.01, text: told(value, terms), set: to, done: () => app.done() })}
     <div class="steps">
       <button type="button" class="plain" aria-label="${of}: less" title=${terms[0]} @click=${() => step(-STEP)}>−</button>
       <button type="button" class="plain" aria-label="${of}: more" title=${terms[1]} @click=${() => step(STEP)}>+</button>
@@ -66,7 +66,7 @@ function asymmetry(app: App, { part, name }: Attribute, of: string): TemplateRes
     min: -1,
     max: 1,
     step: 0.01,
-    text: Math.abs(value) < LEAST ? 'both alike' : `${Math.round(100 * Math.abs(value))} percent more ${value > 0 ? 'left' : 'right'}`,
+    text: Math.abs(value) < MIN_OFFSET ? 'both alike' : `${Math.round(100 * Math.abs(value))} percent more ${value > 0 ? 'left' : 'right'}`,
     set: (amount) => {
       app.sliding = { name: slider, amount };
       app.move({ kind: 'asymmetry', part, name, amount: amount - before, region: { segments: [...app.segments] } });

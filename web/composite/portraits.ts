@@ -11,12 +11,12 @@ import { lookOf } from './people.js';
 /** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */
 const LOOKED_AT_MS = 150;
 /** Pictures that are kept. */
-const MOST = 240;
+const MAX_PORTRAITS = 240;
 /** So near that hair and chin are in the picture. */
 const LOOK = { turn: 0.25, tilt: 0.02, zoom: 6.2 };
 
 export class Portraits {
-  readonly #pictures = new Latest<string, string>(MOST);
+  readonly #pictures = new Latest<string, string>(MAX_PORTRAITS);
   #player: RaconteurPlayer | undefined;
   #wanted: readonly number[] = [];
   #held: readonly FaceConstraint[] = [];

@@ -8,7 +8,7 @@ import { PARTS, told } from './panels.js';
 import { AGES, ANCESTRIES, SEXES } from './people.js';
 
 /** A value that is nearer to the average is written as 0.00. */
-const LEAST = 0.005;
+const MIN_VALUE = 0.005;
 
 /** What a report says, in the order in which it says it. */
 export interface Report {
@@ -58,7 +58,7 @@ function groupsOf({ faces, values }: Reported): Report['groups'] {
   for (const part of Object.keys(PARTS) as FacePart[]) {
     for (const a of faces.pack.attributes) {
       const value = values[part].get(a.name) ?? 0;
-      if (a.part !== part || Math.abs(value) < LEAST) continue;
+      if (a.part !== part || Math.abs(value) < MIN_VALUE) continue;
       const title = `${PARTS[part]}, ${a.group}`;
       groups.set(title, [...(groups.get(title) ?? []), { name: a.name, term: told(value, a.terms), value: signed(value) }]);
     }

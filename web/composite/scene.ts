@@ -16,12 +16,12 @@ export const LIGHTS: Readonly<Record<Light, string>> = { stage: 'Stage', dayligh
 /** A name of the library; an address might lead anywhere. */
 const NAME = /^[a-z][a-z0-9-]{0,39}$/;
 /** Numbers of a scene are not larger. */
-const MOST = 100;
+const MAX_NUMBER = 100;
 
 export const isLibraryName = (figure: string | undefined): figure is string => figure !== undefined && NAME.test(figure);
 
 const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'object' && x !== null;
-const isNumber = (x: unknown): x is number => typeof x === 'number' && Math.abs(x) <= MOST;
+const isNumber = (x: unknown): x is number => typeof x === 'number' && Math.abs(x) <= MAX_NUMBER;
 
 /** The scene of what was saved; what of it cannot be read is left as it is on stage. */
 export function readScene(saved: unknown): Scene {

@@ -17,7 +17,7 @@ const OTHER_SET = 'garden';
 /** By then another place is shown, milliseconds. */
 const SHOWN_MS = 250;
 /** The player draws no more pixels for a CSS pixel. */
-const MOST_DPR = 2;
+const MAX_DPR = 2;
 
 /** From where a face is looked at, radians; at the height of its eyes where no tilt is given. */
 export interface Side {
@@ -118,7 +118,7 @@ async function place(player: RaconteurPlayer, script: string): Promise<void> {
 
 /** Gives a player as many pixels as a picture is to have, and waits until it knows. */
 export async function enlarge(player: RaconteurPlayer, { width, height }: Size): Promise<void> {
-  const dpr = Math.min(MOST_DPR, devicePixelRatio || 1);
+  const dpr = Math.min(MAX_DPR, devicePixelRatio || 1);
   await new Promise<void>((resolve) => {
     // Observers are told one after another, and the player's own is older.
     const seen = new ResizeObserver(([entry]) => {

@@ -23,7 +23,7 @@ const mix = (a: Rgb, b: Rgb, share: number): Rgb => [0, 1, 2].map((i) => (a[i] ?
 /** From this value of ageing on the sun has left spots; all of them where it is so much more. */
 const SPOTTED = [0.1, 1.1] as const;
 /** Some have none of them, some half a dozen. */
-const MOST_MOLES = 6;
+const MAX_MOLES = 6;
 
 /** Spots, stubble and irises of a face with these values of texture; spots lie where they lie on nobody else. */
 export function skinOf(texture: ReadonlyMap<string, number>, seed: number): Pick<FaceLook, 'freckles' | 'stubble' | 'iris' | 'ageSpots' | 'moles' | 'seed'> {
@@ -34,7 +34,7 @@ export function skinOf(texture: ReadonlyMap<string, number>, seed: number): Pick
   return {
     freckles: clamp(of('freckles')),
     ageSpots: clamp((Math.max(of('ageing'), of('age')) - SPOTTED[0]) / SPOTTED[1]),
-    moles: seed === 0 ? 0 : Math.floor((MOST_MOLES + 1) * chance * chance),
+    moles: seed === 0 ? 0 : Math.floor((MAX_MOLES + 1) * chance * chance),
     seed,
     stubble: clamp((of('beard shadow') - SHAVED) / (1 - SHAVED)),
     iris: mix(DARK, mix(AMBER, BLUE, clamp(BLUENESS[0] + BLUENESS[1] * blue)), light ** 1.3),

@@ -10,7 +10,7 @@ import { REST_SECS, saying, still } from './script.js';
 import { reason, type Tell } from './tell.js';
 
 /** As long as a sentence is. */
-const MOST_LETTERS = 300;
+const MAX_LETTERS = 300;
 
 /** The face looks ahead and stands still. */
 export async function rest(player: RaconteurPlayer): Promise<void> {
@@ -45,7 +45,7 @@ export function views(app: App): TemplateResult {
 export function speaking(player: RaconteurPlayer, tell: Tell): TemplateResult {
   const speak = async (event: Event): Promise<void> => {
     event.preventDefault();
-    const text = (event.currentTarget as HTMLFormElement).querySelector('input')?.value.trim().slice(0, MOST_LETTERS) ?? '';
+    const text = (event.currentTarget as HTMLFormElement).querySelector('input')?.value.trim().slice(0, MAX_LETTERS) ?? '';
     if (text === '') return;
     try {
       await player.rehearse(saying(text));
@@ -56,7 +56,7 @@ export function speaking(player: RaconteurPlayer, tell: Tell): TemplateResult {
     }
   };
   return html`<form class="line" @submit=${speak}>
-    <label class="select"><span>Let this face speak</span><input type="text" name="line" maxlength=${MOST_LETTERS} value="Hello! It is good to see you." autocomplete="off" /></label>
+    <label class="select"><span>Let this face speak</span><input type="text" name="line" maxlength=${MAX_LETTERS} value="Hello! It is good to see you." autocomplete="off" /></label>
     <button type="submit" class="play">Speak</button>
     ${player.paused ? nothing : html`<button type="button" class="plain" @click=${() => void rest(player)}>Stop</button>`}
   </form>`;

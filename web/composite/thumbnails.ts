@@ -5,7 +5,7 @@ import { Latest } from './latest.js';
 import { cropped } from './shots.js';
 
 /** Pictures that are kept; each takes about two thousand bytes. */
-export const MOST = 300;
+export const MAX_THUMBNAILS = 300;
 /** In pixels. */
 const SIZE = { width: 72, height: 90 };
 /** Who goes on within this time has not come to rest. */
@@ -16,7 +16,7 @@ const IDLE_MS = 2000;
 const NEAR = 7;
 
 export class Thumbnails {
-  readonly #pictures = new Latest<number, string>(MOST);
+  readonly #pictures = new Latest<number, string>(MAX_THUMBNAILS);
   #history: App['history'] | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
 

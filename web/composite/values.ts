@@ -7,7 +7,7 @@ import type { Act } from './acts.js';
 export type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 
 /** What is less of an attribute tells nothing of what more would change. */
-const LEAST_AMOUNT = 1e-3;
+const MIN_AMOUNT = 1e-3;
 
 /** Reads them when they are asked for, and once for each change of their part. */
 export class Reading {
@@ -52,7 +52,7 @@ export class Slopes {
     const { from } = this;
     const key = JSON.stringify({ ...act, amount: 1 });
     if (key !== this.#key || this.#of === undefined) {
-      if (Math.abs(act.amount) < LEAST_AMOUNT) return;
+      if (Math.abs(act.amount) < MIN_AMOUNT) return;
       const now = reading.all;
       const slope = (of: FacePart): Map<string, number> => new Map([...now[of]].map(([name, value]) => [name, (value - (from[of].get(name) ?? 0)) / act.amount]));
       this.#key = key;

@@ -2,7 +2,7 @@
 
 /** The first wait after a failure; each further one doubles it. */
 const FIRST_WAIT_MS = 1000;
-const LONGEST_WAIT_MS = 60_000;
+const MAX_WAIT_MS = 60_000;
 
 export class Again {
   readonly #act: () => void;
@@ -19,7 +19,7 @@ export class Again {
     if (this.#isClosed) return;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#act(), this.#waitMs);
-    this.#waitMs = Math.min(LONGEST_WAIT_MS, 2 * this.#waitMs);
+    this.#waitMs = Math.min(MAX_WAIT_MS, 2 * this.#waitMs);
   }
 
   /** It has worked. */
@@ -37,7 +37,7 @@ export class Again {
 
 /** Asks until there is an answer, and says each time that there was none; undefined where the page went before. */
 export async function until<T>(ask: () => Promise<T | undefined>, isClosed: () => boolean): Promise<T | undefined> {
-  for (let waitMs = FIRST_WAIT_MS; !isClosed(); waitMs = Math.min(LONGEST_WAIT_MS, 2 * waitMs)) {
+  for (let waitMs = FIRST_WAIT_MS; !isClosed(); waitMs = Math.min(MAX_WAIT_MS, 2 * waitMs)) {
     const answer = await ask();
     if (answer !== undefined) return answer;
     await new Promise((over) => setTimeout(over, waitMs));

@@ -11,7 +11,7 @@ const INTERACTION = 'http://adlnet.gov/expapi/activities/cmi.interaction';
 /** The standard has no limits; a statement has to be sent while a page goes. */
 const LIMITS: Limits = { items: Infinity, gaps: Infinity, gapLength: 250, textLength: 4000, patterns: 100 };
 /** What is read of questions and options. */
-const MOST_TEXT = 1000;
+const MAX_TEXT = 1000;
 
 /** A question's address below that of its course, whose query and fragment stay at the end. */
 export function questionId(activityId: string, name: string): string {
@@ -25,7 +25,7 @@ export function questionId(activityId: string, name: string): string {
 function componentsOf({ kind, options }: Question, language: string): object {
   const component = (place: number, text: string | undefined) => {
     const id = identifierOf(options[place]?.name ?? '', place);
-    return { id, description: { [language]: plain(text ?? '', MOST_TEXT) || id } };
+    return { id, description: { [language]: plain(text ?? '', MAX_TEXT) || id } };
   };
   const all = options.map((option, place) => component(place, option.text || option.picture?.alt));
   switch (TYPES[kind]) {
@@ -43,7 +43,7 @@ function componentsOf({ kind, options }: Question, language: string): object {
 
 function definitionOf(question: Question, language: string): object {
   const patterns = patternsOf(question, LIMITS);
-  const asked = { [language]: plain(question.prompt, MOST_TEXT) || question.kind };
+  const asked = { [language]: plain(question.prompt, MAX_TEXT) || question.kind };
   return {
     type: INTERACTION,
     name: asked,

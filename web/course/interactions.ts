@@ -13,9 +13,9 @@ export type Elements = readonly (readonly [element: string, value: string])[];
 const SOURCES = 'abcdefghijklmnopqrstuvwxyz0123456789';
 const TARGETS = '1234567890abcdefghijklmnopqrstuvwxyz';
 /** What every system of 1.2 takes of a text, and of a weight. */
-const MOST_FEEDBACK = 255;
-const MOST_WEIGHT = 100;
-const LIMITS_12: Limits = { items: SOURCES.length, gaps: Infinity, gapLength: MOST_FEEDBACK, textLength: MOST_FEEDBACK, patterns: 10 };
+const MAX_FEEDBACK = 255;
+const MAX_WEIGHT = 100;
+const LIMITS_12: Limits = { items: SOURCES.length, gaps: Infinity, gapLength: MAX_FEEDBACK, textLength: MAX_FEEDBACK, patterns: 10 };
 const LIMITS_2004: Limits = { items: 36, gaps: 10, gapLength: 250, textLength: 4000, patterns: 5 };
 
 const two = (n: number): string => String(n).padStart(2, '0');
@@ -51,7 +51,7 @@ function names(question: Question, given: readonly string[]): string {
   const identifier = (place: number) => identifierOf(question.options[place]?.name ?? '', place);
   const parts =
     question.kind === 'match' ? pairsOf(question, given).map(([source, target]) => `${identifier(source)}.${identifier(target)}`) : placesOf(question, given).map(identifier);
-  return parts.join(',').slice(0, MOST_FEEDBACK);
+  return parts.join(',').slice(0, MAX_FEEDBACK);
 }
 
 function response12({ question, answered: { given } }: Reply): string | undefined {
@@ -63,7 +63,7 @@ function response12({ question, answered: { given } }: Reply): string | undefine
 /** Texts that were written, as one. */
 function plain12(given: readonly string[]): string {
   return gapsText(given, LIMITS_12)
-    .slice(0, MOST_FEEDBACK)
+    .slice(0, MAX_FEEDBACK)
     .replace(/[\uD800-\uDBFF]$/, '');
 }
 
@@ -71,7 +71,7 @@ function patterns12(question: Question): string[] {
   switch (question.kind) {
     case 'gap':
     case 'text':
-      return patternsOf(question, LIMITS_12).filter((pattern) => pattern.length <= MOST_FEEDBACK);
+      return patternsOf(question, LIMITS_12).filter((pattern) => pattern.length <= MAX_FEEDBACK);
     case 'number': {
       // A number is right or wrong in 1.2; it has no ranges.
       const right = question.options.filter(({ isRight }) => isRight);
@@ -80,7 +80,7 @@ function patterns12(question: Question): string[] {
     }
     default: {
       const pattern = (isSpelled(question) ? names : characters)(question, rightNames(question));
-      return pattern === '' || pattern.length >= MOST_FEEDBACK ? [] : [pattern];
+      return pattern === '' || pattern.length >= MAX_FEEDBACK ? [] : [pattern];
     }
   }
 }
@@ -102,7 +102,7 @@ export function interaction12(n: number, reply: Reply): Elements {
     [`${at}.id`, idOf(question)],
     [`${at}.type`, type12(question)],
     [`${at}.time`, `${two(time.getHours())}:${two(time.getMinutes())}:${two(time.getSeconds())}`],
-    [`${at}.weighting`, question.points <= MOST_WEIGHT ? decimal(question.points) : undefined],
+    [`${at}.weighting`, question.points <= MAX_WEIGHT ? decimal(question.points) : undefined],
     ...patterns12(question).map((pattern, i) => [`${at}.correct_responses.${i}.pattern`, pattern] as const),
     [`${at}.student_response`, response12(reply)],
     [`${at}.result`, resultOf(answered, 'wrong')],

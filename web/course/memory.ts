@@ -5,9 +5,9 @@ import type { Score } from '../element/base/answers.js';
 import { lengthOf, united, type Span } from '../element/base/ranges.js';
 
 /** What is read of a memory is bounded: it comes from outside. */
-const MOST_SPANS = 200;
-const MOST_ANSWERS = 10_000;
-const MOST_TEXT = 1_000_000;
+const MAX_SPANS = 200;
+const MAX_ANSWERS = 10_000;
+const MAX_TEXT = 1_000_000;
 const VERSION = 2;
 /** Of memories without attempts and sessions, which are still read. */
 const FIRST_VERSION = 1;
@@ -124,7 +124,7 @@ function firstFitting(form: (step: number) => Memory, steps: number, most: numbe
  * left out last, where there are more of them than the text has room for.
  */
 export function writeMemory(memory: Memory, most = Infinity): string {
-  const whole: Memory = { ...memory, seen: longest(memory.seen, MOST_SPANS) };
+  const whole: Memory = { ...memory, seen: longest(memory.seen, MAX_SPANS) };
   const text = shortest(whole, most);
   if (text.length <= most) return text;
   const { length } = whole.answered;
@@ -132,7 +132,7 @@ export function writeMemory(memory: Memory, most = Infinity): string {
   const unseen = { ...bare, seen: [] };
   const forms: readonly (readonly [form: (step: number) => Memory, steps: number])[] = [
     [(step) => withoutTexts(whole, step), length],
-    [(step) => ({ ...bare, seen: longest(memory.seen, MOST_SPANS - step) }), MOST_SPANS],
+    [(step) => ({ ...bare, seen: longest(memory.seen, MAX_SPANS - step) }), MAX_SPANS],
     [(step) => withoutAnswers({ ...unseen, more: step === 0 ? unseen.more : {} }, step), length],
   ];
   for (const [form, steps] of forms) {
@@ -145,7 +145,7 @@ export function writeMemory(memory: Memory, most = Infinity): string {
 // --- reading ---
 
 function parsed(text: string): unknown {
-  if (text.length > MOST_TEXT) return undefined;
+  if (text.length > MAX_TEXT) return undefined;
   try {
     if (!text.startsWith(PACKED)) return JSON.parse(text);
     return JSON.parse(strFromU8(inflateSync(strToU8(atob(text.slice(PACKED.length)), true))));
@@ -155,7 +155,7 @@ function parsed(text: string): unknown {
 }
 
 function spansIn(seen: unknown): Span[] | undefined {
-  if (!Array.isArray(seen) || seen.length > 2 * MOST_SPANS || seen.length % 2 !== 0) return undefined;
+  if (!Array.isArray(seen) || seen.length > 2 * MAX_SPANS || seen.length % 2 !== 0) return undefined;
   if (!seen.every((secs) => typeof secs === 'number' && Number.isFinite(secs) && secs >= 0)) return undefined;
   const times = seen as number[];
   const pairs = times.flatMap((from, i): Span[] => (i % 2 === 0 ? [[from, times[i + 1] ?? from]] : []));
@@ -195,7 +195,7 @@ export function readMemory(text: string): Memory {
   return {
     placeSecs: typeof at === 'number' && Number.isFinite(at) ? Math.max(0, at) : 0,
     seen: spans,
-    answered: Array.isArray(answered) ? answered.slice(0, MOST_ANSWERS).flatMap(answerIn) : [],
+    answered: Array.isArray(answered) ? answered.slice(0, MAX_ANSWERS).flatMap(answerIn) : [],
     more: isObject(more) ? more : {},
     attempt: isCount(attempt) && attempt >= 1 ? attempt : 1,
     session: isCount(session) ? session : 0,

@@ -2,12 +2,12 @@
 
 import { Again } from './again.js';
 import { Slot, type Shelf } from './shelf.js';
-import { bytesOf, MOST_KEPT_BYTES, type Outcome, type Statement } from './store.js';
+import { bytesOf, MAX_KEPT_BYTES, type Outcome, type Statement } from './store.js';
 import type { Trouble } from './trouble.js';
 
 /** What is said within this time is sent together. */
 const TOGETHER_MS = 1000;
-const MOST_TOGETHER = 50;
+const MAX_TOGETHER = 50;
 
 interface Listener {
   /** Sends a batch, all or none of it. */
@@ -84,7 +84,7 @@ export class Outbox {
     clearTimeout(this.#timer);
     if (!this.#isOpen) return;
     const late = this.#waiting.slice(this.#sending, this.#waiting.length - this.#refused.size);
-    const batch = together(late, MOST_KEPT_BYTES - bytesOf(JSON.stringify(this.#waiting.slice(0, this.#sending))));
+    const batch = together(late, MAX_KEPT_BYTES - bytesOf(JSON.stringify(this.#waiting.slice(0, this.#sending))));
     const before = this.#running;
     const last = batch.length > 0 ? this.#listener.send(batch).then((outcome) => this.#tookLast(batch, outcome)) : undefined;
     this.#running = Promise.all([before, last]).then(() => undefined);
@@ -103,7 +103,7 @@ export class Outbox {
 
   #next(): readonly Statement[] {
     const waiting = this.#waiting.slice(0, this.#waiting.length - this.#refused.size);
-    return this.#single > 0 ? waiting.slice(0, 1) : together(waiting, MOST_KEPT_BYTES);
+    return this.#single > 0 ? waiting.slice(0, 1) : together(waiting, MAX_KEPT_BYTES);
   }
 
   async #send(batch: readonly Statement[]): Promise<Outcome> {
@@ -164,8 +164,8 @@ export class Outbox {
 /** The first of some statements, as many as go into one request; one at least. */
 function together(statements: readonly Statement[], mostBytes: number): readonly Statement[] {
   let bytes = 2;
-  const end = statements.slice(0, MOST_TOGETHER).findIndex((statement) => (bytes += bytesOf(JSON.stringify(statement)) + 1) > mostBytes);
-  return statements.slice(0, end < 0 ? MOST_TOGETHER : Math.max(1, end));
+  const end = statements.slice(0, MAX_TOGETHER).findIndex((statement) => (bytes += bytesOf(JSON.stringify(statement)) + 1) > mostBytes);
+  return statements.slice(0, end < 0 ? MAX_TOGETHER : Math.max(1, end));
 }
 
 function statementsIn(text: string | undefined): readonly Statement[] {

@@ -94,12 +94,12 @@ export const SCORM_2004: Version = {
   interaction: interaction2004,
 };
 
-const MOST_SCORE = 100;
+const MAX_SCORE = 100;
 /**
  * The most characters of the memory: what 1.2 promises (3.4.5). 2004 promises 64,000 (4.2.25), but systems of earlier editions, which
  * take its packages as well, have 4,000.
  */
-export const MOST_MEMORY = 4000;
+export const MAX_MEMORY = 4000;
 /** A status is never taken back for one before it. */
 const STATUSES = ['', 'not attempted', 'unknown', 'browsed', 'incomplete', 'completed', 'failed', 'passed'];
 /** The error of 1.2 for what a system need not have. */
@@ -108,12 +108,12 @@ const NOT_IMPLEMENTED = '401';
 const BESIDE = /correct_responses|description|weighting|latency|time(stamp)?$/;
 
 /** So many windows are looked at: systems put the course into frames of frames. */
-const MOST_PARENTS = 20;
+const MAX_PARENTS = 20;
 
 /** The object of a window, of those around it, and of the one that has opened it. */
 function find(object: string, from: Window): Api | undefined {
   let at = from;
-  for (let i = 0; i < MOST_PARENTS; i++) {
+  for (let i = 0; i < MAX_PARENTS; i++) {
     try {
       const found = (at as unknown as { [name: string]: unknown })[object];
       if (typeof found === 'object' && found !== null) return found as Api;
@@ -254,7 +254,7 @@ export class Scorm implements Record {
     this.#put(names.exit, 'suspend');
     this.#put(names.place, String(Math.round(placeSecs * 1000) / 1000));
     if (names.progress !== undefined) this.#put(names.progress, String(Math.round(Math.min(1, Math.max(0, progress)) * 10_000) / 10_000));
-    this.#put(names.memory, writeMemory(memory, MOST_MEMORY));
+    this.#put(names.memory, writeMemory(memory, MAX_MEMORY));
     if (score !== undefined) this.#tellScore(score);
     const outcome = isPassed === undefined ? undefined : isPassed ? 'passed' : 'failed';
     if (outcome !== undefined && names.success !== undefined) this.#raise(names.success, outcome);
@@ -266,7 +266,7 @@ export class Scorm implements Record {
   #tellScore({ points, most }: { readonly points: number; readonly most: number }): void {
     const { score, scaled } = this.#version.names;
     // Scores of the older one end at 100.
-    const end = scaled === undefined ? Math.min(MOST_SCORE, most) : most;
+    const end = scaled === undefined ? Math.min(MAX_SCORE, most) : most;
     this.#put(`${score}.min`, '0');
     this.#put(`${score}.max`, decimal(end) ?? '0');
     this.#put(`${score}.raw`, decimal(end < most ? (points / most) * end : points) ?? '0');

@@ -30,7 +30,7 @@ export type Outcome = 'taken' | 'away' | 'denied' | 'refused';
 
 const VERSION = '1.0.3';
 /** A browser sends 64 KiB for pages that go (Fetch, 4.6), in all requests together. */
-export const MOST_KEPT_BYTES = 60_000;
+export const MAX_KEPT_BYTES = 60_000;
 
 export const bytesOf = (text: string): number => new TextEncoder().encode(text).length;
 
@@ -88,7 +88,7 @@ export class RecordStore {
     const headers: { [name: string]: string } = { Authorization: authorization, 'X-Experience-API-Version': VERSION };
     if (body !== undefined) headers['Content-Type'] = 'application/json';
     // What is long cannot outlive the page: browsers refuse it then.
-    const keepalive = body !== undefined && bytesOf(body) <= MOST_KEPT_BYTES;
+    const keepalive = body !== undefined && bytesOf(body) <= MAX_KEPT_BYTES;
     const parts = new URLSearchParams(asked).toString();
     return fetch(`${endpoint}${resource}${parts === '' ? '' : `?${parts}`}`, { method, headers, keepalive, ...(body === undefined ? {} : { body }) });
   }

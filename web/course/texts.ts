@@ -23,14 +23,14 @@ export function plain(text: string, most: number): string {
 }
 
 /** The formats have ten digits before the point and eighteen after it. */
-const MOST_NUMBER = 1e10;
-const MOST_DECIMALS = 18;
+const MAX_NUMBER = 1e10;
+const MAX_DECIMALS = 18;
 
 /** A number without an exponent; undefined where it is none, or is too large for the formats. */
 export function decimal(number: number): string | undefined {
-  if (!(Math.abs(number) < MOST_NUMBER)) return undefined;
+  if (!(Math.abs(number) < MAX_NUMBER)) return undefined;
   const text = String(number);
-  if (!text.includes('e') && (text.split('.')[1]?.length ?? 0) <= MOST_DECIMALS) return text;
-  const digits = number.toFixed(MOST_DECIMALS).replace(/\.?0+$/, '');
+  if (!text.includes('e') && (text.split('.')[1]?.length ?? 0) <= MAX_DECIMALS) return text;
+  const digits = number.toFixed(MAX_DECIMALS).replace(/\.?0+$/, '');
   return digits === '-0' ? '0' : digits;
 }

@@ -48,7 +48,7 @@ import {
   type Telling,
   type View,
   type Words,
-  type Expressed,
+  type EnvironmentExpression,
 } from './base/types.js';
 
 /**
@@ -221,8 +221,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /** How camera, light and music express what is felt at the present moment (GEVH 3.5.4), once a story is loaded. */
-  get expressed(): Expressed | undefined {
-    return this.#context.show?.picture.expressed(this.currentTime);
+  get expressed(): EnvironmentExpression | undefined {
+    return this.#context.show?.picture.environmentExpression(this.currentTime);
   }
 
   /** Lets a file of the user's own perform, a `.glb` or `.vrm`; it stays on this machine. */

@@ -4,11 +4,11 @@
 export const TURN_PER_PIXEL = 0.008;
 
 /** A camera lower than this would look through the floor, metres. */
-const LOWEST_M = 0.12;
+const MIN_M = 0.12;
 
 /** The least tilt, radians, of a camera this far from what it looks at (metres, the latter's height too) that keeps it above the floor. */
 export function leastTilt(height: number, distance: number): number {
-  return Math.asin(Math.min(1, Math.max(-1, (LOWEST_M - height) / distance)));
+  return Math.asin(Math.min(1, Math.max(-1, (MIN_M - height) / distance)));
 }
 
 /** A picture that one comes nearer to. */

@@ -9,7 +9,7 @@ import { copyText, onUndoKeys, byId, saveScript } from './workbench.js';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 /** Problems that are listed; the rest is counted. */
-const MOST_PROBLEMS = 5;
+const MAX_PROBLEMS = 5;
 /** Whatever changes what the controls of playing show. */
 const PLAYER_EVENTS = ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'durationchange'];
 
@@ -140,8 +140,8 @@ export class Shell<S extends object, T extends string> {
     const { diagnostics } = this.#app;
     if (diagnostics.length === 0) return nothing;
     return html`<ul>
-    ${diagnostics.slice(0, MOST_PROBLEMS).map((d) => html`<li>${d.message}${d.hints.map((hint) => html` <small>${hint}</small>`)}</li>`)}
-    ${diagnostics.length > MOST_PROBLEMS ? html`<li>… and ${diagnostics.length - MOST_PROBLEMS} more.</li>` : nothing}
+    ${diagnostics.slice(0, MAX_PROBLEMS).map((d) => html`<li>${d.message}${d.hints.map((hint) => html` <small>${hint}</small>`)}</li>`)}
+    ${diagnostics.length > MAX_PROBLEMS ? html`<li>… and ${diagnostics.length - MAX_PROBLEMS} more.</li>` : nothing}
   </ul>`;
   }
 }

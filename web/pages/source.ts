@@ -38,7 +38,7 @@ type Growing = { -readonly [K in keyof Element]: Element[K] } & { attributes: At
 const REFERENCES: Record<string, string> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" };
 
 /** Deeper than this nothing is nested that means anything; deeper elements become siblings, so that no walk of the tree runs out of stack. */
-const DEEPEST = 200;
+const MAX_DEPTH = 200;
 
 /** The elements at the top of a text, as the grammar of the editor finds them in any text. */
 export function read(text: string): readonly Element[] {
@@ -49,7 +49,7 @@ export function read(text: string): readonly Element[] {
     enter({ name, from, to }) {
       const open = path.at(-1);
       if (name === 'Element') {
-        const parent = path[Math.min(path.length, DEEPEST) - 1];
+        const parent = path[Math.min(path.length, MAX_DEPTH) - 1];
         path.push({ name: '', attributes: [], children: [], parent, from, to, openTo: to, closeFrom: to, empty: true });
       } else if (open === undefined) {
         return;

@@ -1,7 +1,7 @@
 /** Undo and redo for a page whose state is plain data. */
 
 /** Steps that can be undone. */
-const MOST_STEPS = 200;
+const MAX_STEPS = 200;
 
 export class UndoStack<S> {
   readonly #initial: string;
@@ -32,7 +32,7 @@ export class UndoStack<S> {
     const now = JSON.stringify(state);
     if (now === this.#settled) return false;
     this.#past.push(this.#settled);
-    if (this.#past.length > MOST_STEPS) this.#past.shift();
+    if (this.#past.length > MAX_STEPS) this.#past.shift();
     this.#future.length = 0;
     this.#settled = now;
     return true;

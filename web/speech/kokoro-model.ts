@@ -12,7 +12,7 @@ export const RATE = 24_000;
 /** Numbers of a style. */
 const STYLE = 256;
 /** No voice has more; those of Kokoro have half a megabyte. */
-const MOST_STYLES_BYTES = 16e6;
+const MAX_STYLES_BYTES = 16e6;
 /** The output that `npm run voice` adds to the model. */
 const FRAMES = '/encoder/Clip_output_0';
 /** More threads than this help little. */
@@ -49,7 +49,7 @@ export async function openModel(folder: URL): Promise<Model> {
   const session = await ort.InferenceSession.create(await fetchBytes(new URL('model.onnx', folder), voiceFile), { executionProviders: ['wasm'] });
   return {
     async voice(name) {
-      const bytes = await fetchBytes(new URL(`${name}.bin`, folder), { what: `The voice ${name}`, most: MOST_STYLES_BYTES });
+      const bytes = await fetchBytes(new URL(`${name}.bin`, folder), { what: `The voice ${name}`, most: MAX_STYLES_BYTES });
       return new Float32Array(bytes.buffer);
     },
     async infer(tokens, style, speed) {

@@ -7,7 +7,7 @@ import { Later } from './later.js';
 import { type Host, serve } from './serve.js';
 
 /** No table of a voice is larger; the dictionaries have some megabytes. */
-const MOST_TABLE_BYTES = 64e6;
+const MAX_TABLE_BYTES = 64e6;
 
 /** Letters of a word; some words have other ones for a part of speech, and at the end of a phrase (`None`). */
 type Entry = string | { readonly DEFAULT: string; readonly None?: string };
@@ -31,7 +31,7 @@ class Kokoro implements Host {
   }
 
   static async open(folder: URL): Promise<Kokoro> {
-    const json = async <T>(name: string): Promise<T> => JSON.parse(await fetchText(new URL(name, folder), { what: `${name} of the voice`, most: MOST_TABLE_BYTES })) as T;
+    const json = async <T>(name: string): Promise<T> => JSON.parse(await fetchText(new URL(name, folder), { what: `${name} of the voice`, most: MAX_TABLE_BYTES })) as T;
     const [voices, { vocab }, gold, silver, model] = await Promise.all([
       json<string[]>('voices.json'),
       json<{ vocab: Record<string, number> }>('vocab.json'),

@@ -10,11 +10,11 @@ import { WorkerSource } from './worker-source.js';
 /** Of the library's figures. */
 const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'am_michael', kenji: 'am_liam', nuno: 'am_fenrir' };
 const USUAL = 'af_heart';
-const MOST_LIST_BYTES = 1e6;
+const MAX_LIST_BYTES = 1e6;
 
 /** The voice that lies in a folder, whose address ends with a slash; undefined where none does. Nothing large is fetched yet. */
 export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
-  const list = await fetchText(new URL('voices.json', folder), { what: 'The list of voices', most: MOST_LIST_BYTES }).catch(() => undefined);
+  const list = await fetchText(new URL('voices.json', folder), { what: 'The list of voices', most: MAX_LIST_BYTES }).catch(() => undefined);
   if (list === undefined) return undefined;
   const voices = JSON.parse(list) as string[];
   return new WorkerSource({

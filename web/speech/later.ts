@@ -1,7 +1,7 @@
 /** Answers that come later, for code that asks, goes on to something else, and asks again. */
 
 /** Answers are kept for questions that are asked again, because others of their utterance were not answered yet. */
-const MOST_KEPT = 32;
+const MAX_KEPT = 32;
 
 export class Later<Answer> {
   readonly #answers = new Map<string, Answer>();
@@ -40,7 +40,7 @@ export class Later<Answer> {
       if (signal.aborted) return;
       this.#answers.set(question, answer);
       const [oldest] = this.#answers.keys();
-      if (this.#answers.size > MOST_KEPT && oldest !== undefined) this.#answers.delete(oldest);
+      if (this.#answers.size > MAX_KEPT && oldest !== undefined) this.#answers.delete(oldest);
     } catch (error) {
       if (signal.aborted) return;
       this.#failure = { error };

@@ -39,10 +39,10 @@ const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(r
 export const progress = (share: number): void => post({ kind: 'progress', share });
 
 /** No file of a voice is larger: the models of natural ones have some hundred MB. */
-const MOST_BYTES = 1e9;
+const MAX_BYTES = 1e9;
 
 /** How a file of a voice is fetched. */
-export const voiceFile: Fetching = { what: 'The voice', most: MOST_BYTES, progress };
+export const voiceFile: Fetching = { what: 'The voice', most: MAX_BYTES, progress };
 
 /** Fetches a file and tells how much has come. */
 export async function fetched(url: URL): Promise<Response> {

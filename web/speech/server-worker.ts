@@ -13,7 +13,7 @@ interface Answer {
 /** A server that sends nothing for so long, while it speaks, will not answer, ms. */
 const PATIENCE_MS = 30_000;
 /** No answer is larger: a sentence of several minutes as plain samples. */
-const MOST_BYTES = 64e6;
+const MAX_BYTES = 64e6;
 
 class Server implements Host {
   readonly #url: string;
@@ -44,7 +44,7 @@ class Server implements Host {
 
   async #post(body: string, signal: AbortSignal): Promise<Answer> {
     const request = { method: 'POST', headers: { 'content-type': 'application/json' }, body };
-    const answer = await fetchText(new URL(this.#url), { what: 'The sound of the voice', most: MOST_BYTES, signal, silenceMs: PATIENCE_MS, request });
+    const answer = await fetchText(new URL(this.#url), { what: 'The sound of the voice', most: MAX_BYTES, signal, silenceMs: PATIENCE_MS, request });
     const { sound, times } = JSON.parse(answer) as { sound?: unknown; times?: unknown };
     if (typeof sound !== 'string' || typeof times !== 'string') throw new Error('the server of the voice answers without sound or times');
     return { sound: Uint8Array.from(atob(sound), (byte) => byte.charCodeAt(0)), times };

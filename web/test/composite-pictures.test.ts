@@ -11,7 +11,7 @@ import { fileName } from '../composite/pictures-panel.js';
 import { figureOf } from '../composite/plain.js';
 import { PRINT_SIZE, withDensity } from '../composite/print.js';
 import { reportOf } from '../composite/report.js';
-import { MOST, Thumbnails } from '../composite/thumbnails.js';
+import { MAX_THUMBNAILS, Thumbnails } from '../composite/thumbnails.js';
 
 const add = (name: string, segments: readonly string[] = []): Act => ({ kind: 'add', part: 'shape', name, amount: 0.6, region: { segments } });
 
@@ -104,10 +104,10 @@ test('a film turns once around, in equal steps, and does not end where it began'
 test('the latest small pictures are kept, and those of another history are not shown', () => {
   const app = { history: new History(), resting: true, player: {} as never, view: { zoom: 7 } };
   const thumbnails = new Thumbnails(app, () => undefined);
-  for (let step = 0; step < MOST + 5; step += 1) thumbnails.keep(step, `data:${step}`);
+  for (let step = 0; step < MAX_THUMBNAILS + 5; step += 1) thumbnails.keep(step, `data:${step}`);
   expect(thumbnails.of(4)).toBeUndefined();
   expect(thumbnails.of(5)).toBe('data:5');
-  expect(thumbnails.of(MOST + 4)).toBe(`data:${MOST + 4}`);
+  expect(thumbnails.of(MAX_THUMBNAILS + 4)).toBe(`data:${MAX_THUMBNAILS + 4}`);
   app.history = new History();
   expect(thumbnails.of(5)).toBeUndefined();
   thumbnails.keep(0, 'data:new');

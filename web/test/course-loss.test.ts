@@ -36,7 +36,7 @@ const QUESTIONS: readonly Question[] = Array.from({ length: 6 }, (_, i) => ({
   ],
   answers: [],
 }));
-const MOST = QUESTIONS.reduce((sum, { points }) => sum + points, 0);
+const MAX_POINTS = QUESTIONS.reduce((sum, { points }) => sum + points, 0);
 
 /** A system: its record in each page, what it does wrong, and what it has of the learner. */
 interface World {
@@ -214,7 +214,7 @@ for (const [name, make] of Object.entries(WORLDS)) {
           reached = score;
         }
         expect(reached, `learner ${learner}`).toBe([...truth.values()].reduce((sum, points) => sum + points, 0));
-        expect(reached).toBeLessThanOrEqual(MOST);
+        expect(reached).toBeLessThanOrEqual(MAX_POINTS);
         if (!Number.isNaN(world.replies())) expect(world.replies(), `learner ${learner}`).toBe(given);
       }
     }, 120_000);

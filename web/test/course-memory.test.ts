@@ -2,7 +2,7 @@
 
 import { describe, expect, it } from 'vitest';
 import { joined, NOTHING, readMemory, writeMemory, type Memory, type Remembered } from '../course/memory.js';
-import { MOST_MEMORY } from '../course/scorm.js';
+import { MAX_MEMORY } from '../course/scorm.js';
 import { shareOf } from '../course/seen.js';
 import { lengthOf, united, type Span } from '../element/base/ranges.js';
 import { random, randomText, type Next } from './course-questions.js';
@@ -51,8 +51,8 @@ describe('A memory', () => {
     const next = random(3);
     for (let i = 0; i < sized(150, 1000); i++) {
       const memory = randomMemory(next, 120);
-      const text = writeMemory(memory, MOST_MEMORY);
-      expect(text.length).toBeLessThanOrEqual(MOST_MEMORY);
+      const text = writeMemory(memory, MAX_MEMORY);
+      expect(text.length).toBeLessThanOrEqual(MAX_MEMORY);
       expect(text).toMatch(/^[\u0020-\uFFFF]*$/);
       const read = readMemory(text);
       expect(pointsOf(read)).toBe(pointsOf(memory));

@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
 import { NOTHING, readMemory, writeMemory } from '../course/memory.js';
-import { MOST_MEMORY, Scorm, SCORM_12 } from '../course/scorm.js';
+import { MAX_MEMORY, Scorm, SCORM_12 } from '../course/scorm.js';
 import { BrowserRecord } from '../course/storage.js';
 import { XapiRecord } from '../course/xapi.js';
 import type { Question } from '../element/base/questions.js';
@@ -200,7 +200,7 @@ it('a session of SCORM goes on from its first moment, and its memory has room in
   await new Course(player.real, record, { watched: 0.9 }).begin();
   player.answer(3, [`frog ${Array.from({ length: 9000 }, (_, i) => String.fromCharCode(0x4e00 + ((i * 7919) % 20_000))).join('')}`]);
   const text = values.get('cmi.suspend_data') ?? '';
-  expect(text.length).toBeLessThanOrEqual(MOST_MEMORY);
+  expect(text.length).toBeLessThanOrEqual(MAX_MEMORY);
   const again = playerWith(player.questions);
   await new Course(again.real, new Scorm(SCORM_12, 'x', undefined, window), { watched: 0.9 }).begin();
   expect([again.score.points, again.lesson.answered[0]?.isFinal]).toEqual([1, true]);

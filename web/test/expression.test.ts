@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import type { Expressed } from '../element/base/types.js';
+import type { EnvironmentExpression } from '../element/base/types.js';
 import { BANDS, bandOf, rulesOf, told } from '../pages/expression/rules.js';
 import { beginning, settingOf } from '../pages/expression/state.js';
 import { BAD, feltAt, GOOD, RAYS, rayOf, spotOf, stepFrom } from '../pages/expression/types.js';
@@ -9,7 +9,7 @@ import { write } from '../pages/expression/write.js';
 
 const source = readFileSync(join(import.meta.dirname, '../../crate/stage/src/emotion.rs'), 'utf8');
 
-const ANGER: Expressed = {
+const ANGER: EnvironmentExpression = {
   emotion: 'anger',
   potential: 3.5,
   intensity: 3.5,
@@ -23,7 +23,7 @@ const ANGER: Expressed = {
   music: ['negative-heavy.opus', 'negative-heavy-rise.opus'],
 };
 const ALL = { camera: true, light: true, music: true };
-const texts = (expressed: Expressed, channels = ALL): readonly string[] => rulesOf(expressed, channels).map(({ text, source }) => (source === '' ? text : `${text} (${source})`));
+const texts = (expressed: EnvironmentExpression, channels = ALL): readonly string[] => rulesOf(expressed, channels).map(({ text, source }) => (source === '' ? text : `${text} (${source})`));
 
 describe('the rules that fire', () => {
   it('are those of anger', () => {
@@ -39,7 +39,7 @@ describe('the rules that fire', () => {
   });
 
   it('are others for what is good, and for fear', () => {
-    const hope: Expressed = {
+    const hope: EnvironmentExpression = {
       ...ANGER,
       emotion: 'hope',
       angle: 'eye',

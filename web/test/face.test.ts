@@ -121,7 +121,7 @@ describe('the text of the face', () => {
         .flatMap(namesOf)
         .sort(),
     ).toEqual([...muscles].sort());
-    const table = /DIRECT: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/actor/src/parameters/dial.rs'))?.[1] ?? '';
+    const table = /DIRECT: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/actor/src/parameters/control.rs'))?.[1] ?? '';
     for (const [, name, signed] of table.matchAll(/\("(\w+)", (true|false)\)/g)) {
       const dial = ALL.find((d) => namesOf(d).includes(name ?? ''));
       expect(dial?.signed, name).toBe(signed === 'true');

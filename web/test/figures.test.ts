@@ -8,10 +8,10 @@ import { unpacked } from './unpacked.js';
 
 const folder = join(import.meta.dirname, '../../assets/figures');
 /** What a figure may weigh, bytes: some 0.4 MB of it are a skin's pictures and 0.1 MB levels of detail. */
-const MOST_BYTES = 2_400_000;
+const MAX_BYTES = 2_400_000;
 /** Triangles of a figure at most. */
-const MOST_TRIANGLES = 150_000;
-const MOST_DRAW_CALLS = 20;
+const MAX_TRIANGLES = 150_000;
+const MAX_DRAW_CALLS = 20;
 
 /** What the validator finds wrong, and what it counts. */
 async function judge(name: string, bytes: Uint8Array) {
@@ -32,9 +32,9 @@ describe.each(readdirSync(folder).filter((name) => name.endsWith('.glb')))('%s',
     expect((await judge(name, new Uint8Array(bytes))).faults).toEqual([]);
     const { faults, info } = await judge(`${name}, unpacked`, await unpacked(bytes));
     expect(faults).toEqual([]);
-    expect(bytes.length).toBeLessThanOrEqual(MOST_BYTES);
-    expect(info.totalTriangleCount).toBeLessThanOrEqual(MOST_TRIANGLES);
+    expect(bytes.length).toBeLessThanOrEqual(MAX_BYTES);
+    expect(info.totalTriangleCount).toBeLessThanOrEqual(MAX_TRIANGLES);
     // One draw call for each primitive.
-    expect(info.drawCallCount).toBeLessThanOrEqual(MOST_DRAW_CALLS);
+    expect(info.drawCallCount).toBeLessThanOrEqual(MAX_DRAW_CALLS);
   }, 60_000);
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { gapsOf, judge, MOST_CHARACTERS, numberOf, plain } from '../element/lesson/judge.js';
+import { gapsOf, judge, MAX_CHARACTERS, numberOf, plain } from '../element/lesson/judge.js';
 import { shownOf } from '../element/lesson/question-fields.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 
@@ -105,7 +105,7 @@ describe('An answer', () => {
       const asked = question(kind, [option('a', { isRight: true, partner: 'a', accepts: ['a'], least: 1 }), option('b', { partner: 'b', accepts: ['b'] })], '[a] [b]');
       for (const text of texts) {
         const judged = judge(asked, [text, ...texts]);
-        for (const given of judged?.given ?? []) expect(given.length).toBeLessThanOrEqual(MOST_CHARACTERS);
+        for (const given of judged?.given ?? []) expect(given.length).toBeLessThanOrEqual(MAX_CHARACTERS);
         expect(judged?.given.length ?? 0).toBeLessThanOrEqual(Math.max(1, asked.options.length));
       }
     }

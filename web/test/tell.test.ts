@@ -1,5 +1,5 @@
 import { afterEach, beforeAll, beforeEach, expect, test, vi } from 'vitest';
-import type { TellingFunctions } from '../element/engine/backend.js';
+import type { NarrationFunctions } from '../element/engine/backend.js';
 import { tellTo, type Stage } from '../element/story/tell.js';
 import type { Answer } from '../element/base/performance.js';
 import type { Diagnostic } from '../element/base/types.js';
@@ -23,7 +23,7 @@ async function* coming(all: readonly string[], fails = false): AsyncGenerator<st
   if (fails) throw new Error('the line is dead');
 }
 
-let telling: TellingFunctions;
+let telling: NarrationFunctions;
 let fragments: string[];
 let reports: Diagnostic[];
 let answer: (index: number) => Answer;
@@ -55,7 +55,7 @@ const accepted = (index: number): Answer => ({
 const said = (): string => fragments.map((fragment) => (fragment.match(/<div[^>]*>(.*?)<\/div>/gs) ?? []).join(' ').replace(/<[^>]*>/g, '')).join(' | ');
 
 beforeAll(async () => {
-  telling = await openBuild<TellingFunctions>();
+  telling = await openBuild<NarrationFunctions>();
 }, COMPILE_MS);
 
 beforeEach(() => {

@@ -12,7 +12,7 @@ import { isAbsolute, join } from 'node:path';
 import { root } from './steps.mjs';
 
 /** Beyond this many bytes what is kept is thrown away and gathered anew: crates that nothing needs any more are among it. */
-const MOST_BYTES = 6 * 2 ** 30;
+const MAX_BYTES = 6 * 2 ** 30;
 
 /** Names of the workspace's own packages begin with it. */
 const OWN = 'raconteur';
@@ -121,7 +121,7 @@ export function keep() {
   tried('What was compiled is not kept', () => {
     const kept = compiled();
     carry(targetFolder(), kept);
-    if (!existsSync(kept) || sizeOf(kept) <= MOST_BYTES) return;
+    if (!existsSync(kept) || sizeOf(kept) <= MAX_BYTES) return;
     // Out of the way at once: others may begin with it.
     const old = `${kept}.${process.pid}`;
     renameSync(kept, old);

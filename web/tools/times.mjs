@@ -11,9 +11,9 @@ const NAMED = 10;
 /** What takes more than this many times its budget, or its time on main, is named. */
 const SLOW = 1.25;
 /** Below this many seconds a check is too short to be told from chance. */
-const LEAST_SECS = 10;
+const MIN_SECS = 10;
 /** A test that grew by less is not named. */
-const LEAST_GROWTH_SECS = 5;
+const MIN_GROWTH_SECS = 5;
 
 /** A path for a report that another program writes, without the one of the last run. */
 export function reportPath(name) {
@@ -66,7 +66,7 @@ export function slower(checks, wanted, pace) {
   return checks
     .filter(({ name }) => wanted.has(name))
     .map(({ name, secs }) => ({ name, secs, budget: wanted.get(name) * pace }))
-    .filter(({ secs, budget }) => secs > LEAST_SECS && secs > SLOW * budget)
+    .filter(({ secs, budget }) => secs > MIN_SECS && secs > SLOW * budget)
     .map(({ name, secs, budget }) => `${name} took ${secs.toFixed(0)} s; its budget is ${budget.toFixed(0)} s on this machine.`);
 }
 
@@ -75,7 +75,7 @@ export function grown(now, before) {
   const pace = now.probe / before.probe;
   const old = new Map([...before.checks, ...before.tests].map(({ name, secs }) => [name, secs * pace]));
   return [...now.checks, ...now.tests]
-    .filter(({ name, secs }) => old.has(name) && secs - old.get(name) > LEAST_GROWTH_SECS && secs > SLOW * old.get(name))
+    .filter(({ name, secs }) => old.has(name) && secs - old.get(name) > MIN_GROWTH_SECS && secs > SLOW * old.get(name))
     .sort((a, b) => b.secs - old.get(b.name) - (a.secs - old.get(a.name)))
     .slice(0, NAMED)
     .map(({ name, secs }) => `${name} took ${secs.toFixed(1)} s; on main it would be ${old.get(name).toFixed(1)} s.`);

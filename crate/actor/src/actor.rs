@@ -13,22 +13,22 @@ use raconteur_speech::TimedUtterance;
 
 use crate::animation::Players;
 use crate::face::FaceRig;
-use crate::feeling::Feeling;
-use crate::gesture::calm::Calming;
+use crate::facial_behaviour::FacialBehaviour;
 use crate::gesture::contact::Contact;
-use crate::gesture::{ArmPlan, ArmScript, Life};
+use crate::gesture::smoothing::JumpSmoothing;
+use crate::gesture::{ArmPlan, ArmScript, IdleSettings};
 use crate::idle::stance::Stance;
-use crate::idle::trunk::{SpeechRhythm, Trunk};
+use crate::idle::trunk::{SpeechRhythm, TrunkMotion};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ARM_BONES, ArmRig, ArmSolution, BodySpace};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
-use crate::score::Performance;
+use crate::performance::Performance;
 
 /// What an evaluation reports besides the pose.
 #[derive(Clone, Copy, Debug)]
-pub struct Report {
+pub struct EvaluationReport {
     /// Solutions of the left and right arm as gestures and rest lead them.
     pub arms: [ArmSolution; 2],
     /// Targets of the left and right wrist, world, metres.
@@ -50,16 +50,16 @@ pub struct Report {
 pub struct Actor {
     plans: [ArmPlan; 2],
     /// Where arms would snap.
-    calming: [Calming; 2],
+    calming: [JumpSmoothing; 2],
     rigs: [Arc<ArmRig>; 2],
     /// Only where the performance has players or manipulators.
-    motion: Option<Motion>,
+    motion: Option<BodyMotion>,
     space: BodySpace,
     contact: Contact,
     stance: Stance,
-    trunk: Trunk,
+    trunk: TrunkMotion,
     rhythm: SpeechRhythm,
-    feeling: Feeling,
+    feeling: FacialBehaviour,
     /// Start of each utterance, ascending, and its lips.
     lips: Vec<(f64, LipTrack)>,
     skull_zero: DQuat,
@@ -71,16 +71,16 @@ pub struct Actor {
 
 /// Players and manipulators of one performance.
 #[derive(Clone, Debug)]
-struct Motion {
+struct BodyMotion {
     players: Players,
     manipulators: Manipulators,
 }
 
 /// The scripts of the arms as a figure sees them that the performance moves about.
-fn seen_on_the_way(performance: &Performance) -> [ArmScript; 2] {
+fn record_visited(performance: &Performance) -> [ArmScript; 2] {
     let way = performance.manipulators.figure_from_world();
     performance.arms.each_ref().map(|script| match &way {
-        Some(way) => script.seen_by(way),
+        Some(way) => script.from_viewpoint(way),
         None => script.clone(),
     })
 }
@@ -118,7 +118,7 @@ impl Actor {
             .collect();
         let amount = motion_amount(performance);
         let manner = scaled_manner(&performance.manner, amount);
-        let life = Life {
+        let life = IdleSettings {
             seed,
             amount,
             dominant: performance.dominant,
@@ -127,7 +127,7 @@ impl Actor {
         let rigs = ArmRig::both(skeleton, build);
         let space = *rigs[0].space();
         let way = &performance.manipulators;
-        let seen = (!way.moves.is_empty()).then(|| seen_on_the_way(performance));
+        let seen = (!way.moves.is_empty()).then(|| record_visited(performance));
         let arms = seen.as_ref().unwrap_or(&performance.arms);
         let is_moved = !(way.moves.is_empty()
             && way.commands.is_empty()
@@ -139,7 +139,7 @@ impl Actor {
             }),
             calming: Default::default(),
             // Manipulators start from the figure as it is without them, so they come last.
-            motion: is_moved.then(|| Motion {
+            motion: is_moved.then(|| BodyMotion {
                 players: Players::new(
                     &performance.players,
                     &performance.library,
@@ -154,9 +154,9 @@ impl Actor {
             contact: Contact::new(skeleton, &space, life.dominant),
             space,
             stance: Stance::new(skeleton, build.sex, seed),
-            trunk: Trunk { seed },
+            trunk: TrunkMotion { seed },
             rhythm: SpeechRhythm::new(&spans),
-            feeling: Feeling::new(performance, &manner),
+            feeling: FacialBehaviour::new(performance, &manner),
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.utterance.phones)))
@@ -168,7 +168,10 @@ impl Actor {
             welcomes: performance.welcomes,
         };
         if actor.welcomes {
-            actor.plans.iter_mut().for_each(|p| p.welcome(skeleton));
+            actor
+                .plans
+                .iter_mut()
+                .for_each(|p| p.use_welcome_posture(skeleton));
         }
         let manipulators = actor.motion.as_ref().map(|motion| {
             let idle = |t: f64, pose: &mut Pose| {
@@ -188,7 +191,7 @@ impl Actor {
     }
 
     /// Finds where the gestures of the arms would make them snap.
-    fn calming(&self, skeleton: &Skeleton) -> [Calming; 2] {
+    fn calming(&self, skeleton: &Skeleton) -> [JumpSmoothing; 2] {
         Side::BOTH.map(|side| {
             let arm_at = |t: f64| {
                 let mut pose = Pose::zero();
@@ -202,7 +205,7 @@ impl Actor {
                 arms[side.index()]
             };
             let moving = self.plans[side.index()].moving();
-            Calming::find(moving.into_iter(), &arm_at)
+            JumpSmoothing::find(moving.into_iter(), &arm_at)
         })
     }
 
@@ -221,7 +224,7 @@ impl Actor {
     /// seconds.
     #[must_use]
     pub fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
-        let cuts = |motion: &Motion| motion.manipulators.cuts_between(after_secs, to_secs);
+        let cuts = |motion: &BodyMotion| motion.manipulators.cuts_between(after_secs, to_secs);
         self.motion.as_ref().is_some_and(cuts)
     }
 
@@ -243,7 +246,7 @@ impl Actor {
         time_secs: f64,
         pose: &mut Pose,
         morph_weights: &mut [f32],
-    ) -> Report {
+    ) -> EvaluationReport {
         // The order matters: each step stands on the joints that the steps before it set.
         let t = if time_secs.is_finite() {
             time_secs
@@ -309,7 +312,7 @@ impl Actor {
             wrist_goals_in_world = wrist_goals_in_world.map(|w| moved.transform_point3(w));
             led = led.map(|led| led.map(|led| *moved * led));
         }
-        Report {
+        EvaluationReport {
             arms,
             wrist_goals_in_world,
             wrist_errors_m,

@@ -141,7 +141,7 @@ mod tests {
         controls
     }
 
-    fn of(controls: &FaceControls, muscle: Muscle) -> f64 {
+    fn contraction_of(controls: &FaceControls, muscle: Muscle) -> f64 {
         controls.contraction[muscle.index()]
     }
 
@@ -151,9 +151,12 @@ mod tests {
         let [aa, iy, uw, s, sh, n, k, th, p, f] =
             ["aa", "iy", "uw", "s", "sh", "n", "k", "th", "p", "f"].map(ordinary);
         assert!((aa.jaw.pitch_rad - 0.65 * JAW_RAD).abs() < 1e-12);
-        assert!(of(&iy, M::RisoriusLeft) > 4.0 * of(&aa, M::RisoriusLeft));
-        assert!(uw.protrusion[0] > 0.7 && of(&uw, M::OrbicularisOrisLower) > 0.5);
-        assert!(of(&iy, M::DepressorLabiiRight) > 0.1 && of(&iy, M::LevatorLabiiRight) > 0.1);
+        assert!(contraction_of(&iy, M::RisoriusLeft) > 4.0 * contraction_of(&aa, M::RisoriusLeft));
+        assert!(uw.protrusion[0] > 0.7 && contraction_of(&uw, M::OrbicularisOrisLower) > 0.5);
+        assert!(
+            contraction_of(&iy, M::DepressorLabiiRight) > 0.1
+                && contraction_of(&iy, M::LevatorLabiiRight) > 0.1
+        );
         assert!(s.jaw.forward_m > 5e-4 && sh.jaw.forward_m > 3e-4, "{s:?}");
         for other in [&aa, &iy, &uw, &n, &k, &p, &f] {
             assert!(other.jaw.forward_m < 1e-4, "{other:?}");
@@ -163,7 +166,7 @@ mod tests {
             (1.0, 1.0, 0.65)
         );
         assert!(p.seal == 1.0 && f.bite == 0.9 && p.bite == 0.0 && f.seal == 0.0);
-        assert!(of(&p, M::MentalisLeft) > of(&aa, M::MentalisLeft));
+        assert!(contraction_of(&p, M::MentalisLeft) > contraction_of(&aa, M::MentalisLeft));
         assert_eq!(ordinary("pau"), FaceControls::default());
     }
 
@@ -172,7 +175,10 @@ mod tests {
         for symbol in ["aa", "iy", "uw", "s", "p", "f", "m", "th"] {
             let controls = face(symbol, 0.8);
             for muscle in Muscle::all() {
-                assert_eq!(of(&controls, muscle), of(&controls, muscle.mirrored()));
+                assert_eq!(
+                    contraction_of(&controls, muscle),
+                    contraction_of(&controls, muscle.mirrored())
+                );
             }
             assert!(
                 controls.jaw.yaw_rad == 0.0 && controls.protrusion[0] == controls.protrusion[1]
@@ -230,7 +236,7 @@ mod tests {
             for (i, phone) in list.iter().enumerate().filter(|(_, p)| p.symbol == every) {
                 let middle = 0.5 * (phone.start_secs + phone.end_secs);
                 let mut controls = FaceControls::default();
-                articulate(&track.at(middle), 1.0, &mut controls);
+                articulate(&track.sample(middle), 1.0, &mut controls);
                 for k in 0..MUSCLES {
                     controls.contraction[k] += noise::unit(seed as u64, k as u64, i as i64);
                 }
@@ -238,16 +244,16 @@ mod tests {
                 controls.jaw.down_m += 0.004;
                 hold_closures(&mut controls);
                 let most = 1.0 - controls.seal.max(controls.bite);
-                assert!(of(&controls, M::DepressorLabiiLeft) <= most);
+                assert!(contraction_of(&controls, M::DepressorLabiiLeft) <= most);
                 if matches!(every, "f" | "v") {
                     assert!(controls.bite > 0.89, "{every} {}", controls.bite);
                     assert!(controls.jaw.pitch_rad < 0.07, "{}", controls.jaw.pitch_rad);
                 } else {
                     assert!(controls.seal > 0.97, "{every} {}", controls.seal);
-                    assert!(of(&controls, M::LevatorLabiiRight) <= most);
+                    assert!(contraction_of(&controls, M::LevatorLabiiRight) <= most);
                     assert!(controls.jaw.pitch_rad < 0.13, "{}", controls.jaw.pitch_rad);
                     // A smile stays, less of it.
-                    let smile = of(&controls, M::ZygomaticusMajorLeft);
+                    let smile = contraction_of(&controls, M::ZygomaticusMajorLeft);
                     let felt = noise::unit(
                         seed as u64,
                         M::ZygomaticusMajorLeft.index() as u64,

@@ -54,7 +54,7 @@ pub struct MouthTargets {
 impl MouthTargets {
     /// A mouth that is all one phone.
     #[must_use]
-    pub fn of(phone: &PhoneTargets) -> Self {
+    pub fn from_phone(phone: &PhoneTargets) -> Self {
         let held = |classes: &[Class]| f64::from(u8::from(classes.contains(&phone.class)));
         Self {
             channels: phone.channels,
@@ -73,13 +73,13 @@ impl MouthTargets {
 /// The mouth's score for one utterance.
 #[derive(Clone, Debug)]
 pub struct LipTrack {
-    segments: Vec<Segment>,
+    segments: Vec<LipSegment>,
     starts: Vec<f64>,
 }
 
 /// A phone, or a part of a diphthong.
 #[derive(Clone, Copy, Debug)]
-struct Segment {
+struct LipSegment {
     start: f64,
     end: f64,
     /// Dominance stays at its peak between these; equal when there is one peak.
@@ -99,24 +99,24 @@ impl LipTrack {
         let first = phones.first().map_or(0.0, |p| p.start_secs);
         let last = phones.last().map_or(0.0, |p| p.end_secs);
         let silence = PhoneRow::SILENCE.targets();
-        segments.push(Segment::new(silence, first - MARGIN_SECS, first));
+        segments.push(LipSegment::new(silence, first - MARGIN_SECS, first));
         for phone in phones {
             let targets = phone.row.targets();
             let (start, end) = (phone.start_secs, phone.end_secs.max(phone.start_secs));
             match targets.glide() {
                 Some(glide) => {
                     let turn = lerp(start, end, GLIDE_AT);
-                    segments.push(Segment::new(targets, start, turn));
-                    segments.push(Segment::new(glide, turn, end));
+                    segments.push(LipSegment::new(targets, start, turn));
+                    segments.push(LipSegment::new(glide, turn, end));
                 }
-                None => segments.push(Segment::new(targets, start, end)),
+                None => segments.push(LipSegment::new(targets, start, end)),
             }
         }
-        segments.push(Segment::new(silence, last, last + MARGIN_SECS));
+        segments.push(LipSegment::new(silence, last, last + MARGIN_SECS));
         Self::from_segments(segments)
     }
 
-    fn from_segments(segments: Vec<Segment>) -> Self {
+    fn from_segments(segments: Vec<LipSegment>) -> Self {
         let starts = segments.iter().map(|s| s.start).collect();
         Self { segments, starts }
     }
@@ -145,7 +145,7 @@ impl LipTrack {
     /// The mouth at an offset from the start of the utterance, seconds. O(log n), no
     /// allocation.
     #[must_use]
-    pub fn at(&self, offset_secs: f64) -> MouthTargets {
+    pub fn sample(&self, offset_secs: f64) -> MouthTargets {
         let t = offset_secs;
         let Some(last) = self.segments.len().checked_sub(1) else {
             return MouthTargets::default();
@@ -217,7 +217,7 @@ impl LipTrack {
     }
 }
 
-impl Segment {
+impl LipSegment {
     fn new(targets: &'static PhoneTargets, start: f64, end: f64) -> Self {
         let length = end - start;
         let held = match targets.class {
@@ -306,9 +306,9 @@ mod tests {
     fn one_segment_alone_returns_its_own_target() {
         for symbol in ["aa", "iy", "uw", "s", "w"] {
             let targets = PhoneRow::named(symbol).expect("a row").targets();
-            let track = LipTrack::from_segments(vec![Segment::new(targets, 0.0, 0.2)]);
+            let track = LipTrack::from_segments(vec![LipSegment::new(targets, 0.0, 0.2)]);
             for i in -20..40 {
-                let m = track.at(f64::from(i) * 0.01);
+                let m = track.sample(f64::from(i) * 0.01);
                 for (value, wanted) in m.channels.iter().zip(targets.channels) {
                     assert!((value - wanted).abs() < 1e-12, "{symbol}");
                 }
@@ -329,7 +329,7 @@ mod tests {
                         lerp(p.start_secs, p.end_secs, share),
                         f64::from(i) / 10.0,
                     );
-                    let m = track.at(t);
+                    let m = track.sample(t);
                     assert!(
                         m.channel(Channel::LipOpen) < 0.03,
                         "{every} {}",
@@ -347,7 +347,7 @@ mod tests {
         let list = random("f", 4);
         let track = LipTrack::new(&list);
         for p in list.iter().filter(|p| p.symbol == "f") {
-            let m = track.at(0.5 * (p.start_secs + p.end_secs));
+            let m = track.sample(0.5 * (p.start_secs + p.end_secs));
             assert!(m.bite > 0.89 && m.channel(Channel::LipOpen) < 0.16, "{m:?}");
         }
     }
@@ -360,13 +360,13 @@ mod tests {
         list.push(phone("aa", t + 0.5, t + 0.8));
         let track = LipTrack::new(&list);
         for t in [t + 0.15, t + 0.25, t + 0.35, -0.5, t + 1.3] {
-            let m = track.at(t);
+            let m = track.sample(t);
             assert!(
                 m.channel(Channel::LipOpen) < 0.03 && m.channel(Channel::Jaw) < 0.03,
                 "{t} {m:?}"
             );
         }
-        assert_eq!(LipTrack::new(&[]).at(0.3).channel(Channel::Jaw), 0.0);
+        assert_eq!(LipTrack::new(&[]).sample(0.3).channel(Channel::Jaw), 0.0);
     }
 
     #[test]
@@ -376,9 +376,9 @@ mod tests {
             let list = random(["p", "pau", "f", "m"][seed as usize % 4], seed);
             let track = LipTrack::new(&list);
             let end = list.last().map_or(0.0, |p| p.end_secs) + 0.6;
-            let mut last = track.at(-0.6);
+            let mut last = track.sample(-0.6);
             for i in 0..((end + 0.6) * 1000.0) as i32 {
-                let m = track.at(-0.6 + f64::from(i) * 1e-3);
+                let m = track.sample(-0.6 + f64::from(i) * 1e-3);
                 for c in 0..CHANNELS {
                     worst = worst.max((m.channels[c] - last.channels[c]).abs());
                 }
@@ -397,15 +397,15 @@ mod tests {
             phone("uw", 0.17, 0.35),
         ];
         let track = LipTrack::new(&list);
-        assert!(track.at(0.26).channel(Channel::Protrude) > 0.6);
-        assert!(track.at(0.08).channel(Channel::Protrude) > 0.15);
+        assert!(track.sample(0.26).channel(Channel::Protrude) > 0.6);
+        assert!(track.sample(0.08).channel(Channel::Protrude) > 0.15);
         let between = LipTrack::new(&[
             phone("b", 0.0, 0.08),
             phone("aa", 0.08, 0.22),
             phone("b", 0.22, 0.3),
         ]);
-        assert!(between.at(0.15).channel(Channel::Jaw) > 0.35);
+        assert!(between.sample(0.15).channel(Channel::Jaw) > 0.35);
         let open = LipTrack::new(&[phone("k", 0.0, 0.08), phone("aa", 0.08, 0.25)]);
-        assert!(open.at(0.165).channel(Channel::Jaw) > 0.45);
+        assert!(open.sample(0.165).channel(Channel::Jaw) > 0.45);
     }
 }

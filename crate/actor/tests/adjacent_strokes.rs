@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::gesture::{ArmPlan, ArmScript, GestureStroke, HandKey, Life};
+use raconteur_actor::gesture::{ArmPlan, ArmScript, GestureStroke, HandKey, IdleSettings};
 use raconteur_actor::palm;
 use raconteur_actor::{ArmRig, Build};
 use raconteur_base::{DVec3, Side, noise};
@@ -12,7 +12,7 @@ use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandShape;
 
 /// No idle life.
-const STILL: Life = Life {
+const STILL: IdleSettings = IdleSettings {
     seed: 1,
     amount: 0.0,
     dominant: Side::Right,
@@ -25,7 +25,7 @@ const PEAK: f64 = 1.875;
 const ACCELERATION: f64 = 5.774;
 /// Fastest mean speed of a wrist that the planner plans, m/s: with [`PEAK`] 4.1 m/s, somewhat
 /// above the fastest wrist of recorded story tellers (3.6 m/s).
-const FASTEST_M_S: f64 = 2.2;
+const MAX_SPEED_M_S: f64 = 2.2;
 /// The shortest that an unhurried way takes, seconds.
 const EASY_SECS: f64 = 0.35;
 /// The ways are slightly curved and pass through keys: a sixth more than straight ones from
@@ -120,7 +120,7 @@ fn raised(up_m: f64, share: f64) -> Case {
 }
 
 /// A stretch in which the hand has a way to go.
-struct Way {
+struct PathSpan {
     from_secs: f64,
     to_secs: f64,
     way_m: f64,
@@ -137,7 +137,7 @@ fn others_secs(a: &HandKey, b: &HandKey) -> f64 {
 }
 
 /// All ways of a case; none when one of them is too far for its time.
-fn ways(case: &Case) -> Option<Vec<Way>> {
+fn ways(case: &Case) -> Option<Vec<PathSpan>> {
     let far = |a: &HandKey, b: &HandKey| {
         a.wrist_in_world
             .zip(b.wrist_in_world)
@@ -145,7 +145,7 @@ fn ways(case: &Case) -> Option<Vec<Way>> {
     };
     let mut all = Vec::new();
     let suffices =
-        |way_m: f64, others: f64, secs: f64| way_m / FASTEST_M_S <= secs && others <= secs;
+        |way_m: f64, others: f64, secs: f64| way_m / MAX_SPEED_M_S <= secs && others <= secs;
     for (i, stroke) in case.strokes.iter().enumerate() {
         for pair in stroke.keys.windows(2) {
             let (from_secs, to_secs) = (pair[0].time_secs, pair[1].time_secs);
@@ -153,7 +153,7 @@ fn ways(case: &Case) -> Option<Vec<Way>> {
             if !suffices(way_m, others_secs(&pair[0], &pair[1]), secs) {
                 return None;
             }
-            all.push(Way {
+            all.push(PathSpan {
                 from_secs,
                 to_secs,
                 way_m,
@@ -169,7 +169,7 @@ fn ways(case: &Case) -> Option<Vec<Way>> {
             if !suffices(far(last, next), others_secs(last, next), secs) {
                 return None;
             }
-            all.push(Way {
+            all.push(PathSpan {
                 from_secs: last.time_secs,
                 to_secs: next.time_secs,
                 way_m: far(last, next),
@@ -182,12 +182,12 @@ fn ways(case: &Case) -> Option<Vec<Way>> {
             let way_m = way.way_m + far(last, next);
             let others = others_secs(before, last) + others_secs(last, next);
             // Each takes its share of the time; what has the most to do decides on the shares.
-            let least = (way.way_m / FASTEST_M_S).max(others_secs(before, last))
-                + (far(last, next) / FASTEST_M_S).max(others_secs(last, next));
+            let least = (way.way_m / MAX_SPEED_M_S).max(others_secs(before, last))
+                + (far(last, next) / MAX_SPEED_M_S).max(others_secs(last, next));
             if !suffices(way_m, others, way.secs) || least > 0.6 * way.secs {
                 return None;
             }
-            all.push(Way {
+            all.push(PathSpan {
                 way_m: 2.0 * way.way_m.max(far(last, next)),
                 secs: 0.6 * way.secs.min(2.0 * EASY_SECS),
                 ..way
@@ -218,7 +218,7 @@ fn is_in_reach(case: &Case, plan: &ArmPlan) -> bool {
 }
 
 /// Everything that is wrong with the performance of a case.
-fn faults(case: &Case, plan: &ArmPlan, ways: &[Way]) -> Vec<String> {
+fn faults(case: &Case, plan: &ArmPlan, ways: &[PathSpan]) -> Vec<String> {
     let mut found = Vec::new();
     for key in plan.keys() {
         let late = key.arrives_secs - key.time_secs;
@@ -226,7 +226,7 @@ fn faults(case: &Case, plan: &ArmPlan, ways: &[Way]) -> Vec<String> {
             found.push(format!("{:.0} ms late at {:.3}", 1e3 * late, key.time_secs));
         }
     }
-    let at = |t: f64| plan.at(t).wrist;
+    let at = |t: f64| plan.sample(t).wrist;
     for stroke in &case.strokes {
         let first = &stroke.keys[0];
         let off = first

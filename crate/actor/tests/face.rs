@@ -132,7 +132,7 @@ fn weights_are_shares_and_the_jaw_stays_in_its_joint_whatever_is_asked() {
         }
         let chin = face.pose.rotation(Bone::Chin);
         assert!((chin.length() - 1.0).abs() < 1e-12 && chin.angle_between(DQuat::IDENTITY) < 0.37);
-        assert!(face.pose.jaw_offset_in_skull.length() < Jaw::MOST_SLIDE_M);
+        assert!(face.pose.jaw_offset_in_skull.length() < Jaw::MAX_SLIDE_M);
         for lid in face.pose.upper_lid_rad {
             assert!((-0.3..=0.8 + 1e-12).contains(&lid), "{lid}");
         }

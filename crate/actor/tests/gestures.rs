@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use raconteur_actor::gesture::{
-    ArmPlan, ArmScript, GestureStroke, HandKey, HandState, Life, Phase, Space, Transition,
+    ArmPlan, ArmScript, GesturePhase, GestureStroke, HandKey, HandState, IdleSettings,
+    InterpolationSpace, Transition,
 };
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Performance, palm};
@@ -14,7 +15,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::{Phone, TimedUtterance, Utterance};
 
 /// No idle life.
-const STILL: Life = Life {
+const STILL: IdleSettings = IdleSettings {
     seed: 1,
     amount: 0.0,
     dominant: Side::Right,
@@ -46,7 +47,7 @@ fn stroke(start_secs: f64, end_secs: f64, keys: &[HandKey]) -> GestureStroke {
     }
 }
 
-fn phase(phase: Phase, start_secs: f64, end_secs: f64, keys: &[HandKey]) -> GestureStroke {
+fn phase(phase: GesturePhase, start_secs: f64, end_secs: f64, keys: &[HandKey]) -> GestureStroke {
     GestureStroke {
         phase,
         ..stroke(start_secs, end_secs, keys)
@@ -85,14 +86,14 @@ fn wrists_follow_the_profile_of_their_key() {
         let plan = course(by(profile));
         for i in 0..=50 {
             let s = f64::from(i) / 50.0;
-            let expected = FROM + (TO - FROM) * profile.at(s);
-            let found = plan.at(2.0 + s).wrist;
+            let expected = FROM + (TO - FROM) * profile.sample(s);
+            let found = plan.sample(2.0 + s).wrist;
             assert!(found.distance(expected) < 1e-9, "{profile:?} at {s}");
         }
     }
     // Overshoot goes past the key and comes back.
     let plan = course(by(Profile::Hermite([0.0, -2.0])));
-    let past = |t: f64| (plan.at(t).wrist - FROM).dot(TO - FROM) / (TO - FROM).length_squared();
+    let past = |t: f64| (plan.sample(t).wrist - FROM).dot(TO - FROM) / (TO - FROM).length_squared();
     assert!(past(2.8) > 1.1 && (past(3.0) - 1.0).abs() < 1e-9);
 }
 
@@ -107,9 +108,9 @@ fn profiles_of_several_keys_make_a_piecewise_one() {
         ..key(3.0, TO)
     };
     let plan = plan(&[stroke(2.0, 3.0, &[key(2.0, FROM), middle, last])]);
-    let way = |t: f64| plan.at(t).wrist.distance(FROM) / TO.distance(FROM);
+    let way = |t: f64| plan.sample(t).wrist.distance(FROM) / TO.distance(FROM);
     assert!((way(2.25) - 0.4).abs() < 1e-9);
-    let expected = 0.8 + 0.2 * Profile::Hermite([3.0, 0.0]).at(0.5);
+    let expected = 0.8 + 0.2 * Profile::Hermite([3.0, 0.0]).sample(0.5);
     assert!((way(2.75) - expected).abs() < 1e-9);
 }
 
@@ -125,8 +126,8 @@ fn the_pace_of_a_stroke_is_over_the_profiles_of_its_keys() {
     let plan = plan(&[paced]);
     for i in 0..=20 {
         let s = f64::from(i) / 20.0;
-        let expected = FROM + (TO - FROM) * Profile::Cosine.at(outer.at(s));
-        assert!(plan.at(2.0 + s).wrist.distance(expected) < 1e-9, "{s}");
+        let expected = FROM + (TO - FROM) * Profile::Cosine.sample(outer.sample(s));
+        assert!(plan.sample(2.0 + s).wrist.distance(expected) < 1e-9, "{s}");
     }
 }
 
@@ -134,20 +135,20 @@ fn the_pace_of_a_stroke_is_over_the_profiles_of_its_keys() {
 fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
     let joint = |profile| Transition {
         profile: Some(profile),
-        space: Some(Space::Joint),
+        space: Some(InterpolationSpace::Joint),
     };
     let plan = course(joint(Profile::Linear));
     let straight = course(by(Profile::Linear));
-    assert!(plan.at(2.0).wrist.distance(FROM) < 1e-9);
-    assert!(plan.at(3.0).wrist.distance(TO) < 1e-9);
-    let bent = plan.at(2.5).wrist.distance(straight.at(2.5).wrist);
+    assert!(plan.sample(2.0).wrist.distance(FROM) < 1e-9);
+    assert!(plan.sample(3.0).wrist.distance(TO) < 1e-9);
+    let bent = plan.sample(2.5).wrist.distance(straight.sample(2.5).wrist);
     assert!(bent > 0.01, "{bent} m");
     // The shoulder is where the posture has it, so the distance to it tells the elbow.
     let skeleton = Skeleton::example();
     let rig = ArmRig::new(&skeleton, Side::Right, &Build::default());
     let [a, b] = [FROM, TO].map(|p| rig.posture(p));
     let expected = rig.wrist_of(&a.lerp(&b, 0.25));
-    assert!(plan.at(2.25).wrist.distance(expected) < 3e-3);
+    assert!(plan.sample(2.25).wrist.distance(expected) < 3e-3);
 }
 
 #[test]
@@ -170,7 +171,7 @@ fn hands_and_fingers_follow_the_profile_of_their_key() {
     };
     let plan = plan(&[stroke(2.0, 3.0, &[first, second])]);
     for s in [0.1, 0.25, 0.5, 0.9] {
-        let found = plan.at(2.0 + s);
+        let found = plan.sample(2.0 + s);
         let expected = turned(1.2 + 0.5 * s).expect("a rotation");
         assert!(found.hand.angle_between(expected) < 1e-3, "{s}");
         let [from, to] = [first.shape, second.shape].map(|s| s.expect("a shape"));
@@ -184,14 +185,14 @@ fn hands_and_fingers_follow_the_profile_of_their_key() {
 #[test]
 fn phases_take_the_times_that_the_script_gives_them() {
     let plan = plan(&[
-        phase(Phase::Preparation, 1.0, 2.2, &[key(2.2, FROM)]),
-        phase(Phase::Hold, 2.2, 2.9, &[]),
+        phase(GesturePhase::Preparation, 1.0, 2.2, &[key(2.2, FROM)]),
+        phase(GesturePhase::Hold, 2.2, 2.9, &[]),
         stroke(2.9, 3.4, &[key(2.9, FROM), key(3.4, TO)]),
-        phase(Phase::Hold, 3.4, 5.4, &[]),
-        phase(Phase::PartialRetraction, 5.4, 6.0, &[]),
-        phase(Phase::Retraction, 6.0, 7.5, &[]),
+        phase(GesturePhase::Hold, 3.4, 5.4, &[]),
+        phase(GesturePhase::PartialRetraction, 5.4, 6.0, &[]),
+        phase(GesturePhase::Retraction, 6.0, 7.5, &[]),
     ]);
-    let at = |t: f64| plan.at(t).wrist;
+    let at = |t: f64| plan.sample(t).wrist;
     let rest = at(0.0);
     // The preparation begins when it says, and not when the planner would.
     assert!(at(1.0).distance(rest) < 1e-9 && at(1.15).distance(rest) > 1e-4);
@@ -217,7 +218,7 @@ fn a_first_key_with_a_course_is_reached_by_it_from_the_beginning_of_its_stroke()
         ..key(4.0, TO)
     };
     let plan = plan(&[stroke(2.0, 2.5, &[key(2.0, FROM)]), stroke(3.0, 4.0, &[to])]);
-    let way = |t: f64| plan.at(t).wrist.distance(FROM) / TO.distance(FROM);
+    let way = |t: f64| plan.sample(t).wrist.distance(FROM) / TO.distance(FROM);
     assert!(way(3.0) < 1e-9);
     assert!((way(3.25) - 0.25).abs() < 1e-9, "{}", way(3.25));
 }
@@ -237,10 +238,13 @@ fn gestures_at_one_time_join_by_feature() {
     ]);
     for i in 0..=20 {
         let t = 1.0 + 0.1 * f64::from(i);
-        assert!(both.at(t).wrist.distance(alone.at(t).wrist) < 1e-9, "{t}");
+        assert!(
+            both.sample(t).wrist.distance(alone.sample(t).wrist) < 1e-9,
+            "{t}"
+        );
     }
     let wanted = shape.expect("a shape");
-    assert!(both.at(2.5).shape.greatest_difference(&wanted) < 1e-9);
+    assert!(both.sample(2.5).shape.greatest_difference(&wanted) < 1e-9);
 }
 
 #[test]
@@ -252,10 +256,10 @@ fn fingers_may_gesture_while_the_arm_rests() {
         ..HandKey::default()
     };
     let plan = plan(&[stroke(2.0, 2.5, &[key])]);
-    let target = plan.at(2.2);
+    let target = plan.sample(2.2);
     assert_eq!((target.rest_share, target.hand_rest_share), (1.0, 1.0));
     assert_eq!(target.finger_rest_share, 0.0);
-    let later = plan.at(6.0);
+    let later = plan.sample(6.0);
     assert_eq!((later.rest_share, later.finger_rest_share), (1.0, 1.0));
 }
 
@@ -264,7 +268,7 @@ fn fingers_may_gesture_while_the_arm_rests() {
 fn speed_profile(plan: &ArmPlan, from: f64, to: f64) -> (usize, f64) {
     let n = 400;
     let h = (to - from) / f64::from(n);
-    let at = |i: u32| plan.at(from + h * f64::from(i)).wrist;
+    let at = |i: u32| plan.sample(from + h * f64::from(i)).wrist;
     let speeds: Vec<f64> = (0..n).map(|i| at(i).distance(at(i + 1)) / h).collect();
     let peak = speeds.iter().copied().fold(0.0, f64::max);
     // A peak is where rising turns to falling by more than rounding.
@@ -298,7 +302,7 @@ fn free_movements_have_one_peak_of_speed_that_people_have() {
             stroke(3.0, 3.4, &[key(3.0, a)]),
             stroke(4.2, 4.4, &[key(4.2, b)]),
         ]);
-        let moves = |t: f64| plan.at(t).wrist.distance(plan.at(t + 1e-3).wrist) > 1e-9;
+        let moves = |t: f64| plan.sample(t).wrist.distance(plan.sample(t + 1e-3).wrist) > 1e-9;
         let times: Vec<f64> = (1_500..7_000).map(|t| f64::from(t) * 1e-3).collect();
         let moving: Vec<f64> = times.into_iter().filter(|t| moves(*t)).collect();
         let mut from = moving[0];
@@ -330,10 +334,10 @@ fn hands_that_have_too_far_to_go_come_late_and_say_so() {
     let late = plan.keys().iter().find(|k| k.time_secs == 2.02);
     let late = late.expect("the key");
     assert!(late.arrives_secs > 2.1 && late.arrives_secs < 2.3);
-    assert!(plan.at(late.arrives_secs).wrist.distance(TO) < 1e-9);
+    assert!(plan.sample(late.arrives_secs).wrist.distance(TO) < 1e-9);
     for i in 0..400 {
         let t = 1.0 + 0.005 * f64::from(i);
-        let speed = plan.at(t).wrist.distance(plan.at(t + 1e-4).wrist) / 1e-4;
+        let speed = plan.sample(t).wrist.distance(plan.sample(t + 1e-4).wrist) / 1e-4;
         assert!(speed < 4.2, "{speed} m/s at {t}");
     }
 }

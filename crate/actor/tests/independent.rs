@@ -3,8 +3,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_actor::limb::{Frame, Limb};
-use raconteur_actor::manipulator::{Command, ManipulatorScript, Motion, Pace};
+use raconteur_actor::limb::{Limb, RigidFrame};
+use raconteur_actor::manipulator::{Command, JointSpeed, ManipulatorScript, Motion};
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -29,9 +29,9 @@ fn actor(script: ManipulatorScript, seed: u64) -> Actor {
 }
 
 /// The place that a frame goes to when a hand points to the front with its palm down.
-fn forward(side: Side, position: DVec3) -> Frame {
+fn forward(side: Side, position: DVec3) -> RigidFrame {
     let limb = [Limb::LeftArm, Limb::RightArm][side.index()];
-    Frame {
+    RigidFrame {
         position,
         rotation: EASY[limb.index()](),
     }
@@ -79,7 +79,7 @@ fn an_arm_that_leans_the_trunk_leaves_the_other_on_its_target() {
             Motion::FrameInterpolation { to, secs: 1.0 },
             Motion::JointInterpolation {
                 to,
-                pace: Pace::Secs(1.0),
+                pace: JointSpeed::Secs(1.0),
             },
             Motion::JacobianTarget(to),
         ];

@@ -5,10 +5,11 @@ use core::ops::Range;
 use std::{fs, thread};
 
 use raconteur_actor::kinematics::rotation_of;
-use raconteur_actor::limb::{Frame, Limb, Sex};
+use raconteur_actor::limb::{Limb, RigidFrame, Sex};
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
-    Command, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
+    Command, JointSpeed, MAX_RAD_PER_S, ManipulatorScript, Motion, Path, PathShape, Placement,
+    RootMotion,
 };
 use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Manipulators, Performance};
 use raconteur_base::{DQuat, DVec3, noise};
@@ -90,16 +91,16 @@ fn fastest_of(actor: &Actor, until_secs: f64) -> Worst {
 }
 
 /// A target as a script writes it: units (x left, y up, z back) and degrees.
-fn target(position: [f64; 3], [yaw, pitch, roll]: [f64; 3]) -> Frame {
+fn target(position: [f64; 3], [yaw, pitch, roll]: [f64; 3]) -> RigidFrame {
     let [x, y, z] = position;
     let angles = [-yaw, -pitch, roll].map(f64::to_radians);
-    Frame {
+    RigidFrame {
         position: DVec3::new(x, y, -z) * UNIT_M,
         rotation: rotation_from(angles),
     }
 }
 
-fn line(time_secs: f64, limb: Limb, to: Frame, secs: f64) -> Command {
+fn line(time_secs: f64, limb: Limb, to: RigidFrame, secs: f64) -> Command {
     Command {
         time_secs,
         limb,
@@ -122,7 +123,7 @@ fn easy(limb: Limb) -> DQuat {
 
 /// Anywhere a script may send a limb: some in easy reach, some beyond it, behind the back,
 /// inside the trunk, twisted any way.
-fn place(limb: Limb, seed: u64, i: i64) -> Frame {
+fn place(limb: Limb, seed: u64, i: i64) -> RigidFrame {
     let r = |k: u64| noise::signed(seed, 20 + k, i);
     let wild = noise::unit(seed, 40, i) < 0.4;
     let v = DVec3::new(r(0), r(1), r(2));
@@ -144,19 +145,19 @@ fn place(limb: Limb, seed: u64, i: i64) -> Frame {
         1 => DQuat::from_xyzw(r(3), r(4), r(5), r(6)).normalize(),
         _ => DQuat::from_scaled_axis(DVec3::new(r(3), r(4), r(5)) * 0.8) * easy(limb),
     };
-    Frame { position, rotation }
+    RigidFrame { position, rotation }
 }
 
-fn path(to: &Frame, seed: u64, i: i64) -> Path {
+fn path(to: &RigidFrame, seed: u64, i: i64) -> Path {
     let r = |k: u64| noise::signed(seed, 50 + k, i);
     let unit = |k: u64| noise::unit(seed, 60 + k, i);
     let shape = match (4.0 * unit(0)) as usize {
-        0 => Shape::Segment,
-        1 => Shape::Sinusoid {
+        0 => PathShape::Segment,
+        1 => PathShape::Sinusoid {
             across: DVec3::new(r(0), r(1), r(2)) * 0.15,
             cycles: 2.0,
         },
-        2 => Shape::Round {
+        2 => PathShape::Round {
             centre: Placement::default(),
             normal: DVec3::new(r(0), r(1), r(2)),
             radii: [0.1, 0.2],
@@ -164,7 +165,7 @@ fn path(to: &Frame, seed: u64, i: i64) -> Path {
             turns: 2.0 * r(4),
             rise: 0.2 * r(5),
         },
-        _ => Shape::Lemniscate {
+        _ => PathShape::Lemniscate {
             centre: Placement::default(),
             normal: DVec3::new(r(0), r(1), r(2)),
             half_width: 0.2,
@@ -195,11 +196,11 @@ fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
         0..=6 => Motion::FrameInterpolation { to, secs },
         7..=9 => Motion::JointInterpolation {
             to,
-            pace: Pace::Secs(secs),
+            pace: JointSpeed::Secs(secs),
         },
         10 => Motion::JointInterpolation {
             to,
-            pace: Pace::RadPerSec(0.5 + 2.0 * unit(2)),
+            pace: JointSpeed::RadPerSec(0.5 + 2.0 * unit(2)),
         },
         11..=12 => Motion::Joints {
             angles: [0, 1, 2, 3, 4, 5].map(|k| (unit(3 + k) < 0.6).then(|| r(k))),
@@ -303,7 +304,7 @@ fn snaps(skeleton: &Skeleton, seeds: Range<u64>) -> (Vec<(u64, Worst)>, usize) {
     let mut moves = 0;
     for seed in seeds {
         let (worst, count) = fastest_in_chain(skeleton, seed);
-        if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
+        if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MAX_RAD_PER_S {
             over.push((seed, worst));
         }
         moves += count;
@@ -353,7 +354,7 @@ fn chains_that_once_snapped_do_not() {
     let skeleton = Skeleton::example();
     for seed in [2167, 1159, 3042, 1141, 3145, 1019, 93] {
         let (worst, _) = fastest_in_chain(&skeleton, seed);
-        assert!(worst.rad_per_sec <= MOST_RAD_PER_S, "{seed}: {worst:?}");
+        assert!(worst.rad_per_sec <= MAX_RAD_PER_S, "{seed}: {worst:?}");
     }
 }
 
@@ -376,7 +377,7 @@ fn an_arm_passes_its_shoulder_without_a_flip() {
             line(3.0, Limb::RightArm, second, 1.0),
         ];
         let worst = fastest_of(&actor(commands, 0), 6.0);
-        assert!(worst.rad_per_sec < MOST_RAD_PER_S, "{worst:?}");
+        assert!(worst.rad_per_sec < MAX_RAD_PER_S, "{worst:?}");
     }
 }
 
@@ -389,12 +390,12 @@ fn way(seed: u64, i: i64) -> Path {
         angles: [8.0, 1.5, 3.0].map(|most| (unit(k + 3) < 0.6).then(|| most * r(k + 4))),
     };
     let shape = match i % 3 {
-        0 => Shape::Segment,
-        1 => Shape::Sinusoid {
+        0 => PathShape::Segment,
+        1 => PathShape::Sinusoid {
             across: DVec3::X * 0.2,
             cycles: 1.0,
         },
-        _ => Shape::Round {
+        _ => PathShape::Round {
             centre: Placement::default(),
             normal: DVec3::Y,
             radii: [0.5, 0.3],
@@ -420,7 +421,7 @@ fn no_random_move_of_the_figure_snaps() {
         let mut script = ManipulatorScript::default();
         let mut time_secs = 0.3;
         for i in 0..4 {
-            script.moves.push(Move {
+            script.moves.push(RootMotion {
                 time_secs,
                 path: way(seed, i),
             });
@@ -440,7 +441,7 @@ fn no_random_move_of_the_figure_snaps() {
         for i in 0..(6.0 * RATE_HZ) as u32 {
             let [a, b] = [i, i + 1].map(|i| turned(f64::from(i) / RATE_HZ));
             let rad_per_sec = a.angle_between(b) * RATE_HZ;
-            assert!(rad_per_sec < MOST_RAD_PER_S, "{seed} at {i}: {rad_per_sec}");
+            assert!(rad_per_sec < MAX_RAD_PER_S, "{seed} at {i}: {rad_per_sec}");
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Exactness of the inverse kinematics of limbs: every solution, limits and reach.
 
-use raconteur_actor::limb::chain::{Base, LimbRig};
+use raconteur_actor::limb::chain::{LimbBase, LimbRig};
 use raconteur_actor::limb::limits::{Sex, limits};
-use raconteur_actor::limb::solve::{AT_EASE, Choice};
-use raconteur_actor::limb::swivel::Comfort;
-use raconteur_actor::limb::{Frame, Joints, Limb};
+use raconteur_actor::limb::solve::{AT_EASE, SolutionCriteria};
+use raconteur_actor::limb::swivel::SwivelCriteria;
+use raconteur_actor::limb::{Joints, Limb, RigidFrame};
 use raconteur_base::{DQuat, DVec3, Side, noise};
 use raconteur_body::{Pose, Skeleton};
 
@@ -22,7 +22,7 @@ fn rig(side: Side, is_arm: bool) -> LimbRig {
 }
 
 /// A base at a skewed place, so that nothing lies on an axis by chance.
-fn base(rig: &LimbRig) -> Base {
+fn base(rig: &LimbRig) -> LimbBase {
     let skeleton = Skeleton::example();
     let mut pose = Pose::zero();
     pose.root_rotation = DQuat::from_scaled_axis(DVec3::new(0.2, -0.7, 0.4));
@@ -31,23 +31,23 @@ fn base(rig: &LimbRig) -> Base {
 }
 
 /// Where the elbow goes when nothing is in the way.
-fn elbow(rig: &LimbRig, target: &Frame, base: &Base) -> DVec3 {
+fn elbow(rig: &LimbRig, target: &RigidFrame, base: &LimbBase) -> DVec3 {
     rig.elbow_at(
         target,
         base,
-        rig.swivel_for(target, base, &Comfort::default()),
+        rig.swivel_for(target, base, &SwivelCriteria::default()),
     )
 }
 
 /// A random target in reach of a limb without limits.
-fn target(rig: &LimbRig, base: &Base, i: i64) -> Frame {
+fn target(rig: &LimbRig, base: &LimbBase, i: i64) -> RigidFrame {
     let r = |k| noise::signed(31, k, i);
     let [shortest, longest] = rig.distances_m(false);
     let direction = DVec3::new(r(0), r(1), r(2))
         .try_normalize()
         .unwrap_or(DVec3::Z);
     let share = noise::unit(31, 3, i);
-    Frame {
+    RigidFrame {
         position: base.origin + direction * (shortest + (longest - shortest) * share),
         rotation: DQuat::from_xyzw(r(4), r(5), r(6), r(7)).normalize(),
     }
@@ -83,14 +83,14 @@ fn limits_hold_for_every_target() {
             let target = target(&rig, &base, i);
             let aside = elbow(&rig, &target, &base);
             let found = rig.solutions(&target, aside, &base, false);
-            let choice = Choice {
+            let choice = SolutionCriteria {
                 limited: 1.0,
                 current: None,
                 preferred: &AT_EASE,
             };
             let joints = rig.choose(&found, &target, &base, &choice).expect("one");
             for (angle, limit) in joints.iter().zip(rig.limits()) {
-                assert!(limit.holds(*angle), "{side:?} {is_arm} {i}: {joints:?}");
+                assert!(limit.contains(*angle), "{side:?} {is_arm} {i}: {joints:?}");
             }
         }
     }
@@ -112,7 +112,7 @@ fn what_is_out_of_reach_is_projected_onto_the_boundary() {
                 ] {
                     let (near, moved) = rig.projected(direction * distance, limited);
                     assert!(moved && (near.length() - bound).abs() < 1e-12);
-                    let frame = Frame {
+                    let frame = RigidFrame {
                         position: base.origin + near,
                         ..target
                     };
@@ -130,7 +130,7 @@ fn what_is_out_of_reach_is_projected_onto_the_boundary() {
 
 /// Solutions of the table's six joints by brute force: Newton's method from a grid of
 /// starting points, equal ones counted once.
-fn by_brute_force(rig: &LimbRig, base: &Base, target: &Frame) -> Vec<Joints> {
+fn by_brute_force(rig: &LimbRig, base: &LimbBase, target: &RigidFrame) -> Vec<Joints> {
     let error = |joints: &Joints| -> [f64; 6] {
         let frame = rig.posed(joints, base).frame;
         let p = frame.position - target.position;

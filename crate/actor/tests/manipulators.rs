@@ -4,9 +4,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_actor::limb::chain::LimbRig;
 use raconteur_actor::limb::limits::Sex;
-use raconteur_actor::limb::{Frame, Joints, Limb};
+use raconteur_actor::limb::{Joints, Limb, RigidFrame};
 use raconteur_actor::manipulator::{
-    Command, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
+    Command, JointSpeed, ManipulatorScript, Motion, Path, PathShape, Placement, RootMotion,
 };
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side, noise};
@@ -28,8 +28,8 @@ fn random_path(seed: u64, i: i64, wild: f64, to_x: f64) -> Path {
     let unit = |k: u64, i: i64| noise::unit(seed, k, i);
     Path {
         shape: match i % 3 {
-            0 => Shape::Segment,
-            1 => Shape::Round {
+            0 => PathShape::Segment,
+            1 => PathShape::Round {
                 centre: Placement::default(),
                 normal: DVec3::new(r(8, i), r(9, i), r(10, i)),
                 radii: [0.1 * wild, 0.15],
@@ -37,7 +37,7 @@ fn random_path(seed: u64, i: i64, wild: f64, to_x: f64) -> Path {
                 turns: 2.0 * r(12, i),
                 rise: 0.1 * r(13, i),
             },
-            _ => Shape::Lemniscate {
+            _ => PathShape::Lemniscate {
                 centre: Placement::default(),
                 normal: DVec3::Z,
                 half_width: 0.15,
@@ -63,7 +63,7 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
     for i in 0..40 {
         let limb = Limb::ALL[(5.0 * unit(0, i)) as usize % 5];
         let arm = limb.index() < 2;
-        let place = Frame {
+        let place = RigidFrame {
             position: if limb == Limb::Head {
                 DVec3::new(0.06 * r(1, i), 1.75, 0.06 * r(3, i)) * wild
             } else {
@@ -96,11 +96,11 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
             },
             3 => Motion::JointInterpolation {
                 to: place,
-                pace: Pace::Secs(1.0),
+                pace: JointSpeed::Secs(1.0),
             },
             4 => Motion::JointInterpolation {
                 to: place,
-                pace: Pace::RadPerSec(1.5),
+                pace: JointSpeed::RadPerSec(1.5),
             },
             5 | 6 => Motion::FrameInterpolation {
                 to: place,
@@ -123,7 +123,7 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
             motion,
         });
         if i % 10 == 0 {
-            script.moves.push(Move { time_secs, path });
+            script.moves.push(RootMotion { time_secs, path });
         }
     }
     script
@@ -257,7 +257,7 @@ fn what_has_no_end_goes_on_until_it_is_stopped() {
     let skeleton = Skeleton::example();
     let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
     let circle = Path {
-        shape: Shape::Round {
+        shape: PathShape::Round {
             centre: Placement::default(),
             normal: DVec3::ZERO,
             radii: [0.05; 2],

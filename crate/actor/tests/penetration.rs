@@ -16,7 +16,7 @@ use raconteur_speech::phones;
 use raconteur_tier::{FIGURES, share, sized};
 
 /// What lips may be in each other or in teeth.
-const DEEPEST_M: f64 = 1e-3;
+const MAX_DEPTH_M: f64 = 1e-3;
 
 struct Face {
     figure: Figure,
@@ -222,7 +222,7 @@ fn depths(drawn: &Drawn) -> [f64; 2] {
 fn viseme(phone: &str, loudness: f64) -> FaceControls {
     let mut controls = FaceControls::default();
     if let Some(row) = phones::by_name(phone) {
-        articulate(&MouthTargets::of(row), loudness, &mut controls);
+        articulate(&MouthTargets::from_phone(row), loudness, &mut controls);
     }
     controls
 }
@@ -230,7 +230,7 @@ fn viseme(phone: &str, loudness: f64) -> FaceControls {
 fn assert_apart(drawn: &Drawn, what: &str) {
     let [lips, teeth] = depths(drawn);
     assert!(
-        lips < DEEPEST_M && teeth < DEEPEST_M,
+        lips < MAX_DEPTH_M && teeth < MAX_DEPTH_M,
         "{what}: lip in lip {:.2} mm, in teeth {:.2} mm",
         1e3 * lips,
         1e3 * teeth

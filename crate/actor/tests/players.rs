@@ -4,8 +4,8 @@ mod clips;
 
 use clips::*;
 use raconteur_actor::animation::{
-    BODY_GROUPS, BoneSet, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
-    ProblemKind, Property, TrackRef, body_group,
+    BODY_GROUPS, BoneSet, CommandProblemKind, Operation, Playback, PlayerCommand, PlayerKind,
+    PlayerScript, Players, Property, TrackRef, body_group,
 };
 use raconteur_actor::limb::{ArmRig, Build, Sex};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -290,15 +290,15 @@ fn what_cannot_be_done_is_told() {
         Sex::Male,
         ArmRig::both(&skeleton, &Build::default()),
     );
-    let told: Vec<(usize, ProblemKind)> =
+    let told: Vec<(usize, CommandProblemKind)> =
         problems.into_iter().map(|p| (p.command, p.kind)).collect();
     assert_eq!(
         told,
         [
-            (0, ProblemKind::NoPlayer(None)),
-            (2, ProblemKind::NoPlayer(Some("q".to_owned()))),
-            (3, ProblemKind::NoClip("no-such".to_owned())),
-            (4, ProblemKind::NoTrack(TrackRef::Layer(5))),
+            (0, CommandProblemKind::NoPlayer(None)),
+            (2, CommandProblemKind::NoPlayer(Some("q".to_owned()))),
+            (3, CommandProblemKind::NoClip("no-such".to_owned())),
+            (4, CommandProblemKind::NoTrack(TrackRef::Layer(5))),
         ]
     );
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, Span};
+use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, TimeSpan};
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, ArmRig, Build, FaceRig, Performance, palm};
 use raconteur_base::{DVec3, Side, noise};
@@ -287,15 +287,15 @@ fn switched_off_arms_ignore_their_keys_and_switching_off_releases_them() {
         &stage.skeleton,
     );
     for arm in &mut performance.arms {
-        arm.on = vec![Span {
+        arm.on = vec![TimeSpan {
             start_secs: -1.0,
             end_secs: 6.0,
         }];
     }
     let actor = Actor::new(&performance, &stage.skeleton);
     for t in [8.0, 15.0, 30.0] {
-        let at = Side::BOTH.map(|side| actor.plan(side).at(t).wrist);
-        let resting = Side::BOTH.map(|side| rest.plan(side).at(t).wrist);
+        let at = Side::BOTH.map(|side| actor.plan(side).sample(t).wrist);
+        let resting = Side::BOTH.map(|side| rest.plan(side).sample(t).wrist);
         assert_eq!(at, resting, "at {t}");
         stage.evaluate(&actor, t);
     }

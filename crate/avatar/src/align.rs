@@ -3,7 +3,7 @@
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
-use super::error::{ImportError, Notes};
+use super::error::{DiagnosticSink, ImportError};
 use super::humanoid::Humanoid;
 use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
@@ -22,7 +22,7 @@ const USUAL_M: f64 = 1.70;
 const HIPS_SHARE: f64 = 0.545;
 
 /// How the figure stands in its file.
-pub(super) struct Stance {
+pub(super) struct RestStance {
     /// Upright and facing +z from the file's world.
     pub(super) turn: DQuat,
     has_legs: bool,
@@ -36,12 +36,12 @@ pub(super) struct Alignment {
     pub(super) stature_m: f64,
 }
 
-impl Stance {
+impl RestStance {
     /// Finds which way the figure stands and faces; exchanges sides that are misnamed.
     pub(super) fn find(
         tree: &Tree<'_>,
         humanoid: &mut Humanoid,
-        notes: &mut Notes,
+        notes: &mut DiagnosticSink,
     ) -> Result<Self, ImportError> {
         let at = |h: &Humanoid, bone: Bone| h.get(bone).map(|n| tree.place(n));
         let needed = |h: &Humanoid, bone: Bone| {
@@ -118,7 +118,7 @@ impl Stance {
         humanoid: &Humanoid,
         low: DVec3,
         high: DVec3,
-        notes: &mut Notes,
+        notes: &mut DiagnosticSink,
     ) -> Result<Alignment, ImportError> {
         let hips = humanoid
             .get(Bone::Sacroiliac)

@@ -9,10 +9,10 @@ use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::{Map, Value, json};
 
 use super::container::Container;
-use super::error::{ImportError, Notes};
+use super::error::{DiagnosticSink, ImportError};
 use super::humanoid::{Humanoid, has_vrm_table};
 use super::tree::Tree;
-use super::{MOST_NUMBERS, align, frames, unposed};
+use super::{MAX_NUMBERS, align, frames, unposed};
 use raconteur_body::pose::Pose;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::read::document::Node;
@@ -22,7 +22,7 @@ use raconteur_body::skeleton::Bone;
 /// Keys a second.
 const RATE_HZ: f64 = 30.0;
 /// The longest animation that is taken, seconds.
-const LONGEST_SECS: f64 = 600.0;
+const MAX_SECS: f64 = 600.0;
 /// A head's height above its joint, as a share of the joint's height: the stature follows.
 const HEAD_SHARE: f64 = 0.12;
 
@@ -73,10 +73,10 @@ pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, ImportError
     let animation = wanted.next().ok_or(ReadError::OutOfRange {
         what: "the animation's name",
     })?;
-    let mut source = Source::with_budget(&root, MOST_NUMBERS);
+    let mut source = Source::with_budget(&root, MAX_NUMBERS);
     let channels = channels(animation, root.nodes.len(), &mut source)?;
 
-    let mut notes = Notes::default();
+    let mut notes = DiagnosticSink::default();
     let mut tree = Tree::new(&root, world);
     let mut humanoid = Humanoid::find(json, &tree, &mut notes)?;
     if !has_vrm_table(json)
@@ -84,7 +84,7 @@ pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, ImportError
     {
         tree.world = world;
     }
-    let stance = align::Stance::find(&tree, &mut humanoid, &mut notes)?;
+    let stance = align::RestStance::find(&tree, &mut humanoid, &mut notes)?;
     let places = || {
         Bone::ALL
             .iter()
@@ -121,7 +121,7 @@ pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, ImportError
     };
     let ends = channels.iter().filter_map(|c| c.times.last().copied());
     let length = ends.fold(0.0, f64::max);
-    if length > LONGEST_SECS {
+    if length > MAX_SECS {
         return Err(ReadError::TooLarge.into());
     }
     let steps = (length * RATE_HZ).ceil().max(1.0);
@@ -201,7 +201,7 @@ fn channels(
 }
 
 impl Channel {
-    fn at(&self, t: f64) -> [f64; 4] {
+    fn sample(&self, t: f64) -> [f64; 4] {
         let cubic = self.interpolation == Interpolation::Cubic;
         let value = |i: usize| self.values[if cubic { 3 * i + 1 } else { i }];
         let next = self.times.partition_point(|x| *x <= t);
@@ -268,7 +268,7 @@ impl Sampler<'_> {
             scale = DVec3::ONE;
         }
         for channel in self.channels.iter().filter(|c| c.node == index) {
-            let v = channel.at(t);
+            let v = channel.sample(t);
             match channel.path {
                 Path::Rotation => turn = rotation(v),
                 Path::Translation => place = DVec3::new(v[0], v[1], v[2]),

@@ -3,7 +3,7 @@
 use raconteur_base::{DVec3, Side};
 
 use super::align::Alignment;
-use super::frames::Rest;
+use super::frames::RestSkeleton;
 use super::geometry::{Geometry, INFLUENCES};
 use super::humanoid::Humanoid;
 use super::tree::Tree;
@@ -55,7 +55,12 @@ fn carried(tree: &Tree<'_>, own: &[Option<u16>]) -> Vec<u16> {
 impl Binding {
     /// Every node goes with the nearest of its ancestors that has a part, every joint of another
     /// skeleton with the joint that it doubles.
-    pub(super) fn new(tree: &Tree<'_>, humanoid: &Humanoid, rest: &Rest, jaw_moves: bool) -> Self {
+    pub(super) fn new(
+        tree: &Tree<'_>,
+        humanoid: &Humanoid,
+        rest: &RestSkeleton,
+        jaw_moves: bool,
+    ) -> Self {
         let joints = rest.skeleton.joints();
         let index = |name: String| joints.iter().position(|j| j.name == name);
         let mut own: Vec<Option<u16>> = vec![None; tree.parents.len()];

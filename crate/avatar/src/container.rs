@@ -18,7 +18,7 @@ use raconteur_body::read::document::{self, Document};
 
 /// The largest file that is taken apart, and what its compressed views may unpack to, bytes.
 /// Avatars have some 1 to 50 MB.
-const MOST_BYTES: usize = 256 << 20;
+const MAX_BYTES: usize = 256 << 20;
 
 /// Compressions that are not read, with what to do.
 const COMPRESSIONS: [(&str, &str); 2] = [
@@ -58,11 +58,11 @@ pub(super) struct Container<'a> {
 impl<'a> Container<'a> {
     /// The document of the edited JSON.
     pub(super) fn document(&self) -> Result<Document<'_>, ReadError> {
-        Document::of(&self.root, &self.bin)
+        Document::from_json(&self.root, &self.bin)
     }
 
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ImportError> {
-        if bytes.len() > MOST_BYTES {
+        if bytes.len() > MAX_BYTES {
             return Err(ReadError::TooLarge.into());
         }
         let (json, bin) = if bytes.starts_with(b"glTF") {
@@ -135,7 +135,7 @@ impl<'a> Container<'a> {
 
     /// Lets every view show a stretch of the one buffer. Compressed views get one of their own.
     fn place_views(&mut self, bases: &[(u64, u64)]) -> Result<(), ImportError> {
-        let mut left = MOST_BYTES;
+        let mut left = MAX_BYTES;
         let views = self.root["bufferViews"].as_array_mut();
         for view in views.into_iter().flatten() {
             let Some(describe) = packed::stream_of(view) else {

@@ -52,9 +52,9 @@ pub struct Diagnostic {
 
 /// Collects diagnostics; each code once.
 #[derive(Default)]
-pub(super) struct Notes(Vec<Diagnostic>);
+pub(super) struct DiagnosticSink(Vec<Diagnostic>);
 
-impl Notes {
+impl DiagnosticSink {
     pub(super) fn add(
         &mut self,
         code: &'static str,

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 pub(crate) use self::recipes::Region;
 use self::recipes::{OVER_JAW, RECIPES, Sum, recognise, recognise_expression};
-use super::error::Notes;
+use super::error::DiagnosticSink;
 use raconteur_body::read::document::Document;
 
 /// One target of one mesh and how much of it.
@@ -31,7 +31,7 @@ pub(super) struct Channel {
 }
 
 /// The face of a file.
-pub(super) struct Face {
+pub(super) struct ImportedFace {
     pub(super) channels: Vec<Channel>,
     /// Targets that speech moves, and those that close the lids.
     pub(super) mouth: Vec<WeightedTarget>,
@@ -42,14 +42,14 @@ pub(super) struct Face {
 
 type Sources = BTreeMap<&'static str, Vec<WeightedTarget>>;
 
-impl Face {
+impl ImportedFace {
     /// Finds the face; `has_jaw` and `has_eyes` tell of bones.
     pub(super) fn find(
         json: &Value,
         root: &Document<'_>,
         has_jaw: bool,
         has_eyes: bool,
-        notes: &mut Notes,
+        notes: &mut DiagnosticSink,
     ) -> Self {
         let mut sources = expressions(json, root);
         let mut by_name = Sources::new();
@@ -107,7 +107,7 @@ impl Face {
         face
     }
 
-    fn report(&self, sources: &Sources, has_jaw: bool, has_eyes: bool, notes: &mut Notes) {
+    fn report(&self, sources: &Sources, has_jaw: bool, has_eyes: bool, notes: &mut DiagnosticSink) {
         let has = |name: &str| self.channels.iter().any(|c| c.name == name);
         if !self.opens_by_morph {
             let hint = "add ARKit's or Oculus' morph targets, or VRM expressions";

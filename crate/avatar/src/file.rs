@@ -4,7 +4,7 @@ use raconteur_body::annotation::annotations;
 use raconteur_body::figure::Image;
 use raconteur_body::read::{ReadError, read_figure};
 use raconteur_body::write::to_packed_glb;
-use raconteur_reshape::{Lender, Lenders, Look, NewFace, ReshapeError, Reshaper};
+use raconteur_reshape::{HairDonor, Lenders, Look, NewFace, ReshapeError, Reshaper};
 
 /// What a figure file is made of.
 #[derive(Debug)]
@@ -46,7 +46,7 @@ pub fn face_file(parts: FaceFile<'_>) -> Result<Vec<u8>, FileError> {
     let reshaper = Reshaper::new(read_figure(parts.name, parts.glb)?, vertices)?;
     let mut lenders = Lenders::new();
     for (name, glb) in parts.lenders {
-        let lender = Lender::new(&read_figure(&name, &glb)?, vertices)?;
+        let lender = HairDonor::new(&read_figure(&name, &glb)?, vertices)?;
         lenders.insert(name, lender);
     }
     let mut figure = reshaper.with_look(&parts.face, parts.look, &lenders)?;

@@ -11,10 +11,10 @@ use super::align::Alignment;
 use super::humanoid::Humanoid;
 use super::tree::Tree;
 use raconteur_body::pose::Pose;
-use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton, zero_frames};
+use raconteur_body::skeleton::{Bone, FaceJoints, Skeleton, zero_frames};
 
 /// A foreign figure's skeleton as ours.
-pub(super) struct Rest {
+pub(super) struct RestSkeleton {
     pub(super) skeleton: Skeleton,
     /// Joint from world in the rest pose.
     pub(super) inverse_bind: Vec<DAffine3>,
@@ -23,13 +23,13 @@ pub(super) struct Rest {
 }
 
 /// Finds the skeleton.
-pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) -> Rest {
+pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) -> RestSkeleton {
     let place_of = |node: usize| {
         alignment
             .ours_from_theirs
             .transform_point3(tree.place(node))
     };
-    let mut found = Finder {
+    let mut found = BoneFinder {
         places: [None; Bone::COUNT],
         turns: [DQuat::IDENTITY; Bone::COUNT],
         tips: humanoid
@@ -64,7 +64,7 @@ pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) 
     }
     let places = found.places.map(Option::unwrap_or_default);
     let skull = places[Bone::Skull.index()];
-    let face = FacePlaces {
+    let face = FaceJoints {
         eye_centres: Side::BOTH.map(|side| {
             humanoid.eyes[side.index()].map_or_else(
                 || skull + DVec3::new(0.0186 * side.sign(), 0.0241, 0.049) * alignment.stature_m,
@@ -84,14 +84,14 @@ pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) 
     }
     let mut world = Vec::new();
     skeleton.solve(&pose, &mut world);
-    Rest {
+    RestSkeleton {
         inverse_bind: world.iter().map(DAffine3::inverse).collect(),
         skeleton,
         places,
     }
 }
 
-struct Finder {
+struct BoneFinder {
     places: [Option<DVec3>; Bone::COUNT],
     /// World rotation from the zero pose to the rest pose.
     turns: [DQuat; Bone::COUNT],
@@ -100,8 +100,8 @@ struct Finder {
     stature_m: f64,
 }
 
-impl Finder {
-    fn at(&self, bone: Bone) -> Option<DVec3> {
+impl BoneFinder {
+    fn position_of(&self, bone: Bone) -> Option<DVec3> {
         self.places[bone.index()]
     }
 
@@ -135,8 +135,8 @@ impl Finder {
         let hips = self.or(Bone::Sacroiliac, DVec3::ZERO);
         let skull = self.or(Bone::Skull, hips + DVec3::Y * (0.37 * self.stature_m));
         let shoulders = 0.5
-            * (self.at(Bone::LShoulder).unwrap_or(skull)
-                + self.at(Bone::RShoulder).unwrap_or(skull));
+            * (self.position_of(Bone::LShoulder).unwrap_or(skull)
+                + self.position_of(Bone::RShoulder).unwrap_or(skull));
         let neck = self.or(Bone::Cervical, shoulders.lerp(skull, 0.3));
         let chest = self.or(Bone::Thoracic, hips.lerp(neck, 0.55));
         // With one joint in the spine, both bones turn about it.
@@ -172,7 +172,7 @@ impl Finder {
     fn leg(&mut self, side: Side) {
         let [hip, knee, ankle, mid, toe] =
             ["hip", "knee", "subtalar", "midtarsal", "metatarsal"].map(|part| Bone::on(side, part));
-        let pelvis = self.at(Bone::Sacroiliac).unwrap_or_default();
+        let pelvis = self.position_of(Bone::Sacroiliac).unwrap_or_default();
         let hip_at = self.or(hip, pelvis + self.share(side, 0.0525, -0.023, 0.012));
         let knee_at = self.or(knee, hip_at + self.share(side, 0.0, -0.24, 0.0));
         let shin = (knee_at - hip_at).normalize_or(DVec3::NEG_Y) * (0.236 * self.stature_m);
@@ -199,7 +199,7 @@ impl Finder {
     fn arm(&mut self, side: Side) {
         let [scapula, shoulder, elbow, wrist] =
             ["scapula", "shoulder", "elbow", "wrist"].map(|part| Bone::on(side, part));
-        let chest = self.at(Bone::Thoracic).unwrap_or_default();
+        let chest = self.position_of(Bone::Thoracic).unwrap_or_default();
         let shoulder_at = self.or(shoulder, chest + self.share(side, 0.084, 0.09, 0.0));
         let inner = DVec3::new(
             0.018 * self.stature_m * side.sign(),
@@ -239,7 +239,7 @@ impl Finder {
         let known: Vec<Bone> = ["index0", "middle0", "ring0", "pinky0"]
             .iter()
             .map(|part| Bone::on(side, part))
-            .filter(|b| self.at(*b).is_some())
+            .filter(|b| self.position_of(*b).is_some())
             .collect();
         let (Some(&first), Some(&last)) = (known.first(), known.last()) else {
             return forearm;
@@ -258,11 +258,11 @@ impl Finder {
             last.example_position_m(),
         );
         let theirs = self
-            .at(first)
-            .zip(self.at(last))
+            .position_of(first)
+            .zip(self.position_of(last))
             .and_then(|(first, last)| basis(wrist_at, first, last));
         let Some((ours, theirs)) = ours.zip(theirs) else {
-            let middle = self.at(first).unwrap_or(wrist_at);
+            let middle = self.position_of(first).unwrap_or(wrist_at);
             return self.along(forearm, wrist, middle - wrist_at);
         };
         let turn = DQuat::from_mat3(&(theirs * ours.transpose()));
@@ -283,10 +283,13 @@ impl Finder {
             for (i, &bone) in row.iter().enumerate() {
                 let (parent, parent_at, turn) = before;
                 let here = self.or(bone, parent_at + turn * self.example_offset(parent, bone));
-                let next = row.get(i + 1).and_then(|b| self.at(*b)).or_else(|| {
-                    let tip = self.tips.iter().find(|(b, _)| *b == bone);
-                    tip.map(|(_, at)| *at)
-                });
+                let next = row
+                    .get(i + 1)
+                    .and_then(|b| self.position_of(*b))
+                    .or_else(|| {
+                        let tip = self.tips.iter().find(|(b, _)| *b == bone);
+                        tip.map(|(_, at)| *at)
+                    });
                 let own = match next {
                     None => turn,
                     // A thumb's axes do not lie along its joints in the source.

@@ -11,18 +11,18 @@ use raconteur_base::{DAffine3, DMat3, DMat4, DVec3};
 use serde_json::Value;
 
 pub(super) use self::shapes::Shape;
-use super::error::{ImportError, Notes};
-use super::face::Face;
-use super::material::{Pictures, Surface, surface};
+use super::error::{DiagnosticSink, ImportError};
+use super::face::ImportedFace;
+use super::material::{ImageTable, Surface, surface};
 use super::tree::Tree;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::read::document;
 
 /// The most vertices of a figure; those of avatars are tens of thousands.
-const MOST_VERTICES: usize = 1 << 20;
+const MAX_VERTICES: usize = 1 << 20;
 /// The most triangles.
-const MOST_TRIANGLES: usize = 4 << 20;
+const MAX_TRIANGLES: usize = 4 << 20;
 /// Joints of a vertex that are looked at; [`super::bind`] keeps the four heaviest.
 pub(super) const INFLUENCES: usize = 8;
 
@@ -48,9 +48,9 @@ pub(super) struct Reader<'a, 's> {
     pub(super) json: &'a Value,
     pub(super) tree: &'a Tree<'a>,
     pub(super) source: &'s mut Source<'a>,
-    pub(super) pictures: &'a Pictures,
-    pub(super) face: &'a Face,
-    pub(super) notes: &'s mut Notes,
+    pub(super) pictures: &'a ImageTable,
+    pub(super) face: &'a ImportedFace,
+    pub(super) notes: &'s mut DiagnosticSink,
     pub(super) vertices_left: usize,
     pub(super) triangles_left: usize,
 }
@@ -70,9 +70,9 @@ impl<'a, 's> Reader<'a, 's> {
         json: &'a Value,
         tree: &'a Tree<'a>,
         source: &'s mut Source<'a>,
-        pictures: &'a Pictures,
-        face: &'a Face,
-        notes: &'s mut Notes,
+        pictures: &'a ImageTable,
+        face: &'a ImportedFace,
+        notes: &'s mut DiagnosticSink,
     ) -> Self {
         Self {
             json,
@@ -81,8 +81,8 @@ impl<'a, 's> Reader<'a, 's> {
             pictures,
             face,
             notes,
-            vertices_left: MOST_VERTICES,
-            triangles_left: MOST_TRIANGLES,
+            vertices_left: MAX_VERTICES,
+            triangles_left: MAX_TRIANGLES,
         }
     }
 

@@ -3,8 +3,8 @@
 use raconteur_base::Side;
 use serde_json::Value;
 
-use super::error::{ImportError, Notes};
-use super::names::{Slot, slot_of};
+use super::error::{DiagnosticSink, ImportError};
+use super::names::{NodeRole, slot_of};
 use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
@@ -47,11 +47,11 @@ impl Humanoid {
     pub(super) fn find(
         json: &Value,
         tree: &Tree<'_>,
-        notes: &mut Notes,
+        notes: &mut DiagnosticSink,
     ) -> Result<Self, ImportError> {
         let named = vrm_bones(json, tree.root.nodes.len()).unwrap_or_else(|| candidates(tree));
         let mut found = Self::assign(&named, tree);
-        found.mend(tree);
+        found.resolve_other_conventions(tree);
         let missing: Vec<&str> = REQUIRED_BONES
             .iter()
             .zip(NEEDED_WORDS)
@@ -84,16 +84,16 @@ impl Humanoid {
                 .map(|first| (first, Vec::new()));
         for (node, name) in named {
             match slot_of(name) {
-                Some((Slot::Bone(bone), bend)) if bend < best[bone.index()] => {
+                Some((NodeRole::Bone(bone), bend)) if bend < best[bone.index()] => {
                     best[bone.index()] = bend;
                     bones[bone.index()] = Some(*node);
                 }
-                Some((Slot::Eye(side), _)) => {
+                Some((NodeRole::Eye(side), _)) => {
                     eyes[side.index()].get_or_insert(*node);
                 }
-                Some((Slot::Finger(first, order), _)) => fingers.push((first, order, *node)),
-                Some((Slot::Arm(side), _)) => limbs[side.index()].1.push(*node),
-                Some((Slot::Leg(side), _)) => limbs[2 + side.index()].1.push(*node),
+                Some((NodeRole::Finger(first, order), _)) => fingers.push((first, order, *node)),
+                Some((NodeRole::Arm(side), _)) => limbs[side.index()].1.push(*node),
+                Some((NodeRole::Leg(side), _)) => limbs[2 + side.index()].1.push(*node),
                 _ => {}
             }
         }
@@ -131,7 +131,7 @@ impl Humanoid {
     }
 
     /// Rigs that name their joints by another custom.
-    fn mend(&mut self, tree: &Tree<'_>) {
+    fn resolve_other_conventions(&mut self, tree: &Tree<'_>) {
         for side in Side::BOTH {
             let [scapula, shoulder] =
                 ["scapula", "shoulder"].map(|part| Bone::on(side, part).index());
@@ -181,7 +181,7 @@ impl Humanoid {
         } else {
             between = named
                 .iter()
-                .filter(|(_, name)| matches!(slot_of(name), Some((Slot::Torso, _))))
+                .filter(|(_, name)| matches!(slot_of(name), Some((NodeRole::Torso, _))))
                 .map(|(node, _)| *node)
                 .collect();
             let hips_at = tree.place(hips);
@@ -247,7 +247,7 @@ impl Humanoid {
     }
 
     /// Says which limbs are not there.
-    fn report(&self, notes: &mut Notes) {
+    fn report(&self, notes: &mut DiagnosticSink) {
         let lacks = |parts: &[&str]| {
             Side::BOTH
                 .iter()

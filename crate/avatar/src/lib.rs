@@ -15,6 +15,7 @@ mod bind;
 #[cfg(target_arch = "wasm32")]
 pub mod bindings;
 mod container;
+mod duplicates;
 mod error;
 mod face;
 mod file;
@@ -25,13 +26,12 @@ mod material;
 mod names;
 mod packed;
 mod tree;
-mod twins;
 mod unposed;
 
 use raconteur_base::{DVec3, Side};
 
 pub use animation::convert_animation;
-use error::Notes;
+use error::DiagnosticSink;
 pub use error::{Diagnostic, ImportError};
 pub use file::{FaceFile, FileError, face_file};
 use raconteur_body::figure::Figure;
@@ -41,7 +41,7 @@ use raconteur_body::skeleton::Bone;
 use raconteur_body::write::to_glb;
 
 /// Numbers that a file may make us read; several views may show one stretch of bytes.
-const MOST_NUMBERS: usize = 1 << 25;
+const MAX_NUMBERS: usize = 1 << 25;
 
 /// A figure and what of the file is not in it.
 #[derive(Debug)]
@@ -78,7 +78,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     let container = container::Container::open(bytes)?;
     let json = &container.root;
     let root = container.document()?;
-    let mut notes = Notes::default();
+    let mut notes = DiagnosticSink::default();
     let world = solve_nodes(&root)?;
     if world.iter().any(|w| !w.is_finite()) {
         return Err(ReadError::NotFinite {
@@ -88,20 +88,20 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     }
     let mut tree = tree::Tree::new(&root, world);
     let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
-    humanoid.twins = twins::find(&humanoid, &tree, &mut notes);
-    let mut source = Source::with_budget(&root, MOST_NUMBERS);
+    humanoid.twins = duplicates::find(&humanoid, &tree, &mut notes);
+    let mut source = Source::with_budget(&root, MAX_NUMBERS);
     // VRM promises that its nodes stand in a T.
     if !humanoid::has_vrm_table(json)
         && let Some(world) = unposed::world(&tree, &humanoid, &mut source)?
     {
         tree.world = world;
     }
-    let stance = align::Stance::find(&tree, &mut humanoid, &mut notes)?;
+    let stance = align::RestStance::find(&tree, &mut humanoid, &mut notes)?;
 
     let has_jaw = humanoid.get(Bone::Chin).is_some();
     let has_eyes = humanoid.eyes.iter().all(Option::is_some);
-    let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
-    let pictures = material::Pictures::read(json, &mut source)?;
+    let face = face::ImportedFace::find(json, &root, has_jaw, has_eyes, &mut notes);
+    let pictures = material::ImageTable::read(json, &mut source)?;
     let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
     let geometries = reader.read()?;
 
@@ -158,7 +158,7 @@ pub fn convert(name: &str, bytes: &[u8]) -> Result<(Vec<u8>, Vec<Diagnostic>), I
 }
 
 /// Says what the file has and a figure does not.
-fn report_lost(json: &serde_json::Value, notes: &mut Notes) {
+fn report_lost(json: &serde_json::Value, notes: &mut DiagnosticSink) {
     let vrm = &json["extensions"];
     let springs = vrm["VRMC_springBone"]["springs"]
         .as_array()

@@ -3,8 +3,8 @@
 use raconteur_base::ops;
 use serde_json::Value;
 
-use super::error::{ImportError, Notes};
-use raconteur_body::figure::{Image, Maps, Material, MaterialKind};
+use super::error::{DiagnosticSink, ImportError};
+use raconteur_body::figure::{Image, Material, MaterialKind, TextureMaps};
 use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 
@@ -42,12 +42,12 @@ fn number(v: &Value, default: f64, what: &'static str) -> Result<f64, ReadError>
 
 /// The pictures of the file, and the place of each in the figure's list; those that are not
 /// PNG or JPEG are left out, which is told where a surface would have shown one.
-pub(super) struct Pictures {
+pub(super) struct ImageTable {
     pub(super) images: Vec<Image>,
     places: Vec<Option<usize>>,
 }
 
-impl Pictures {
+impl ImageTable {
     pub(super) fn read(json: &Value, source: &mut Source<'_>) -> Result<Self, ImportError> {
         let (mut images, mut places) = (Vec::new(), Vec::new());
         for image in items(json, "images") {
@@ -72,11 +72,11 @@ impl Pictures {
     }
 
     /// The picture that a texture reference shows.
-    fn shown(
+    fn image_of(
         &self,
         json: &Value,
         reference: &Value,
-        notes: &mut Notes,
+        notes: &mut DiagnosticSink,
     ) -> Result<Option<usize>, ReadError> {
         let what = "a material's texture";
         let Some(texture) = index(&reference["index"]) else {
@@ -155,8 +155,8 @@ fn uv_set(reference: &Value) -> usize {
 pub(super) fn surface(
     json: &Value,
     material: Option<usize>,
-    pictures: &Pictures,
-    notes: &mut Notes,
+    pictures: &ImageTable,
+    notes: &mut DiagnosticSink,
 ) -> Result<Surface, ReadError> {
     let what = "a mesh's material";
     let m = match material {
@@ -196,8 +196,8 @@ pub(super) fn surface(
         number(&pbr["roughnessFactor"], 1.0, what)?.clamp(0.0, 1.0)
     };
     let normal = &m["normalTexture"];
-    let color_map = pictures.shown(json, color, notes)?;
-    let mut normal_map = pictures.shown(json, normal, notes)?;
+    let color_map = pictures.image_of(json, color, notes)?;
+    let mut normal_map = pictures.image_of(json, normal, notes)?;
     let uv_transform = transform(color)?;
     if normal_map.is_some()
         && color_map.is_some()
@@ -217,7 +217,7 @@ pub(super) fn surface(
             base_color,
             roughness: if unlit { 1.0 } else { roughness as f32 },
             double_sided: m["doubleSided"].as_bool().unwrap_or(false),
-            maps: Maps {
+            maps: TextureMaps {
                 base_color: color_map,
                 normal: normal_map,
                 wrinkles: None,

@@ -10,7 +10,7 @@ use raconteur_body::skeleton::Bone;
 
 /// What a name means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Slot {
+pub(super) enum NodeRole {
     /// A bone that has one joint.
     Bone(Bone),
     /// One of the joints between hips and neck.
@@ -146,7 +146,7 @@ fn side_of(word: &str) -> Option<Side> {
 }
 
 /// A name without noise and side.
-struct Parsed {
+struct ParsedName {
     side: Option<Side>,
     /// Words joined, the last number taken off.
     stem: String,
@@ -182,25 +182,25 @@ fn bare(mut words: Vec<String>) -> (Option<Side>, Vec<String>) {
     (side, words)
 }
 
-fn parsed(side: Option<Side>, words: &[String]) -> Parsed {
+fn parsed(side: Option<Side>, words: &[String]) -> ParsedName {
     let (digits, stem) = match words.split_last() {
         Some((last, stem)) if is_number(last) => (Some(last.clone()), stem),
         _ => (None, words),
     };
-    Parsed {
+    ParsedName {
         side,
         stem: stem.concat(),
         digits,
     }
 }
 
-fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
+fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<NodeRole> {
     let number = digits.and_then(|d| d.parse::<u32>().ok());
     // MakeHuman counts both from one, the thumb first: finger1-1 to finger5-3.
     if let Some([which @ b'1'..=b'5']) = stem.strip_prefix("finger").map(str::as_bytes) {
         let (_, first) = FINGERS.get(usize::from(which - b'1'))?;
         let joint = number.filter(|n| (1..=4).contains(n))?;
-        return Some(Slot::Finger(on(side, *first), joint));
+        return Some(NodeRole::Finger(on(side, *first), joint));
     }
     // Biped counts fingers from the thumb and joints after it: Finger0, Finger01, Finger02.
     if stem == "finger" {
@@ -211,7 +211,7 @@ fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
             _ => return None,
         };
         let (_, first) = FINGERS.get(usize::from(which))?;
-        return Some(Slot::Finger(on(side, *first), joint));
+        return Some(NodeRole::Finger(on(side, *first), joint));
     }
     let (rest, first) = FINGERS.iter().find_map(|(names, first)| {
         let name = names.iter().find(|n| stem.contains(**n))?;
@@ -228,23 +228,23 @@ fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
         _ => return None,
     };
     // Larger numbers are a list's, not a finger's.
-    (order <= 4).then_some(Slot::Finger(on(side, first), order))
+    (order <= 4).then_some(NodeRole::Finger(on(side, first), order))
 }
 
 /// Limbs whose joints are only numbered, as in Khronos' sample figures, whose numbers run up
 /// or down: the tree tells their order.
-fn numbered(p: &Parsed) -> Option<Slot> {
+fn numbered(p: &ParsedName) -> Option<NodeRole> {
     match (p.side, p.stem.as_str(), p.digits.as_deref()) {
-        (Some(side), "armjoint", _) => Some(Slot::Arm(side)),
-        (Some(side), "legjoint", _) => Some(Slot::Leg(side)),
-        (None, "torsojoint", Some("1")) => Some(Slot::Bone(Bone::Sacroiliac)),
-        (None, "neckjoint", Some("1")) => Some(Slot::Bone(Bone::Cervical)),
-        (None, "neckjoint", Some("2")) => Some(Slot::Bone(Bone::Skull)),
+        (Some(side), "armjoint", _) => Some(NodeRole::Arm(side)),
+        (Some(side), "legjoint", _) => Some(NodeRole::Leg(side)),
+        (None, "torsojoint", Some("1")) => Some(NodeRole::Bone(Bone::Sacroiliac)),
+        (None, "neckjoint", Some("1")) => Some(NodeRole::Bone(Bone::Cervical)),
+        (None, "neckjoint", Some("2")) => Some(NodeRole::Bone(Bone::Skull)),
         _ => None,
     }
 }
 
-fn part(p: &Parsed) -> Option<Slot> {
+fn part(p: &ParsedName) -> Option<NodeRole> {
     let stem = p.stem.as_str();
     let digits = p.digits.as_deref();
     if let Some(side) = p.side {
@@ -255,25 +255,27 @@ fn part(p: &Parsed) -> Option<Slot> {
             return None;
         }
         if matches!(stem, "eye" | "eyeball") {
-            return Some(Slot::Eye(side));
+            return Some(NodeRole::Eye(side));
         }
         return SIDED
             .iter()
             .find(|(names, _)| names.contains(&stem))
-            .map(|(_, bone)| Slot::Bone(on(side, *bone)));
+            .map(|(_, bone)| NodeRole::Bone(on(side, *bone)));
     }
     match (stem, digits) {
-        ("hips" | "hip" | "pelvis", None) => Some(Slot::Bone(Bone::Sacroiliac)),
-        ("spine" | "chest", _) | ("upperchest" | "abdomen" | "torso", None) => Some(Slot::Torso),
-        ("neck", None) => Some(Slot::Bone(Bone::Cervical)),
-        ("head", None) => Some(Slot::Bone(Bone::Skull)),
-        ("jaw" | "lowerjaw" | "chin", None) => Some(Slot::Bone(Bone::Chin)),
+        ("hips" | "hip" | "pelvis", None) => Some(NodeRole::Bone(Bone::Sacroiliac)),
+        ("spine" | "chest", _) | ("upperchest" | "abdomen" | "torso", None) => {
+            Some(NodeRole::Torso)
+        }
+        ("neck", None) => Some(NodeRole::Bone(Bone::Cervical)),
+        ("head", None) => Some(NodeRole::Bone(Bone::Skull)),
+        ("jaw" | "lowerjaw" | "chin", None) => Some(NodeRole::Bone(Bone::Chin)),
         _ => None,
     }
 }
 
 /// What a name means, and how far it had to be bent for that: less is better.
-pub(super) fn slot_of(name: &str) -> Option<(Slot, u8)> {
+pub(super) fn slot_of(name: &str) -> Option<(NodeRole, u8)> {
     let (side, mut words) = bare(words(name));
     let whole = parsed(side, &words);
     if let Some(slot) = part(&whole) {
@@ -324,7 +326,7 @@ mod tests {
             ("Skeleton_neck_joint_2", Bone::Skull),
         ] {
             let slot = slot_of(name).map(|s| s.0);
-            assert_eq!(slot, Some(Slot::Bone(bone)), "{name}");
+            assert_eq!(slot, Some(NodeRole::Bone(bone)), "{name}");
         }
         for (name, bone, order) in [
             ("mixamorig:LeftHandIndex1", Bone::LIndex0, 1),
@@ -345,17 +347,20 @@ mod tests {
             ("mixamorig9_RightHandThumb3", Bone::RThumb0, 3),
         ] {
             let slot = slot_of(name).map(|s| s.0);
-            assert_eq!(slot, Some(Slot::Finger(bone, order)), "{name}");
+            assert_eq!(slot, Some(NodeRole::Finger(bone, order)), "{name}");
         }
-        assert_eq!(slot_of("LeftEye").map(|s| s.0), Some(Slot::Eye(Side::Left)));
+        assert_eq!(
+            slot_of("LeftEye").map(|s| s.0),
+            Some(NodeRole::Eye(Side::Left))
+        );
         for (name, slot) in [
-            ("Skeleton_arm_joint_L__4_", Slot::Arm(Side::Left)),
-            ("Skeleton_arm_joint_R", Slot::Arm(Side::Right)),
-            ("leg_joint_R_3", Slot::Leg(Side::Right)),
+            ("Skeleton_arm_joint_L__4_", NodeRole::Arm(Side::Left)),
+            ("Skeleton_arm_joint_R", NodeRole::Arm(Side::Right)),
+            ("leg_joint_R_3", NodeRole::Leg(Side::Right)),
         ] {
             assert_eq!(slot_of(name).map(|s| s.0), Some(slot), "{name}");
         }
-        assert_eq!(slot_of("Spine02").map(|s| s.0), Some(Slot::Torso));
+        assert_eq!(slot_of("Spine02").map(|s| s.0), Some(NodeRole::Torso));
     }
 
     #[test]

@@ -22,7 +22,7 @@ const SAME_PLACE: f64 = 0.02;
 const ALONG_AXIS: f64 = 0.94;
 
 /// Cosine of the most (45°) that hips lean in a movement; what lies is not set upright here.
-const MOST_LEAN: f64 = 0.7;
+const MAX_LEAN: f64 = 0.7;
 
 /// Joints with their binds, joint from the skin's own space.
 type Binds = Vec<(usize, DAffine3)>;
@@ -72,7 +72,7 @@ fn joined(
     if let Some(axis) = axes
         .into_iter()
         .flat_map(|a| [a, -a])
-        .find(|a| a.dot(up) > ALONG_AXIS && a.y > MOST_LEAN)
+        .find(|a| a.dot(up) > ALONG_AXIS && a.y > MAX_LEAN)
     {
         let turn = DAffine3::from_quat(DQuat::from_rotation_arc(axis, DVec3::Y));
         let at = DAffine3::from_translation(tree.place(hips));

@@ -5,16 +5,16 @@
 //! beyond that it may differ in the last ones. It accepts the same texts.
 
 /// Digits that fit in 64 bits whatever they are.
-const MOST_DIGITS: u32 = 19;
+const MAX_DIGITS: u32 = 19;
 /// 10 to this power still leaves a bit of 128 for the doubling below.
-const MOST_POWER: u32 = 37;
+const MAX_POWER: u32 = 37;
 /// The powers of ten that a float holds exactly.
 const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 /// Numbers with more places than this are zero or infinite.
-const MOST_PLACES: i32 = 400;
+const MAX_PLACES: i32 = 400;
 
 /// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
 /// and power are exact in a float, so the one division rounds once (Clinger 1990).
@@ -68,7 +68,7 @@ pub fn parse(text: &str) -> Option<f64> {
             return None;
         }
         any = true;
-        if taken < MOST_DIGITS {
+        if taken < MAX_DIGITS {
             whole = whole * 10 + u64::from(byte - b'0');
             // Leading zeros say nothing.
             taken += u32::from(whole > 0);
@@ -77,7 +77,7 @@ pub fn parse(text: &str) -> Option<f64> {
             exponent = exponent.saturating_add(i32::from(!pointed));
         }
     }
-    any.then(|| sign * scaled(whole, exponent.clamp(-MOST_PLACES, MOST_PLACES)))
+    any.then(|| sign * scaled(whole, exponent.clamp(-MAX_PLACES, MAX_PLACES)))
 }
 
 /// A value that is written as a word.
@@ -129,7 +129,7 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
             whole * ten
         };
     }
-    let ten = 10_u128.pow(power.min(MOST_POWER));
+    let ten = 10_u128.pow(power.min(MAX_POWER));
     let mut value = if exponent < 0 {
         // Long division in binary until more bits are known than a number keeps; the last
         // one tells whether anything is left.
@@ -147,7 +147,7 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
     } else {
         whole as f64 * ten as f64
     };
-    for _ in MOST_POWER..power {
+    for _ in MAX_POWER..power {
         value = if exponent < 0 {
             value / 10.0
         } else {
@@ -158,7 +158,7 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
 }
 
 /// Places behind the point that are ever written.
-const MOST_WRITTEN: usize = 19;
+const MAX_WRITTEN: usize = 19;
 
 /// `value` with so many places (at most 19) behind the point, rounded once, halves to even;
 /// as `format!("{value:.places$}")` writes it, without the standard library's tables. Numbers
@@ -173,7 +173,7 @@ pub fn fixed(value: f64, places: usize) -> String {
             [sign, "inf"].concat()
         };
     }
-    let places = places.min(MOST_WRITTEN);
+    let places = places.min(MAX_WRITTEN);
     let bits = value.abs().min(9_223_372_036_854_775_808.0).to_bits();
     let mantissa = bits & ((1 << 52) - 1) | u64::from(bits >> 52 > 0) << 52;
     // The value is the mantissa times two to this power.
@@ -202,13 +202,13 @@ pub fn fixed(value: f64, places: usize) -> String {
 /// taken, all digits of whole numbers are written, and small ones end at the nineteenth place.
 #[must_use]
 pub fn shortest(value: f64) -> String {
-    for places in 0..MOST_WRITTEN {
+    for places in 0..MAX_WRITTEN {
         let text = fixed(value, places);
         if parse(&text) == Some(value) {
             return text;
         }
     }
-    fixed(value, MOST_WRITTEN)
+    fixed(value, MAX_WRITTEN)
 }
 
 #[cfg(test)]

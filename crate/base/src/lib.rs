@@ -10,7 +10,6 @@
 //! +y up, +z front (glTF's own frame).
 
 pub mod color;
-pub mod crossing;
 pub mod curve;
 pub mod encoding;
 mod length;
@@ -21,6 +20,7 @@ pub mod order;
 pub mod panic;
 pub mod printable;
 pub mod profile;
+pub mod self_intersection;
 pub mod surface;
 pub mod text;
 

@@ -9,10 +9,10 @@ static MESSAGE: Mutex<String> = Mutex::new(String::new());
 
 /// Keeps the messages of panics from now on, instead of printing them to a console that may not exist.
 pub fn keep_messages() {
-    set_hook(Box::new(keep));
+    set_hook(Box::new(store_message));
 }
 
-fn keep(info: &PanicHookInfo<'_>) {
+fn store_message(info: &PanicHookInfo<'_>) {
     let message = info.payload_as_str().unwrap_or("a panic without a message");
     let place = info.location().map_or_else(String::new, |at| {
         format!(" ({}:{}:{})", at.file(), at.line(), at.column())

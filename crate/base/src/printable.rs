@@ -14,7 +14,7 @@ fn acts(c: char) -> bool {
 
 /// What is shown in the place of such a character: the symbol of ASCII's control characters, else
 /// the replacement character. One column, as a reader of a marked line expects.
-fn shown(c: char) -> char {
+fn printable_char(c: char) -> char {
     match u32::from(c) {
         code @ 0..0x20 => char::from_u32(0x2400 + code),
         0x7f => Some('\u{2421}'),
@@ -29,7 +29,9 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(acts) {
         return text.into();
     }
-    let clean = text.chars().map(|c| if acts(c) { shown(c) } else { c });
+    let clean = text
+        .chars()
+        .map(|c| if acts(c) { printable_char(c) } else { c });
     clean.collect::<String>().into()
 }
 

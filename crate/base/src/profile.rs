@@ -30,7 +30,7 @@ pub enum Profile {
 impl Profile {
     /// The share of the way at a share `s` of the time: 0 at 0 and 1 at 1.
     #[must_use]
-    pub fn at(&self, s: f64) -> f64 {
+    pub fn sample(&self, s: f64) -> f64 {
         let inside = s.clamp(0.0, 1.0);
         let way = match self {
             Self::MinimumJerk => minimum_jerk(inside),
@@ -68,7 +68,7 @@ impl Profile {
     #[must_use]
     pub fn peak(&self) -> f64 {
         const STEPS: u32 = 64;
-        let at = |i: u32| self.at(f64::from(i) / f64::from(STEPS));
+        let at = |i: u32| self.sample(f64::from(i) / f64::from(STEPS));
         (0..STEPS)
             .map(|i| (at(i + 1) - at(i)).abs() * f64::from(STEPS))
             .fold(0.0, f64::max)
@@ -112,11 +112,11 @@ mod tests {
     #[test]
     fn every_profile_leads_from_0_to_1_without_a_jump() {
         for profile in ALL {
-            assert!(profile.at(0.0).abs() < 1e-12, "{profile:?}");
-            assert!((profile.at(1.0) - 1.0).abs() < 1e-12, "{profile:?}");
-            let mut last = profile.at(-0.5);
+            assert!(profile.sample(0.0).abs() < 1e-12, "{profile:?}");
+            assert!((profile.sample(1.0) - 1.0).abs() < 1e-12, "{profile:?}");
+            let mut last = profile.sample(-0.5);
             for i in -499..1_500 {
-                let now = profile.at(f64::from(i) * 1e-3);
+                let now = profile.sample(f64::from(i) * 1e-3);
                 assert!((now - last).abs() < 4e-3, "{profile:?} at {i}");
                 last = now;
             }
@@ -128,7 +128,7 @@ mod tests {
         let straight = Profile::Bezier([0.25, 0.25, 0.7, 0.7]);
         for i in 0..100 {
             let s = f64::from(i) * 0.01;
-            assert!((straight.at(s) - s).abs() < 1e-12);
+            assert!((straight.sample(s) - s).abs() < 1e-12);
         }
     }
 
@@ -136,11 +136,11 @@ mod tests {
     fn curves_decelerate_and_overshoot() {
         // Most of the way early, then slowly into the goal.
         let decelerating = Profile::Hermite([3.0, 0.0]);
-        assert!(decelerating.at(0.5) > 0.8);
+        assert!(decelerating.sample(0.5) > 0.8);
         // Arriving from beyond: a negative slope at the end.
         let overshooting = Profile::Hermite([0.0, -2.0]);
         let most = (0..=100)
-            .map(|i| overshooting.at(f64::from(i) * 0.01))
+            .map(|i| overshooting.sample(f64::from(i) * 0.01))
             .fold(0.0, f64::max);
         assert!((1.1..1.5).contains(&most), "{most}");
     }

@@ -91,7 +91,7 @@ impl MaterialKind {
 
 /// Pictures that a surface is drawn with, as indices into [`Figure::images`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Maps {
+pub struct TextureMaps {
     /// sRGB colour and alpha; multiplies the vertex colour and the base colour.
     pub base_color: Option<usize>,
     /// Normals in tangent space as glTF has them: +y along growing −v.
@@ -133,7 +133,7 @@ pub struct Material {
     /// Whether both sides are drawn.
     pub double_sided: bool,
     /// Its pictures.
-    pub maps: Maps,
+    pub maps: TextureMaps,
 }
 
 /// One morph target's part in one mesh, sparse.

@@ -26,17 +26,17 @@ impl HairColour {
 
     /// Eight natural colours without grey, from dark to pale, with their names.
     pub const NATURAL: [(&str, Self); 8] = [
-        ("black", Self::of(1.50, 0.10)),
-        ("dark brown", Self::of(0.60, 0.30)),
-        ("brown", Self::of(0.30, 0.40)),
-        ("auburn", Self::of(0.22, 0.90)),
-        ("red", Self::of(0.08, 0.85)),
-        ("light brown", Self::of(0.17, 0.24)),
-        ("dark blond", Self::of(0.10, 0.18)),
-        ("blond", Self::of(0.045, 0.12)),
+        ("black", Self::from_pigments(1.50, 0.10)),
+        ("dark brown", Self::from_pigments(0.60, 0.30)),
+        ("brown", Self::from_pigments(0.30, 0.40)),
+        ("auburn", Self::from_pigments(0.22, 0.90)),
+        ("red", Self::from_pigments(0.08, 0.85)),
+        ("light brown", Self::from_pigments(0.17, 0.24)),
+        ("dark blond", Self::from_pigments(0.10, 0.18)),
+        ("blond", Self::from_pigments(0.045, 0.12)),
     ];
 
-    const fn of(eumelanin: f64, pheomelanin: f64) -> Self {
+    const fn from_pigments(eumelanin: f64, pheomelanin: f64) -> Self {
         Self {
             eumelanin,
             pheomelanin,

@@ -304,7 +304,7 @@ fn no_stream_panics() {
             "asset": whole["asset"],
             "bufferViews": [view],
         });
-        let root = document::Document::of(&json, &stream).expect("a document");
+        let root = document::Document::from_json(&json, &stream).expect("a document");
         let mut source = raconteur_body::read::accessor::Source::new(&root);
         taken += usize::from(source.view_bytes(0, "noise").is_ok());
     }

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 use anyhow::{Context as _, Result, ensure};
 use include_dir::{Dir, include_dir};
 
-use raconteur_voice::bake::engine::look_in;
+use raconteur_voice::bake::engine::add_folder;
 use raconteur_voice::files::{input, inside};
 
 static FIGURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/figures");
@@ -26,7 +26,7 @@ pub(crate) static FIRST_STORY: Dir<'_> =
 pub(crate) static FIRST_COURSE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/course");
 
 /// The largest file that is read, bytes.
-const LARGEST: u64 = 512 << 20;
+const MAX_FILE_BYTES: u64 = 512 << 20;
 
 /// The folder that `--assets` names.
 static FOLDER: OnceLock<PathBuf> = OnceLock::new();
@@ -35,7 +35,7 @@ static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 ///
 /// # Errors
 /// When it is none.
-pub(crate) fn look_into(folder: PathBuf) -> Result<()> {
+pub(crate) fn prepend_folder(folder: PathBuf) -> Result<()> {
     ensure!(
         folder.is_dir(),
         "--assets takes a folder, and {} is none",
@@ -63,7 +63,7 @@ fn folder() -> Option<PathBuf> {
 /// Lets the natural voice of the library, if it has one, speak.
 pub(crate) fn offer_voices() {
     if let Some(folder) = folder() {
-        look_in(folder.join("voices/kokoro"));
+        add_folder(folder.join("voices/kokoro"));
     }
 }
 
@@ -92,9 +92,9 @@ pub(crate) fn read(path: &str) -> Result<Cow<'static, [u8]>> {
     };
     let named = FOLDER.get().map(|_| find(path));
     match (named, held) {
-        (Some(Ok(file)), _) => Ok(input::bytes(&file, LARGEST)?.into()),
+        (Some(Ok(file)), _) => Ok(input::bytes(&file, MAX_FILE_BYTES)?.into()),
         (_, Some(held)) => Ok(held.contents().into()),
-        (_, None) => Ok(input::bytes(&find(path)?, LARGEST)?.into()),
+        (_, None) => Ok(input::bytes(&find(path)?, MAX_FILE_BYTES)?.into()),
     }
 }
 

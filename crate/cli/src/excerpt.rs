@@ -43,7 +43,7 @@ struct Line<'a> {
 
 impl<'a> Excerpt<'a> {
     /// The lines in which a diagnostic and what has to do with it begin, each once.
-    pub(crate) fn of(
+    pub(crate) fn from_source(
         file: &'a str,
         index: &LineIndex<'a>,
         primary: Span,
@@ -187,7 +187,7 @@ mod tests {
                     Span::new(start, start + length)
                 })
                 .collect();
-            let excerpt = Excerpt::of("x.eml", &index, spans[0], spans[1..].iter().copied());
+            let excerpt = Excerpt::from_source("x.eml", &index, spans[0], spans[1..].iter().copied());
             for line in excerpt.text.lines() {
                 prop_assert!(line.chars().count() <= COLUMNS);
             }

@@ -76,7 +76,7 @@ impl Sink {
         let film = if path.to_string_lossy().contains('%') {
             PendingFile::direct(path)
         } else {
-            PendingFile::beside(path)?
+            PendingFile::for_target(path)?
         };
         command
             .args(["-t", &format!("{length_secs:.6}")])
@@ -92,7 +92,7 @@ impl Sink {
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 let folder = path.with_extension("");
-                terminal::tell(format_args!(
+                terminal::report(format_args!(
                     "ffmpeg is not installed: writing numbered pictures without sound into {}",
                     folder.display()
                 ));

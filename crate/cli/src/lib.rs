@@ -121,11 +121,11 @@ pub(crate) enum Outcome {
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
     if arguments.log_files {
-        on_open(|path| terminal::tell(format_args!("opened {}", path.display())));
+        on_open(|path| terminal::report(format_args!("opened {}", path.display())));
     }
     let outcome = arguments
         .assets
-        .map_or(Ok(()), assets::look_into)
+        .map_or(Ok(()), assets::prepend_folder)
         .and_then(|()| {
             assets::offer_voices();
             arguments.command.run()
@@ -141,7 +141,7 @@ pub fn run() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            terminal::tell(format_args!("raconteur: {error:#}"));
+            terminal::report(format_args!("raconteur: {error:#}"));
             ExitCode::from(1)
         }
     }

@@ -11,7 +11,7 @@ use anyhow::Result;
 ///
 /// # Errors
 /// The first of `work`'s; what is being made is made first.
-pub(crate) fn each<T: Send>(
+pub(crate) fn map<T: Send>(
     numbers: Range<u64>,
     work: impl Fn(u64) -> Result<T> + Sync,
 ) -> Result<Vec<T>> {
@@ -47,9 +47,9 @@ mod tests {
 
     #[test]
     fn everything_is_made_once_and_in_order() {
-        let squares = each(3..200, |n| Ok(n * n)).unwrap();
+        let squares = map(3..200, |n| Ok(n * n)).unwrap();
         assert!(squares.into_iter().eq((3..200).map(|n| n * n)));
-        let told = each(0..9, |n| if n == 4 { anyhow::bail!("four") } else { Ok(n) });
+        let told = map(0..9, |n| if n == 4 { anyhow::bail!("four") } else { Ok(n) });
         assert_eq!(told.unwrap_err().to_string(), "four");
     }
 }

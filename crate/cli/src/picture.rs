@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail};
 use raconteur_body::Figure;
 use raconteur_body::figure::Image;
-use raconteur_render::{Headless, LARGEST_SIDE};
+use raconteur_render::{Headless, MAX_SIDE_PX};
 use raconteur_voice::files::disk;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
@@ -53,7 +53,7 @@ fn decode(image: &Image) -> Result<Pixels> {
 
 fn decode_png(bytes: &[u8]) -> Result<Pixels> {
     let limits = png::Limits {
-        bytes: 4 * LARGEST_SIDE as usize * LARGEST_SIDE as usize,
+        bytes: 4 * MAX_SIDE_PX as usize * MAX_SIDE_PX as usize,
     };
     let mut decoder = png::Decoder::new_with_limits(std::io::Cursor::new(bytes), limits);
     decoder.set_transformations(png::Transformations::normalize_to_color8());
@@ -83,8 +83,8 @@ fn expand<const N: usize>(samples: &[u8], pixel: impl Fn(&[u8; N]) -> [u8; 4]) -
 fn decode_jpeg(bytes: &[u8]) -> Result<Pixels> {
     let options = DecoderOptions::default()
         .jpeg_set_out_colorspace(ColorSpace::RGBA)
-        .set_max_width(LARGEST_SIDE as usize)
-        .set_max_height(LARGEST_SIDE as usize);
+        .set_max_width(MAX_SIDE_PX as usize)
+        .set_max_height(MAX_SIDE_PX as usize);
     let mut decoder = zune_jpeg::JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     let rgba = decoder.decode()?;
     let info = decoder.info().context("it has no size")?;
@@ -94,8 +94,8 @@ fn decode_jpeg(bytes: &[u8]) -> Result<Pixels> {
 }
 
 fn check_size(width: u32, height: u32) -> Result<()> {
-    if width.max(height) > LARGEST_SIDE {
-        bail!("it is {width}x{height}; a side is at most {LARGEST_SIDE} long");
+    if width.max(height) > MAX_SIDE_PX {
+        bail!("it is {width}x{height}; a side is at most {MAX_SIDE_PX} long");
     }
     Ok(())
 }

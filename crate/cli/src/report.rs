@@ -84,7 +84,7 @@ pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Res
     let mut stderr = terminal::err();
     for diagnostic in diagnostics {
         let spans = diagnostic.related.iter().map(|(span, _)| *span);
-        let excerpt = Excerpt::of(file, &index, diagnostic.span, spans);
+        let excerpt = Excerpt::from_source(file, &index, diagnostic.span, spans);
         let mut labels = vec![Label::new(
             LabelStyle::Primary,
             (),

@@ -44,7 +44,12 @@ impl Soundtrack {
     /// The sounds that can be heard in a film of the story at `script` that begins at
     /// `from_secs` and is `length_secs` long. Music that cannot be had is left out with a
     /// message: a film goes on without it.
-    pub(crate) fn of(player: &Player, script: &Path, from_secs: f64, length_secs: f64) -> Self {
+    pub(crate) fn collect(
+        player: &Player,
+        script: &Path,
+        from_secs: f64,
+        length_secs: f64,
+    ) -> Self {
         let folder = script.parent().unwrap_or(Path::new(""));
         let mut voices = Vec::new();
         for u in player.utterances() {
@@ -57,7 +62,9 @@ impl Soundtrack {
                     file,
                     start_secs: u.timed.start_secs - from_secs,
                 }),
-                Err(error) => terminal::tell(format_args!("what is said is not heard: {error:#}")),
+                Err(error) => {
+                    terminal::report(format_args!("what is said is not heard: {error:#}"))
+                }
             }
         }
         let mut track = Self {
@@ -71,7 +78,7 @@ impl Soundtrack {
                 continue;
             }
             if let Err(error) = track.add_music(&cue, script, from_secs, end_secs) {
-                terminal::tell(format_args!(
+                terminal::report(format_args!(
                     "the music {} is not heard: {error:#}",
                     cue.file
                 ));

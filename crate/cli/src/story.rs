@@ -8,7 +8,7 @@ use raconteur_avatar as avatar;
 use raconteur_base::encoding;
 use raconteur_body::Figure;
 use raconteur_eml::{Diagnostic, decode, nearest, quoted};
-use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_player::{LoadedPlayer, Options, Player, StoryInput};
 use raconteur_stage::Shot;
 
 use raconteur_voice::files::{input, inside};
@@ -20,11 +20,11 @@ use crate::terminal;
 pub(crate) const USUAL_FIGURE: &str = "sofia";
 
 /// The largest story file that is read, bytes; the parser's own limit is lower.
-const LARGEST_STORY: u64 = 64 << 20;
+const MAX_STORY_BYTES: u64 = 64 << 20;
 /// The largest description of a speech bundle that is read, bytes.
-const LARGEST_BUNDLE: u64 = 256 << 20;
+const MAX_BUNDLE_BYTES: u64 = 256 << 20;
 /// The largest figure that is read, bytes.
-const LARGEST_FIGURE: u64 = 512 << 20;
+const MAX_FIGURE_BYTES: u64 = 512 << 20;
 
 /// A story's files, found from a path that names the script or its folder.
 pub(crate) struct StoryFiles {
@@ -44,7 +44,7 @@ impl StoryFiles {
         } else {
             path.to_owned()
         };
-        let bytes = input::bytes(&script, LARGEST_STORY).context("the story")?;
+        let bytes = input::bytes(&script, MAX_STORY_BYTES).context("the story")?;
         let decoded = decode(bytes);
         Ok(Self {
             script,
@@ -65,8 +65,8 @@ impl StoryFiles {
 
     /// The bundle's description, if the story has one.
     pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
-        let path = told(inside::find(self.folder(), "voice/speech.json"))??;
-        told(input::bytes(&path, LARGEST_BUNDLE))
+        let path = ok_or_report(inside::find(self.folder(), "voice/speech.json"))??;
+        ok_or_report(input::bytes(&path, MAX_BUNDLE_BYTES))
     }
 
     /// The story with its voice, without a figure: enough for times and diagnostics.
@@ -144,7 +144,7 @@ impl StoryFiles {
 
     /// The story ready to be performed: by the figure of this name, else by the one that the
     /// story chooses, else by the usual one.
-    pub(crate) fn player(&self, figure: Option<&str>, shot: Shot) -> Result<Loaded> {
+    pub(crate) fn player(&self, figure: Option<&str>, shot: Shot) -> Result<LoadedPlayer> {
         let (figure, trouble) = self.figure(figure)?;
         let mut loaded = Player::load(StoryInput {
             eml: &self.text,
@@ -185,7 +185,7 @@ impl StoryFiles {
 }
 
 /// What could be read; else why not goes to the standard error, and the story does without.
-fn told<T>(read: Result<T>) -> Option<T> {
+fn ok_or_report<T>(read: Result<T>) -> Option<T> {
     // A closed pipe must not end the program.
     read.inspect_err(|why| drop(writeln!(terminal::err(), "raconteur: {why:#}")))
         .ok()
@@ -200,7 +200,7 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
             return find_xml(name, story);
         };
         let text = encoding::utf8(&bytes).map(str::to_owned);
-        return told(text.with_context(|| format!("the animation {name}")));
+        return ok_or_report(text.with_context(|| format!("the animation {name}")));
     }
     let (path, part) = name.split_once('#').unwrap_or((name, ""));
     // A story reaches no file outside its folder.
@@ -209,11 +209,11 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
     };
     let is = |ending: &str| path.extension().is_some_and(|e| e == ending);
     if is("json") || is("xml") {
-        return told(input::text(&path, input::LONGEST_TEXT));
+        return ok_or_report(input::text(&path, input::MAX_TEXT_BYTES));
     }
-    let bytes = told(input::bytes(&path, LARGEST_FIGURE))?;
+    let bytes = ok_or_report(input::bytes(&path, MAX_FIGURE_BYTES))?;
     let text = avatar::convert_animation(part, &bytes);
-    told(text.with_context(|| format!("the animation {name}")))
+    ok_or_report(text.with_context(|| format!("the animation {name}")))
 }
 
 /// The text of the XML file that is beside a story instead of an animation. It is not read, but
@@ -221,7 +221,7 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
 fn find_xml(name: &str, story: &Path) -> Option<String> {
     let stem = name.strip_suffix(".json").unwrap_or(name);
     let path = inside::find(story.parent()?, &format!("{stem}.xml")).ok()??;
-    told(input::text(&path, input::LONGEST_TEXT))
+    ok_or_report(input::text(&path, input::MAX_TEXT_BYTES))
 }
 
 /// Endings of files that hold a figure.
@@ -233,7 +233,7 @@ pub(crate) fn find_figure(name: &str) -> Result<Figure> {
     let by_path = Path::new(name);
     let ending = by_path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let bytes = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
-        input::bytes(by_path, LARGEST_FIGURE)
+        input::bytes(by_path, MAX_FIGURE_BYTES)
             .context("the figure")?
             .into()
     } else {

@@ -34,7 +34,7 @@ pub(crate) fn err() -> Printable<StderrLock<'static>> {
 }
 
 /// Says a line on the standard error. A closed pipe must not end the program.
-pub(crate) fn tell(line: impl std::fmt::Display) {
+pub(crate) fn report(line: impl std::fmt::Display) {
     let _ = writeln!(err(), "{line}");
 }
 

@@ -24,7 +24,7 @@ fn raconteur(arguments: &[&str]) -> Output {
         .expect("the program runs")
 }
 
-fn told(out: &Output) -> String {
+fn stderr_of(out: &Output) -> String {
     let both = [&out.stdout[..], &out.stderr[..]].concat();
     String::from_utf8_lossy(&both).into_owned()
 }
@@ -34,12 +34,12 @@ fn a_new_course_asks_everything_and_has_no_fault() {
     let place = folder("new").join("pond");
     let pond = place.to_str().expect("a path");
     let out = raconteur(&["new", "--course", pond]);
-    assert!(out.status.success(), "{}", told(&out));
+    assert!(out.status.success(), "{}", stderr_of(&out));
     let out = raconteur(&["check", pond]);
     assert!(
-        out.status.success() && told(&out).trim().is_empty(),
+        out.status.success() && stderr_of(&out).trim().is_empty(),
         "{}",
-        told(&out)
+        stderr_of(&out)
     );
     let text = fs::read_to_string(place.join("story.eml")).expect("a story");
     for kind in [
@@ -57,7 +57,7 @@ fn a_new_course_asks_everything_and_has_no_fault() {
         assert!(text.contains(what), "{what}");
     }
     let out = raconteur(&["bake", "--check", pond]);
-    assert!(out.status.success(), "{}", told(&out));
+    assert!(out.status.success(), "{}", stderr_of(&out));
 }
 
 /// A story with a title that asks with a picture.
@@ -80,7 +80,7 @@ fn story(name: &str, title: &str) -> PathBuf {
 fn a_picture_that_is_not_there_is_told_at_its_option() {
     let place = story("gone", "Gone");
     let out = raconteur(&["check", place.to_str().expect("a path")]);
-    let told = told(&out);
+    let told = stderr_of(&out);
     assert_eq!(told.matches("player::no-picture").count(), 1, "{told}");
     assert!(told.contains("`gone.svg`"), "{told}");
 }
@@ -104,11 +104,11 @@ fn exported(standard: &str) -> (ZipArchive<File>, Vec<String>) {
     let without = raconteur(&[
         "export", one, two, standard, "--player", player, "--output", zip,
     ]);
-    assert!(!without.status.success() && told(&without).contains("--title"));
+    assert!(!without.status.success() && stderr_of(&without).contains("--title"));
     let out = raconteur(&[
         "export", one, two, standard, "--title", "The pond", "--player", player, "--output", zip,
     ]);
-    assert!(out.status.success(), "{}", told(&out));
+    assert!(out.status.success(), "{}", stderr_of(&out));
     let archive = ZipArchive::new(File::open(zip).expect("a package")).expect("a zip");
     let names = archive
         .file_names()

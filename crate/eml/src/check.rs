@@ -1,13 +1,13 @@
 //! Checks that look at the whole document: what clauses refer to, and attributes that
 //! mean nothing beside others.
 
-use crate::asked;
 use crate::clauses::functions::FunctionArgs;
 use crate::clauses::manipulators::{ForwardKinematics, JOINTS, Jacobian};
 use crate::clauses::players::{DeterministicPrimitive, PlayerKind, PrimitiveKind, TrackProperty};
 use crate::clauses::sets::{BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, layer_number};
 use crate::diagnostic::Sink;
-use crate::suggest::{MOST_HINTS, nearest, quoted};
+use crate::question_checks;
+use crate::suggest::{MAX_HINTS, nearest, quoted};
 use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,7 +22,7 @@ type Starts<'d> = BTreeMap<&'d str, Span>;
 pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
     // Those that have to do with players: few, if any.
     let mut playing = Vec::new();
-    asked::lesson(document, is_fragment, sink);
+    question_checks::lesson(document, is_fragment, sink);
     for clause in &document.clauses {
         meaning(clause, sink);
         if is_playing(&clause.kind) {
@@ -104,7 +104,7 @@ fn ignored_attribute(span: Span, message: &str) -> Diagnostic {
 
 /// An animation that a primitive lacks, or has without use.
 fn primitive_animation(primitive: &DeterministicPrimitive, tag_span: Span, sink: &mut Sink) {
-    let is_reported = primitive.animation.is_none() && sink.tells_of(tag_span);
+    let is_reported = primitive.animation.is_none() && sink.concerns(tag_span);
     let needs = matches!(
         primitive.primitive,
         PrimitiveKind::Push | PrimitiveKind::Exchange
@@ -374,7 +374,7 @@ fn unknown<'n>(
     sink: &mut Sink,
 ) {
     let mut diagnostic = Diagnostic::warning(code, span, message);
-    if let Some(near) = nearest(name, known.take(MOST_HINTS)) {
+    if let Some(near) = nearest(name, known.take(MAX_HINTS)) {
         diagnostic = diagnostic.hint(format!("did you mean `{near}`?"));
     }
     sink.push(diagnostic);

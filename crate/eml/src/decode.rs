@@ -3,7 +3,7 @@
 
 use raconteur_base::encoding;
 
-use crate::parse::no_utf8_at_all;
+use crate::parse::reject_binary;
 use crate::{Diagnostic, Limits, Parsed, Span, parse_with};
 
 /// The text of a script, and what was wrong with its bytes.
@@ -35,7 +35,7 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     let first = bytes.utf8_chunks().next();
     let at = first.map_or(0, |chunk| chunk.valid().len());
     let text = String::from_utf8_lossy(&bytes).into_owned();
-    let problem = no_utf8_at_all(&text)
+    let problem = reject_binary(&text)
         .is_none()
         .then(|| undecoded(&bytes, at, places));
     Decoded { text, problem }
@@ -62,7 +62,7 @@ fn undecoded(bytes: &[u8], at: usize, places: usize) -> Diagnostic {
     } else {
         format!("byte {at} is not UTF-8 text{more}; what stood there is lost")
     };
-    let span = Span::of(at, at + char::REPLACEMENT_CHARACTER.len_utf8());
+    let span = Span::from_offsets(at, at + char::REPLACEMENT_CHARACTER.len_utf8());
     Diagnostic::error("eml::not-utf8", span, message).hint(encoding::SAVE_AS_UTF8)
 }
 

@@ -80,10 +80,10 @@ impl Diagnostic {
 }
 
 /// The longest message, characters: longer quotations are cut.
-const LONGEST_MESSAGE: usize = 400;
+const MAX_MESSAGE_LENGTH: usize = 400;
 
 fn clipped(mut message: String) -> String {
-    if let Some((end, _)) = message.char_indices().nth(LONGEST_MESSAGE) {
+    if let Some((end, _)) = message.char_indices().nth(MAX_MESSAGE_LENGTH) {
         message.truncate(end);
         message.push('…');
     }
@@ -91,13 +91,13 @@ fn clipped(mut message: String) -> String {
 }
 
 /// How many diagnostics of one kind are reported one by one.
-pub const MOST_OF_A_KIND: usize = 20;
+pub const MAX_PER_KIND: usize = 20;
 
 /// The code of the diagnostic that counts those left out.
 const MORE: &str = "eml::more";
 
 /// Thins what several readers have found in one document: of each kind the first
-/// [`MOST_OF_A_KIND`] stay, and `eml::more` counts the others. In the order of the text.
+/// [`MAX_PER_KIND`] stay, and `eml::more` counts the others. In the order of the text.
 #[must_use]
 pub fn thinned(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
@@ -155,7 +155,7 @@ impl Sink {
     }
 
     /// Whether a problem within a span has been reported.
-    pub(crate) fn tells_of(&self, place: Span) -> bool {
+    pub(crate) fn concerns(&self, place: Span) -> bool {
         let within = |d: &Diagnostic| place.start <= d.span.start && d.span.end <= place.end;
         self.list.iter().any(within)
     }
@@ -164,7 +164,7 @@ impl Sink {
     /// matter.
     pub(crate) fn is_full_of(&self, code: &'static str) -> bool {
         let told = self.kinds.get(code).map_or(0, |kind| kind.told);
-        self.list.len() >= self.limit || told >= MOST_OF_A_KIND
+        self.list.len() >= self.limit || told >= MAX_PER_KIND
     }
 
     /// The diagnostics in the order of the text, then the counts of those left out.
@@ -209,7 +209,7 @@ mod tests {
             prop_assert!(told.iter().filter(|d| d.code != MORE).count() <= limit);
             for code in CODES {
                 let of_kind = told.iter().filter(|d| d.code == code).count();
-                prop_assert!(of_kind <= MOST_OF_A_KIND);
+                prop_assert!(of_kind <= MAX_PER_KIND);
                 let suffix = format!(" more of the kind {code}");
                 let counted = told.iter().filter(|d| d.code == MORE).find_map(|d| {
                     d.message.strip_prefix("and ")?.strip_suffix(&suffix)?.parse::<usize>().ok()
@@ -226,8 +226,8 @@ mod tests {
     fn messages_are_not_as_long_as_what_they_quote() {
         let long =
             Diagnostic::error("a", Span::default(), "é".repeat(10_000)).hint("x".repeat(999));
-        assert_eq!(long.message.chars().count(), LONGEST_MESSAGE + 1);
-        assert_eq!(long.hints[0].len(), LONGEST_MESSAGE + '…'.len_utf8());
+        assert_eq!(long.message.chars().count(), MAX_MESSAGE_LENGTH + 1);
+        assert_eq!(long.hints[0].len(), MAX_MESSAGE_LENGTH + '…'.len_utf8());
     }
 
     #[test]

@@ -305,10 +305,10 @@ impl ClauseKind {
 
     /// The text that it speaks; empty where only its voice knows the words.
     #[must_use]
-    pub fn spoken(&self) -> Option<Cow<'_, VoiceText>> {
+    pub fn spoken_text(&self) -> Option<Cow<'_, VoiceText>> {
         match self {
             Self::VoiceText(text) => Some(Cow::Borrowed(text)),
-            Self::VoiceSay(say) => say.spoken().map(Cow::Owned),
+            Self::VoiceSay(say) => say.spoken_text().map(Cow::Owned),
             _ => None,
         }
     }

@@ -168,17 +168,17 @@ pub fn without_emoji(token: &str) -> Option<String> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spaced {
     /// The last tokens without a letter or a digit, one behind the other.
-    signs: [u8; Self::LONGEST - 1],
+    signs: [u8; Self::MAX_SIGN_TOKENS - 1],
     /// How long each of them is, the last one last; 0 for none.
-    lengths: [u8; Self::LONGEST - 1],
+    lengths: [u8; Self::MAX_SIGN_TOKENS - 1],
 }
 
 impl Spaced {
     /// As long as the longest sign.
-    const LONGEST: usize = 4;
+    const MAX_SIGN_TOKENS: usize = 4;
 
     /// Any other character separates the tokens before and after it.
-    pub fn part(&mut self) {
+    pub fn separate(&mut self) {
         *self = Self::default();
     }
 
@@ -186,24 +186,24 @@ impl Spaced {
     /// at least one, and its word. `is_word` tells a token with a letter or a digit.
     pub fn take(&mut self, token: &str, is_word: bool) -> Option<(usize, &'static str)> {
         let found = self.ended_by(token);
-        if is_word || found.is_some() || token.len() >= Self::LONGEST {
-            self.part();
+        if is_word || found.is_some() || token.len() >= Self::MAX_SIGN_TOKENS {
+            self.separate();
         } else {
             self.push(token.as_bytes());
         }
         found
     }
 
-    fn held(&self) -> usize {
+    fn pending(&self) -> usize {
         self.lengths.iter().map(|n| usize::from(*n)).sum()
     }
 
     fn ended_by(&self, token: &str) -> Option<(usize, &'static str)> {
-        let held = self.held();
+        let held = self.pending();
         let (mut before, mut found) = (0, None);
         for (parts, length) in self.lengths.iter().rev().enumerate() {
             before += usize::from(*length);
-            if *length == 0 || before + token.len() > Self::LONGEST {
+            if *length == 0 || before + token.len() > Self::MAX_SIGN_TOKENS {
                 break;
             }
             let signs = &self.signs[held - before..held];
@@ -217,7 +217,7 @@ impl Spaced {
 
     fn push(&mut self, token: &[u8]) {
         // The first ones go as far as there is no room.
-        while self.held() + token.len() > self.signs.len() || self.lengths[0] > 0 {
+        while self.pending() + token.len() > self.signs.len() || self.lengths[0] > 0 {
             let first = self.lengths.iter().position(|n| *n > 0).unwrap_or(0);
             let gone = usize::from(core::mem::take(&mut self.lengths[first]));
             if gone == 0 {
@@ -225,10 +225,10 @@ impl Spaced {
             }
             self.signs.rotate_left(gone);
         }
-        let held = self.held();
+        let held = self.pending();
         self.signs[held..held + token.len()].copy_from_slice(token);
         self.lengths.rotate_left(1);
-        self.lengths[Self::LONGEST - 2] = token.len() as u8;
+        self.lengths[Self::MAX_SIGN_TOKENS - 2] = token.len() as u8;
     }
 }
 

@@ -98,7 +98,7 @@ fn ends_phrase(word: &str) -> bool {
 mod tests {
     use crate::{ClauseKind, parse};
 
-    fn of(text: &str) -> Vec<(&'static str, usize, usize, usize)> {
+    fn emoticons_in(text: &str) -> Vec<(&'static str, usize, usize, usize)> {
         let source = format!("<eml><body><voice-text time='0'>{text}</voice-text></body></eml>");
         let Some(ClauseKind::VoiceText(voice)) =
             parse(&source).document.clauses.pop().map(|c| c.kind)
@@ -116,28 +116,34 @@ mod tests {
     fn an_emoticon_has_its_phrase_or_the_two_between_which_it_stands() {
         // F&H figure 4.7 and table 4.2.
         assert_eq!(
-            of("Hi! ;-) Can you show me the way to the conference hall? :-)"),
+            emoticons_in("Hi! ;-) Can you show me the way to the conference hall? :-)"),
             [("kidding", 1, 0, 10), ("joy", 11, 1, 10)]
         );
         assert_eq!(
-            of("Es gingen zwei Parallelen <break msec='9'/>ins ;-) Endlose hinaus, zwei"),
+            emoticons_in("Es gingen zwei Parallelen <break msec='9'/>ins ;-) Endlose hinaus, zwei"),
             [("kidding", 5, 4, 6)]
         );
         assert_eq!(
-            of("bis an ihr seliges Grab: :-( Das war nun einmal"),
+            emoticons_in("bis an ihr seliges Grab: :-( Das war nun einmal"),
             [("distress", 5, 0, 8)]
         );
     }
 
     #[test]
     fn signs_of_an_emoticon_end_no_phrase_and_others_do() {
-        assert_eq!(of("one : - ) two"), [("joy", 1, 0, 1)]);
-        assert_eq!(of("one - two :-) three"), [("joy", 2, 1, 2)]);
-        assert_eq!(of("one :-), two"), [("joy", 1, 0, 1)]);
-        assert_eq!(of("one 😀. Two three"), [("joy", 1, 0, 2)]);
-        assert_eq!(of("one two😢 three. Four"), [("distress", 2, 0, 2)]);
-        assert_eq!(of("😀One 😱"), [("joy", 0, 0, 0), ("panic", 1, 0, 0)]);
-        assert_eq!(of(":-) "), [("joy", 0, 0, 0)]);
-        assert_eq!(of("at 8:0, http://a:o a:o :oh"), []);
+        assert_eq!(emoticons_in("one : - ) two"), [("joy", 1, 0, 1)]);
+        assert_eq!(emoticons_in("one - two :-) three"), [("joy", 2, 1, 2)]);
+        assert_eq!(emoticons_in("one :-), two"), [("joy", 1, 0, 1)]);
+        assert_eq!(emoticons_in("one 😀. Two three"), [("joy", 1, 0, 2)]);
+        assert_eq!(
+            emoticons_in("one two😢 three. Four"),
+            [("distress", 2, 0, 2)]
+        );
+        assert_eq!(
+            emoticons_in("😀One 😱"),
+            [("joy", 0, 0, 0), ("panic", 1, 0, 0)]
+        );
+        assert_eq!(emoticons_in(":-) "), [("joy", 0, 0, 0)]);
+        assert_eq!(emoticons_in("at 8:0, http://a:o a:o :oh"), []);
     }
 }

@@ -1,32 +1,32 @@
 //! What names in a lesson may have meant, and what is there twice.
 
-use crate::suggest::{MOST_HINTS, nearest, quoted};
+use crate::suggest::{MAX_HINTS, nearest, quoted};
 use crate::{Diagnostic, Span};
 
 /// Hints that are looked for in one document, which bounds their cost.
-const MOST_LOOKS: usize = 64;
+const MAX_LOOKS: usize = 64;
 
 /// Looks for what may have been meant, so often and no oftener.
 #[derive(Default)]
-pub(crate) struct Looks(usize);
+pub(crate) struct SuggestionBudget(usize);
 
-impl Looks {
+impl SuggestionBudget {
     /// What may have been meant by a name.
-    pub(crate) fn near<'n>(
+    pub(crate) fn suggest<'n>(
         &mut self,
         name: &str,
         known: impl IntoIterator<Item = &'n &'n str>,
     ) -> Option<String> {
-        if !self.may_look() {
+        if !self.take_budget() {
             return None;
         }
-        nearest(name, known.into_iter().copied().take(MOST_HINTS)).map(str::to_owned)
+        nearest(name, known.into_iter().copied().take(MAX_HINTS)).map(str::to_owned)
     }
 
     /// Whether another hint is worth its cost; counts it.
-    pub(crate) fn may_look(&mut self) -> bool {
+    pub(crate) fn take_budget(&mut self) -> bool {
         self.0 += 1;
-        self.0 <= MOST_LOOKS
+        self.0 <= MAX_LOOKS
     }
 }
 

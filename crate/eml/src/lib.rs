@@ -11,7 +11,6 @@
 //! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
 //! the speaker's left, `y` up, `z` to the back. Consumers convert them.
 
-mod asked;
 mod check;
 mod clauses;
 mod decode;
@@ -25,7 +24,9 @@ mod hints;
 mod limits;
 mod markup;
 mod namespaces;
+pub mod narration;
 mod parse;
+mod question_checks;
 mod questions;
 mod record;
 pub mod reference;
@@ -34,7 +35,6 @@ mod sorted;
 mod span;
 mod suggest;
 mod syntax;
-pub mod telling;
 mod time_expr;
 mod timeline;
 mod voice;
@@ -53,8 +53,8 @@ pub use clauses::environment::{
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
 pub use clauses::manipulators::{
-    ConfigureManipulator, FARTHEST, ForwardKinematics, FrameInterpolation, Jacobian,
-    JointInterpolation, Lock, Manipulator, ManipulatorFunction, Stop, Target,
+    ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
+    Lock, MAX_COORDINATE, Manipulator, ManipulatorFunction, Stop, Target,
 };
 pub use clauses::parameters::{
     AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,
@@ -74,7 +74,7 @@ pub use clauses::speech::{
     VoiceSay, Volume,
 };
 pub use decode::{Decoded, decode, parse_bytes};
-pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
+pub use diagnostic::{Diagnostic, MAX_PER_KIND, Severity, thinned};
 pub use document::{
     Answer, Ask, Branch, Clause, ClauseId, ClauseKind, Document, Group, Part, Pool,
 };

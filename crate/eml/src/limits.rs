@@ -20,7 +20,7 @@ pub struct Limits {
     pub words: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
-    /// Diagnostics, of one kind at most [`crate::MOST_OF_A_KIND`]; the rest is counted. Default
+    /// Diagnostics, of one kind at most [`crate::MAX_PER_KIND`]; the rest is counted. Default
     /// 200.
     pub diagnostics: usize,
 }

@@ -13,7 +13,7 @@ pub const EXTENSIONS: &str = "urn:raconteur:eml:1";
 pub const EXTENSIONS_PREFIX: &str = "r";
 
 /// Bounds the work of looking a prefix up.
-const MOST_BINDINGS: usize = 64;
+const MAX_BINDINGS: usize = 64;
 
 /// What a name without or with a prefix belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,12 +104,12 @@ impl<'a> Namespaces<'a> {
                 let Some(prefix) = bound_by(attribute.name) else {
                     continue;
                 };
-                if self.bindings.len() == MOST_BINDINGS {
+                if self.bindings.len() == MAX_BINDINGS {
                     if !std::mem::replace(&mut self.told, true) {
                         sink.push(Diagnostic::error(
                             "eml::too-many-namespaces",
                             attribute.name_span(),
-                            format!("more than {MOST_BINDINGS} namespaces; the rest is not bound"),
+                            format!("more than {MAX_BINDINGS} namespaces; the rest is not bound"),
                         ));
                     }
                     return;

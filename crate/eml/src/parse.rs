@@ -64,7 +64,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             diagnostics: sink.finish(),
         };
     }
-    if let Some(what) = no_utf8_at_all(source) {
+    if let Some(what) = reject_binary(source) {
         let message = format!("this is {what}, not UTF-8 text; nothing of it is read");
         let diagnostic = Diagnostic::error("eml::not-utf8", Span::new(0, 0), message);
         sink.push(diagnostic.hint(encoding::SAVE_AS_UTF8));
@@ -74,7 +74,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         };
     }
     report_controls(source, &mut sink);
-    let mut taken = Taken::default();
+    let mut taken = PartialBody::default();
     let mut namespaces = Namespaces::new(source);
     let tree = syntax::build(source, limits, &mut sink, &mut |tree, node, sink| {
         namespaces.enter(tree, node, sink);
@@ -89,7 +89,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             is_fragment: fragment,
             placed: None,
         };
-        cx.take(node, &mut taken);
+        cx.read_early(node, &mut taken);
         taken.told_clauses = cx.told_clauses;
     });
     namespaces.finish(&tree, &mut sink);
@@ -105,7 +105,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         placed: None,
     };
     cx.root(fragment, taken);
-    crate::words::hold(&mut document, limits, &mut sink);
+    crate::words::enforce_limits(&mut document, limits, &mut sink);
     crate::check::clauses(&document, fragment, &mut sink);
     Parsed {
         document,
@@ -115,13 +115,13 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
 
 /// What has been read of the body before the rest of the tree was there.
 #[derive(Default)]
-struct Taken {
+struct PartialBody {
     tally: Option<Tally>,
     told_clauses: bool,
 }
 
 /// What a text is that need not be read, by its begin.
-pub(crate) fn no_utf8_at_all(source: &str) -> Option<&'static str> {
+pub(crate) fn reject_binary(source: &str) -> Option<&'static str> {
     if encoding::is_utf16(source.as_bytes()) {
         return Some("UTF-16");
     }
@@ -142,7 +142,7 @@ fn report_controls(source: &str, sink: &mut Sink) {
             "control character {:#04x} in the text",
             source.as_bytes()[at]
         );
-        let span = Span::of(at, at + 1);
+        let span = Span::from_offsets(at, at + 1);
         sink.push(Diagnostic::error("eml::control-character", span, message));
     }
 }
@@ -159,7 +159,7 @@ const FEW_CLAUSES: usize = 64;
 
 impl Context<'_> {
     /// Reads from the top of the tree.
-    fn root(&mut self, fragment: bool, mut taken: Taken) {
+    fn root(&mut self, fragment: bool, mut taken: PartialBody) {
         let tree = self.tree;
         let mut root: Option<Span> = None;
         let mut bare: Option<Span> = None;
@@ -267,7 +267,7 @@ impl Context<'_> {
     }
 
     /// Reads an element of the body while the rest of the document is not there yet.
-    fn take(&mut self, node: usize, taken: &mut Taken) {
+    fn read_early(&mut self, node: usize, taken: &mut PartialBody) {
         let tree = self.tree;
         let body = tree.taken_from.map(|body| tree.nodes[body as usize].kind);
         let (Some(NodeKind::Element(Some(body))), NodeKind::Element(found)) =
@@ -349,7 +349,7 @@ impl Context<'_> {
                     return None;
                 }
                 clause.kind = kind?;
-                self.keep(clause);
+                self.push_clause(clause);
             }
             Role::Record(blank) => {
                 clause.kind = blank();
@@ -359,13 +359,13 @@ impl Context<'_> {
                     return None;
                 }
                 clause.start = start.ok()?;
-                self.keep(clause);
+                self.push_clause(clause);
             }
             Role::Group(wrap) => {
                 let mut group = schema::read_group(self, &fields);
                 // A group without a time takes its clauses with it.
                 clause.start = start.ok()?;
-                self.keep(clause);
+                self.push_clause(clause);
                 self.children(node, element, |cx, child, entry| {
                     group.children.extend(cx.clause(child, entry, Some(id)));
                 });
@@ -416,7 +416,7 @@ impl Context<'_> {
         if !self.visit(fields, record, parts) {
             return None;
         }
-        self.keep(clause);
+        self.push_clause(clause);
         let members = inside.into_iter();
         let members = members.filter_map(|(child, entry)| self.clause(child, entry, Some(id)));
         let members: Vec<ClauseId> = members.collect();
@@ -428,7 +428,7 @@ impl Context<'_> {
 
     /// Adds a clause to the document. Room for more is made by what the script has been
     /// like so far, so that hardly anything is moved and little is left over.
-    fn keep(&mut self, clause: Clause) {
+    fn push_clause(&mut self, clause: Clause) {
         let clauses = &mut self.document.clauses;
         let count = clauses.len();
         if count == clauses.capacity() && count >= FEW_CLAUSES {

@@ -3,7 +3,7 @@
 use crate::clauses::asking::{AskKind, AskOption, Question};
 use crate::clauses::sets::BONES;
 use crate::diagnostic::Sink;
-use crate::hints::{Looks, hinted, twice};
+use crate::hints::{SuggestionBudget, hinted, twice};
 use crate::suggest::{by_distance, quoted};
 use crate::{Ask, ClauseKind, Diagnostic, Document, Span};
 use std::collections::BTreeSet;
@@ -19,7 +19,7 @@ pub(crate) fn check(
     document: &Document,
     ask: &Ask,
     span: Span,
-    looks: &mut Looks,
+    looks: &mut SuggestionBudget,
     sink: &mut Sink,
 ) {
     let asked = &ask.question;
@@ -66,7 +66,7 @@ pub(crate) fn check(
                 "no option has the name {}; this answer is never performed",
                 quoted(to)
             );
-            let near = looks.near(to, names.iter().chain(&OUTCOMES));
+            let near = looks.suggest(to, names.iter().chain(&OUTCOMES));
             sink.push(hinted(
                 Diagnostic::error("eml::unknown-option", clause.tag_span, message),
                 near,
@@ -75,7 +75,12 @@ pub(crate) fn check(
     }
 }
 
-fn check_option(asked: &Question, option: &AskOption, looks: &mut Looks, sink: &mut Sink) {
+fn check_option(
+    asked: &Question,
+    option: &AskOption,
+    looks: &mut SuggestionBudget,
+    sink: &mut Sink,
+) {
     if let Some(lack) = lack(asked, option) {
         let message = format!(
             "the option {} of a question of type='{}' {lack}",
@@ -87,7 +92,7 @@ fn check_option(asked: &Question, option: &AskOption, looks: &mut Looks, sink: &
     if let Some(bone) = option.at.as_deref().filter(|at| !BONES.contains(at)) {
         let message = format!("there is no bone {}", quoted(bone));
         let mut told = Diagnostic::warning("eml::unknown-bone", option.span, message);
-        if looks.may_look() {
+        if looks.take_budget() {
             for names in listed(&by_distance(bone, BONES.iter().copied())) {
                 told = told.hint(names);
             }

@@ -52,7 +52,7 @@ pub(crate) trait List {
     /// Takes the last one away again.
     fn remove_last(&mut self);
     /// The child at a place.
-    fn at(&mut self, index: usize) -> Option<&mut dyn Record>;
+    fn item_mut(&mut self, index: usize) -> Option<&mut dyn Record>;
 }
 
 /// A kind of child.
@@ -71,7 +71,7 @@ impl<C: Child> List for Vec<C> {
         self.pop();
     }
 
-    fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
+    fn item_mut(&mut self, index: usize) -> Option<&mut dyn Record> {
         self.get_mut(index).map(|child| child as &mut dyn Record)
     }
 }
@@ -86,7 +86,7 @@ impl<C: Child> List for Option<C> {
         *self = None;
     }
 
-    fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
+    fn item_mut(&mut self, index: usize) -> Option<&mut dyn Record> {
         let child = self.as_mut().filter(|_| index == 0);
         child.map(|child| child as &mut dyn Record)
     }

@@ -18,7 +18,7 @@ impl Span {
 
     /// The span from byte `start` to byte `end` of a source. Sources are limited to
     /// less than 4 GiB before they are read.
-    pub(crate) fn of(start: usize, end: usize) -> Self {
+    pub(crate) fn from_offsets(start: usize, end: usize) -> Self {
         debug_assert!(start.max(end) <= u32::MAX as usize);
         Self {
             start: start as u32,

@@ -3,16 +3,16 @@
 use crate::work::step;
 
 /// The most names that a hint is chosen from, which bounds its cost.
-pub(crate) const MOST_HINTS: usize = 256;
+pub(crate) const MAX_HINTS: usize = 256;
 
 /// Names longer than this are never near anything; it bounds the work.
-const LONGEST: usize = 48;
+const MAX_NAME_CHARS: usize = 48;
 
 /// The candidate nearest to `name` by edit distance without regard to case, when
 /// it is near enough to be what was meant: one edit in three characters.
 #[must_use]
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    if name.len() > LONGEST {
+    if name.len() > MAX_NAME_CHARS {
         return None;
     }
     candidates
@@ -33,7 +33,7 @@ pub(crate) fn by_distance<'c>(
     candidates: impl IntoIterator<Item = &'c str>,
 ) -> Vec<&'c str> {
     let mut all: Vec<&str> = candidates.into_iter().collect();
-    if name.len() <= LONGEST {
+    if name.len() <= MAX_NAME_CHARS {
         all.sort_by_cached_key(|candidate| distance(name, candidate));
     }
     all

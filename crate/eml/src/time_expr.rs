@@ -60,7 +60,7 @@ pub(crate) fn is_name(text: &str) -> bool {
 /// a name, and a sign may lead. `start` is the offset of `text` in the source.
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     if let Some(offset_secs) = plain(text) {
-        let span = Span::of(start as usize, start as usize + text.len());
+        let span = Span::from_offsets(start as usize, start as usize + text.len());
         return Ok(TimeExpr {
             offset_secs,
             names: Vec::new(),
@@ -150,7 +150,7 @@ fn moment(text: &str, start: u32) -> Option<TimeExpr> {
         }
         _ => return None,
     };
-    let span = |end: usize| Span::of(start as usize, start as usize + end);
+    let span = |end: usize| Span::from_offsets(start as usize, start as usize + end);
     Some(TimeExpr {
         offset_secs,
         names: vec![NameTerm {

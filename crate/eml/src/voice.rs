@@ -6,7 +6,7 @@ use self::scan::is_space;
 pub(crate) use self::scan::{Item, is_letter};
 use crate::clauses::speech::{Audio, Boundary, Markup, UtteranceKind, VoiceSay};
 use crate::{Name, Span};
-use raconteur_base::text::signs::Shown;
+use raconteur_base::text::signs::DisplayedWords;
 use std::ops::ControlFlow;
 
 /// SABLE's level of text without emphasis.
@@ -38,7 +38,7 @@ impl VoiceSay {
 
     /// What is heard: [`VoiceSay::text`], if anything is.
     #[must_use]
-    pub fn spoken(&self) -> Option<VoiceText> {
+    pub fn spoken_text(&self) -> Option<VoiceText> {
         self.is_heard().then(|| self.text())
     }
 }
@@ -160,7 +160,7 @@ impl VoiceText {
     #[must_use]
     pub fn words(&self) -> Vec<Word> {
         let mut words: Vec<Word> = Vec::new();
-        let mut shown = Shown::default();
+        let mut shown = DisplayedWords::default();
         let _ = self.scan(&mut |item| {
             match item {
                 Item::Word(token) => {
@@ -173,12 +173,12 @@ impl VoiceText {
                 }
                 Item::Signs(signs) => shown.sign(signs),
                 Item::Emoticon { parts, rest, .. } => {
-                    shown.take_back(parts);
+                    shown.remove_last(parts);
                     if !rest.is_empty() {
                         shown.sign(rest);
                     }
                 }
-                Item::Gap => shown.part(),
+                Item::Gap => shown.separate(),
                 Item::Mark(_) => {}
             }
             ControlFlow::Continue(())

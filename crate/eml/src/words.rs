@@ -11,7 +11,7 @@ use crate::{
 /// Leaves out words beyond [`Limits::clause_words`] and [`Limits::words`], and returns where.
 /// Pauses, recordings and events go with the words that they stood between; time markers stay, and
 /// name the end of the clause.
-pub(crate) fn hold(document: &mut Document, limits: &Limits, sink: &mut Sink) {
+pub(crate) fn enforce_limits(document: &mut Document, limits: &Limits, sink: &mut Sink) {
     // A word takes a byte and one of white space, or the end of its piece: after a pause the next
     // word begins without one. So most documents need no counting.
     let most = |clause: &Clause| match &clause.kind {
@@ -145,7 +145,7 @@ mod tests {
             ..Limits::default()
         };
         let parsed = parse_with(&source, &limits);
-        let spoken = |kind: &ClauseKind| kind.spoken().map(|text| text.words().len());
+        let spoken = |kind: &ClauseKind| kind.spoken_text().map(|text| text.words().len());
         let counts = parsed.document.clauses.iter();
         let codes = parsed
             .diagnostics

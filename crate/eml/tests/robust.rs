@@ -7,7 +7,7 @@ mod holds;
 use edits::{apply, edit};
 use proptest::prelude::*;
 use raconteur_eml::{
-    Diagnostic, EstimatedDurations, Limits, MOST_OF_A_KIND, Severity, Timeline, parse, parse_bytes,
+    Diagnostic, EstimatedDurations, Limits, MAX_PER_KIND, Severity, Timeline, parse, parse_bytes,
     schema,
 };
 use std::fs;
@@ -145,7 +145,7 @@ fn ten_thousand_deep_nesting_is_one_diagnostic() {
 fn diagnostics_are_capped() {
     let source = format!("<eml><body>{}</body></eml>", "<oops/>".repeat(1000));
     let parsed = parse(&source);
-    assert_eq!(parsed.diagnostics.len(), MOST_OF_A_KIND + 1);
+    assert_eq!(parsed.diagnostics.len(), MAX_PER_KIND + 1);
     let last = parsed.diagnostics.last().expect("a last diagnostic");
     assert_eq!(
         (last.code, last.message.as_str()),
@@ -213,7 +213,7 @@ fn attributes_beyond_the_limit_are_one_diagnostic() {
             .iter()
             .filter(|c| **c == "eml::too-many-attributes");
         assert_eq!(told.count(), 1);
-        assert!(about_all.len() <= MOST_OF_A_KIND + 3, "{about_all:?}");
+        assert!(about_all.len() <= MAX_PER_KIND + 3, "{about_all:?}");
     }
 }
 

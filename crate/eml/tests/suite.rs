@@ -91,7 +91,7 @@ fn run(source: &[u8]) -> (String, String) {
     let parsed = parse_bytes(source, &limits(&lossy));
     let spelt = lossy.contains("<!-- phones: letters -->");
     let resolved = if spelt {
-        Timeline::resolve(&parsed.document, &Spelt)
+        Timeline::resolve(&parsed.document, &LetterDurations)
     } else {
         Timeline::resolve(&parsed.document, &EstimatedDurations)
     };
@@ -146,9 +146,9 @@ fn limits(source: &str) -> Limits {
 }
 
 /// Times as estimated, but known to the letter: each is a phone, all of one length.
-struct Spelt;
+struct LetterDurations;
 
-impl Durations for Spelt {
+impl Durations for LetterDurations {
     fn voice(&self, id: ClauseId, text: &VoiceText) -> VoiceTiming {
         let mut timing = EstimatedDurations.voice(id, text);
         timing.estimated = false;

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use raconteur_eml::{
-    ClauseId, ClauseKind, Diagnostic, Durations, EstimatedDurations, Limits, MOST_OF_A_KIND,
+    ClauseId, ClauseKind, Diagnostic, Durations, EstimatedDurations, Limits, MAX_PER_KIND,
     PhoneTime, Resolved, Timeline, VoiceText, VoiceTiming, WordTime, parse,
 };
 
@@ -148,9 +148,9 @@ fn nested_repetitions_beyond_the_limit_play_once_and_cost_nothing() {
     assert_eq!(resolved.timeline.clauses.len(), depth + 2);
     let codes: Vec<&str> = resolved.diagnostics.iter().map(|d| d.code).collect();
     let (last, told) = codes.split_last().expect("diagnostics");
-    assert_eq!(told, vec!["eml::too-many-repetitions"; MOST_OF_A_KIND]);
+    assert_eq!(told, vec!["eml::too-many-repetitions"; MAX_PER_KIND]);
     assert_eq!(*last, "eml::more");
-    let count = format!("and {} more ", depth - MOST_OF_A_KIND);
+    let count = format!("and {} more ", depth - MAX_PER_KIND);
     let counted = resolved
         .diagnostics
         .last()

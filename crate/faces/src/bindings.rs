@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use crate::lately::Lately;
+use crate::change_cache::ChangeCache;
 use crate::{Affine, Change, Constraint, Editor, Face, FaceModel, Half, Part, Region};
 
 /// What a pack holds; `FacePack` in `web/element/face/faces.ts`.
@@ -45,7 +45,7 @@ struct PersonEntry {
 
 /// A constraint; `FaceConstraint` in `web/element/face/faces.ts`.
 #[derive(Deserialize)]
-struct Held {
+struct FaceConstraint {
     part: String,
     name: String,
     value: f64,
@@ -99,7 +99,7 @@ type AskedRegion = ((Vec<String>, Option<String>), Region);
 pub struct Faces {
     editor: Editor,
     face: Face,
-    lately: Lately,
+    lately: ChangeCache,
     /// The region that was asked for last, by its segments and its half.
     region: RefCell<Option<AskedRegion>>,
     /// What the face that was drawn last is straightened by.
@@ -120,7 +120,7 @@ impl Faces {
         Ok(Self {
             editor,
             face,
-            lately: Lately::default(),
+            lately: ChangeCache::default(),
             region: RefCell::new(None),
             straightened: Vec::new(),
         })
@@ -211,7 +211,7 @@ impl Faces {
     /// The name of the smallest segment that a vertex lies in.
     #[wasm_bindgen(js_name = segmentAt)]
     pub fn segment_at(&self, vertex: u32) -> Option<String> {
-        let found = self.editor.model().segments.at(vertex);
+        let found = self.editor.model().segments.segment_of(vertex);
         found.map(|s| s.name.clone())
     }
 
@@ -375,7 +375,7 @@ impl Faces {
 
     /// Brings the face to values of attributes; the exception names the first that contradicts.
     pub fn constrain(&mut self, held: JsValue) -> Result<(), JsError> {
-        let held: Vec<Held> = serde_wasm_bindgen::from_value(held)?;
+        let held: Vec<FaceConstraint> = serde_wasm_bindgen::from_value(held)?;
         let all: Vec<Constraint> = held
             .into_iter()
             .map(|h| {

@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 
 /// Which vertices are joined by an edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Neighbours {
+pub struct VertexNeighbours {
     /// Where the neighbours of each vertex begin in `list`; one more than there are vertices.
     starts: Vec<u32>,
     list: Vec<u32>,
@@ -20,10 +20,10 @@ pub struct Neighbours {
 /// face are some 3 mm apart, and so the borders 4, 8 and 16 mm wide.
 const STEPS: [usize; 3] = [2, 8, 32];
 
-impl Neighbours {
+impl VertexNeighbours {
     /// Those of triangles over so many vertices; none where a triangle names another.
     #[must_use]
-    pub fn of(triangles: &[[u32; 3]], vertices: usize) -> Option<Self> {
+    pub fn from_triangles(triangles: &[[u32; 3]], vertices: usize) -> Option<Self> {
         if triangles.iter().flatten().any(|&v| v as usize >= vertices) {
             return None;
         }
@@ -147,7 +147,7 @@ impl Neighbours {
     }
 }
 
-impl Neighbours {
+impl VertexNeighbours {
     /// How far each vertex is from those that a mask marks, along edges, in the unit of the places, as far as `most`;
     /// `most` for what is farther.
     pub(crate) fn distances(&self, places: &[[f64; 3]], mask: &[f64], most: f64) -> Vec<f64> {
@@ -193,7 +193,7 @@ impl SoftMask {
 
     /// How much of coarse form is let in at a vertex, 0 to 1.
     #[must_use]
-    pub fn at(&self, vertex: usize) -> f64 {
+    pub fn weight(&self, vertex: usize) -> f64 {
         let coarsest = self.0.last().and_then(|band| band.get(vertex));
         coarsest.copied().unwrap_or(0.0)
     }
@@ -208,7 +208,7 @@ mod tests {
     const SIDE: usize = 120;
 
     /// A square of triangles.
-    fn grid() -> Neighbours {
+    fn grid() -> VertexNeighbours {
         let at = |x: usize, y: usize| (y * SIDE + x) as u32;
         let squares = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| (x, y)));
         let triangles: Vec<[u32; 3]> = squares
@@ -217,7 +217,7 @@ mod tests {
                 [[a, b, c], [b, d, c]]
             })
             .collect();
-        Neighbours::of(&triangles, SIDE * SIDE).expect("vertices")
+        VertexNeighbours::from_triangles(&triangles, SIDE * SIDE).expect("vertices")
     }
 
     fn disc(radius: f64) -> Vec<f64> {
@@ -288,7 +288,12 @@ mod tests {
 
     #[test]
     fn triangles_of_other_vertices_are_refused() {
-        assert_eq!(Neighbours::of(&[[0, 1, 3]], 3), None);
-        assert_eq!(Neighbours::of(&[], 2).expect("none").vertices(), 2);
+        assert_eq!(VertexNeighbours::from_triangles(&[[0, 1, 3]], 3), None);
+        assert_eq!(
+            VertexNeighbours::from_triangles(&[], 2)
+                .expect("none")
+                .vertices(),
+            2
+        );
     }
 }

@@ -12,14 +12,14 @@ mod region;
 #[cfg(test)]
 pub(crate) mod tests;
 
+use crate::age_model::GROWN_YEARS;
 use crate::attribute::set_apart;
-use crate::blend::Neighbours;
+use crate::blend::VertexNeighbours;
 use crate::error::FaceError;
-use crate::life::GROWN_YEARS;
 use crate::lips::Lips;
+use crate::order_constraints::OrderConstraints;
 use crate::pack::{Difference, FaceModel, NamedAttribute};
 use crate::space::FaceSpace;
-use crate::untangle::Untangle;
 
 pub use affine::Affine;
 pub use constrain::Constraint;
@@ -60,8 +60,8 @@ pub struct Change {
 #[derive(Clone, Debug)]
 pub struct Editor {
     model: FaceModel,
-    neighbours: Neighbours,
-    untangle: Option<Untangle>,
+    neighbours: VertexNeighbours,
+    untangle: Option<OrderConstraints>,
     lips: Option<Lips>,
 }
 
@@ -80,16 +80,16 @@ impl Editor {
     /// # Errors
     /// When its triangles are not of its vertices.
     pub fn new(mut model: FaceModel) -> Result<Self, FaceError> {
-        let neighbours = Neighbours::of(&model.triangles, model.vertices());
+        let neighbours = VertexNeighbours::from_triangles(&model.triangles, model.vertices());
         let neighbours = neighbours.ok_or_else(|| FaceError::BadPack {
             why: "its triangles are not of its vertices".to_owned(),
         })?;
-        tell_apart(&model.shape, &mut model.attributes);
+        separate(&model.shape, &mut model.attributes);
         if let Some(texture) = &mut model.texture {
-            tell_apart(&texture.space, &mut texture.attributes);
+            separate(&texture.space, &mut texture.attributes);
         }
-        let lips = Lips::of(&model.segments, &model.triangles, model.shape.mean());
-        let untangle = Untangle::of(&model.reference, &model.triangles);
+        let lips = Lips::find(&model.segments, &model.triangles, model.shape.mean());
+        let untangle = OrderConstraints::find(&model.reference, &model.triangles);
         Ok(Self {
             model,
             neighbours,
@@ -111,7 +111,7 @@ impl Editor {
     pub fn add_texture(&mut self, bytes: &[u8]) -> Result<(), FaceError> {
         self.model.add_texture(bytes)?;
         if let Some(texture) = &mut self.model.texture {
-            tell_apart(&texture.space, &mut texture.attributes);
+            separate(&texture.space, &mut texture.attributes);
         }
         Ok(())
     }
@@ -122,7 +122,7 @@ impl Editor {
         let textures = self.model.texture.as_ref();
         Face {
             shape: self.model.shape.face(shape),
-            organs: self.model.organs.at(shape),
+            organs: self.model.organs.evaluate(shape),
             texture: textures.map_or_else(Vec::new, |t| t.space.face(texture)),
         }
     }
@@ -142,7 +142,7 @@ impl Editor {
             .as_ref()
             .filter(|_| shape.len() == self.model.shape.length())
         {
-            lips.part(&self.neighbours, &mut shape);
+            lips.separate(&self.neighbours, &mut shape);
         }
         if let Some(untangle) = &self.untangle {
             untangle.straighten(&mut shape);
@@ -290,7 +290,7 @@ impl Editor {
             Part::Shape => self.model.organs.change(along),
             Part::Texture => Vec::new(),
         };
-        Ok(self.within(
+        Ok(self.restrict(
             Change {
                 part,
                 numbers,
@@ -301,7 +301,7 @@ impl Editor {
     }
 
     /// What a region lets in of a change of the whole.
-    fn within(&self, change: Change, region: &Region) -> Change {
+    fn restrict(&self, change: Change, region: &Region) -> Change {
         let Some(mask) = region.mask() else {
             return change;
         };
@@ -322,13 +322,13 @@ impl Editor {
     /// everybody below.
     pub fn caricature(&self, face: &mut Face, part: Part, level: f64, region: &Region) {
         let average = self.average();
-        let change = self.within(Change::between(&average, face, part), region);
+        let change = self.restrict(Change::between(&average, face, part), region);
         face.add(&change, level - 1.0);
     }
 
     /// Takes over a region of another face (F&H 5.1.5).
     pub fn import(&self, face: &mut Face, from: &Face, part: Part, region: &Region) {
-        let change = self.within(Change::between(face, from, part), region);
+        let change = self.restrict(Change::between(face, from, part), region);
         face.add(&change, 1.0);
     }
 
@@ -405,7 +405,7 @@ fn difference(numbers: &[f64], space: &FaceSpace) -> Result<Vec<f64>, FaceError>
 }
 
 /// Sets the changes of features apart; who a face is changes all of them.
-fn tell_apart(space: &FaceSpace, attributes: &mut [NamedAttribute]) {
+fn separate(space: &FaceSpace, attributes: &mut [NamedAttribute]) {
     let features = attributes.iter_mut();
     let features =
         features.filter(|a| a.derived.is_none() && !OF_PERSONS.contains(&a.group.as_str()));

@@ -5,17 +5,18 @@
 //! blended; a file for all of it.
 //! Does not: make examples (`sculpt` does), draw, or know of pages.
 
+mod age_model;
 mod attribute;
 #[cfg(target_arch = "wasm32")]
 mod bindings;
 mod blend;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod change_cache;
 mod edit;
 mod error;
 mod feature;
-#[cfg(any(test, target_arch = "wasm32"))]
-mod lately;
-mod life;
 mod lips;
+mod order_constraints;
 mod pack;
 mod person;
 mod rating;
@@ -23,20 +24,19 @@ mod rating;
 mod sample;
 mod segment;
 mod space;
-mod untangle;
 
+pub use age_model::AgeModel;
 pub use attribute::Attribute;
-pub use blend::{Neighbours, SoftMask};
+pub use blend::{SoftMask, VertexNeighbours};
 #[cfg(feature = "learn")]
 pub use edit::FeatureMeasure;
 pub use edit::{Affine, Change, Constraint, Editor, Face, Part, Region, USUAL_DETAIL};
 pub use error::FaceError;
 pub use feature::Feature;
-pub use life::Life;
 pub use pack::{
-    FaceModel, Factors, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, TextureModel,
+    FaceModel, Factors, Follower, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute, TextureModel,
 };
-pub use person::Personal;
+pub use person::PersonRecord;
 pub use rating::{Agreement, AttributeRatings, RatingError, Ratings};
 pub use segment::{Half, Segment, Segments};
 pub use space::FaceSpace;

@@ -5,13 +5,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::blend::Neighbours;
+use crate::blend::VertexNeighbours;
 use crate::segment::Segments;
 
 /// Lips are no nearer, metres: about what heads of the database have.
 const GAP_M: f64 = 1.5e-4;
 /// What lies farther inside the other lip is not between the lips, metres.
-const DEEPEST_M: f64 = 8e-3;
+const MAX_DEPTH_M: f64 = 8e-3;
 /// Side of a cell, metres.
 const CELL_M: f64 = 2e-3;
 /// Rounds of giving way; each leaves a small share.
@@ -39,7 +39,7 @@ pub(crate) struct Lips {
 
 impl Lips {
     /// Those of the segments that are named so; none where a model has no such segments.
-    pub(crate) fn of(segments: &Segments, triangles: &[[u32; 3]], mean: &[f64]) -> Option<Self> {
+    pub(crate) fn find(segments: &Segments, triangles: &[[u32; 3]], mean: &[f64]) -> Option<Self> {
         let places = mean.as_chunks::<3>().0;
         let lip = |name: &str, up: f64| {
             let mask = segments.mask(&[segments.find(name)?], places.len());
@@ -66,7 +66,7 @@ impl Lips {
     }
 
     /// Moves the lips of a shape apart where they would be in each other.
-    pub(crate) fn part(&self, neighbours: &Neighbours, shape: &mut [f64]) {
+    pub(crate) fn separate(&self, neighbours: &VertexNeighbours, shape: &mut [f64]) {
         for _ in 0..ROUNDS {
             let places = shape.as_chunks::<3>().0;
             let [upper, lower] = &self.lips;
@@ -92,15 +92,15 @@ fn normal_y(places: &[Place], t: &[u32; 3]) -> f64 {
 
 /// Half of what each vertex of a lip lacks to lie clear of the other lip.
 fn missing(places: &[Place], own: &Lip, other: &Lip) -> Vec<(u32, f64)> {
-    let cells = Cells::of(places, &other.triangles);
+    let cells = Cells::from_triangles(places, &other.triangles);
     let one = |&v: &u32| {
         let p = places[v as usize];
-        let heights = cells.at(p).filter_map(|t| height(places, t, p));
+        let heights = cells.triangles_at(p).filter_map(|t| height(places, t, p));
         // What of the other lip is nearest to this one at the place.
         let nearest = heights
             .map(|y| own.up * (y - p[1]) + GAP_M)
             .fold(f64::MIN, f64::max);
-        (nearest > 1e-6 && nearest < DEEPEST_M).then_some((v, nearest / 2.0))
+        (nearest > 1e-6 && nearest < MAX_DEPTH_M).then_some((v, nearest / 2.0))
     };
     own.vertices.iter().filter_map(one).collect()
 }
@@ -121,7 +121,7 @@ fn height(places: &[Place], t: &[u32; 3], p: Place) -> Option<f64> {
 }
 
 /// Ways of vertices, and of those about them, less with each step.
-fn spread(neighbours: &Neighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
+fn spread(neighbours: &VertexNeighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     let mut all = BTreeMap::from_iter(ways);
     let mut edge: Vec<u32> = all.keys().copied().collect();
     for _ in 0..STEPS {
@@ -152,7 +152,7 @@ fn cell(x: f64) -> i64 {
 }
 
 impl<'t> Cells<'t> {
-    fn of(places: &[Place], triangles: &'t [[u32; 3]]) -> Self {
+    fn from_triangles(places: &[Place], triangles: &'t [[u32; 3]]) -> Self {
         let mut cells = Vec::with_capacity(2 * triangles.len());
         for t in triangles {
             let corners = t.map(|v| places[v as usize]);
@@ -172,7 +172,7 @@ impl<'t> Cells<'t> {
         Self { cells }
     }
 
-    fn at(&self, p: Place) -> impl Iterator<Item = &'t [u32; 3]> {
+    fn triangles_at(&self, p: Place) -> impl Iterator<Item = &'t [u32; 3]> {
         let own = [cell(p[0]), cell(p[2])];
         let first = self.cells.partition_point(|(cell, _)| *cell < own);
         let from = self.cells[first..].iter();
@@ -218,21 +218,21 @@ mod tests {
     #[test]
     fn lips_that_slide_into_each_other_part_and_others_stay() {
         let (mean, triangles, segments) = lips();
-        let lips = Lips::of(&segments, &triangles, &mean).expect("both");
+        let lips = Lips::find(&segments, &triangles, &mean).expect("both");
         let count = (SIDE * SIDE) as usize;
-        let neighbours = Neighbours::of(&triangles, 2 * count).expect("vertices");
+        let neighbours = VertexNeighbours::from_triangles(&triangles, 2 * count).expect("vertices");
         let mut shape = mean.clone();
-        lips.part(&neighbours, &mut shape);
+        lips.separate(&neighbours, &mut shape);
         assert_eq!(shape, mean);
         // Half a square to the side and 2 mm too high.
         for v in 0..count {
             shape[3 * v] += 5e-4;
             shape[3 * v + 1] += 2e-3;
         }
-        lips.part(&neighbours, &mut shape);
+        lips.separate(&neighbours, &mut shape);
         let middle = (SIDE / 2 * SIDE + SIDE / 2) as usize;
         let gap = shape[3 * (count + middle) + 1] - shape[3 * middle + 1];
         assert!(gap > 0.0, "{gap}");
-        assert!(Lips::of(&Segments::default(), &triangles, &mean).is_none());
+        assert!(Lips::find(&Segments::default(), &triangles, &mean).is_none());
     }
 }

@@ -12,18 +12,18 @@ use core::cell::OnceCell;
 
 use raconteur_base::ops;
 
+use crate::age_model::AgeModel;
 use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::feature::Feature;
-use crate::life::Life;
-use crate::person::Personal;
+use crate::person::PersonRecord;
 use crate::segment::Segments;
 use crate::space::FaceSpace;
 
 /// A part of a pack is not larger, bytes.
-pub const MOST_BYTES: usize = 64 << 20;
+pub const MAX_BYTES: usize = 64 << 20;
 /// A space in a pack has no more modes: nobody tells faces apart by them, and reading would take long.
-pub const MOST_MODES: usize = 256;
+pub const MAX_MODES: usize = 256;
 
 /// A face model.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,11 +46,11 @@ pub struct FaceModel {
     /// The attributes of shape.
     pub attributes: Vec<NamedAttribute>,
     /// How shapes go with years.
-    pub life: Life,
+    pub life: AgeModel,
     /// The database that features are taken from: the coefficients of its faces.
     pub examples: Vec<Vec<f64>>,
     /// Who they are; as many, or none.
-    pub people: Vec<Personal>,
+    pub people: Vec<PersonRecord>,
     /// Its textures, where that part was read.
     pub texture: Option<TextureModel>,
 }
@@ -67,7 +67,7 @@ pub struct TextureModel {
     /// The attributes of texture.
     pub attributes: Vec<NamedAttribute>,
     /// How textures go with years.
-    pub life: Life,
+    pub life: AgeModel,
     /// Coefficients of the database's faces, in the order of [`FaceModel::examples`].
     pub examples: Vec<Vec<f64>>,
     /// Coefficients of figures by their names: what their own maps show.
@@ -161,7 +161,7 @@ impl Follower {
 
     /// The numbers of a face.
     #[must_use]
-    pub fn at(&self, coefficients: &[f64]) -> Vec<f64> {
+    pub fn evaluate(&self, coefficients: &[f64]) -> Vec<f64> {
         let change = self.change(coefficients);
         self.mean.iter().zip(change).map(|(m, c)| m + c).collect()
     }
@@ -233,7 +233,7 @@ impl TextureModel {
 
     /// The numbers of a texture's look, in the order of [`Self::looks`].
     #[must_use]
-    pub fn look(&self, texture: &[f64]) -> Vec<f64> {
+    pub fn look_values(&self, texture: &[f64]) -> Vec<f64> {
         let colours = self.space.length() - self.looks.len();
         let numbers = texture.get(colours..).unwrap_or_default();
         let parts = numbers.iter().zip(&self.looks);
@@ -249,7 +249,7 @@ impl TextureModel {
         if texture.len() != own.len() {
             return None;
         }
-        let [to, from] = [texture, &own].map(|t| self.look(t));
+        let [to, from] = [texture, &own].map(|t| self.look_values(t));
         let factor = |name: &str| {
             let index = self.looks.iter().position(|look| look.name == name);
             index.map_or(1.0, |i| ops::exp(to[i] - from[i]))

@@ -2,7 +2,7 @@
 
 /// Who a face of the database is (F&H 5.1.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Personal {
+pub struct PersonRecord {
     /// 0 male to 1 female.
     pub sex: f64,
     /// Years.

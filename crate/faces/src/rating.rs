@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub use table::{RatingError, Ratings};
 
 /// A mean square of differences that is less is rounding: values differ by hundredths and more.
-const LEAST_SQUARE: f64 = 1e-12;
+const MIN_SQUARE: f64 = 1e-12;
 /// A label of 1 is so many standard deviations from the mean, as of labels that are measures.
 const DEVIATIONS: f64 = 2.0;
 
@@ -106,7 +106,7 @@ fn spread(values: &[f64]) -> Option<(f64, f64)> {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
     let square = values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
-    (square > LEAST_SQUARE).then(|| (mean, square.sqrt()))
+    (square > MIN_SQUARE).then(|| (mean, square.sqrt()))
 }
 
 /// ICC(2,1) and ICC(2,k) of a table with a row for each rater and a column for each face.
@@ -135,7 +135,7 @@ fn correlations(table: &[Vec<f64>]) -> [Option<f64>; 2] {
     let error = rest.map(|x| x * x).sum::<f64>() / ((faces - 1.0) * (raters - 1.0));
     let bias = (between_raters - error) / faces;
     // Estimates of variances may sum to less than nothing, where raters contradict each other.
-    let ratio = |whole: f64| (whole > LEAST_SQUARE).then_some((between_faces - error) / whole);
+    let ratio = |whole: f64| (whole > MIN_SQUARE).then_some((between_faces - error) / whole);
     [
         ratio(between_faces + (raters - 1.0) * error + raters * bias),
         ratio(between_faces + bias),
@@ -155,7 +155,7 @@ mod tests {
             text += &format!("{rater}\t{face}\tfriendly\t{value}\n");
         }
         let ratings = Ratings::parse(&text).expect("a table");
-        ratings.of("friendly").cloned().unwrap_or_default()
+        ratings.get("friendly").cloned().unwrap_or_default()
     }
 
     fn is_near(a: Option<f64>, b: Option<f64>) -> bool {

@@ -57,7 +57,7 @@ impl Segments {
 
     /// The segment whose own vertex this is, without those of its parts.
     #[must_use]
-    pub fn at(&self, vertex: u32) -> Option<&Segment> {
+    pub fn segment_of(&self, vertex: u32) -> Option<&Segment> {
         let is_in = |run: &[u32; 2]| vertex >= run[0] && vertex - run[0] < run[1];
         self.all.iter().find(|s| s.runs.iter().any(is_in))
     }

@@ -25,7 +25,7 @@ pub struct FaceSpace {
 const PIECE: usize = 1024;
 /// What of the examples' greatest deviation is still one, and not rounding.
 #[cfg(any(test, feature = "learn"))]
-const LEAST_SHARE: f64 = 1e-9;
+const MIN_SHARE: f64 = 1e-9;
 
 impl FaceSpace {
     /// A space of what is known of it; none when the parts do not belong together.
@@ -287,7 +287,7 @@ fn decompose(columns: &faer::Mat<f64>, most: usize) -> Result<(Vec<f64>, Vec<f64
         .map(|i| singular[i])
         .fold(0.0, f64::max);
     let kept = (0..singular.nrows().min(most))
-        .take_while(|&i| singular[i] > LEAST_SHARE * greatest)
+        .take_while(|&i| singular[i] > MIN_SHARE * greatest)
         .count();
     let mut vectors = Vec::with_capacity(kept * columns.nrows());
     for column in 0..kept {

@@ -74,7 +74,7 @@ fn an_edit_of_a_feature_stays_in_its_segment_and_reaches_its_value() {
         for amount in [-1.0, 1.0] {
             let before = editor.average();
             let mut after = before.clone();
-            let change = editor.attribute_change(Part::Shape, name, &Region::whole());
+            let change = editor.attribute_change(Part::Shape, name, &Region::whole_head());
             after.add(&change.expect("an attribute"), amount);
             let share = inside(&editor, &before, &after, segments);
             let value = editor.value(&after, Part::Shape, name);

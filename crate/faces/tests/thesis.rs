@@ -5,7 +5,7 @@ mod common;
 use raconteur_faces::{Constraint, Editor, Face, Part, Region};
 
 fn add(editor: &Editor, face: &mut Face, name: &str, amount: f64) {
-    let change = editor.attribute_change(Part::Shape, name, &Region::whole());
+    let change = editor.attribute_change(Part::Shape, name, &Region::whole_head());
     face.add(&change.expect("an attribute"), amount);
 }
 
@@ -20,7 +20,7 @@ fn features_go_together_as_they_do_in_people() {
     let editor = common::editor();
     let mut face = editor.average();
     let name = "width of the mouth";
-    let change = editor.change_with_all(Part::Shape, name, &Region::whole());
+    let change = editor.change_with_all(Part::Shape, name, &Region::whole_head());
     face.add(&change.expect("an attribute"), -1.0);
     let of = |name: &str| value(&editor, &face, name);
     assert!(of("breadth of the alar wings") < -0.1);
@@ -32,7 +32,7 @@ fn features_go_together_as_they_do_in_people() {
 #[test]
 fn features_change_apart() {
     let editor = common::editor();
-    let whole = Region::whole();
+    let whole = Region::whole_head();
     let features: Vec<&str> = editor
         .attributes(Part::Shape)
         .iter()
@@ -74,14 +74,14 @@ fn a_held_sex_stays_while_the_brows_rise() {
     let brows = "distance between brows and eyes";
     let mut face = editor.average();
     add(&editor, &mut face, "sex", -0.6);
-    let change = editor.change_with_all(Part::Shape, brows, &Region::whole());
+    let change = editor.change_with_all(Part::Shape, brows, &Region::whole_head());
     face.add(&change.expect("an attribute"), 0.8);
     assert!((value(&editor, &face, "sex") + 0.6).abs() > 0.05);
     let held = [("sex", -0.6), (brows, 0.8)].map(|(name, value)| Constraint {
         part: Part::Shape,
         name: name.to_owned(),
         value,
-        region: Region::whole(),
+        region: Region::whole_head(),
     });
     editor.constrain(&mut face, &held).expect("they agree");
     assert!((value(&editor, &face, "sex") + 0.6).abs() < 1e-4);
@@ -102,7 +102,7 @@ fn four_constraints_hold_over_the_database() {
         part: Part::Shape,
         name: name.to_owned(),
         value,
-        region: Region::whole(),
+        region: Region::whole_head(),
     });
     for index in 0..40 {
         let mut face = editor.example(index).expect("a face");

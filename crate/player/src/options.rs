@@ -2,7 +2,7 @@
 
 use raconteur_actor::Manner;
 use raconteur_base::Side;
-use raconteur_stage::{Room, Shot};
+use raconteur_stage::{FramingMargin, Shot};
 
 /// How a story is performed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,27 +24,27 @@ pub struct Options {
     pub moving_camera: bool,
     /// No less room than this is kept for gestures, however small the script's own are:
     /// while one edits a script the picture stands still.
-    pub room: Room,
+    pub room: FramingMargin,
 }
 
 /// A tag of BCP 47, as long as any needs to be (RFC 5646, section 4.4.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LanguageTag {
-    letters: [u8; Self::MOST],
+    letters: [u8; Self::MAX_TAG_BYTES],
     length: usize,
 }
 
 impl LanguageTag {
-    const MOST: usize = 35;
+    const MAX_TAG_BYTES: usize = 35;
 
     /// None for what is no tag: empty, longer, or not of letters, digits and hyphens.
     #[must_use]
     pub fn new(tag: &str) -> Option<Self> {
         let is_of_tag = |b: u8| b.is_ascii_alphanumeric() || b == b'-';
-        if tag.is_empty() || tag.len() > Self::MOST || !tag.bytes().all(is_of_tag) {
+        if tag.is_empty() || tag.len() > Self::MAX_TAG_BYTES || !tag.bytes().all(is_of_tag) {
             return None;
         }
-        let mut letters = [0; Self::MOST];
+        let mut letters = [0; Self::MAX_TAG_BYTES];
         letters[..tag.len()].copy_from_slice(tag.as_bytes());
         let length = tag.len();
         Some(Self { letters, length })
@@ -68,7 +68,7 @@ impl Default for Options {
             language: None,
             shot: Shot::Storyteller,
             moving_camera: true,
-            room: Room::default(),
+            room: FramingMargin::default(),
         }
     }
 }

@@ -10,7 +10,7 @@ use raconteur_player::body::Figure;
 use raconteur_player::eml::Severity;
 use raconteur_player::stage::emotion::{Angle, EMOTIONS, Valence};
 use raconteur_player::stage::{Camera, Lighting, Set, Shot};
-use raconteur_player::sweep::look_at_the_picture;
+use raconteur_player::sweep::check_framing;
 use raconteur_player::{Options, Player};
 use raconteur_tier::sized;
 
@@ -95,7 +95,7 @@ fn no_shot_is_short_hands_stay_in_it_and_no_face_is_cut() {
     let mut worst: Vec<(&str, f64)> = Vec::new();
     for seed in 0..sized(8, 1000) as u64 {
         let mut player = player(&at_random(seed, ""));
-        for check in look_at_the_picture(&mut player) {
+        for check in check_framing(&mut player) {
             assert!(check.is_ok(), "story {seed}: {check:?}");
             match worst.iter_mut().find(|(name, _)| *name == check.name) {
                 Some((_, most)) => *most = most.max(check.worst),
@@ -125,7 +125,7 @@ fn poses_do_not_depend_on_the_environment() {
 
 /// What the environment shows at a time.
 fn shown(player: &mut Player, t: f64) -> (Camera, Lighting, Set, Vec<String>) {
-    let music = player.expressed(t).music;
+    let music = player.environment_expression(t).music;
     let frame = player.frame(t, 1.6);
     (frame.camera, frame.lighting, frame.set, music)
 }
@@ -164,7 +164,8 @@ fn no_channel_is_faster_than_it_says() {
                 }
                 // A shot that is kept, or moved to, zooms; a cut is no zoom.
                 let zoom = ops::ln(height / was).abs();
-                let cut = player.expressed(t).shot != player.expressed(t - STEP_SECS).shot;
+                let cut = player.environment_expression(t).shot
+                    != player.environment_expression(t - STEP_SECS).shot;
                 assert!(zoom < 0.05 || cut, "story {seed} at {t}: {zoom}");
             }
             last = Some((light, height));
@@ -176,7 +177,7 @@ fn no_channel_is_faster_than_it_says() {
 fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
     let player = story("white-rabbit", figure(), Options::default()).player;
     let felt: Vec<_> = (0..1500)
-        .map(|i| player.expressed(0.1 * f64::from(i)))
+        .map(|i| player.environment_expression(0.1 * f64::from(i)))
         .collect();
     let find = |name: &str| {
         let mut all = felt
@@ -216,7 +217,7 @@ fn the_white_rabbit_is_filmed_lit_and_scored_as_it_feels() {
     }
     // One after the other on bar lines; two at once while one takes over.
     for t in 0..1500 {
-        let heard = player.expressed(0.1 * f64::from(t)).music;
+        let heard = player.environment_expression(0.1 * f64::from(t)).music;
         assert!(heard.len() <= 4, "{heard:?}");
     }
 }
@@ -274,7 +275,7 @@ fn a_flood_of_feelings_is_filmed_like_any_other() {
     let mut shots = 0;
     let mut last = None;
     for i in 0..200 {
-        let now = player.expressed(f64::from(i)).shot;
+        let now = player.environment_expression(f64::from(i)).shot;
         shots += usize::from(last.replace(now) != Some(now));
     }
     assert!(shots < 60, "{shots}");

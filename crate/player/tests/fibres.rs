@@ -4,12 +4,12 @@ mod common;
 
 use common::figure;
 use raconteur_player::stage::Line;
-use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_player::{LoadedPlayer, Options, Player, StoryInput};
 
 fn perform(clauses: &str) -> Player {
     let eml =
         format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{clauses}<null time='9'/></body></eml>");
-    let Loaded {
+    let LoadedPlayer {
         player,
         diagnostics,
     } = Player::load(StoryInput {

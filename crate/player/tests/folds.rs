@@ -4,12 +4,12 @@ mod common;
 
 use common::{read, turn};
 use raconteur_actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
-use raconteur_actor::emotion::{Basic, Expression};
+use raconteur_actor::emotion::{BasicEmotion, Expression};
 use raconteur_actor::lips::MouthTargets;
 use raconteur_base::noise;
 use raconteur_player::body::Figure;
 use raconteur_player::body::face::{FaceControls, Muscle, Network, NodeState, Tissue};
-use raconteur_player::sweep::{DEEPEST_FOLD_MM, Fold, Folds};
+use raconteur_player::sweep::{Fold, Folds, MAX_FOLD_DEPTH_MM};
 use raconteur_speech::phones;
 use raconteur_tier::{FIGURES, share, sized};
 
@@ -44,7 +44,11 @@ impl Face {
 
 fn phone(row: &phones::PhoneTargets) -> FaceControls {
     let mut controls = FaceControls::default();
-    articulate(&MouthTargets::of(row), ORDINARY_LOUDNESS, &mut controls);
+    articulate(
+        &MouthTargets::from_phone(row),
+        ORDINARY_LOUDNESS,
+        &mut controls,
+    );
     controls
 }
 
@@ -59,9 +63,9 @@ fn all(name: &str) -> Vec<(String, FaceControls)> {
     }
     let rows: Vec<_> = phones::all().collect();
     for row in share(&rows, turn(name), FIGURES.len()) {
-        for basic in Basic::ALL {
+        for basic in BasicEmotion::ALL {
             let mut controls = phone(row);
-            Expression::of(basic).add(&mut controls);
+            Expression::from_basic(basic).add(&mut controls);
             all.push((format!("{} in {basic:?}", row.name), controls));
         }
     }
@@ -93,7 +97,7 @@ fn no_muscle_phone_or_expression_dents_a_face() {
         for (what, controls) in all(name) {
             let fold = face.fold(&controls);
             let depth_mm = 1e3 * f64::from(fold.depth_m);
-            if depth_mm > DEEPEST_FOLD_MM {
+            if depth_mm > MAX_FOLD_DEPTH_MM {
                 let place = fold.place.map(|x| (x * 1e3).round());
                 wrong.push(format!("{name} {what}: {depth_mm:.2} mm at {place:?}"));
             }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use raconteur_player::body::{Figure, Skeleton};
-use raconteur_player::stage::{Fill, Shown};
-use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_player::stage::{Fill, Visibility};
+use raconteur_player::{LoadedPlayer, Options, Player, StoryInput};
 
 /// Every figure with a skeleton answers the switches.
 fn perform(clauses: &str) -> Player {
@@ -21,7 +21,7 @@ fn perform(clauses: &str) -> Player {
         tissue: None,
         springs: raconteur_body::Springs::default(),
     };
-    let Loaded {
+    let LoadedPlayer {
         player,
         diagnostics,
     } = Player::load(StoryInput {
@@ -36,13 +36,13 @@ fn perform(clauses: &str) -> Player {
     player
 }
 
-fn shown(player: &mut Player, time_secs: f64) -> Shown {
+fn shown(player: &mut Player, time_secs: f64) -> Visibility {
     player.frame(time_secs, 1.6).shown
 }
 
 #[test]
 fn every_attribute_switches_from_its_time_on() {
-    type Expected = fn(&mut Shown);
+    type Expected = fn(&mut Visibility);
     let cases: [(&str, Expected); 14] = [
         ("fillMode='wireframe'", |s| s.fill = Fill::Wireframe),
         ("fillMode='point'", |s| s.fill = Fill::Points),
@@ -64,12 +64,16 @@ fn every_attribute_switches_from_its_time_on() {
     ];
     for (attribute, change) in cases {
         let mut player = perform(&format!("<body-configure-geometry time='2' {attribute}/>"));
-        let mut expected = Shown::default();
+        let mut expected = Visibility::default();
         assert_eq!(shown(&mut player, 1.999), expected, "before {attribute}");
         change(&mut expected);
         assert_eq!(shown(&mut player, 2.0), expected, "{attribute}");
         assert_eq!(shown(&mut player, 9.0), expected, "after {attribute}");
-        assert_eq!(shown(&mut player, 0.0), Shown::default(), "sought back");
+        assert_eq!(
+            shown(&mut player, 0.0),
+            Visibility::default(),
+            "sought back"
+        );
     }
 }
 
@@ -80,14 +84,14 @@ fn what_is_left_out_stays_and_what_is_said_again_changes_back() {
          <body-configure-geometry time='2' visibleMeshes='both'/>\
          <body-configure-geometry time='3' fillMode='solid'/>",
     );
-    let both = Shown {
+    let both = Visibility {
         fill: Fill::Points,
         frames: true,
         bones: true,
-        ..Shown::default()
+        ..Visibility::default()
     };
     assert_eq!(shown(&mut player, 2.5), both);
-    let solid = Shown {
+    let solid = Visibility {
         fill: Fill::Solid,
         ..both
     };

@@ -4,7 +4,7 @@ mod common;
 
 use common::{asset, figure, perform, text};
 use raconteur_player::body::Bone;
-use raconteur_player::live::{Performed, limits};
+use raconteur_player::live::{FragmentOutcome, limits};
 use raconteur_player::{Event, Options, Player};
 
 /// A player of `eml` with the voice of `hello-world`, open-ended.
@@ -25,7 +25,7 @@ const LINE: &str = "<voice-text time='0' timeId='v'><div>Hello <emph><tm name='w
 const HAND: &str = "<gesture-key time='0' duration='0.4' handedness='right'>\
                     <motion><key x='-12' y='38' z='-6'/></motion></gesture-key>";
 
-fn codes(performed: &Performed) -> Vec<&'static str> {
+fn codes(performed: &FragmentOutcome) -> Vec<&'static str> {
     performed.diagnostics.iter().map(|d| d.code).collect()
 }
 

@@ -5,10 +5,10 @@ mod common;
 use common::{figure, perform, story};
 use raconteur_base::noise;
 use raconteur_player::body::Bone;
-use raconteur_player::{CueKind, Loaded, Options};
+use raconteur_player::{CueKind, LoadedPlayer, Options};
 use raconteur_tier::sized;
 
-fn load(name: &str) -> Loaded {
+fn load(name: &str) -> LoadedPlayer {
     story(name, figure(), Options::default())
 }
 

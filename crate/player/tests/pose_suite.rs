@@ -32,7 +32,7 @@ use raconteur_player::body::read::read_figure;
 use raconteur_player::body::{Bone, Figure, Skeleton};
 use raconteur_player::eml::LineIndex;
 use raconteur_player::eml::schema::ELEMENTS;
-use raconteur_player::{Loaded, Options, Player, StoryInput, Units};
+use raconteur_player::{LoadedPlayer, Options, Player, StoryInput, Units};
 
 /// Elements of which every attribute must occur in a case.
 const SHOWN: &[&str] = &[
@@ -148,7 +148,7 @@ impl Case {
             motion_amount: said("motion").map_or(0.0, |m| number(&m)),
             ..Options::default()
         };
-        let Loaded {
+        let LoadedPlayer {
             player,
             diagnostics,
         } = load(&eml, &figure, options);
@@ -209,7 +209,7 @@ impl Case {
                 &show(found),
             ),
             "speaker" => {
-                let units = Units::of(&self.figure.skeleton);
+                let units = Units::from_skeleton(&self.figure.skeleton);
                 let wanted = units.speaker_point(vector(words, 3).to_array());
                 let scale = self.figure.skeleton.metres_per_eml_unit();
                 let origin = units.speaker_point([0.0; 3]);
@@ -350,7 +350,7 @@ fn vector(words: &[&str], at: usize) -> DVec3 {
 
 /// A player with the animations that it wants: paths lie beside the cases, names in the
 /// library.
-fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> Loaded {
+fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> LoadedPlayer {
     let mut loaded = Player::load(StoryInput {
         eml,
         bundle: None,

@@ -49,7 +49,7 @@ fn waiting_changes_nothing_of_the_story() {
     for name in ["white-rabbit", "mathematical-dance"] {
         let (mut fresh, mut waited) = (player(name), player(name));
         for i in 0..40 {
-            waited.welcome(f64::from(i) * 0.37, ASPECT);
+            waited.evaluate_idle(f64::from(i) * 0.37, ASPECT);
         }
         // Played: half a second later the frames are the same to the last bit.
         for i in 0..90 {
@@ -59,12 +59,12 @@ fn waiting_changes_nothing_of_the_story() {
         }
         // Sought: at once.
         for t in [0.0, 0.1, 7.3, 0.2] {
-            waited.welcome(5.0, ASPECT);
+            waited.evaluate_idle(5.0, ASPECT);
             waited.seek(t);
             let a = seen(fresh.frame(t, ASPECT));
             assert!(a == seen(waited.frame(t, ASPECT)), "{name} at {t}");
         }
-        waited.welcome(5.0, ASPECT);
+        waited.evaluate_idle(5.0, ASPECT);
         assert_eq!(fresh.digest(0.1), waited.digest(0.1));
     }
 }
@@ -74,7 +74,7 @@ fn the_figure_goes_into_the_story_without_a_jump() {
     for name in raconteur_tier::FIGURES {
         for waited_secs in [0.0, 3.7, 41.0] {
             let mut player = story("white-rabbit", read(name), Options::default()).player;
-            let mut last = player.welcome(waited_secs, ASPECT).clone();
+            let mut last = player.evaluate_idle(waited_secs, ASPECT).clone();
             let mut story = story("white-rabbit", read(name), Options::default()).player;
             let figure = Arc::clone(story.figure());
             let [way, _] = moved(&figure, &last, story.frame(0.15, ASPECT));
@@ -120,7 +120,7 @@ fn the_figure_goes_into_the_story_without_a_jump() {
 #[test]
 fn it_breathes_shifts_its_weight_blinks_and_looks() {
     let mut player = player("white-rabbit");
-    let first = player.welcome(0.0, ASPECT).clone();
+    let first = player.evaluate_idle(0.0, ASPECT).clone();
     let (mut chest, mut hips, mut head) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut closed = 0.0_f64;
     let skeleton = figure();
@@ -134,7 +134,7 @@ fn it_breathes_shifts_its_weight_blinks_and_looks() {
         DQuat::from_mat3(&(skull.transpose() * lid)).angle_between(DQuat::IDENTITY)
     };
     for i in 1..600 {
-        let frame = player.welcome(f64::from(i) * 0.067, ASPECT);
+        let frame = player.evaluate_idle(f64::from(i) * 0.067, ASPECT);
         let far = |bone| joint(frame, bone).distance(joint(&first, bone));
         chest = chest.max(far(Bone::RScapula));
         hips = hips.max(far(Bone::Sacroiliac));
@@ -148,14 +148,14 @@ fn it_breathes_shifts_its_weight_blinks_and_looks() {
     assert!((0.005..0.15).contains(&head), "{head} m");
     assert!(closed > 0.3, "lids: {closed} rad");
     // The same wait is the same picture, whatever came between.
-    assert!(seen(&first) == seen(player.welcome(0.0, ASPECT)));
+    assert!(seen(&first) == seen(player.evaluate_idle(0.0, ASPECT)));
 }
 
 #[test]
 fn any_wait_is_a_picture() {
     let mut player = player("hello-world");
     for waited in [f64::NAN, f64::INFINITY, -1.0, 1e300, 86_399.9] {
-        let frame = player.welcome(waited, ASPECT);
+        let frame = player.evaluate_idle(waited, ASPECT);
         assert!(seen(frame).iter().all(|n| n.is_finite()), "{waited}");
     }
 }
@@ -172,11 +172,11 @@ fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
         let (mut player, mut fresh) = (player(name), player(name));
         let figure = Arc::clone(player.figure());
         let mut last = player.frame(at, ASPECT).clone();
-        let rests = fresh.attend(at, 2.0, None, ASPECT).clone();
+        let rests = fresh.evaluate_waiting(at, 2.0, None, ASPECT).clone();
         let [way, _] = moved(&figure, &last, &rests);
         for i in 0..60 {
             let frame = player
-                .attend(at, f64::from(i) * STEP_SECS, None, ASPECT)
+                .evaluate_waiting(at, f64::from(i) * STEP_SECS, None, ASPECT)
                 .clone();
             assert_eq!(frame.time_secs, at);
             let limit = if i == 0 {
@@ -193,7 +193,7 @@ fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
         for i in 60..120 {
             let waited_secs = f64::from(i) * STEP_SECS;
             let frame = player
-                .attend(at, waited_secs, Some(Bone::LWrist), ASPECT)
+                .evaluate_waiting(at, waited_secs, Some(Bone::LWrist), ASPECT)
                 .clone();
             let [far, _] = moved(&figure, &last, &frame);
             assert!(far <= 0.02, "{name} step {i}: {far} m");
@@ -206,7 +206,7 @@ fn it_comes_to_wait_for_an_answer_and_goes_on_without_a_jump() {
             "{name}"
         );
         // An answer leads on; half a second later there is nothing but the story.
-        player.leap(on);
+        player.seek_with_fade(on);
         let [far, _] = moved(&figure, &last, player.frame(on, ASPECT));
         assert!(far <= 1e-9, "{name}: {far} m");
         fresh.seek(on);
@@ -224,11 +224,11 @@ fn waiting_for_an_answer_passes_no_cues() {
     player.advance(1.0);
     let _ = player.drain_events();
     for i in 0..30 {
-        player.attend(1.0, f64::from(i), None, ASPECT);
+        player.evaluate_waiting(1.0, f64::from(i), None, ASPECT);
     }
-    player.attend(f64::NAN, f64::NAN, Some(Bone::Skull), ASPECT);
+    player.evaluate_waiting(f64::NAN, f64::NAN, Some(Bone::Skull), ASPECT);
     assert_eq!(player.drain_events(), []);
-    player.leap(1.5);
+    player.seek_with_fade(1.5);
     player.advance(1.5);
     assert!(
         player

@@ -11,7 +11,7 @@ use crate::uniform::FrameUniform;
 /// How much wider a still is than the picture that it is drawn for, so that it serves while the camera goes on.
 const STILL_MARGIN: f32 = 1.15;
 /// How far a still is enlarged at most; what lies behind the speaker is out of focus. Chosen by eye.
-const MOST_ENLARGED: f32 = 1.7;
+const MAX_ENLARGED: f32 = 1.7;
 
 /// A place of one picture size.
 pub(crate) struct Backdrop {
@@ -22,14 +22,14 @@ pub(crate) struct Backdrop {
     last: Option<FrameUniform>,
     /// How it looked.
     last_rays: Option<[Vec3; 3]>,
-    still: Option<Still>,
+    still: Option<StillKey>,
     /// That of pictures.
     size: (u32, u32),
 }
 
 /// How the backdrop of a picture comes about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Drawn {
+pub(crate) enum BackdropMode {
     /// With the picture: it is another one than before, and may be once more.
     Directly,
     /// As a still, from now on.
@@ -84,7 +84,7 @@ impl Backdrop {
     }
 
     /// How the next picture's comes about; tells the picture where its rays lie in the still.
-    pub(crate) fn next(&mut self, uniform: &mut FrameUniform) -> Drawn {
+    pub(crate) fn next(&mut self, uniform: &mut FrameUniform) -> BackdropMode {
         let shown = uniform.of_backdrop();
         let is_same = self
             .last
@@ -93,7 +93,7 @@ impl Backdrop {
         if !is_same {
             self.still = None;
             self.last_rays = Some(uniform.rays());
-            return Drawn::Directly;
+            return BackdropMode::Directly;
         }
         let rays = uniform.rays();
         let stands = self.last_rays.replace(rays) == Some(rays);
@@ -102,22 +102,22 @@ impl Backdrop {
             true => still.is_own && still.rays == rays,
             false => serves(still.rays, rays),
         });
-        let still = serving.unwrap_or_else(|| Still::of(rays, stands));
+        let still = serving.unwrap_or_else(|| StillKey::from_camera(rays, stands));
         uniform.still = places(still.rays);
         uniform.still[2][3] = f32::from(u8::from(stands));
         if serving.is_some() {
-            return Drawn::Before;
+            return BackdropMode::Before;
         }
         uniform.still[0][3] = if stands { 0.0 } else { STILL_MARGIN - 1.0 };
         self.still = Some(still);
-        Drawn::Now
+        BackdropMode::Now
     }
 
     /// The part of the still's picture that is drawn to, pixels.
     pub(crate) fn drawn_size(&self) -> (f32, f32) {
         let (width, height) = self.size;
         match self.still {
-            Some(Still { is_own: true, .. }) | None => (width as f32, height as f32),
+            Some(StillKey { is_own: true, .. }) | None => (width as f32, height as f32),
             Some(_) => (wider(width) as f32, wider(height) as f32),
         }
     }
@@ -125,15 +125,15 @@ impl Backdrop {
 
 /// What a still shows.
 #[derive(Clone, Copy)]
-struct Still {
+struct StillKey {
     /// As those of a picture.
     rays: [Vec3; 3],
     /// Whether it is the picture's own, pixel by pixel, and no wider.
     is_own: bool,
 }
 
-impl Still {
-    fn of([forward, right, up]: [Vec3; 3], is_own: bool) -> Self {
+impl StillKey {
+    fn from_camera([forward, right, up]: [Vec3; 3], is_own: bool) -> Self {
         let margin = if is_own { 1.0 } else { STILL_MARGIN };
         Self {
             rays: [forward, right * margin, up * margin],
@@ -161,7 +161,7 @@ fn serves(still: [Vec3; 3], [forward, right, up]: [Vec3; 3]) -> bool {
         depth > 0.0 && ray.dot(across).abs() <= depth && ray.dot(upwards).abs() <= depth
     };
     let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
-    corners.into_iter().all(is_in) && up.length() * MOST_ENLARGED >= still[2].length()
+    corners.into_iter().all(is_in) && up.length() * MAX_ENLARGED >= still[2].length()
 }
 
 #[cfg(test)]

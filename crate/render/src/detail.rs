@@ -33,7 +33,7 @@ impl Detail {
     }
 
     /// The level of what is of a kind.
-    pub(crate) fn of(self, kind: MaterialKind) -> usize {
+    pub(crate) fn level_for(self, kind: MaterialKind) -> usize {
         match kind {
             MaterialKind::Hair => self.hair,
             _ => self.figure,
@@ -64,15 +64,18 @@ mod tests {
     fn hair_of_a_far_head_is_one_level_coarser_and_never_beyond_the_last() {
         let near = Detail::new(Quality::High, Some(1000.0));
         let far = Detail::new(Quality::High, Some(200.0));
-        assert_eq!(near.of(MaterialKind::Hair), 0);
-        assert_eq!(far.of(MaterialKind::Hair), 1);
-        assert_eq!(far.of(MaterialKind::Skin), 0);
+        assert_eq!(near.level_for(MaterialKind::Hair), 0);
+        assert_eq!(far.level_for(MaterialKind::Hair), 1);
+        assert_eq!(far.level_for(MaterialKind::Skin), 0);
         assert_eq!(far.of_caster(Shadow::Strands), 2);
         assert_eq!(far.of_caster(Shadow::Solid), 0);
         let lowest = Detail::new(Quality::Lowest, Some(200.0));
-        assert_eq!(lowest.of(MaterialKind::Hair), LEVELS - 1);
+        assert_eq!(lowest.level_for(MaterialKind::Hair), LEVELS - 1);
         assert_eq!(lowest.of_caster(Shadow::Strands), LEVELS - 1);
-        assert_eq!(Detail::new(Quality::High, None).of(MaterialKind::Hair), 0);
+        assert_eq!(
+            Detail::new(Quality::High, None).level_for(MaterialKind::Hair),
+            0
+        );
     }
 
     #[test]

@@ -9,7 +9,7 @@ const SAMPLES: u32 = 96;
 /// Radiance of the room in a direction: a box of matt walls, pale above by the sky's colour
 /// and dark below by the floor's, with the lit backdrop behind the figure, and two panels
 /// that soften key and fill as walls near the lamps do. Chosen by eye.
-fn room(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
+fn room_radiance(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
     let ramp = |low: f64, high: f64, x: f64| ((x - low) / (high - low)).clamp(0.0, 1.0);
     // Steeper than the irradiance should be, which blurs it: 3/2 keeps its slope.
     let upwards = (0.5 + 0.75 * d.y).clamp(0.0, 1.0);
@@ -72,7 +72,7 @@ pub(crate) fn harmonics(light: &Lighting, set: &Set) -> [[f32; 3]; 9] {
         let radius = (1.0 - y * y).sqrt();
         let (s, c) = ops::sincos(2.399_963_229_728_653 * f64::from(i));
         let d = DVec3::new(radius * c, y, radius * s);
-        let radiance = room(d, light, set);
+        let radiance = room_radiance(d, light, set);
         for (sum, b) in sum.iter_mut().zip(basis(d)) {
             for (s, r) in sum.iter_mut().zip(radiance) {
                 *s += b * r;

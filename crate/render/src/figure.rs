@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, Side};
-use raconteur_body::figure::{Figure, Maps, MaterialKind, Mesh};
+use raconteur_body::figure::{Figure, MaterialKind, Mesh, TextureMaps};
 use raconteur_body::skeleton::Drive;
 
 use crate::RenderError;
@@ -32,7 +32,7 @@ pub(crate) struct MaterialUniform {
 
 impl MaterialUniform {
     /// Of a mesh of a figure with or without corneas, whose face lies in `face`.
-    fn of(mesh: &Mesh, alpha_mode: AlphaMode, has_cornea: bool, face: [f32; 4]) -> Self {
+    fn from_mesh(mesh: &Mesh, alpha_mode: AlphaMode, has_cornea: bool, face: [f32; 4]) -> Self {
         Self {
             base: mesh.material.base_color,
             params: [
@@ -87,7 +87,7 @@ pub(crate) struct PipelineKey {
 }
 
 impl PipelineKey {
-    fn of(figure: &Figure, mesh: &Mesh) -> Self {
+    fn from_mesh(figure: &Figure, mesh: &Mesh) -> Self {
         let material = &mesh.material;
         let kind = material.kind;
         let alpha_mode = match kind {
@@ -131,7 +131,7 @@ impl PipelineKey {
 /// One draw call: all meshes with the same surface.
 pub(crate) struct DrawnMesh {
     pub(crate) key: PipelineKey,
-    pub(crate) maps: Maps,
+    pub(crate) maps: TextureMaps,
     /// Its triangles at each level of detail, the finest first.
     pub(crate) levels: [Range<u32>; LEVELS],
     pub(crate) material_offset: u32,
@@ -156,7 +156,7 @@ pub(crate) struct FigureData {
 /// Meshes of the same surface, before they are laid one behind the other.
 struct Batch {
     key: PipelineKey,
-    maps: Maps,
+    maps: TextureMaps,
     material: MaterialUniform,
     /// At each level of detail.
     levels: [Vec<u32>; LEVELS],
@@ -220,7 +220,7 @@ impl FigureData {
             morphed: Vec::new(),
             bound: Vec::new(),
             bound_vertices: 0,
-            nodes: Nodes::of(figure.meshes.iter()),
+            nodes: Nodes::from_meshes(figure.meshes.iter()),
         };
         let mut batches: Vec<Batch> = Vec::new();
         // The stream of what follows tissue need only be as long as the meshes that do.
@@ -229,9 +229,9 @@ impl FigureData {
         let face = face_place(figure);
         for (index, mesh) in bound.into_iter().chain(free) {
             check(mesh, joints)?;
-            let key = PipelineKey::of(figure, mesh);
+            let key = PipelineKey::from_mesh(figure, mesh);
             data.bases[index] = data.shape.len();
-            let material = MaterialUniform::of(mesh, key.alpha_mode, has_cornea, face);
+            let material = MaterialUniform::from_mesh(mesh, key.alpha_mode, has_cornea, face);
             let maps = mesh.material.maps;
             let levels = data.push(mesh, key.alpha_mode);
             // What the sharp cards leave, ends and gaps, is drawn over them from the scalp outwards.
@@ -262,7 +262,7 @@ impl FigureData {
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
         // surface of the eyes after other clear ones, and the hairs before it last.
         sort_by_number(&mut batches, Batch::place);
-        data.lay(&batches);
+        data.pack(&batches);
         Ok(data)
     }
 
@@ -290,7 +290,7 @@ impl FigureData {
 
     /// Lays batches one behind the other, level by level: at each level what casts alike lies
     /// together.
-    fn lay(&mut self, batches: &[Batch]) {
+    fn pack(&mut self, batches: &[Batch]) {
         for batch in batches {
             let material_offset = self.materials.len();
             self.materials

@@ -2,9 +2,9 @@
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::face::NodeState;
-use raconteur_body::figure::{Figure, Maps};
+use raconteur_body::figure::{Figure, TextureMaps};
 use raconteur_body::skeleton::{Drive, Joint};
-use raconteur_stage::{Fill, Frame, Shown};
+use raconteur_stage::{Fill, Frame, Visibility};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
@@ -55,7 +55,7 @@ pub(crate) struct GpuFigure {
     /// wanted and have come.
     pictures: Vec<[Option<TextureView>; 3]>,
     /// Groups of the pictures that meshes use together.
-    maps: Vec<(Maps, wgpu::BindGroup)>,
+    maps: Vec<(TextureMaps, wgpu::BindGroup)>,
 }
 
 /// The vertices that follow tissue: those of some meshes, which lie before all others.
@@ -71,7 +71,7 @@ impl GpuTissue {
     /// Sends the state of the nodes at a moment to what a level of detail draws, if it has
     /// changed or the level has.
     fn follow(&mut self, queue: &Queue, states: &[NodeState], level: usize) {
-        let is_as_sent = !self.nodes.take(states) && self.level == level;
+        let is_as_sent = !self.nodes.update(states) && self.level == level;
         if is_as_sent {
             return;
         }
@@ -144,8 +144,8 @@ impl GpuFigure {
             stature_m: figure.skeleton.stature_m(),
             joint_from_bind: figure.inverse_bind.clone(),
             face: face_joint(figure),
-            lids: LidEdge::of(figure),
-            lips: Lips::of(figure),
+            lids: LidEdge::from_figure(figure),
+            lips: Lips::from_figure(figure),
             shape: filled("shape", shape, BufferUsages::VERTEX),
             fixed: filled("fixed", fixed, BufferUsages::VERTEX),
             indices: filled("indices", indices, BufferUsages::INDEX),
@@ -218,8 +218,8 @@ impl GpuFigure {
         self.joint_from_bind.clone_from(&after.inverse_bind);
         self.stature_m = after.skeleton.stature_m();
         self.face = face_joint(after);
-        self.lids = LidEdge::of(after);
-        self.lips = Lips::of(after);
+        self.lids = LidEdge::from_figure(after);
+        self.lips = Lips::from_figure(after);
         true
     }
 
@@ -241,7 +241,11 @@ impl GpuFigure {
     fn group_maps(&mut self, device: &Device, layouts: &Layouts, fallback: &FallbackTextures) {
         self.maps.clear();
         // Without pictures, blanks alone.
-        let all = self.meshes.iter().map(|m| m.maps).chain([Maps::default()]);
+        let all = self
+            .meshes
+            .iter()
+            .map(|m| m.maps)
+            .chain([TextureMaps::default()]);
         for wanted in all {
             if self.maps.iter().any(|(maps, _)| *maps == wanted) {
                 continue;
@@ -302,8 +306,9 @@ impl GpuFigure {
             return Ok(());
         };
         let wanted = Some(index);
-        let shown =
-            |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
+        let shown = |of: fn(&TextureMaps) -> Option<usize>| {
+            self.meshes.iter().any(|m| of(&m.maps) == wanted)
+        };
         for (slot, role, shown) in [
             (0, Role::Color, shown(|m| m.base_color)),
             (1, Role::Normal, shown(|m| m.normal)),
@@ -374,7 +379,7 @@ impl GpuFigure {
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
     }
 
-    fn bind_maps(&self, pass: &mut wgpu::RenderPass<'_>, maps: Maps) {
+    fn bind_maps(&self, pass: &mut wgpu::RenderPass<'_>, maps: TextureMaps) {
         if let Some((_, group)) = self.maps.iter().find(|(m, _)| *m == maps) {
             pass.set_bind_group(2, group, &[]);
         }
@@ -385,7 +390,7 @@ impl GpuFigure {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        (shown, detail): (&Shown, Detail),
+        (shown, detail): (&Visibility, Detail),
         wanted: impl Fn(PipelineKey) -> bool,
         pipeline: impl Fn(PipelineKey) -> Option<&'p wgpu::RenderPipeline>,
     ) {
@@ -402,10 +407,10 @@ impl GpuFigure {
                 let maps = if shown.textures {
                     mesh.maps
                 } else {
-                    Maps::default()
+                    TextureMaps::default()
                 };
                 self.bind_maps(pass, maps);
-                let indices = &mesh.levels[detail.of(mesh.key.kind)];
+                let indices = &mesh.levels[detail.level_for(mesh.key.kind)];
                 pass.draw_indexed(indices.start * ends..indices.end * ends, 0, 0..1);
                 counts.add_figure(indices.len() as u32 / 3);
             }

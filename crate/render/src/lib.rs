@@ -12,8 +12,8 @@
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
 pub mod error;
+pub mod frame_pacer;
 pub mod options;
-pub mod pace;
 pub mod renderer;
 pub mod tissue;
 
@@ -21,6 +21,7 @@ mod backdrop;
 mod counts;
 mod detail;
 mod device;
+mod device_errors;
 mod environment;
 mod fallback;
 mod figure;
@@ -33,7 +34,6 @@ mod lip;
 mod morph;
 mod overlay;
 mod pipeline;
-mod refusal;
 mod shadow;
 mod sources;
 mod strands;
@@ -50,12 +50,12 @@ pub mod headless;
 pub mod surface;
 
 pub use error::RenderError;
+pub use frame_pacer::FramePacer;
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
 pub use headless::Headless;
 pub use options::{Quality, RenderInfo, RenderOptions};
-pub use pace::Pace;
 pub use renderer::Renderer;
 #[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
 pub use surface::{Backend, CanvasTarget, RenderStatus};
-pub use texture::LARGEST_SIDE;
+pub use texture::MAX_SIDE_PX;
 pub use wgpu;

@@ -20,7 +20,7 @@ pub(crate) struct LidEdge {
 
 impl LidEdge {
     /// Upper and lower lid of the left eye, then of the right.
-    pub(crate) fn of(figure: &Figure) -> [Option<Self>; 4] {
+    pub(crate) fn from_figure(figure: &Figure) -> [Option<Self>; 4] {
         [
             Self::find(figure, Side::Left, true),
             Self::find(figure, Side::Left, false),
@@ -93,7 +93,7 @@ impl LidEdge {
 mod tests {
     use super::*;
     use raconteur_base::{DQuat, ops};
-    use raconteur_body::figure::{Maps, Material, Mesh};
+    use raconteur_body::figure::{Material, Mesh, TextureMaps};
     use raconteur_body::{Pose, Skeleton};
 
     /// A figure of nothing but skin on the left upper lid, at these heights above the middle
@@ -114,7 +114,7 @@ mod tests {
                 base_color: [1.0; 4],
                 roughness: 0.5,
                 double_sided: false,
-                maps: Maps::default(),
+                maps: TextureMaps::default(),
             },
             positions: angles
                 .iter()
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn the_edge_is_found_and_turns_with_the_lid() {
         let (figure, centre) = lid(&[0.8, 0.3, 0.5]);
-        let [upper, rest @ ..] = LidEdge::of(&figure);
+        let [upper, rest @ ..] = LidEdge::from_figure(&figure);
         assert!(rest.iter().all(Option::is_none));
         for closed in [0.0, 0.2, 0.4] {
             let turn = DAffine3::from_translation(centre)
@@ -180,7 +180,7 @@ mod tests {
     fn a_figure_without_lids_has_no_edges() {
         let (mut figure, _) = lid(&[0.3]);
         figure.meshes.clear();
-        assert!(LidEdge::of(&figure).iter().all(Option::is_none));
+        assert!(LidEdge::from_figure(&figure).iter().all(Option::is_none));
         assert_eq!(LidEdge::plane(None, &[], &[]), [0.0; 4]);
     }
 }

@@ -28,7 +28,7 @@ impl LineInstance {
 }
 
 /// Lines that are drawn at most: twice the springs of a face. Beyond, they are left out.
-const MOST: usize = 1 << 16;
+const MAX_LINES: usize = 1 << 16;
 
 /// Lines on the device.
 pub(crate) struct Lines {
@@ -57,7 +57,7 @@ impl Lines {
     pub(crate) fn send(&mut self, device: &Device, queue: &Queue, lines: &[Line]) {
         self.sent.clear();
         self.sent
-            .extend(lines.iter().take(MOST).map(|l| LineInstance {
+            .extend(lines.iter().take(MAX_LINES).map(|l| LineInstance {
                 from: l.from_in_world,
                 to: l.to_in_world,
                 color: l.color,

@@ -16,7 +16,7 @@ pub(crate) struct Lips {
 }
 
 impl Lips {
-    pub(crate) fn of(figure: &Figure) -> Self {
+    pub(crate) fn from_figure(figure: &Figure) -> Self {
         let tissue = figure.tissue.as_ref();
         tissue.map_or_else(Self::default, |tissue| Self {
             contact: tissue.columns.iter().map(|c| c.contact).collect(),

@@ -33,7 +33,7 @@ impl OverlayVertex {
 const CORNERS: usize = 24;
 /// A bone and one for its free end, three axes and a joint for each of the bones; what is
 /// beyond is left out.
-const MOST: usize = 7 * Bone::COUNT;
+const MAX_SPINDLES: usize = 7 * Bone::COUNT;
 
 /// Colours are linear and before the tone curve, 0..255.
 const BONE: [f32; 3] = [168.0, 140.0, 98.0];
@@ -53,7 +53,7 @@ pub(crate) struct Overlay {
 
 impl Overlay {
     pub(crate) fn new(device: &Device) -> Self {
-        let most = MOST * CORNERS;
+        let most = MAX_SPINDLES * CORNERS;
         Self {
             corners: Vec::with_capacity(most),
             buffer: empty_buffer(
@@ -86,7 +86,7 @@ impl Overlay {
                 self.axes(handle, 0.07 * stature_m);
             }
         }
-        self.corners.truncate(MOST * CORNERS);
+        self.corners.truncate(MAX_SPINDLES * CORNERS);
         queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&self.corners));
     }
 

@@ -2,9 +2,9 @@
 
 mod description;
 mod entries;
-mod theatre;
+mod set_pipelines;
 
-use raconteur_stage::{Fill, SetKind, Shown};
+use raconteur_stage::{Fill, SetKind, Visibility};
 use wgpu::{
     BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline, ShaderModule,
     TextureFormat, VertexBufferLayout,
@@ -22,7 +22,7 @@ use crate::tissue::TissueVertex;
 use crate::vertices::FixedVertex;
 use description::{BEHIND, PipelineDescription, full_screen, pipeline_layout};
 use entries::{figure_entry, fragment_entry, material_entry};
-use theatre::Theatre;
+use set_pipelines::SetPipelines;
 
 /// What every tier of quality shares: made once for a device.
 pub(crate) struct SharedResources {
@@ -53,7 +53,7 @@ impl SharedResources {
 /// Every pipeline of one tier of quality, as far as they were needed.
 pub(crate) struct Pipelines {
     /// What draws the places that were wanted.
-    theatres: Vec<Theatre>,
+    theatres: Vec<SetPipelines>,
     /// Which of them is the stage now.
     theatre: usize,
     /// What lays down the backdrop as a still, where that is done.
@@ -77,7 +77,7 @@ pub(crate) struct Pipelines {
 }
 
 /// Whether a figure's own materials are not what draws it.
-pub(crate) fn is_bare(shown: &Shown) -> bool {
+pub(crate) fn is_bare(shown: &Visibility) -> bool {
     shown.fill != Fill::Solid || !shown.materials
 }
 
@@ -141,7 +141,7 @@ impl Pipelines {
             return true;
         }
         if self.target.is_direct && self.laid.is_none() {
-            self.laid = Some(self.make_laid(device, shared));
+            self.laid = Some(self.create_with_layout(device, shared));
             return true;
         }
         if self.make_theatre(device, shared, set) {
@@ -183,7 +183,7 @@ impl Pipelines {
         .build(device)
     }
 
-    fn make_laid(&self, device: &Device, shared: &SharedResources) -> RenderPipeline {
+    fn create_with_layout(&self, device: &Device, shared: &SharedResources) -> RenderPipeline {
         let layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
         PipelineDescription {
             label: "backdrop",
@@ -238,13 +238,13 @@ impl Pipelines {
         &mut self,
         device: &Device,
         shared: &SharedResources,
-        shown: &Shown,
+        shown: &Visibility,
         has_tissue: bool,
     ) {
         for bound in [false, true] {
             let wanted = shown.body && is_bare(shown) && (has_tissue || !bound);
             if wanted && self.bare(shown, bound).is_none() {
-                let pipeline = self.make_bare(device, shared, shown, bound);
+                let pipeline = self.create_bare(device, shared, shown, bound);
                 self.bare
                     .push((shown.fill, shown.materials, bound, pipeline));
             }
@@ -263,17 +263,17 @@ impl Pipelines {
 
     /// What draws meshes by edges, by corners or in clay, those that are `bound` to tissue or
     /// those that are not; `None` before [`Self::prepare_shown`].
-    pub(crate) fn bare(&self, shown: &Shown, bound: bool) -> Option<&RenderPipeline> {
+    pub(crate) fn bare(&self, shown: &Visibility, bound: bool) -> Option<&RenderPipeline> {
         let mut made = self.bare.iter();
         let found = made.find(|(f, m, b, _)| (*f, *m, *b) == (shown.fill, shown.materials, bound));
         found.map(|(.., pipeline)| pipeline)
     }
 
-    fn make_bare(
+    fn create_bare(
         &self,
         device: &Device,
         shared: &SharedResources,
-        shown: &Shown,
+        shown: &Visibility,
         bound: bool,
     ) -> RenderPipeline {
         let Layouts {

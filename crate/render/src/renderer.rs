@@ -7,9 +7,10 @@ use raconteur_body::Figure;
 use raconteur_stage::{Fill, Frame, SetKind};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
-use crate::backdrop::{Backdrop, Drawn};
+use crate::backdrop::{Backdrop, BackdropMode};
 use crate::counts::Counts;
 use crate::detail::{self, Detail};
+use crate::device_errors::DeviceErrors;
 use crate::fallback::FallbackTextures;
 use crate::figure::MAX_JOINTS;
 use crate::gpu::{bind_group, binding, empty_buffer};
@@ -17,8 +18,7 @@ use crate::gpu_figure::GpuFigure;
 use crate::lines::Lines;
 use crate::overlay::Overlay;
 use crate::pipeline::SharedResources;
-use crate::refusal::Refusal;
-use crate::shadow::{ShadowView, Subject};
+use crate::shadow::{ShadowSubject, ShadowView};
 use crate::target::{TargetKind, Targets};
 use crate::tier::Tier;
 use crate::uniform::{FrameUniform, stand_in_world};
@@ -42,7 +42,7 @@ pub struct Renderer {
     /// The stage as a still, at qualities that draw it so.
     backdrop: Option<Backdrop>,
     /// How that of the picture that is made comes about.
-    backdrop_drawn: Drawn,
+    backdrop_drawn: BackdropMode,
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
@@ -56,7 +56,7 @@ pub struct Renderer {
     lines: Option<Lines>,
     info: RenderInfo,
     /// What the driver refused, if anything; returned by the next picture.
-    refused: Refusal,
+    refused: DeviceErrors,
 }
 
 impl Renderer {
@@ -70,7 +70,7 @@ impl Renderer {
         target_format: TextureFormat,
         options: RenderOptions,
     ) -> Self {
-        let refused = Refusal::of(&device);
+        let refused = DeviceErrors::new(&device);
 
         let target_kinds =
             Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality, target_format));
@@ -106,7 +106,7 @@ impl Renderer {
             targets: None,
             tone_map_group: None,
             backdrop: None,
-            backdrop_drawn: Drawn::Directly,
+            backdrop_drawn: BackdropMode::Directly,
             figure: None,
             detail: Detail::new(options.quality, None),
             overlay: None,
@@ -131,7 +131,7 @@ impl Renderer {
         };
         // Most stories begin before a curtain.
         renderer.compile(SetKind::Curtain);
-        renderer.tell_tier();
+        renderer.update_tier();
         renderer
     }
 
@@ -185,7 +185,7 @@ impl Renderer {
     ///
     /// # Errors
     /// When the bytes are not four a pixel, or a side is zero or longer than
-    /// [`LARGEST_SIDE`](crate::LARGEST_SIDE); the picture before stays.
+    /// [`MAX_SIDE_PX`](crate::MAX_SIDE_PX); the picture before stays.
     pub fn set_image(
         &mut self,
         index: usize,
@@ -218,7 +218,7 @@ impl Renderer {
         view: &TextureView,
         size: (u32, u32),
     ) -> Result<(), RenderError> {
-        self.go_on(frame.set.kind);
+        self.resume(frame.set.kind);
         self.fit(size)?;
         self.send(frame, size);
         self.send_shown(frame);
@@ -235,7 +235,7 @@ impl Renderer {
         self.info.draw_calls = counts.draw_calls;
         self.info.triangles = counts.triangles;
         self.refused
-            .take()
+            .take_first()
             .map_or(Ok(()), |message| Err(RenderError::Refused(message)))
     }
 
@@ -290,7 +290,7 @@ impl Renderer {
     fn send(&mut self, frame: &Frame, size: (u32, u32)) {
         let stature_m = self.figure.as_ref().map_or(1.7, |f| f.stature_m);
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
-        let subject = Subject {
+        let subject = ShadowSubject {
             camera: &frame.camera,
             view: &view,
             stand_in_world: stand_in_world(frame),
@@ -306,7 +306,7 @@ impl Renderer {
             uniform.eyes[1] = figure.lips_apart_mm(&frame.tissue);
         }
         let backdrop = self.backdrop.as_mut();
-        self.backdrop_drawn = backdrop.map_or(Drawn::Directly, |b| b.next(&mut uniform));
+        self.backdrop_drawn = backdrop.map_or(BackdropMode::Directly, |b| b.next(&mut uniform));
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(figure) = &mut self.figure {

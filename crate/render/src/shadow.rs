@@ -22,7 +22,7 @@ pub(crate) struct ShadowView {
 
 /// What a shadow map shows: the figure and the part of it that is in the picture.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Subject<'a> {
+pub(crate) struct ShadowSubject<'a> {
     pub(crate) camera: &'a Camera,
     pub(crate) view: &'a View,
     /// Where the figure stands.
@@ -40,10 +40,10 @@ impl ShadowView {
     pub(crate) fn new(
         light: &DirectedLight,
         softness: f64,
-        subject: &Subject<'_>,
+        subject: &ShadowSubject<'_>,
         texels: u32,
     ) -> Self {
-        let Subject {
+        let ShadowSubject {
             camera,
             view,
             stand_in_world,

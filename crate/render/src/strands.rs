@@ -125,7 +125,7 @@ pub(crate) fn atlas() -> Vec<Level> {
         // The highest lie over the others.
         strands.sort_by(|a, b| a.height.total_cmp(&b.height));
         for s in &strands {
-            lay(&mut texels, strip, s);
+            paint(&mut texels, strip, s);
         }
     }
     levels(texels)
@@ -202,7 +202,7 @@ fn strands(strip: usize) -> Vec<Strand> {
 }
 
 /// Lays a strand over those below it.
-fn lay(texels: &mut [Texel], strip: usize, s: &Strand) {
+fn paint(texels: &mut [Texel], strip: usize, s: &Strand) {
     for (row, &x) in s.across.iter().enumerate() {
         let v = row as f64 / (HEIGHT - 1) as f64;
         if v < s.from || v > s.to {

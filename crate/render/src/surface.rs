@@ -7,7 +7,7 @@ use raconteur_body::Figure;
 use raconteur_stage::Frame;
 use wgpu::CurrentSurfaceTexture;
 
-use crate::{Pace, Quality, RenderError, RenderInfo, Renderer};
+use crate::{FramePacer, Quality, RenderError, RenderInfo, Renderer};
 
 /// Which of the browser's interfaces draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ pub struct CanvasTarget {
     configuration: wgpu::SurfaceConfiguration,
     /// The size of a picture with every pixel.
     size: (u32, u32),
-    pace: Pace,
+    pace: FramePacer,
     /// The picture stands still, so it has the time for every pixel.
     resting: bool,
     renderer: Renderer,
@@ -92,7 +92,7 @@ impl CanvasTarget {
             configuration.format = plain;
         }
         surface.configure(&device, &configuration);
-        let pace = Pace::new(crate::device::is_software(&adapter.get_info()));
+        let pace = FramePacer::new(crate::device::is_software(&adapter.get_info()));
         let renderer = Renderer::new(
             &adapter,
             device.clone(),

@@ -8,7 +8,7 @@ use wgpu::{Device, Queue, TextureFormat, TextureView};
 use crate::RenderError;
 
 /// Largest side that is taken at all, pixels: 8192² of RGBA are 256 MiB.
-pub const LARGEST_SIDE: u32 = 8192;
+pub const MAX_SIDE_PX: u32 = 8192;
 
 /// Largest side that is kept on the device; a face that fills a 4K screen shows no more.
 const KEPT_SIDE: u32 = 2048;
@@ -31,7 +31,7 @@ pub(crate) type Level = (u32, u32, Vec<u8>);
 pub(crate) fn check(width: u32, height: u32, rgba: &[u8]) -> Result<(), RenderError> {
     let problem = if width == 0 || height == 0 {
         "it is empty"
-    } else if width.max(height) > LARGEST_SIDE {
+    } else if width.max(height) > MAX_SIDE_PX {
         "a side is longer than 8192"
     } else if rgba.len() as u64 != 4 * u64::from(width) * u64::from(height) {
         "its bytes are not four a pixel"

@@ -49,7 +49,7 @@ impl TissueVertex {
     };
 
     /// From a weighted sum of nodes.
-    fn of(sum: &Node) -> Self {
+    fn from_node(sum: &Node) -> Self {
         // Added to one and a half times 2²³, a number's nearest integer stands in the lowest
         // bits: no conversion, which compilers guard against what was ruled out already. Four
         // at a time would be slower where there are no vectors, as in a page.
@@ -78,7 +78,7 @@ pub struct Nodes {
 impl Nodes {
     /// Nodes at rest, as many as the bindings of these meshes name.
     #[must_use]
-    pub fn of<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Self {
+    pub fn from_meshes<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Self {
         let named = meshes
             .filter_map(|m| m.binding.as_ref())
             .flat_map(|b| &b.nodes);
@@ -90,7 +90,7 @@ impl Nodes {
 
     /// Takes the state of the nodes at a moment and tells whether anything changed. Those
     /// that are not given, or hold a number that is not finite, are at rest. Allocates nothing.
-    pub fn take(&mut self, states: &[NodeState]) -> bool {
+    pub fn update(&mut self, states: &[NodeState]) -> bool {
         let mut changed = false;
         let mut states = states.iter();
         for slot in &mut self.scaled {
@@ -196,7 +196,7 @@ impl BoundMesh {
                     sum[2] += node[2] * weight;
                 }
             }
-            self.current[own.vertex as usize] = TissueVertex::of(&sum);
+            self.current[own.vertex as usize] = TissueVertex::from_node(&sum);
         }
     }
 }

@@ -133,7 +133,7 @@ fn curvature_per_m(mesh: &Mesh) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_body::figure::{Maps, Material, MaterialKind};
+    use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
     fn card() -> Mesh {
         Mesh {
@@ -143,7 +143,7 @@ mod tests {
                 base_color: [1.0; 4],
                 roughness: 0.5,
                 double_sided: true,
-                maps: Maps::default(),
+                maps: TextureMaps::default(),
             },
             positions: vec![
                 [0.0, 1.0, 0.0],

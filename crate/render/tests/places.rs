@@ -7,7 +7,7 @@ mod device;
 use device::headless;
 use raconteur_base::ops;
 use raconteur_render::{Headless, Quality};
-use raconteur_stage::{Camera, Frame, Room, Set, SetKind, Shot, Span};
+use raconteur_stage::{Camera, Frame, FramingMargin, Set, SetKind, Shot, Span};
 
 const WIDTH: u32 = 128;
 const HEIGHT: u32 = 72;
@@ -18,14 +18,14 @@ const BLOCK: usize = 12;
 /// Opposing changes of relative luminance that make a flash, and how many a second may have (WCAG 2.2, success
 /// criterion 2.3.1).
 const FLASH: f64 = 0.1;
-const MOST_FLASHES: usize = 3;
+const MAX_FLASHES: usize = 3;
 
 fn camera(set: &Set) -> Camera {
     let aspect = f64::from(WIDTH) / f64::from(HEIGHT);
-    let room = Room {
+    let room = FramingMargin {
         span: Span::at_rest(aspect),
         aside: set.aside(),
-        ..Room::default()
+        ..FramingMargin::default()
     };
     Shot::Storyteller.frame(raconteur_base::DVec3::ZERO, 1.66, aspect, room)
 }
@@ -36,7 +36,7 @@ fn drawn(device: &mut Headless, kind: SetKind, time_secs: f64) -> Vec<u8> {
     frame.time_secs = time_secs;
     frame.set = Set {
         time_secs,
-        ..Set::of(kind)
+        ..Set::from_kind(kind)
     };
     frame.lighting = frame.set.lighting();
     frame.camera = camera(&frame.set);
@@ -93,7 +93,7 @@ fn what_moves_in_a_place_does_not_flash() {
             for (i, from) in turns.iter().enumerate() {
                 let within = turns[i..].iter().take_while(|t| **t < from + RATE).count();
                 assert!(
-                    within / 2 <= MOST_FLASHES,
+                    within / 2 <= MAX_FLASHES,
                     "{name}, block {block}: {turns:?}"
                 );
             }

@@ -7,10 +7,10 @@ mod device;
 
 use device::headless;
 use raconteur_base::DAffine3;
-use raconteur_body::figure::{Image, Maps};
+use raconteur_body::figure::{Image, TextureMaps};
 use raconteur_body::{Bone, MaterialKind, Pose};
 use raconteur_render::{Headless, Quality};
-use raconteur_stage::{Fill, Frame, Shot, Shown};
+use raconteur_stage::{Fill, Frame, Shot, Visibility};
 
 /// Large enough for a triangle to have an inside.
 const SIZE: (u32, u32) = (480, 360);
@@ -24,7 +24,7 @@ fn stage(quality: Quality) -> (Headless, Frame) {
     (device, frame)
 }
 
-fn draw(device: &mut Headless, frame: &Frame, shown: Shown) -> Vec<u8> {
+fn draw(device: &mut Headless, frame: &Frame, shown: Visibility) -> Vec<u8> {
     let frame = Frame {
         shown,
         ..frame.clone()
@@ -41,7 +41,7 @@ fn differing(a: &[u8], b: &[u8], limit: u8) -> usize {
     pixels.filter(|(p, q)| far(p, q)).count()
 }
 
-const NOTHING: Shown = Shown {
+const NOTHING: Visibility = Visibility {
     fill: Fill::Solid,
     body: false,
     bones: false,
@@ -62,9 +62,9 @@ fn edges_leave_holes_and_corners_leave_more() {
         let eye = &mut frame.camera.eye_in_world;
         *eye = eye.lerp(frame.camera.target_in_world, 0.5);
         let empty = draw(&mut device, &frame, NOTHING);
-        let body = Shown::default();
+        let body = Visibility::default();
         let mut covered = |fill| {
-            let picture = draw(&mut device, &frame, Shown { fill, ..body });
+            let picture = draw(&mut device, &frame, Visibility { fill, ..body });
             differing(&empty, &picture, 24)
         };
         // From so near that most triangles have an inside.
@@ -83,8 +83,8 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let (mut device, frame) = stage(Quality::High);
     let empty = draw(&mut device, &frame, NOTHING);
     let mut lonely = headless(Quality::High);
-    assert!(empty == draw(&mut lonely, &frame, Shown::default()));
-    let bones = Shown {
+    assert!(empty == draw(&mut lonely, &frame, Visibility::default()));
+    let bones = Visibility {
         bones: true,
         ..NOTHING
     };
@@ -92,11 +92,11 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let seen = differing(&empty, &skeleton, 20);
     assert!(seen > 250, "{seen} pixels");
     // Over the body they are seen as they are without it.
-    let both = Shown {
+    let both = Visibility {
         body: true,
         ..bones
     };
-    let body = draw(&mut device, &frame, Shown::default());
+    let body = draw(&mut device, &frame, Visibility::default());
     let over = draw(&mut device, &frame, both);
     let seen_over = differing(&body, &over, 20);
     assert!(
@@ -121,12 +121,12 @@ fn axes_have_their_colours_and_joints_theirs() {
         }
         hues
     };
-    let frames = hues(Shown {
+    let frames = hues(Visibility {
         frames: true,
         ..NOTHING
     });
     assert!(frames.iter().all(|&n| n > 30), "{frames:?}");
-    let joints = hues(Shown {
+    let joints = hues(Visibility {
         centers: true,
         ..NOTHING
     });
@@ -140,10 +140,10 @@ fn handles_are_drawn_where_they_are() {
     frame
         .handles
         .push(DAffine3::from_translation(frame.camera.target_in_world));
-    let plain = draw(&mut device, &frame, Shown::default());
-    let handles = Shown {
+    let plain = draw(&mut device, &frame, Visibility::default());
+    let handles = Visibility {
         manipulators: true,
-        ..Shown::default()
+        ..Visibility::default()
     };
     let with = draw(&mut device, &frame, handles);
     let middle = 4 * (SIZE.1 / 2 * SIZE.0 + SIZE.0 / 2) as usize;
@@ -164,7 +164,7 @@ fn clay_has_one_colour_and_no_pictures_leave_the_paint() {
     ball.morphs.clear();
     ball.material.kind = MaterialKind::Plain;
     ball.material.base_color = [1.0; 4];
-    ball.material.maps = Maps {
+    ball.material.maps = TextureMaps {
         base_color: Some(0),
         normal: None,
         wrinkles: None,
@@ -192,19 +192,19 @@ fn clay_has_one_colour_and_no_pictures_leave_the_paint() {
         let at = 4 * (SIZE.1 / 2 * SIZE.0 + SIZE.0 / 2) as usize;
         [picture[at], picture[at + 1], picture[at + 2]]
     };
-    let [red, _, blue] = center(Shown::default());
+    let [red, _, blue] = center(Visibility::default());
     assert!(blue > red.saturating_add(60), "its picture is blue");
-    let [red, _, blue] = center(Shown {
+    let [red, _, blue] = center(Visibility {
         textures: false,
-        ..Shown::default()
+        ..Visibility::default()
     });
     assert!(
         red.abs_diff(blue) < 50 && red > 120,
         "its paint is white: {red} {blue}"
     );
-    let clay = center(Shown {
+    let clay = center(Visibility {
         materials: false,
-        ..Shown::default()
+        ..Visibility::default()
     });
     assert!(clay[0].abs_diff(clay[2]) < 50 && clay[0] < red, "{clay:?}");
 }

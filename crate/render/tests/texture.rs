@@ -8,7 +8,7 @@ mod device;
 
 use device::headless;
 use raconteur_base::DVec3;
-use raconteur_body::figure::{Image, Maps};
+use raconteur_body::figure::{Image, TextureMaps};
 use raconteur_body::{Figure, MaterialKind, Pose};
 use raconteur_render::{Headless, Quality, RenderError, RenderOptions};
 use raconteur_stage::{Camera, Frame, Shot};
@@ -35,7 +35,7 @@ fn square(kind: MaterialKind) -> Figure {
     }
     mesh.indices = vec![0, 2, 1, 1, 2, 3];
     mesh.material.roughness = 1.0;
-    mesh.material.maps = Maps {
+    mesh.material.maps = TextureMaps {
         base_color: Some(0),
         normal: Some(1),
         wrinkles: None,

@@ -9,7 +9,7 @@ mod device;
 use device::headless;
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::face::{Binding, NodeState};
-use raconteur_body::figure::{Image, Maps};
+use raconteur_body::figure::{Image, TextureMaps};
 use raconteur_body::{Bone, Figure, MaterialKind, Mesh, Pose};
 use raconteur_render::tissue::{BoundMesh, Nodes, REACH_M, TissueVertex};
 use raconteur_render::{Headless, Quality, RenderError};
@@ -91,12 +91,12 @@ fn the_stream_tells_what_plain_sums_do() {
     let mut figure = common::figure();
     bind(&mut figure.meshes[0]);
     let (mesh, states) = (&figure.meshes[0], states());
-    let mut nodes = Nodes::of(figure.meshes.iter());
+    let mut nodes = Nodes::from_meshes(figure.meshes.iter());
     let mut bound = BoundMesh::new(mesh, 100).expect("bound");
     assert!(bound.current.iter().all(|v| *v == TissueVertex::REST));
-    assert!(nodes.take(&states));
+    assert!(nodes.update(&states));
     bound.apply(&nodes, 0);
-    assert!(!nodes.take(&states), "nothing has changed");
+    assert!(!nodes.update(&states), "nothing has changed");
     assert_eq!(bound.first_vertex, 100);
     for (vertex, told) in (0u32..).zip(&bound.current) {
         let whole = plainly(mesh, &states, vertex);
@@ -122,10 +122,10 @@ fn the_stream_tells_what_plain_sums_do() {
     let mut sound = broken.clone();
     sound.resize(NODES, NodeState::default());
     (sound[3], sound[4]) = Default::default();
-    nodes.take(&broken);
+    nodes.update(&broken);
     bound.apply(&nodes, 0);
     let mut other = bound.clone();
-    nodes.take(&sound);
+    nodes.update(&sound);
     other.apply(&nodes, 0);
     assert_eq!(bound.current, other.current);
     // Values out of range are clamped.
@@ -135,7 +135,7 @@ fn the_stream_tells_what_plain_sums_do() {
         wrinkles: [-1.0, 7.0, 0.5],
         blush: -7.0,
     };
-    nodes.take(&[far; NODES]);
+    nodes.update(&[far; NODES]);
     bound.apply(&nodes, 0);
     assert_eq!(bound.current[0].moved, [32767, -32767, 0, -32767, 32767, 0]);
     assert_eq!(bound.current[0].complexion, [0, 255, 128, 1]);
@@ -148,8 +148,8 @@ fn a_level_moves_the_vertices_that_it_draws() {
     bind(mesh);
     mesh.coarser = vec![mesh.indices[3..9].to_vec(), mesh.indices[..3].to_vec()];
     let mesh = &figure.meshes[0];
-    let mut nodes = Nodes::of(figure.meshes.iter());
-    assert!(nodes.take(&states()));
+    let mut nodes = Nodes::from_meshes(figure.meshes.iter());
+    assert!(nodes.update(&states()));
     let applied = |level| {
         let mut bound = BoundMesh::new(mesh, 0).expect("bound");
         bound.apply(&nodes, level);
@@ -278,9 +278,9 @@ fn square() -> (Figure, Frame) {
         mesh.weights.push([1.0, 0.0, 0.0, 0.0]);
     }
     mesh.indices = vec![0, 2, 1, 1, 2, 3];
-    mesh.material.maps = Maps {
+    mesh.material.maps = TextureMaps {
         wrinkles: Some(0),
-        ..Maps::default()
+        ..TextureMaps::default()
     };
     bind_to_one(&mut mesh);
     figure.meshes = vec![mesh];

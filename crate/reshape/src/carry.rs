@@ -16,17 +16,17 @@ const BEHIND_M: f64 = 0.0025;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
 /// No side of a skin has more cells.
-const MOST_CELLS: i64 = 256;
+const MAX_CELLS: i64 = 256;
 /// Cells about a place that are looked through before all vertices are.
-const MOST_RINGS: i64 = 3;
+const MAX_RINGS: i64 = 3;
 
 /// A place near the skin: vertices and how much it goes with each.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Near(Vec<(u32, f64)>);
+pub(super) struct SkinAnchor(Vec<(u32, f64)>);
 
-impl Near {
+impl SkinAnchor {
     /// By how much the place moves.
-    pub(super) fn of(&self, moved: &[DVec3]) -> DVec3 {
+    pub(super) fn evaluate(&self, moved: &[DVec3]) -> DVec3 {
         let parts = self.0.iter();
         parts.map(|&(v, weight)| moved[v as usize] * weight).sum()
     }
@@ -70,7 +70,7 @@ impl Nearest {
         self.found[at] = (distance, vertex);
     }
 
-    fn taken(&self) -> &[(f64, u32)] {
+    fn weights(&self) -> &[(f64, u32)] {
         &self.found[..self.count.min(COUNT)]
     }
 }
@@ -85,7 +85,7 @@ impl<'a> Skin<'a> {
             high - low
         };
         // Nobody's skin is so large that the cells are too many.
-        let count = |x: f64| ((x / CELL_M).floor() as i64 + 1).min(MOST_CELLS);
+        let count = |x: f64| ((x / CELL_M).floor() as i64 + 1).min(MAX_CELLS);
         let mut skin = Self {
             places,
             low,
@@ -125,13 +125,13 @@ impl<'a> Skin<'a> {
     }
 
     /// The vertices near a place.
-    pub(super) fn near(&self, p: DVec3) -> Near {
+    pub(super) fn anchor(&self, p: DVec3) -> SkinAnchor {
         self.weighted(p, |_| true)
     }
 
     /// The vertices near a place on the side of the skin that its normal looks to: not those of the mouth
     /// behind a lip.
-    pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> Near {
+    pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> SkinAnchor {
         let out = |v: u32| (self.places[v as usize] - p).dot(normal);
         let mut most = f64::MIN;
         self.about(p, |v| most = most.max(out(v)));
@@ -139,13 +139,13 @@ impl<'a> Skin<'a> {
         let mut count = 0;
         self.about(p, |v| count += usize::from(out(v) > least));
         if count < COUNT {
-            return self.near(p);
+            return self.anchor(p);
         }
         self.weighted(p, |v| out(v) > least)
     }
 
     /// The nearest of the vertices about a place that are wanted.
-    fn weighted(&self, p: DVec3, wanted: impl Fn(u32) -> bool) -> Near {
+    fn weighted(&self, p: DVec3, wanted: impl Fn(u32) -> bool) -> SkinAnchor {
         let distance = |v: u32| self.places[v as usize].distance_squared(p);
         let mut nearest = Nearest::new();
         self.about(p, |v| {
@@ -157,7 +157,7 @@ impl<'a> Skin<'a> {
             nearest = Nearest::new();
             self.few.iter().for_each(|&v| nearest.offer(distance(v), v));
         }
-        let mut far = nearest.taken();
+        let mut far = nearest.weights();
         // A seam with the skin stays one.
         if far.first().is_some_and(|f| f.0 < SAME_M * SAME_M) {
             far = &far[..1];
@@ -166,15 +166,15 @@ impl<'a> Skin<'a> {
         let most = far.last().map_or(0.0, |f| f.0) + 1e-12;
         let weight = |d: f64| (1.0 - d / most).max(1e-6) / (d + 1e-7);
         let all: f64 = far.iter().map(|f| weight(f.0)).sum();
-        Near(far.iter().map(|&(d, v)| (v, weight(d) / all)).collect())
+        SkinAnchor(far.iter().map(|&(d, v)| (v, weight(d) / all)).collect())
     }
 
     /// Tells the vertices in cells about a place: rings of cells are added until there are enough, and one more.
     fn about(&self, p: DVec3, mut tell: impl FnMut(u32)) {
         let own = self.cell(p);
         let mut found = 0;
-        let mut last = MOST_RINGS;
-        for ring in 0..=MOST_RINGS {
+        let mut last = MAX_RINGS;
+        for ring in 0..=MAX_RINGS {
             for x in -ring..=ring {
                 for y in -ring..=ring {
                     let is_shell = x.abs().max(y.abs()) == ring;
@@ -211,22 +211,22 @@ pub(super) fn firsts(places: &[DVec3]) -> Vec<u32> {
 
 /// How the vertices of a part go along.
 #[derive(Clone, Debug)]
-pub(super) enum Carried {
+pub(super) enum CarriedMesh {
     /// With the skin near each.
-    Skin(Vec<Near>),
+    Skin(Vec<SkinAnchor>),
     /// With the eye of their side.
     Eyes,
     /// With the middle of the lips.
     Lips,
 }
 
-impl Carried {
+impl CarriedMesh {
     /// That of a mesh; none for what does not go along.
-    pub(super) fn of(mesh: &Mesh, skin: &Skin<'_>) -> Option<Self> {
+    pub(super) fn bind(mesh: &Mesh, skin: &Skin<'_>) -> Option<Self> {
         use MaterialKind::{Cornea, Eye, Hair, Lash, Mouth, Teeth};
         let near = || {
             let places = mesh.positions.iter();
-            Self::Skin(places.map(|&p| skin.near(wide(p))).collect())
+            Self::Skin(places.map(|&p| skin.anchor(wide(p))).collect())
         };
         match mesh.material.kind {
             Eye | Cornea => Some(Self::Eyes),
@@ -249,7 +249,7 @@ impl Carried {
     ) {
         for (i, p) in positions.iter_mut().enumerate() {
             let by = match self {
-                Self::Skin(near) => near.get(i).map_or(DVec3::ZERO, |n| n.of(moved)),
+                Self::Skin(near) => near.get(i).map_or(DVec3::ZERO, |n| n.evaluate(moved)),
                 Self::Eyes => eyes[usize::from(p[0] < 0.0)],
                 Self::Lips => lips,
             };

@@ -69,7 +69,7 @@ pub(super) fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
 }
 
 /// Leaves the strands that grow in one place; `origin` is that of the head's frame.
-pub(super) fn keep(mesh: &mut Mesh, strands: Strands, origin: DVec3) {
+pub(super) fn retain(mesh: &mut Mesh, strands: Strands, origin: DVec3) {
     let roots = roots_of(mesh);
     leave(mesh, |v| grows(strands, roots[v as usize] - origin));
 }

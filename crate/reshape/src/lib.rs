@@ -5,29 +5,29 @@
 //! glasses, jewels and hats; where freckles, moles and other marks lie.
 //! Does not: know of face models (it takes their numbers), make hair (`sculpt` does), or move anything.
 
+mod accessory;
 mod carry;
+mod donor;
 mod hairs;
-mod lender;
 mod look;
 mod scalp;
 mod speckle;
-mod spot;
+mod surface_point;
 #[cfg(test)]
 mod tests;
-mod wear;
 
 use std::sync::OnceLock;
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DVec3};
 
-use self::carry::{Carried, Near};
-pub use self::lender::Lender;
+pub use self::accessory::{Accessory, AccessoryKind};
+use self::carry::{CarriedMesh, SkinAnchor};
+pub use self::donor::HairDonor;
 pub use self::look::{Hair, Lenders, Look};
 pub use self::scalp::ScalpPaint;
 pub use self::speckle::{Speckle, SpeckleKind};
-pub use self::spot::{Chart, Spot};
-pub use self::wear::{Wear, WearKind};
+pub use self::surface_point::{Chart, SurfacePoint};
 use raconteur_body::face::Tissue;
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 use raconteur_body::skeleton::{Bone, Drive, Skeleton};
@@ -141,12 +141,12 @@ pub struct Reshaper {
     /// The first vertex at the place of each: seams of the texture have one normal.
     first: Vec<u32>,
     /// How vertices of each mesh go along.
-    meshes: Vec<Option<Carried>>,
+    meshes: Vec<Option<CarriedMesh>>,
     /// Nodes and points of fibres of the tissue.
-    nodes: Vec<Near>,
-    points: Vec<Near>,
+    nodes: Vec<SkinAnchor>,
+    points: Vec<SkinAnchor>,
     /// Where the lips meet in the middle: teeth, gums and tongue stand to it.
-    lips: Near,
+    lips: SkinAnchor,
     /// Whether the figure's own hair grows about each vertex of the skin, once somebody asked.
     scalp: OnceLock<Vec<bool>>,
 }
@@ -211,19 +211,19 @@ impl Reshaper {
             .map(|&p| wide(p))
             .collect();
         let near = carry::Skin::new(&places);
-        let meshes = figure.meshes.iter().map(|m| Carried::of(m, &near));
+        let meshes = figure.meshes.iter().map(|m| CarriedMesh::bind(m, &near));
         let meshes = (0..).zip(meshes);
         Ok(Self {
             meshes: meshes
                 .map(|(i, carried)| carried.filter(|_| i != head))
                 .collect(),
-            nodes: tissue.rest.iter().map(|&p| near.near(wide(p))).collect(),
+            nodes: tissue.rest.iter().map(|&p| near.anchor(wide(p))).collect(),
             points: tissue
                 .points
                 .iter()
-                .map(|p| near.near(wide(p.rest)))
+                .map(|p| near.anchor(wide(p.rest)))
                 .collect(),
-            lips: near.near(middle_of_lips(tissue)),
+            lips: near.anchor(middle_of_lips(tissue)),
             scalp: OnceLock::new(),
             origin: skull.inverse().translation - SKULL_IN_HEAD_M,
             first: carry::firsts(&places),
@@ -259,7 +259,7 @@ impl Reshaper {
         let mut figure = self.figure.clone();
         self.move_skin(&mut figure.meshes[self.head], &moved);
         let eyes = self.move_eyes(&mut figure, &face.organs);
-        let lips = self.lips.of(&moved);
+        let lips = self.lips.evaluate(&moved);
         for (mesh, carried) in figure.meshes.iter_mut().zip(&self.meshes) {
             if let Some(carried) = carried {
                 carried.carry(&mut mesh.positions, &moved, eyes, lips);
@@ -344,10 +344,10 @@ impl Reshaper {
             arch.origin = narrow(wide(arch.origin) + lips);
         }
         for (p, near) in tissue.rest.iter_mut().zip(&self.nodes) {
-            *p = narrow(wide(*p) + near.of(moved));
+            *p = narrow(wide(*p) + near.evaluate(moved));
         }
         for (p, near) in tissue.points.iter_mut().zip(&self.points) {
-            p.rest = narrow(wide(p.rest) + near.of(moved));
+            p.rest = narrow(wide(p.rest) + near.evaluate(moved));
         }
     }
 

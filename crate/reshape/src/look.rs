@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::accessory::{self, Accessory, Fit};
+use super::donor::HairDonor;
 use super::hairs::{self, Strands};
-use super::lender::Lender;
-use super::wear::{self, Fit, Wear};
 use super::{NewFace, ReshapeError, Reshaper, carry};
 use raconteur_body::HairColour;
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
@@ -56,11 +56,11 @@ pub struct Look {
     /// Lines of age: [`Tissue::lines`](raconteur_body::face::Tissue::lines).
     pub lines: Option<f32>,
     /// Things worn, each of a kind once.
-    pub wear: Vec<Wear>,
+    pub wear: Vec<Accessory>,
 }
 
 /// Hair that is lent, by name.
-pub type Lenders = BTreeMap<String, Lender>;
+pub type Lenders = BTreeMap<String, HairDonor>;
 
 impl Reshaper {
     /// The figure with a face and a look.
@@ -96,7 +96,11 @@ impl Reshaper {
             return Ok(figure);
         }
         let fit = Fit::new(self, &figure, face);
-        if let Some(cover) = look.wear.iter().find_map(|w| wear::cover(w.kind, &fit)) {
+        if let Some(cover) = look
+            .wear
+            .iter()
+            .find_map(|w| accessory::cover(w.kind, &fit))
+        {
             for mesh in &mut figure.meshes {
                 if mesh.material.kind == MaterialKind::Hair {
                     cover.press(mesh, self.origin);
@@ -104,7 +108,7 @@ impl Reshaper {
             }
         }
         for worn in &look.wear {
-            figure.meshes.extend(wear::meshes(worn, &fit));
+            figure.meshes.extend(accessory::meshes(worn, &fit));
         }
         Ok(figure)
     }
@@ -134,12 +138,12 @@ impl Reshaper {
                 Some(name) => {
                     let lender = lenders.get(name);
                     let lender = lender.ok_or_else(|| ReshapeError::NoLender(name.to_owned()))?;
-                    lender.lend(self, face)?
+                    lender.fit_hair(self, face)?
                 }
             };
             for mesh in &mut meshes {
                 if wanted.is_own() {
-                    hairs::keep(mesh, strands, self.origin);
+                    hairs::retain(mesh, strands, self.origin);
                 }
                 if strands == Strands::Face {
                     hairs::BEARD.clone_into(&mut mesh.name);

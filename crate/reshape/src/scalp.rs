@@ -2,10 +2,10 @@
 
 use raconteur_base::DVec3;
 
+use super::accessory::landmark;
 use super::hairs::{self, Strands};
 use super::look::Hair;
-use super::speckle::Places;
-use super::wear::landmark;
+use super::speckle::FacePoints;
 use super::{Reshaper, wide};
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
@@ -55,7 +55,8 @@ impl Reshaper {
     fn shaved(&self) -> Vec<[f32; 2]> {
         let own = &self.figure.meshes[self.head];
         let roots = roots(&self.figure, self.origin, Strands::Face);
-        let Some(places) = Places::of(&own.positions, self.origin).filter(|_| !roots.is_empty())
+        let Some(places) =
+            FacePoints::from_skin(&own.positions, self.origin).filter(|_| !roots.is_empty())
         else {
             return Vec::new();
         };

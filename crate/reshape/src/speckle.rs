@@ -4,8 +4,8 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, noise};
 
-use super::spot::{Chart, Spot};
-use super::wear::landmark;
+use super::accessory::landmark;
+use super::surface_point::{Chart, SurfacePoint};
 use super::{Reshaper, wide};
 use raconteur_body::figure::Figure;
 
@@ -50,7 +50,7 @@ impl SpeckleKind {
 }
 
 /// The face that is spotted, in the frame of the head, metres.
-pub(super) struct Places {
+pub(super) struct FacePoints {
     sellion: DVec3,
     stomion: DVec3,
     gnathion: DVec3,
@@ -58,9 +58,9 @@ pub(super) struct Places {
     lobe: DVec3,
 }
 
-impl Places {
+impl FacePoints {
     /// Of a skin whose frame of the head lies at `origin`.
-    pub(super) fn of(skin: &[[f32; 3]], origin: DVec3) -> Option<Self> {
+    pub(super) fn from_skin(skin: &[[f32; 3]], origin: DVec3) -> Option<Self> {
         let at = |v: usize| skin.get(v).map(|&p| wide(p) - origin);
         let lobe = at(landmark::SUBAURALE[0])?;
         Some(Self {
@@ -154,7 +154,7 @@ impl Reshaper {
         let Some(skin) = figure.meshes.get(self.head) else {
             return Vec::new();
         };
-        let Some(places) = Places::of(&skin.positions, self.origin) else {
+        let Some(places) = FacePoints::from_skin(&skin.positions, self.origin) else {
             return Vec::new();
         };
         // By area on the figure as it was: on every face the same spots.
@@ -192,7 +192,7 @@ impl Reshaper {
                 if dice(3) >= share {
                     return None;
                 }
-                let chart = self.chart(figure, &Spot { corners, shares })?;
+                let chart = self.chart(figure, &SurfacePoint { corners, shares })?;
                 Some(Speckle {
                     chart,
                     strength: 0.3 + 0.7 * dice(4),

@@ -8,9 +8,9 @@ use wasm_bindgen::prelude::*;
 
 use crate::hosts;
 
-/// What was said; `Said` in `web/speech/source.ts`.
+/// What was said; `SpokenAudio` in `web/speech/source.ts`.
 #[derive(Serialize)]
-struct Said {
+struct SpokenAudio {
     bundle: String,
     sounds: Vec<(String, Bytes)>,
     problems: Vec<String>,
@@ -35,8 +35,10 @@ impl Speaker {
     /// the fault.
     #[wasm_bindgen(constructor)]
     pub fn new(engine: &str, host: Object, voice: &str) -> Result<Speaker, JsError> {
-        let run = hosts::engine(engine, host).map_err(told)?;
-        Ok(Self(crate::Speaker::new(engine, run, voice).map_err(told)?))
+        let run = hosts::engine(engine, host).map_err(js_error)?;
+        Ok(Self(
+            crate::Speaker::new(engine, run, voice).map_err(js_error)?,
+        ))
     }
 
     /// Begins to speak what a script or a list of clauses says and `known`, the text of its
@@ -46,28 +48,28 @@ impl Speaker {
         eml: &str,
         fragment: bool,
         known: Option<String>,
-    ) -> Result<Saying, JsError> {
+    ) -> Result<PendingSpeech, JsError> {
         let saying = self.0.begin(eml, fragment, known.as_deref());
-        Ok(Saying(saying.map_err(told)?))
+        Ok(PendingSpeech(saying.map_err(js_error)?))
     }
 
     /// Speaks the next utterance, or has the host get ready for it; false when there is none. The
     /// exception's message names the fault.
-    pub fn step(&self, saying: &mut Saying) -> Result<bool, JsError> {
-        self.0.step(&mut saying.0).map_err(told)
+    pub fn step(&self, saying: &mut PendingSpeech) -> Result<bool, JsError> {
+        self.0.step(&mut saying.0).map_err(js_error)
     }
 }
 
 /// What is being said.
 #[wasm_bindgen]
-pub struct Saying(page::Saying);
+pub struct PendingSpeech(page::PageBake);
 
 #[wasm_bindgen]
-impl Saying {
+impl PendingSpeech {
     /// What was said so far, with the sounds and problems that are new.
     pub fn take(&mut self) -> Result<JsValue, JsError> {
         let sounds = self.0.take_sounds().into_iter();
-        let said = Said {
+        let said = SpokenAudio {
             bundle: self.0.bundle(),
             sounds: sounds.map(|(file, wave)| (file, Bytes(wave))).collect(),
             problems: self.0.take_problems(),
@@ -76,7 +78,7 @@ impl Saying {
     }
 }
 
-fn told(error: anyhow::Error) -> JsError {
+fn js_error(error: anyhow::Error) -> JsError {
     JsError::new(&format!("{error:#}"))
 }
 

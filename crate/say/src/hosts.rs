@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use anyhow::{Result, anyhow, bail};
 use js_sys::{Array, Float32Array, Function, Int16Array, Object, Reflect, Uint8Array};
-use raconteur_voice::bake::engine::espeak::{self, Event, Synthesis, Traced, What};
+use raconteur_voice::bake::engine::espeak::{self, Event, EventKind, Synthesis, TracedText};
 use raconteur_voice::bake::engine::flite::{self, Output, SOUND};
 use raconteur_voice::bake::engine::kokoro;
 use raconteur_voice::bake::engine::server::{self, Server};
@@ -12,7 +12,7 @@ use raconteur_voice::bake::engine::{Engine, Machine, Pending, hosted};
 use wasm_bindgen::prelude::*;
 
 thread_local! {
-    /// What runs the engine; a worker has one thread and one engine.
+    /// EventKind runs the engine; a worker has one thread and one engine.
     static HOST: RefCell<Option<Object>> = const { RefCell::new(None) };
 }
 
@@ -113,7 +113,7 @@ impl espeak::Host for Worker {
         Ok(text.as_string().unwrap_or_default())
     }
 
-    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
+    fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
         texts
             .iter()
             .map(|text| {
@@ -188,11 +188,11 @@ impl server::Host for Worker {
     }
 }
 
-/// What espeak-ng told of a text.
-fn traced(said: &JsValue) -> Result<Traced> {
+/// EventKind espeak-ng told of a text.
+fn traced(said: &JsValue) -> Result<TracedText> {
     let events = Array::from(&member(said, "events")?);
     let number = |value: JsValue| value.as_f64().unwrap_or_default() as usize;
-    let mut out = Traced {
+    let mut out = TracedText {
         samples: Int16Array::new(&member(said, "samples")?).to_vec(),
         rate_hz: number(member(said, "rateHz")?) as u32,
         events: Vec::new(),
@@ -201,9 +201,9 @@ fn traced(said: &JsValue) -> Result<Traced> {
     for event in events.iter() {
         let kind = member(&event, "kind")?.as_string().unwrap_or_default();
         let what = match kind.as_str() {
-            "word" => What::Word(number(member(&event, "position")?)),
-            "phone" => What::Phone(member(&event, "symbol")?.as_string().unwrap_or_default()),
-            _ => What::End,
+            "word" => EventKind::Word(number(member(&event, "position")?)),
+            "phone" => EventKind::Phone(member(&event, "symbol")?.as_string().unwrap_or_default()),
+            _ => EventKind::End,
         };
         let sample = number(member(&event, "sample")?);
         out.events.push(Event { sample, what });

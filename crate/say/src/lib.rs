@@ -14,13 +14,13 @@ mod hosts;
 use anyhow::{Result, ensure};
 use raconteur_speech::bundle::Bundle;
 use raconteur_voice::bake::engine::Engine;
-use raconteur_voice::bake::page::Saying;
+use raconteur_voice::bake::page::PageBake;
 use raconteur_voice::bake::{BakeOptions, Cast, STORY_PACE};
-use raconteur_voice::said;
+use raconteur_voice::speech_requests;
 use raconteur_voice::text::Lexicon;
 
 /// Longest script that is spoken while somebody waits, bytes.
-pub const MOST_BYTES: usize = 1 << 20;
+pub const MAX_BYTES: usize = 1 << 20;
 
 /// Speaks with one voice, and with what a script's markup makes of it.
 pub struct Speaker {
@@ -35,7 +35,7 @@ impl Speaker {
     pub fn new(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
         Ok(Self {
             options: BakeOptions {
-                cast: Cast::of(name, engine, voice)?,
+                cast: Cast::with_engine(name, engine, voice)?,
                 pace: STORY_PACE,
                 lexicon: Lexicon::default(),
                 lexicon_text: String::new(),
@@ -50,10 +50,10 @@ impl Speaker {
     ///
     /// # Errors
     /// When the script is too long, or `known` is no bundle.
-    pub fn begin(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<Saying> {
+    pub fn begin(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<PageBake> {
         ensure!(
-            eml.len() <= MOST_BYTES,
-            "a script of more than {MOST_BYTES} bytes is not spoken"
+            eml.len() <= MAX_BYTES,
+            "a script of more than {MAX_BYTES} bytes is not spoken"
         );
         let known = known
             .map(|text| Bundle::from_json(text.as_bytes()))
@@ -63,14 +63,14 @@ impl Speaker {
         } else {
             raconteur_eml::parse(eml)
         };
-        Ok(Saying::new(said(&parsed.document), known))
+        Ok(PageBake::new(speech_requests(&parsed.document), known))
     }
 
     /// Speaks the next utterance, as [`Saying::step`] does.
     ///
     /// # Errors
     /// As [`Saying::step`].
-    pub fn step(&self, saying: &mut Saying) -> Result<bool> {
+    pub fn step(&self, saying: &mut PageBake) -> Result<bool> {
         saying.step(&self.options)
     }
 }

@@ -7,15 +7,15 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use super::part::{MeshPart, PartVertex};
 use super::springs::{self, HairChain};
 use raconteur_base::surface::vertex_normals;
-use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
-use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};
+use raconteur_body::figure::{Figure, Image, Material, MaterialKind, Mesh, Morph, TextureMaps};
+use raconteur_body::skeleton::{Bone, FaceJoints, Skeleton};
 use raconteur_body::springs::Springs;
 use raconteur_body::write::weights_in_255ths;
 use raconteur_tissue::Binding;
 
 /// A part with its normals where they are not those of its own faces.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct PartWithNormals {
     /// The part.
     pub part: MeshPart,
     /// One unit normal for each vertex; `None` computes them from the faces. Strand cards
@@ -23,7 +23,7 @@ pub struct Piece {
     pub normals: Option<Vec<DVec3>>,
 }
 
-impl From<MeshPart> for Piece {
+impl From<MeshPart> for PartWithNormals {
     fn from(part: MeshPart) -> Self {
         Self {
             part,
@@ -42,13 +42,13 @@ pub struct Blueprint {
     /// World from bone.
     pub bind_rotations: [DQuat; Bone::COUNT],
     /// Centres of the eyes.
-    pub face: FacePlaces,
+    pub face: FaceJoints,
     /// Standing height, metres.
     pub stature_m: f64,
     /// Upper-lid rotation that closes the eye, radians, left and right.
     pub lid_closure_rad: [f64; 2],
     /// Parts, in drawing order.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<PartWithNormals>,
     /// Chains that hang on the skull.
     pub chains: Vec<HairChain>,
     /// Pictures that materials point at.
@@ -158,11 +158,11 @@ fn narrow(v: DVec3) -> [f32; 3] {
     v.to_array().map(|x| x as f32)
 }
 
-fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[String]) {
+fn append(mesh: &mut Mesh, piece: &PartWithNormals, skeleton: &Skeleton, morph_names: &[String]) {
     let part = &piece.part;
     let base = mesh.positions.len() as u32;
     let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
-    let seams = Seams::of(part, &positions);
+    let seams = Seams::find(part, &positions);
     let normals = piece
         .normals
         .clone()
@@ -280,7 +280,7 @@ fn bind(binding: &mut Binding, base: u32, bound: &[(u32, Vec<(u32, f64)>)]) {
 /// Kinds whose shading reads texture coordinates; for the others they would only take room.
 fn has_coordinates(material: &Material) -> bool {
     use MaterialKind::{Cornea, Eye, Hair, Lash};
-    let textured = material.maps != Maps::default();
+    let textured = material.maps != TextureMaps::default();
     let woven = material.kind.weave().is_some();
     textured || woven || matches!(material.kind, Eye | Cornea | Hair | Lash)
 }
@@ -298,7 +298,7 @@ struct Seams {
 }
 
 impl Seams {
-    fn of(part: &MeshPart, positions: &[DVec3]) -> Self {
+    fn find(part: &MeshPart, positions: &[DVec3]) -> Self {
         let alone = is_hair(part.material.kind);
         let mut places: BTreeMap<[i64; 3], u32> = BTreeMap::new();
         let first = positions

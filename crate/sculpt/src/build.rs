@@ -3,9 +3,9 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::assemble::{Blueprint, Piece, assemble};
+use super::assemble::{Blueprint, PartWithNormals, assemble};
 use super::bones;
-use super::built::Built;
+use super::built::AnnotatedFigure;
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
 use super::hair;
@@ -21,12 +21,12 @@ use super::tissue;
 use super::torso::{CM, Cage, Field, Joints, Shell};
 use raconteur_base::surface::vertex_normals;
 use raconteur_body::annotation::{Annotations, Landmark, Segment};
-use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
-use raconteur_body::skeleton::{Bone, FacePlaces, zero_frames};
+use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
+use raconteur_body::skeleton::{Bone, FaceJoints, zero_frames};
 use raconteur_tissue::Tissue;
 
 /// The skin's pictures among a figure's images.
-const SKIN_MAPS: Maps = Maps {
+const SKIN_MAPS: TextureMaps = TextureMaps {
     base_color: Some(0),
     normal: Some(1),
     wrinkles: Some(2),
@@ -37,7 +37,7 @@ const NEAR_HEAD_M: f64 = 0.45;
 
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
-pub fn build(params: &FigureParams) -> Built {
+pub fn build(params: &FigureParams) -> AnnotatedFigure {
     let Mannequin {
         head,
         world_from_head,
@@ -46,12 +46,12 @@ pub fn build(params: &FigureParams) -> Built {
         field,
         cage,
         neck: collar_line,
-    } = Mannequin::of(params);
+    } = Mannequin::from_params(params);
     let body = params.body();
     let wearer = Wearer::new(&body, &field, &cage, &joints, &collar_line);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let near_head = near(&clothes.parts, world_from_head);
+    let near_head = clothes_near_head(&clothes.parts, world_from_head);
     let mut grown = hair::hair(&head, &params.hair, &near_head);
     for v in grown.pieces.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
@@ -63,19 +63,19 @@ pub fn build(params: &FigureParams) -> Built {
         v.color[3] *= light;
     }
 
-    let mut pieces: Vec<Piece> = Vec::new();
+    let mut pieces: Vec<PartWithNormals> = Vec::new();
     let hand = params.hands();
     let hands = Side::BOTH.map(|side| place_hand(&hand, side, &mut joints));
     let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1, grown.cap.as_ref());
-    pieces.extend(head_parts.into_iter().map(Piece::from));
+    pieces.extend(head_parts.into_iter().map(PartWithNormals::from));
     pieces.extend(
         hands
             .into_iter()
             .flat_map(|(parts, _)| parts)
-            .map(Piece::from),
+            .map(PartWithNormals::from),
     );
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
-    pieces.extend(clothes.parts.into_iter().map(Piece::from));
+    pieces.extend(clothes.parts.into_iter().map(PartWithNormals::from));
     pieces.extend(grown.pieces);
 
     for piece in &mut pieces {
@@ -89,7 +89,7 @@ pub fn build(params: &FigureParams) -> Built {
         name: params.name.clone(),
         positions_in_world: joints.positions,
         bind_rotations: joints.rotations,
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: head
                 .eye_centres
                 .map(|p| world_from_head.transform_point3(p)),
@@ -101,20 +101,23 @@ pub fn build(params: &FigureParams) -> Built {
         images: vec![maps.colour, maps.normal, maps.wrinkles],
     });
     figure.sex = Some(params.person.sex);
-    figure.springs = springs::of(&figure, &grown.chains);
+    figure.springs = springs::build_springs(&figure, &grown.chains);
     figure.tissue = Some(face_tissue(&head, world_from_head, &figure));
     leave_to_tissue(&mut figure);
     let annotations = annotations(&head, &figure);
     levels::add(&mut figure, &annotations);
     levels::sort_triangles(&mut figure);
-    Built {
+    AnnotatedFigure {
         figure,
         annotations,
     }
 }
 
 /// The surface of clothes about the head, in its frame: what hair lies on.
-pub(super) fn near(clothes: &[MeshPart], world_from_head: DAffine3) -> Vec<hair::Sample> {
+pub(super) fn clothes_near_head(
+    clothes: &[MeshPart],
+    world_from_head: DAffine3,
+) -> Vec<hair::Sample> {
     let head_from_world = world_from_head.inverse();
     clothes
         .iter()
@@ -134,19 +137,23 @@ pub(super) fn near(clothes: &[MeshPart], world_from_head: DAffine3) -> Vec<hair:
 /// Builds the head alone, with what moves under its skin, on the skeleton of the whole: enough to
 /// try what a face does, in a fraction of the time. It has no hair, hands, clothes or maps.
 #[must_use]
-pub fn build_face(params: &FigureParams) -> Built {
-    let made = Mannequin::of(params);
+pub fn build_face(params: &FigureParams) -> AnnotatedFigure {
+    let made = Mannequin::from_params(params);
     let place = made.world_from_head;
     let mut figure = assemble(&Blueprint {
         name: params.name.clone(),
         positions_in_world: made.joints.positions,
         bind_rotations: made.joints.rotations,
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: made.head.eye_centres.map(|p| place.transform_point3(p)),
         },
         stature_m: params.person.stature_m,
         lid_closure_rad: made.head.lid_closure_rad,
-        pieces: made.head_parts.into_iter().map(Piece::from).collect(),
+        pieces: made
+            .head_parts
+            .into_iter()
+            .map(PartWithNormals::from)
+            .collect(),
         chains: Vec::new(),
         images: Vec::new(),
     });
@@ -154,7 +161,7 @@ pub fn build_face(params: &FigureParams) -> Built {
     figure.tissue = Some(face_tissue(&made.head, place, &figure));
     leave_to_tissue(&mut figure);
     let annotations = annotations(&made.head, &figure);
-    Built {
+    AnnotatedFigure {
         figure,
         annotations,
     }
@@ -207,7 +214,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Mesh
     let wrist = Bone::on(side, "wrist");
     let bind = joints.rotations[wrist.index()];
     let turn: DQuat = bind * zero_frames()[wrist.index()].inverse();
-    let place = DAffine3::from_rotation_translation(turn, joints.at(wrist));
+    let place = DAffine3::from_rotation_translation(turn, joints.position_of(wrist));
     for (bone, p) in built.joints {
         joints.positions[bone.index()] = place.transform_point3(p);
     }
@@ -229,7 +236,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Mesh
 
 /// The body's own neck, just below the head's skin and inside the collar.
 fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
-    let (mut shell, _) = cage.part(|t| Cage::is_above(t, 0.826)).subdivided(1);
+    let (mut shell, _) = cage.extract(|t| Cage::is_above(t, 0.826)).subdivided(1);
     let rim = head
         .neck_rim
         .iter()
@@ -252,7 +259,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
         base_color: [1.0; 4],
         roughness: 0.48,
         double_sided: false,
-        maps: Maps::default(),
+        maps: TextureMaps::default(),
     };
     let mut part = plain_part("neck", &shell, field, &material, [1.0; 3]);
     // Colours go on from the head's lower edge, darker inside the collar.

@@ -5,7 +5,7 @@ use raconteur_body::figure::Figure;
 
 /// A figure with data on its surface.
 #[derive(Clone, Debug)]
-pub struct Built {
+pub struct AnnotatedFigure {
     /// The figure itself.
     pub figure: Figure,
     /// Names on its meshes.

@@ -30,7 +30,7 @@ impl Cells {
 
     /// The points of a place's cell and of the 26 around it: all within a cell's width, and some
     /// beyond.
-    pub(crate) fn near(&self, p: DVec3) -> impl Iterator<Item = u32> + '_ {
+    pub(crate) fn neighbours(&self, p: DVec3) -> impl Iterator<Item = u32> + '_ {
         let [x, y, z] = self.cell(p);
         (0..27)
             .map(move |i| [x + i / 9 - 1, y + i / 3 % 3 - 1, z + i % 3 - 1])

@@ -19,7 +19,7 @@ pub struct Skin {
 impl Skin {
     /// That of a figure in the bind pose.
     #[must_use]
-    pub fn of(figure: &Figure) -> Self {
+    pub fn from_figure(figure: &Figure) -> Self {
         let mut places: BTreeMap<[u32; 3], u32> = BTreeMap::new();
         let mut skin = Self::default();
         let is_skin = |m: &&raconteur_body::Mesh| {

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use raconteur_base::{DVec3, Side, noise};
 
 use crate::head::{
-    BareSkin, Binding, Bound, FIELDS, HeadParams, HeadSegment, KnownMeasure, Organs,
+    BareSkin, Binding, FIELDS, HeadParams, HeadSegment, KnownMeasure, ModelHeadShape, Organs,
     expression_fields, field_index, known_measures,
 };
 use crate::looks::{self, Look};
@@ -44,7 +44,7 @@ fn centre() -> BTreeMap<String, f64> {
 }
 
 /// A detail goes no farther.
-const MOST_DETAIL: f64 = 0.95;
+const MAX_DETAIL: f64 = 0.95;
 
 /// A person as drawn, before the crowd is brought to its population.
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ pub struct Draft {
     pub look: Look,
     /// Where the cage of the head lies; with the fields of expressions once the crowd is brought to its
     /// population, as those who are measured look neutral.
-    pub bound: Bound,
+    pub bound: ModelHeadShape,
 }
 
 /// One head.
@@ -107,7 +107,7 @@ impl Example {
 
     /// A number of its look by its name.
     #[must_use]
-    pub fn look(&self, name: &str) -> Option<f64> {
+    pub fn look_value(&self, name: &str) -> Option<f64> {
         let index = looks::NAMES.iter().position(|known| *known == name)?;
         Some(self.draft.look[index])
     }
@@ -149,7 +149,7 @@ impl<'m> Examples<'m> {
             let centre = all.sum::<f64>() / detail.names.len() as f64;
             for name in &detail.names {
                 let amount = traits.details.entry(name.clone()).or_default();
-                *amount = (*amount + centre).clamp(-MOST_DETAIL, MOST_DETAIL);
+                *amount = (*amount + centre).clamp(-MAX_DETAIL, MAX_DETAIL);
             }
         }
         let bell = |k: i64| -> f64 {
@@ -174,18 +174,18 @@ impl<'m> Examples<'m> {
 
     /// Brings a crowd to the measures of the population.
     #[must_use]
-    pub fn brought(&self, drafts: Vec<Draft>) -> Vec<Draft> {
+    pub fn fitted_to_population(&self, drafts: Vec<Draft>) -> Vec<Draft> {
         let people: Vec<Traits> = drafts.iter().map(|d| d.traits.clone()).collect();
-        let mut heads: Vec<Bound> = drafts.iter().map(|d| d.bound.clone()).collect();
-        let drawn = |traits: &Traits, bound: &Bound| {
+        let mut heads: Vec<ModelHeadShape> = drafts.iter().map(|d| d.bound.clone()).collect();
+        let drawn = |traits: &Traits, bound: &ModelHeadShape| {
             let params = params_of(&self.like, traits.clone(), bound.clone());
-            let skin = BareSkin::of(&params.person, &params.head);
+            let skin = BareSkin::build(&params.person, &params.head);
             let taken = measured_mm(&|name| place(&skin, name));
             core::array::from_fn(|i| taken.get(i).map_or(0.0, |(_, mm)| *mm))
         };
-        population::bring(&people, &mut heads, &drawn);
+        population::fit_population(&people, &mut heads, &drawn);
         let both = drafts.into_iter().zip(heads);
-        let posed = |(draft, bound): (Draft, Bound)| Draft {
+        let posed = |(draft, bound): (Draft, ModelHeadShape)| Draft {
             bound: bound.with_fields(&of_expressions(&draft.fields, true)),
             ..draft
         };
@@ -196,7 +196,7 @@ impl<'m> Examples<'m> {
     #[must_use]
     pub fn make(&self, draft: Draft) -> Example {
         let params = params_of(&self.like, draft.traits.clone(), draft.bound.clone());
-        let skin = BareSkin::of(&params.person, &params.head);
+        let skin = BareSkin::build(&params.person, &params.head);
         let measures = measured_mm(&|name| place(&skin, name));
         let coordinates = skin.positions.iter().flat_map(DVec3::to_array);
         Example {
@@ -216,12 +216,12 @@ impl<'m> Examples<'m> {
     #[must_use]
     pub fn expressions(&self) -> Vec<(usize, Vec<f64>)> {
         let skin = |amounts: &[f64]| {
-            let bound = Bound::default().with_fields(amounts);
+            let bound = ModelHeadShape::default().with_fields(amounts);
             let head = HeadParams {
                 bound,
                 ..self.like.head.clone()
             };
-            BareSkin::of(&self.like.person, &head).positions
+            BareSkin::build(&self.like.person, &head).positions
         };
         let effect = |field: usize| {
             let at = |by: f64| {
@@ -244,7 +244,7 @@ impl<'m> Examples<'m> {
     #[must_use]
     pub fn tone(&self, look: &Look) -> Vec<f64> {
         let skin = looks::skin(look, &SkinParams::plain());
-        self.tones.of(&skin, looks::brows(look))
+        self.tones.evaluate(&skin, looks::brows(look))
     }
 }
 
@@ -274,7 +274,7 @@ fn of_expressions(fields: &[f64], are_they: bool) -> Vec<f64> {
 
 /// The figure of a head: a body of the mean of sex and age; all else is as in `like`.
 #[must_use]
-pub fn params_of(like: &FigureParams, traits: Traits, bound: Bound) -> FigureParams {
+pub fn params_of(like: &FigureParams, traits: Traits, bound: ModelHeadShape) -> FigureParams {
     FigureParams {
         person: Person {
             sex: traits.sex,
@@ -329,7 +329,7 @@ fn distance_mm(measure: &KnownMeasure, place: &dyn Fn(&str) -> Option<DVec3>) ->
 
 #[cfg(test)]
 mod tests {
-    use crate::head::{BareSkin, Bound, build};
+    use crate::head::{BareSkin, ModelHeadShape, build};
     use crate::people::preset;
 
     #[test]
@@ -337,9 +337,9 @@ mod tests {
         for name in ["sofia", "papous"] {
             let bound = preset(name).expect("a figure").head.bound;
             let numbers = bound.numbers();
-            let again = Bound::from_numbers(&numbers).expect("a head");
+            let again = ModelHeadShape::from_numbers(&numbers).expect("a head");
             assert_eq!(again.numbers(), numbers);
-            assert_eq!(Bound::from_numbers(&numbers[1..]), None);
+            assert_eq!(ModelHeadShape::from_numbers(&numbers[1..]), None);
         }
     }
 
@@ -347,7 +347,7 @@ mod tests {
     fn a_bare_skin_is_that_of_the_head() {
         let params = preset("kenji").expect("a figure");
         let head = build(&params.person, &params.head);
-        let bare = BareSkin::of(&params.person, &params.head);
+        let bare = BareSkin::build(&params.person, &params.head);
         let skin = head.skin();
         let positions: Vec<_> = skin.vertices.iter().map(|v| v.position).collect();
         assert_eq!(bare.positions, positions);

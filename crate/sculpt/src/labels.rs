@@ -70,7 +70,7 @@ fn breadth_mm(example: &Example, name: &str) -> Option<f64> {
 }
 
 /// The middle of a place and its mirror image.
-fn both(example: &Example, name: &str) -> Option<DVec3> {
+fn mirrored_pair_middle(example: &Example, name: &str) -> Option<DVec3> {
     let at = |side: char| example.place(&format!("{name}_{side}"));
     let (left, right) = (at('l')?, at('r')?);
     Some(DVec3::new(
@@ -106,7 +106,7 @@ fn before(at: DVec3, above: DVec3, below: DVec3) -> f64 {
     at.z - (above.z + (below.z - above.z) * t)
 }
 
-fn own(value: f64) -> Option<f64> {
+fn known_value(value: f64) -> Option<f64> {
     Some(value)
 }
 
@@ -142,33 +142,33 @@ const fn derived(mut label: Label, formula: &'static str) -> Label {
 /// of a life, which is not straight.
 #[rustfmt::skip]
 pub const LABELS: [Label; 51] = [
-    label("overall", "sex", ["masculine", "feminine"], Both, |e| own(e.draft.traits.sex)),
+    label("overall", "sex", ["masculine", "feminine"], Both, |e| known_value(e.draft.traits.sex)),
     // Where fat shows in a face, each part in its own deviations.
     label("overall", "weight", ["slender", "obese"], Shape, |e| {
-        let cheeks = both(e, "chk")?.x / 3.0 + both(e, "go")?.x / 5.0;
+        let cheeks = mirrored_pair_middle(e, "chk")?.x / 3.0 + mirrored_pair_middle(e, "go")?.x / 5.0;
         Some(cheeks + e.draft.traits.weight / 0.13 + e.field("double chin")? / 0.5)
     }),
-    label("overall", "lightness of the skin", ["dark", "light"], Texture, |e| Some(-e.look("melanin")?)),
-    label("overall", "age", ["younger", "older"], Both, |e| own(e.draft.traits.age_years)),
-    label("overall", "freckles", ["none", "many"], Texture, |e| e.look("freckles")),
-    label("overall", "beard shadow", ["none", "strong"], Texture, |e| e.look("beard shadow")),
+    label("overall", "lightness of the skin", ["dark", "light"], Texture, |e| Some(-e.look_value("melanin")?)),
+    label("overall", "age", ["younger", "older"], Both, |e| known_value(e.draft.traits.age_years)),
+    label("overall", "freckles", ["none", "many"], Texture, |e| e.look_value("freckles")),
+    label("overall", "beard shadow", ["none", "strong"], Texture, |e| e.look_value("beard shadow")),
     derived(label("overall", "attractiveness", ["less attractive", "more attractive"], Both, attractive),
         "youth to 25, even skin, full lips, large eyes, slight weight (directions: Rhodes 2006, doi:10.1146/annurev.psych.57.102904.190208; weights designed)"),
 
     label("face shape", "angles of the face", ["round", "angular"], Shape, |e| {
-        let (go, gn) = (both(e, "go")?, e.place("gn")?);
-        Some(-angle(go, both(e, "t")?, gn) + 0.04 * e.field("hollow of the cheek")?)
+        let (go, gn) = (mirrored_pair_middle(e, "go")?, e.place("gn")?);
+        Some(-angle(go, mirrored_pair_middle(e, "t")?, gn) + 0.04 * e.field("hollow of the cheek")?)
     }),
     label("face shape", "breadth of the face", ["narrow", "broad"], Shape, |e| share(e, "face_breadth", "face_height")),
     label("face shape", "taper of the face", ["pear shape", "heart shape"], Shape, |e| share(e, "forehead_breadth", "jaw_breadth")),
     label("face shape", "cheeks", ["hollow", "puffy"], Shape, |e| {
-        let (zy, go, cheek) = (both(e, "zy")?, both(e, "go")?, both(e, "chk")?);
+        let (zy, go, cheek) = (mirrored_pair_middle(e, "zy")?, mirrored_pair_middle(e, "go")?, mirrored_pair_middle(e, "chk")?);
         Some(cheek.x - 0.5 * (zy.x + go.x) + cheek.z - zy.z)
     }),
     label("face shape", "cheekbones", ["flat", "prominent"], Shape, |e| {
         // How far the bone stands out over the rim of the orbit and the cheek.
-        let (zy, cheek) = (both(e, "zy")?, both(e, "chk")?);
-        Some(zy.x - cheek.x + 2.0 * before(both(e, "zm")?, both(e, "or")?, cheek))
+        let (zy, cheek) = (mirrored_pair_middle(e, "zy")?, mirrored_pair_middle(e, "chk")?);
+        Some(zy.x - cheek.x + 2.0 * before(mirrored_pair_middle(e, "zm")?, mirrored_pair_middle(e, "or")?, cheek))
     }),
     label("face shape", "breadth of the chin", ["pointed", "broad"], Shape, |e| Some(breadth_mm(e, "id")? / e.measure("face_breadth")?)),
     label("face shape", "protrusion of the chin", ["receding", "protruding"], Shape, |e| Some(e.place("pg")?.z - 0.5 * (e.place("sn")?.z + e.place("n")?.z))),
@@ -177,14 +177,14 @@ pub const LABELS: [Label; 51] = [
     amount(label("face shape", "nasolabial fold", ["smooth", "deep"], Shape, |e| e.field("nasolabial fold")), 1.4),
 
     label("eyes", "opening of the eyes", ["slitted", "round"], Shape, |e| Some(e.measure("fissure_height")? / fissure_mm(e)?)),
-    label("eyes", "inclination of the eyes", ["downwards", "upwards"], Shape, |e| Some((both(e, "ex")?.y - both(e, "en")?.y) / fissure_mm(e)?)),
+    label("eyes", "inclination of the eyes", ["downwards", "upwards"], Shape, |e| Some((mirrored_pair_middle(e, "ex")?.y - mirrored_pair_middle(e, "en")?.y) / fissure_mm(e)?)),
     label("eyes", "distance of the eyes", ["near", "far apart"], Shape, |e| {
         Some((e.measure("inner_canthal_breadth")? + fissure_mm(e)?) / e.measure("face_breadth")?)
     }),
-    label("eyes", "lightness of the iris", ["dark", "light"], Texture, |e| e.look("lightness of the iris")),
-    label("eyes", "colour of the iris", ["brown", "blue"], Texture, |e| e.look("blue of the iris")),
-    label("eyes", "lightness of the brows", ["dark", "light"], Texture, |e| e.look("lightness of the brows")),
-    label("eyes", "thickness of the brows", ["thin", "bushy"], Texture, |e| Some(e.look("density of the brows")? + e.look("height of the brows")?)),
+    label("eyes", "lightness of the iris", ["dark", "light"], Texture, |e| e.look_value("lightness of the iris")),
+    label("eyes", "colour of the iris", ["brown", "blue"], Texture, |e| e.look_value("blue of the iris")),
+    label("eyes", "lightness of the brows", ["dark", "light"], Texture, |e| e.look_value("lightness of the brows")),
+    label("eyes", "thickness of the brows", ["thin", "bushy"], Texture, |e| Some(e.look_value("density of the brows")? + e.look_value("height of the brows")?)),
     label("eyes", "curve of the left brow", ["straight", "curved"], Shape, |e| brow_curve(e, Side::Left)),
     label("eyes", "curve of the right brow", ["straight", "curved"], Shape, |e| brow_curve(e, Side::Right)),
     label("eyes", "distance of the brows", ["near", "far apart"], Shape, |e| {
@@ -192,7 +192,7 @@ pub const LABELS: [Label; 51] = [
     }),
     label("eyes", "distance between brows and eyes", ["low", "high"], Shape, |e| {
         let crests = brow(e, Side::Left)?[2].y + brow(e, Side::Right)?[2].y;
-        Some(crests / 2.0 - (both(e, "en")?.y + both(e, "ex")?.y) / 2.0)
+        Some(crests / 2.0 - (mirrored_pair_middle(e, "en")?.y + mirrored_pair_middle(e, "ex")?.y) / 2.0)
     }),
 
     label("nose", "length of the nose", ["short", "long"], Shape, |e| share(e, "nose_height", "face_height")),
@@ -207,15 +207,15 @@ pub const LABELS: [Label; 51] = [
 
     label("mouth", "width of the mouth", ["narrow", "wide"], Shape, |e| share(e, "mouth_breadth", "face_breadth")),
     label("mouth", "lips", ["thin", "full"], Shape, |e| Some(e.measure("upper_red")? + e.measure("lower_red")?)),
-    label("mouth", "colour of the lips", ["light", "dark"], Texture, |e| e.look("redness of the lips")),
-    label("mouth", "line of the lips", ["corners down", "corners up"], Shape, |e| Some((both(e, "ch")?.y - e.place("sto")?.y) / e.measure("mouth_breadth")?)),
+    label("mouth", "colour of the lips", ["light", "dark"], Texture, |e| e.look_value("redness of the lips")),
+    label("mouth", "line of the lips", ["corners down", "corners up"], Shape, |e| Some((mirrored_pair_middle(e, "ch")?.y - e.place("sto")?.y) / e.measure("mouth_breadth")?)),
 
     label("ears", "size of the ears", ["small", "large"], Shape, |e| share(e, "ear_length", "head_length")),
     label("ears", "ears", ["flat", "jug ears"], Shape, |e| Some(breadth_mm(e, "pa")? - breadth_mm(e, "t")?)),
 
-    label("ethnicity", "European", ["less", "more"], Both, |e| own(e.ancestry()[0])),
-    label("ethnicity", "Asian", ["less", "more"], Both, |e| own(e.ancestry()[1])),
-    label("ethnicity", "African", ["less", "more"], Both, |e| own(e.ancestry()[2])),
+    label("ethnicity", "European", ["less", "more"], Both, |e| known_value(e.ancestry()[0])),
+    label("ethnicity", "Asian", ["less", "more"], Both, |e| known_value(e.ancestry()[1])),
+    label("ethnicity", "African", ["less", "more"], Both, |e| known_value(e.ancestry()[2])),
 
     amount(label("expressions", "smiling", ["less", "more"], Shape, |e| e.field("smiling")), 1.0),
     amount(label("expressions", "angry", ["less", "more"], Shape, |e| e.field("angry")), 1.0),
@@ -224,14 +224,14 @@ pub const LABELS: [Label; 51] = [
     amount(label("expressions", "deranged", ["less", "more"], Shape, |e| e.field("deranged")), 1.0),
     amount(label("expressions", "disgusted", ["less", "more"], Shape, |e| e.field("disgusted")), 1.0),
 
-    label(LIFE, "growth", ["child", "grown"], Both, |e| own(e.draft.traits.age_years.min(GROWN_YEARS))),
-    label(LIFE, "ageing", ["young", "old"], Both, |e| own(e.draft.traits.age_years.max(GROWN_YEARS))),
+    label(LIFE, "growth", ["child", "grown"], Both, |e| known_value(e.draft.traits.age_years.min(GROWN_YEARS))),
+    label(LIFE, "ageing", ["young", "old"], Both, |e| known_value(e.draft.traits.age_years.max(GROWN_YEARS))),
 ];
 
 /// See its formula in [`LABELS`].
 fn attractive(e: &Example) -> Option<f64> {
     let youth = -(e.draft.traits.age_years - 25.0).abs() / 20.0;
-    let skin = -e.look("sun")? - e.look("vessels")? - 0.5 * e.look("moles")?;
+    let skin = -e.look_value("sun")? - e.look_value("vessels")? - 0.5 * e.look_value("moles")?;
     let lips = (e.measure("upper_red")? + e.measure("lower_red")?) / 6.0;
     let eyes = e.measure("fissure_height")? / 2.0;
     let weight = -4.0 * (e.draft.traits.weight - 0.45).abs();

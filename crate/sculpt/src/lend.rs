@@ -2,12 +2,12 @@
 //! (`reshape::Lender`).
 
 use raconteur_base::{DAffine3, DVec3};
-use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
-use raconteur_body::skeleton::{Bone, Drive, FacePlaces};
+use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
+use raconteur_body::skeleton::{Bone, Drive, FaceJoints};
 use raconteur_tissue::Binding;
 
-use super::assemble::{Blueprint, Piece, assemble};
-use super::build::near;
+use super::assemble::{Blueprint, PartWithNormals, assemble};
+use super::build::clothes_near_head;
 use super::cells::Cells;
 use super::cloth::{Wearer, dress};
 use super::hair;
@@ -30,26 +30,30 @@ const NODES: usize = 4;
 /// lies. It does not swing.
 #[must_use]
 pub fn lender(params: &FigureParams) -> Figure {
-    let made = Mannequin::of(params);
+    let made = Mannequin::from_params(params);
     let place = made.world_from_head;
     let body = params.body();
     let wearer = Wearer::new(&body, &made.field, &made.cage, &made.joints, &made.neck);
     let clothes = dress(&wearer, &params.wardrobe);
-    let grown = hair::hair(&made.head, &params.hair, &near(&clothes.parts, place));
-    let hair: Vec<Piece> = (grown.pieces.into_iter())
+    let grown = hair::hair(
+        &made.head,
+        &params.hair,
+        &clothes_near_head(&clothes.parts, place),
+    );
+    let hair: Vec<PartWithNormals> = (grown.pieces.into_iter())
         .map(|p| placed(p, place))
         .collect();
     let beard: Vec<DVec3> = (hair.iter().filter(|p| p.part.name == BEARD))
         .flat_map(|p| p.part.vertices.iter().map(|v| v.position))
         .collect();
     let middle = place.transform_point3(DVec3::ZERO);
-    let mut pieces: Vec<Piece> = vec![skin(&made.head_parts[0], &beard, middle).into()];
+    let mut pieces: Vec<PartWithNormals> = vec![skin(&made.head_parts[0], &beard, middle).into()];
     pieces.extend(hair);
     let mut figure = assemble(&Blueprint {
         name: params.name.clone(),
         positions_in_world: made.joints.positions,
         bind_rotations: made.joints.rotations,
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: made.head.eye_centres.map(|p| place.transform_point3(p)),
         },
         stature_m: params.person.stature_m,
@@ -92,7 +96,7 @@ fn keep_heaviest(binding: &mut Binding) {
 }
 
 /// Hair in the world; what grows on the scalp goes with the skull.
-fn placed(mut piece: Piece, place: DAffine3) -> Piece {
+fn placed(mut piece: PartWithNormals, place: DAffine3) -> PartWithNormals {
     let is_beard = piece.part.name == BEARD;
     for v in &mut piece.part.vertices {
         v.position = place.transform_point3(v.position);
@@ -112,7 +116,7 @@ fn on_skull() -> Vec<(JointRef, f64)> {
 fn skin(head: &MeshPart, beard: &[DVec3], middle: DVec3) -> MeshPart {
     let cells = Cells::new(beard, ABOUT_BEARD_M);
     let is_near = |p: DVec3| {
-        let mut about = cells.near(p).map(|i| beard[i as usize]);
+        let mut about = cells.neighbours(p).map(|i| beard[i as usize]);
         about.any(|b| b.distance_squared(p) < ABOUT_BEARD_M * ABOUT_BEARD_M)
     };
     let every = if beard.is_empty() { EVERY } else { 1 };
@@ -138,7 +142,7 @@ fn skin(head: &MeshPart, beard: &[DVec3], middle: DVec3) -> MeshPart {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices,
         faces: vec![triangle.to_vec()],
@@ -157,7 +161,7 @@ mod tests {
         let params = lenders::params("moustache").expect("a moustache");
         let lent = lender(&params);
         let mesh = |name: &str| lent.meshes.iter().find(|m| m.name == name);
-        let vertices = Mannequin::of(&params).head_parts[0].vertices.len();
+        let vertices = Mannequin::from_params(&params).head_parts[0].vertices.len();
         let head = mesh("head").expect("a head");
         assert_eq!(head.positions.len(), vertices);
         let beard = mesh("beard").expect("a beard");

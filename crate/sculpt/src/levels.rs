@@ -42,7 +42,7 @@ const WORTH_TRIANGLES: usize = 400;
 const FOCUS: f64 = 5.0;
 
 /// Error beyond which no triangle is taken away, metres.
-const MOST_ERROR_M: f32 = 0.02;
+const MAX_ERROR_M: f32 = 0.02;
 
 /// Numbers of a vertex that the simplifier weighs beside its position.
 const ATTRIBUTES: usize = 13;
@@ -91,7 +91,7 @@ impl Focus {
     }
 
     /// How much an error counts at a place, 0 outside.
-    fn at(&self, p: DVec3) -> f64 {
+    fn weight(&self, p: DVec3) -> f64 {
         FOCUS * smooth(2.0 * (1.0 - p.distance(self.centre) / self.radius_m))
     }
 }
@@ -100,7 +100,7 @@ impl Focus {
 struct Lids(Vec<u16>);
 
 impl Lids {
-    fn of(figure: &Figure) -> Self {
+    fn from_figure(figure: &Figure) -> Self {
         let joints = (0u16..).zip(figure.skeleton.joints());
         let lids = joints.filter(|(_, j)| matches!(j.drive, Drive::UpperLid(_)));
         Self(lids.map(|(i, _)| i).collect())
@@ -120,7 +120,7 @@ impl Lids {
 pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
     let focus = Focus::of_face(figure, annotations);
     let layers = Layers::new(figure);
-    let lids = Lids::of(figure);
+    let lids = Lids::from_figure(figure);
     for (number, mesh) in figure.meshes.iter_mut().enumerate() {
         if mesh.material.kind == MaterialKind::Hair {
             mesh.coarser = cards::coarser(mesh);
@@ -202,7 +202,7 @@ fn coarser(mesh: &Mesh, focus: &[Focus], locked: &[bool]) -> Vec<Vec<u32>> {
             ATTRIBUTES * size_of::<f32>(),
             locked,
             target,
-            MOST_ERROR_M,
+            MAX_ERROR_M,
             options,
             None,
         );
@@ -221,7 +221,7 @@ fn attributes(mesh: &Mesh, focus: &[Focus]) -> Vec<f32> {
     (0..mesh.positions.len())
         .flat_map(|i| {
             let p = DVec3::from_array(mesh.positions[i].map(f64::from));
-            let counts = focus.iter().map(|f| f.at(p)).fold(0.0, f64::max);
+            let counts = focus.iter().map(|f| f.weight(p)).fold(0.0, f64::max);
             let [x, y, z] = (p * counts).to_array().map(|x| x as f32);
             let [nx, ny, nz] = mesh.normals[i];
             let [r, g, _, occlusion] = mesh.colors[i].map(|c| f32::from(c) / 255.0);
@@ -276,7 +276,11 @@ impl Layers {
                 && self.at[i].distance(self.at[j]) < TOUCHING_M
         };
         (self.first[mesh]..self.first[mesh + 1])
-            .map(|i| self.cells.near(self.at[i]).any(|j| layered(i, j as usize)))
+            .map(|i| {
+                self.cells
+                    .neighbours(self.at[i])
+                    .any(|j| layered(i, j as usize))
+            })
             .collect()
     }
 }

@@ -66,7 +66,7 @@ const BROW_HEIGHT: usize = 16;
 /// Unit of [`AGE`], years: all numbers vary by about as much.
 const AGE_UNIT_YEARS: f64 = 128.0;
 /// Unit of [`MOLES`].
-const MOST_MOLES: f64 = 24.0;
+const MAX_MOLES: f64 = 24.0;
 
 /// Darkest and lightest melanin of mostly European, Asian and African skin: mean and deviation.
 /// Designed after the spread of the individual typology angle (Chardon et al. 1991,
@@ -174,7 +174,7 @@ pub fn skin(look: &Look, like: &SkinParams) -> SkinParams {
         contrast: between(look[CONTRAST], 0.2, 2.0),
         age_years: between(AGE_UNIT_YEARS * look[AGE], 1.0, 95.0),
         freckles: between(look[FRECKLES], 0.0, 1.6),
-        moles: (MOST_MOLES * share(MOLES)).round() as u32,
+        moles: (MAX_MOLES * share(MOLES)).round() as u32,
         sun: share(SUN),
         vessels: share(VESSELS),
         beard: share(BEARD),
@@ -186,7 +186,7 @@ pub fn skin(look: &Look, like: &SkinParams) -> SkinParams {
 
 /// The look of a figure: the inverse of [`dress`] as far as its colours are those of looks.
 #[must_use]
-pub fn of(figure: &FigureParams) -> Look {
+pub fn look_of(figure: &FigureParams) -> Look {
     let skin = &figure.skin;
     let luma = |c: [f64; 3]| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     let share = |x: f64, dark: f64, bright: f64| between((x - dark) / (bright - dark), 0.0, 1.0);
@@ -197,7 +197,7 @@ pub fn of(figure: &FigureParams) -> Look {
     look[CONTRAST] = skin.contrast;
     look[AGE] = skin.age_years / AGE_UNIT_YEARS;
     look[FRECKLES] = skin.freckles;
-    look[MOLES] = f64::from(skin.moles) / MOST_MOLES;
+    look[MOLES] = f64::from(skin.moles) / MAX_MOLES;
     look[SUN] = skin.sun;
     look[VESSELS] = skin.vessels;
     look[BEARD] = skin.beard;
@@ -234,7 +234,7 @@ mod tests {
     fn a_figure_dressed_in_its_own_look_keeps_its_skin() {
         for name in ["sofia", "kenji", "amara", "papous"] {
             let own = preset(name).expect("a figure");
-            let again = dress(own.clone(), &of(&own));
+            let again = dress(own.clone(), &look_of(&own));
             assert_eq!(again.skin, own.skin, "{name}");
             let off =
                 |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);

@@ -29,7 +29,7 @@ pub(super) struct Mannequin {
 
 impl Mannequin {
     /// That of a person.
-    pub(super) fn of(params: &FigureParams) -> Self {
+    pub(super) fn from_params(params: &FigureParams) -> Self {
         let body = params.body();
         let mut joints = Joints::place(&body);
         let head = head::build(&params.person, &params.head);
@@ -38,7 +38,7 @@ impl Mannequin {
         let cage = Cage::new(&field, &joints);
         let head_parts = head_parts(&head, &params.hair, world_from_head, &field, &cage);
         let skin = head_parts[0].triangles_about_middles(|_| true);
-        let neck = Neck::new(&skin, &field, joints.at(Bone::Skull).y);
+        let neck = Neck::new(&skin, &field, joints.position_of(Bone::Skull).y);
         Self {
             head,
             world_from_head,
@@ -53,7 +53,7 @@ impl Mannequin {
 
 /// Puts the head's vertex at the stature and its joints on the skeleton.
 fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
-    let forward = joints.at(Bone::Skull).z + 2.2 * CM;
+    let forward = joints.position_of(Bone::Skull).z + 2.2 * CM;
     let origin = DVec3::new(0.0, stature_m - head.extent[1], forward);
     let place = DAffine3::from_translation(origin);
     joints.positions[Bone::Skull.index()] = place.transform_point3(head.skull_origin);
@@ -73,7 +73,7 @@ fn head_parts(
     field: &Field,
     cage: &Cage,
 ) -> Vec<MeshPart> {
-    let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
+    let (throat, _) = cage.extract(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
     hair::shade_skin(&mut parts[0], head, hair);
     // A long face keeps its chin.

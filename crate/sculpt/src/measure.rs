@@ -177,7 +177,7 @@ pub fn readings(
         name,
         landmarks,
         mm,
-        norm: row.at(person.sex, person.age_years),
+        norm: row.norm_at(person.sex, person.age_years),
         source: row.source.citation(),
     };
     let mut all: Vec<Reading> = known_measures()
@@ -226,12 +226,12 @@ mod tests {
     use std::path::PathBuf;
 
     use super::*;
+    use crate::reference_face::{ReferenceFace, deviation};
     use crate::tests::soundness::{people_built, shipped};
-    use crate::yardstick::{Yardstick, deviation};
     use raconteur_body::annotation::annotations;
     use raconteur_body::write::to_packed_glb;
 
-    fn yardstick() -> Option<Yardstick> {
+    fn yardstick() -> Option<ReferenceFace> {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models/ict");
         let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
         let files = read("generic_neutral_mesh.obj").zip(read("vertex_indices.json"));
@@ -239,7 +239,7 @@ mod tests {
             println!("no yardstick in {}: nothing compared", folder.display());
             return None;
         };
-        Some(Yardstick::read(&mesh, &landmarks).unwrap_or_else(|e| panic!("{e}")))
+        Some(ReferenceFace::read(&mesh, &landmarks).unwrap_or_else(|e| panic!("{e}")))
     }
 
     #[test]

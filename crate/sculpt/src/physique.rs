@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 use raconteur_base::{DVec2, DVec3, ops};
 
 use super::bones;
-use super::built::Built;
+use super::built::AnnotatedFigure;
 use super::measure::{Reading, landmark_mm};
 use super::people::FigureParams;
 use super::person::Person;
@@ -32,7 +32,7 @@ use raconteur_body::skeleton::Bone;
 /// A body that can be measured, bind pose, metres.
 struct Physique<'a> {
     params: &'a FigureParams,
-    built: &'a Built,
+    built: &'a AnnotatedFigure,
     /// Points of the left half's and the middle's bones by name.
     bones: BTreeMap<String, Vec<DVec3>>,
     field: Field,
@@ -352,7 +352,11 @@ fn hull_length(points: &[DVec2]) -> f64 {
 /// Every measure of the body that can be taken on a figure made from parameters, with the
 /// norms of a person's sex and age.
 #[must_use]
-pub fn body_readings(params: &FigureParams, person: Person, built: &Built) -> Vec<Reading> {
+pub fn body_readings(
+    params: &FigureParams,
+    person: Person,
+    built: &AnnotatedFigure,
+) -> Vec<Reading> {
     let body = Physique {
         params,
         built,
@@ -369,7 +373,7 @@ pub fn body_readings(params: &FigureParams, person: Person, built: &Built) -> Ve
                 name: d.name,
                 landmarks: d.landmarks,
                 mm: (d.take)(&body)? * 1e3,
-                norm: d.row.at(person.sex, person.age_years),
+                norm: d.row.norm_at(person.sex, person.age_years),
                 source: d.row.source.citation(),
             })
         })

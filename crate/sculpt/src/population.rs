@@ -4,7 +4,7 @@
 use faer::linalg::solvers::Solve as _;
 use faer::{Mat, Side as Half};
 
-use crate::head::{Bound, CENTRED, Measure, eye_mm, known_measures, measures};
+use crate::head::{CENTRED, Measure, ModelHeadShape, eye_mm, known_measures, measures};
 use crate::model::Traits;
 
 /// Correlations between measures of adults of one sex: means of those of 4,082 men and 1,986 women
@@ -34,9 +34,9 @@ const CORRELATIONS: [[f64; 8]; 8] = [
 
 const COUNT: usize = Measure::COUNT;
 /// People are not farther from the mean of their sex and age, standard deviations.
-const MOST_DEVIATIONS: f64 = 2.8;
+const MAX_DEVIATIONS: f64 = 2.8;
 /// Least eigenvalue of a matrix of correlations: below, measures would be functions of each other.
-const LEAST: f64 = 0.02;
+const MIN_EIGENVALUE: f64 = 0.02;
 /// Rounds: measures are not quite linear in a head's places.
 const ROUNDS: usize = 3;
 
@@ -50,10 +50,10 @@ pub fn known_correlation(a: Measure, b: Measure) -> Option<f64> {
 /// Brings the heads of people to the population's measures, each as near to its own as the
 /// statistics let it. There must be many more people than measures. `drawn` takes the measures of a person's
 /// drawn skin, which closes the lips and rounds off what the places of the head tell.
-pub fn bring(
+pub fn fit_population(
     people: &[Traits],
-    heads: &mut [Bound],
-    drawn: &dyn Fn(&Traits, &Bound) -> [f64; COUNT],
+    heads: &mut [ModelHeadShape],
+    drawn: &dyn Fn(&Traits, &ModelHeadShape) -> [f64; COUNT],
 ) {
     let wanted = targets(people, heads);
     approach(heads, &wanted);
@@ -73,14 +73,14 @@ pub fn bring(
 }
 
 /// An eyeball does not lie farther from where the lids of its head put it than all do, mm.
-const MOST_OWN_MM: f64 = 1.2;
+const MAX_DEVIATION_MM: f64 = 1.2;
 
 /// As much of a way of an eyeball is left when it is laid into its lids.
 const EYES_GO: f64 = 1.0 - CENTRED;
 
 /// Puts the pupils as far apart as surveys have them: farther out in their lids than the middles of these, which
 /// corners of the eyes tell. So the eyeballs move, and nothing else.
-fn set_eyes(heads: &mut [Bound], wanted: &Mat<f64>) {
+fn set_eyes(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
     let Some(measure) = Measure::all().position(|m| m == Measure::PupilDistance) else {
         return;
     };
@@ -89,7 +89,7 @@ fn set_eyes(heads: &mut [Bound], wanted: &Mat<f64>) {
         .collect();
     let mean = missing.iter().sum::<f64>() / missing.len().max(1) as f64;
     for (head, own) in heads.iter_mut().zip(missing) {
-        let by = mean + (own - mean).clamp(-MOST_OWN_MM, MOST_OWN_MM);
+        let by = mean + (own - mean).clamp(-MAX_DEVIATION_MM, MAX_DEVIATION_MM);
         *head = head.clone().with_eyes_apart(by / EYES_GO);
     }
 }
@@ -97,7 +97,7 @@ fn set_eyes(heads: &mut [Bound], wanted: &Mat<f64>) {
 /// One head of so many is looked at as it is drawn.
 const SAMPLED: usize = 8;
 /// What is drawn follows the places of a head by as much at least.
-const LEAST_SLOPE: f64 = 0.7;
+const MIN_SLOPE: f64 = 0.7;
 
 /// How a measure of the skin goes with that of the places: where it begins, and its deviation for one of theirs.
 fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2] {
@@ -109,7 +109,7 @@ fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2]
     };
     let ((from, off), (to, drawn)) = (spread(own), spread(skin));
     let slope = if off > 0.0 {
-        (drawn / off).clamp(LEAST_SLOPE, 1.0 / LEAST_SLOPE)
+        (drawn / off).clamp(MIN_SLOPE, 1.0 / MIN_SLOPE)
     } else {
         1.0
     };
@@ -117,7 +117,7 @@ fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2]
 }
 
 /// Brings heads to measures, one row for each.
-fn approach(heads: &mut [Bound], wanted: &Mat<f64>) {
+fn approach(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
     for _ in 0..ROUNDS {
         let (numbers, own) = table(heads);
         let follows = regression(&numbers, &own);
@@ -127,7 +127,7 @@ fn approach(heads: &mut [Bound], wanted: &Mat<f64>) {
             let moved: Vec<f64> = (0..numbers.ncols())
                 .map(|k| numbers[(i, k)] + step[(k, 0)])
                 .collect();
-            if let Some(moved) = Bound::from_numbers(&moved) {
+            if let Some(moved) = ModelHeadShape::from_numbers(&moved) {
                 *head = moved;
             }
         }
@@ -135,8 +135,8 @@ fn approach(heads: &mut [Bound], wanted: &Mat<f64>) {
 }
 
 /// Numbers and measures of heads, one row for each.
-fn table(heads: &[Bound]) -> (Mat<f64>, Mat<f64>) {
-    let numbers: Vec<Vec<f64>> = heads.iter().map(Bound::numbers).collect();
+fn table(heads: &[ModelHeadShape]) -> (Mat<f64>, Mat<f64>) {
+    let numbers: Vec<Vec<f64>> = heads.iter().map(ModelHeadShape::numbers).collect();
     let own: Vec<[f64; COUNT]> = heads.iter().map(measures).collect();
     let width = numbers.first().map_or(0, Vec::len);
     (
@@ -163,12 +163,12 @@ fn centred(table: &Mat<f64>) -> Mat<f64> {
 }
 
 /// The measures that each head shall have, one row for each.
-fn targets(people: &[Traits], heads: &[Bound]) -> Mat<f64> {
+fn targets(people: &[Traits], heads: &[ModelHeadShape]) -> Mat<f64> {
     let (_, own) = table(heads);
     let left = residuals(people, &own);
     let given = correlations(&left);
     let wanted = valid(&Mat::from_fn(COUNT, COUNT, |i, j| {
-        let known = || known_correlation(of(i)?, of(j)?);
+        let known = || known_correlation(measure_at(i)?, measure_at(j)?);
         known().unwrap_or(given[(i, j)])
     }));
     // The least change that gives these correlations.
@@ -176,12 +176,12 @@ fn targets(people: &[Traits], heads: &[Bound]) -> Mat<f64> {
     let mixed = left * turn;
     let rows: Vec<_> = known_measures().map(|m| m.row).collect();
     Mat::from_fn(people.len(), COUNT, |i, m| {
-        let norm = rows[m].at(people[i].sex, people[i].age_years);
-        norm.mean + norm.sd * mixed[(i, m)].clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+        let norm = rows[m].norm_at(people[i].sex, people[i].age_years);
+        norm.mean + norm.sd * mixed[(i, m)].clamp(-MAX_DEVIATIONS, MAX_DEVIATIONS)
     })
 }
 
-fn of(index: usize) -> Option<Measure> {
+fn measure_at(index: usize) -> Option<Measure> {
     Measure::all().nth(index)
 }
 
@@ -211,9 +211,9 @@ fn correlations(table: &Mat<f64>) -> Mat<f64> {
     })
 }
 
-/// The nearest matrix of correlations whose eigenvalues are not below [`LEAST`].
+/// The nearest matrix of correlations whose eigenvalues are not below [`MIN_EIGENVALUE`].
 fn valid(correlations: &Mat<f64>) -> Mat<f64> {
-    let all = with_eigenvalues(correlations, |x| x.max(LEAST));
+    let all = with_eigenvalues(correlations, |x| x.max(MIN_EIGENVALUE));
     Mat::from_fn(COUNT, COUNT, |i, j| {
         all[(i, j)] / (all[(i, i)] * all[(j, j)]).sqrt()
     })
@@ -223,7 +223,7 @@ fn valid(correlations: &Mat<f64>) -> Mat<f64> {
 fn power(correlations: &Mat<f64>, exponent: f64) -> Mat<f64> {
     with_eigenvalues(correlations, |x| {
         if exponent < 0.0 {
-            1.0 / x.max(LEAST).sqrt()
+            1.0 / x.max(MIN_EIGENVALUE).sqrt()
         } else {
             x.max(0.0).sqrt()
         }
@@ -252,7 +252,7 @@ mod tests {
     use crate::model::Ancestry;
 
     /// Heads that differ by fields and by size along the axes.
-    fn crowd(count: u64) -> (Vec<Traits>, Vec<Bound>) {
+    fn crowd(count: u64) -> (Vec<Traits>, Vec<ModelHeadShape>) {
         let person = |i: u64| Traits {
             age_years: 18.0 + 60.0 * noise::unit(3, i, 1),
             sex: f64::from(u8::from(i.is_multiple_of(2))),
@@ -274,13 +274,13 @@ mod tests {
             let scale: Vec<f64> = (0..3)
                 .map(|k| 1.0 + 0.03 * noise::signed(6, i, k))
                 .collect();
-            let numbers = Bound::default().with_fields(&amounts).numbers();
+            let numbers = ModelHeadShape::default().with_fields(&amounts).numbers();
             let scaled: Vec<f64> = numbers
                 .iter()
                 .enumerate()
                 .map(|(k, x)| x * scale[k % 3] + 1.2 * noise::signed(7, i, k as i64))
                 .collect();
-            Bound::from_numbers(&scaled).expect("a head")
+            ModelHeadShape::from_numbers(&scaled).expect("a head")
         };
         (
             (0..count).map(person).collect(),
@@ -291,11 +291,11 @@ mod tests {
     #[test]
     fn a_crowd_gets_the_means_deviations_and_correlations_of_surveys() {
         let (people, mut heads) = crowd(400);
-        bring(&people, &mut heads, &|_, head| measures(head));
+        fit_population(&people, &mut heads, &|_, head| measures(head));
         let (_, own) = table(&heads);
         let rows: Vec<_> = known_measures().map(|m| (m.name, m.row)).collect();
         let z = Mat::from_fn(people.len(), COUNT, |i, m| {
-            let norm = rows[m].1.at(people[i].sex, people[i].age_years);
+            let norm = rows[m].1.norm_at(people[i].sex, people[i].age_years);
             (own[(i, m)] - norm.mean) / norm.sd
         });
         for (m, (name, _)) in rows.iter().enumerate() {
@@ -314,7 +314,9 @@ mod tests {
         let found = correlations(&centred(&z));
         for i in 0..COUNT {
             for j in 0..COUNT {
-                let known = of(i).zip(of(j)).and_then(|(a, b)| known_correlation(a, b));
+                let known = measure_at(i)
+                    .zip(measure_at(j))
+                    .and_then(|(a, b)| known_correlation(a, b));
                 if let Some(known) = known {
                     let off = found[(i, j)] - known;
                     assert!(

@@ -3,7 +3,7 @@
 use raconteur_base::DVec3;
 
 /// Largest mesh taken.
-const MOST: usize = 1 << 20;
+const MAX_POINTS: usize = 1 << 20;
 /// Most corners of a face.
 const CORNERS: usize = 64;
 
@@ -35,7 +35,7 @@ impl Scan {
             let bad = BadLine(i + 1);
             let mut words = line.split_ascii_whitespace();
             match words.next() {
-                Some("v") if scan.points.len() < MOST => {
+                Some("v") if scan.points.len() < MAX_POINTS => {
                     let numbers: Vec<f64> = words.map_while(|w| w.parse().ok()).collect();
                     if numbers.len() < 3 || numbers.iter().any(|x: &f64| !x.is_finite()) {
                         return Err(bad);
@@ -46,7 +46,7 @@ impl Scan {
                         scan.colors.push([r, g, b].map(|x| x.clamp(0.0, 1.0)));
                     }
                 }
-                Some("f") if scan.faces.len() < MOST => {
+                Some("f") if scan.faces.len() < MAX_POINTS => {
                     scan.faces.push(face(words).ok_or(bad)?);
                 }
                 Some("v" | "f") => return Err(bad),

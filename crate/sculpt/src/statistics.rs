@@ -89,7 +89,7 @@ impl Row {
     /// The norm for a sex (0 male to 1 female) and an age in years. Between nine and 18 it
     /// grows evenly, as the curves do within their scatter.
     #[must_use]
-    pub fn at(&self, sex: f64, age_years: f64) -> Norm {
+    pub fn norm_at(&self, sex: f64, age_years: f64) -> Norm {
         let one = |i: usize| {
             let grown = ((age_years - 9.0) / 9.0).clamp(-0.12, 1.0);
             let share = self.at_nine[i] + (1.0 - self.at_nine[i]) * grown;

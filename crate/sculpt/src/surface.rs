@@ -49,7 +49,7 @@ impl Surface {
     pub(crate) fn nearest(&self, p: DVec3, keep: impl Fn(&Place) -> bool) -> Option<Place> {
         let mut near: Vec<(f64, u32)> = self
             .cells
-            .near(p)
+            .neighbours(p)
             .map(|v| (self.points[v as usize].distance_squared(p), v))
             .collect();
         near.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -54,7 +54,7 @@ impl Hash {
 }
 
 /// The key of what a clause says.
-pub(super) fn of(spoken: &SpokenClause<'_>) -> u64 {
+pub(super) fn key_of(spoken: &SpokenClause<'_>) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     hash.optional(spoken.voice);
     if let Some(emotion) = spoken.emotion {

@@ -64,7 +64,7 @@ impl SpokenClause<'_> {
     /// the emotion.
     #[must_use]
     pub fn key(&self) -> u64 {
-        key::of(self)
+        key::key_of(self)
     }
 
     /// The emotion that is elicited for it: its word, where the place is that of the word as the

@@ -98,13 +98,13 @@ impl Camera {
     pub fn raised(mut self, elevation_rad: f64) -> Self {
         let arm = self.eye_in_world - self.target_in_world;
         let eye = self.target_in_world + DQuat::from_rotation_x(-elevation_rad) * arm;
-        self.eye_in_world = eye.with_y(eye.y.max(LOWEST_EYE_M));
+        self.eye_in_world = eye.with_y(eye.y.max(MIN_EYE_M));
         self
     }
 }
 
 /// A lens lower than this would look along the floor; metres. Designed.
-const LOWEST_EYE_M: f64 = 0.12;
+const MIN_EYE_M: f64 = 0.12;
 
 /// How much of the speaker is in the picture; film terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,7 +126,7 @@ pub enum Shot {
 /// Room that gestures need in the picture, beyond what the shot holds anyway. Close shots
 /// do not make room for hands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Room {
+pub struct FramingMargin {
     /// Height of the highest fingertip above the floor, metres.
     pub top_m: f64,
     /// Distance of the outermost fingertip from the middle, metres.
@@ -134,7 +134,7 @@ pub struct Room {
     /// What the storyteller's shot shows just now.
     pub span: Span,
     /// Share of the picture's height that captions take at its lower edge: hands and feet stay above
-    /// it. 0 to [`MOST_CAPTIONS`].
+    /// it. 0 to [`MAX_CAPTIONS`].
     pub captions: f64,
     /// How far aside the figure stands in a broad picture of the storyteller's shot, share of half its
     /// height, positive to the right.
@@ -142,7 +142,7 @@ pub struct Room {
 }
 
 /// Captions that take more of a picture may cover something.
-pub const MOST_CAPTIONS: f64 = 0.4;
+pub const MAX_CAPTIONS: f64 = 0.4;
 
 /// How far to a side a figure is expected to go, metres; within it the gestures stay in the
 /// picture. Designed.
@@ -193,7 +193,7 @@ impl Shot {
     /// What the shot shows where an emotion asks for it, while no gesture needs more, in a picture of
     /// `aspect`: of the near ones the face, whole.
     #[must_use]
-    pub fn felt_span(self, stature_m: f64, aspect: f64) -> Span {
+    pub fn emotion_span(self, stature_m: f64, aspect: f64) -> Span {
         match self {
             Self::Medium => BUST.with_head(stature_m, aspect),
             Self::Close => HEAD.with_head(stature_m, aspect),
@@ -208,8 +208,14 @@ impl Shot {
     /// It follows a figure that leaves the origin only as far as it must, so that one sees
     /// it go.
     #[must_use]
-    pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
-        let captions = room.captions.clamp(0.0, MOST_CAPTIONS);
+    pub fn frame(
+        self,
+        feet_in_world: DVec3,
+        stature_m: f64,
+        aspect: f64,
+        room: FramingMargin,
+    ) -> Camera {
+        let captions = room.captions.clamp(0.0, MAX_CAPTIONS);
         if self == Self::Storyteller {
             let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
             let span = room.span.above_captions_in(captions, aspect);
@@ -278,7 +284,7 @@ pub struct View {
 impl View {
     /// The camera that looks this way at what `camera` looks at.
     #[must_use]
-    pub fn of(&self, camera: &Camera) -> Camera {
+    pub fn apply(&self, camera: &Camera) -> Camera {
         let distance = (camera.eye_in_world - camera.target_in_world).magnitude();
         let (sin, cos) = ops::sincos(self.turn_rad);
         let (rise, level) = ops::sincos(self.tilt_rad.clamp(-STEEPEST_RAD, STEEPEST_RAD));
@@ -299,7 +305,7 @@ mod tests {
 
     #[test]
     fn a_view_goes_round_and_nearer_and_keeps_what_it_looks_at() {
-        let shot = Shot::Full.frame(DVec3::ZERO, 1.7, 1.6, Room::default());
+        let shot = Shot::Full.frame(DVec3::ZERO, 1.7, 1.6, FramingMargin::default());
         let distance = (shot.eye_in_world - shot.target_in_world).length();
         let view = View {
             turn_rad: std::f64::consts::FRAC_PI_2,
@@ -308,7 +314,7 @@ mod tests {
             right_m: 0.0,
             up_m: 0.3,
         };
-        let seen = view.of(&shot);
+        let seen = view.apply(&shot);
         let middle = shot.target_in_world + DVec3::Y * 0.3;
         assert!((seen.target_in_world - middle).length() < 1e-12);
         // From the figure's left, at half the distance.
@@ -319,20 +325,20 @@ mod tests {
             right_m: 0.2,
             ..view
         };
-        let moved = aside.of(&shot).target_in_world - middle;
+        let moved = aside.apply(&shot).target_in_world - middle;
         assert!((moved - DVec3::NEG_Z * 0.2).length() < 1e-9);
         let above = View {
             tilt_rad: 9.0,
             ..view
         };
-        let from = above.of(&shot);
+        let from = above.apply(&shot);
         assert!((from.eye_in_world - from.target_in_world).y < 0.5 * distance);
     }
 
     #[test]
     fn a_narrow_picture_stands_further_back() {
-        let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, Room::default());
-        let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0, Room::default());
+        let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, FramingMargin::default());
+        let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0, FramingMargin::default());
         assert!(tall.eye_in_world.z > wide.eye_in_world.z);
         for c in [wide, tall] {
             assert!(c.eye_in_world.z > c.near_m && c.eye_in_world.z < c.far_m);
@@ -341,10 +347,10 @@ mod tests {
 
     #[test]
     fn a_raised_hand_is_in_the_picture() {
-        let room = Room {
+        let room = FramingMargin {
             top_m: 2.05,
             half_width_m: 0.7,
-            ..Room::default()
+            ..FramingMargin::default()
         };
         for aspect in [0.46, 1.0, 1.78] {
             let c = Shot::Medium.frame(DVec3::ZERO, 1.66, aspect, room);
@@ -366,9 +372,9 @@ mod tests {
             for aspect in [0.46, 1.0, 1.78] {
                 for shot in [Shot::Long, Shot::Full] {
                     let of = |captions: f64| {
-                        let room = Room {
+                        let room = FramingMargin {
                             captions,
-                            ..Room::default()
+                            ..FramingMargin::default()
                         };
                         let c = shot.frame(DVec3::ZERO, 1.66, aspect, room);
                         let forward = (c.target_in_world - c.eye_in_world).normalize();
@@ -395,7 +401,7 @@ mod tests {
         for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
             for aspect in [0.46, 1.0, 1.78] {
                 let feet = DVec3::new(STAGE_HALF_WIDTH_M, 0.0, 0.5);
-                let c = shot.frame(feet, 1.66, aspect, Room::default());
+                let c = shot.frame(feet, 1.66, aspect, FramingMargin::default());
                 let crown = feet + DVec3::new(0.09, 1.66, 0.0) - c.eye_in_world;
                 let forward = (c.target_in_world - c.eye_in_world).normalize();
                 let up = (DVec3::Y - forward * forward.y).normalize();
@@ -411,11 +417,11 @@ mod tests {
     #[test]
     fn angles_look_down_and_up_from_above_the_floor() {
         for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
-            let level = shot.frame(DVec3::ZERO, 1.66, 1.78, Room::default());
+            let level = shot.frame(DVec3::ZERO, 1.66, 1.78, FramingMargin::default());
             let (high, low) = (level.raised(0.35), level.raised(-0.25));
             assert!(high.eye_in_world.y > level.eye_in_world.y + 0.1);
             assert!(low.eye_in_world.y < level.eye_in_world.y - 0.1);
-            assert!(low.eye_in_world.y >= LOWEST_EYE_M);
+            assert!(low.eye_in_world.y >= MIN_EYE_M);
         }
     }
 
@@ -423,7 +429,7 @@ mod tests {
     fn the_crown_and_the_gesture_space_are_in_the_picture() {
         for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
             for aspect in [0.46, 1.0, 1.78] {
-                let c = shot.frame(DVec3::ZERO, 1.66, aspect, Room::default());
+                let c = shot.frame(DVec3::ZERO, 1.66, aspect, FramingMargin::default());
                 let forward = (c.target_in_world - c.eye_in_world).normalize();
                 let up = (DVec3::Y - forward * forward.y).normalize();
                 let to_crown = DVec3::new(0.0, 1.66, 0.0) - c.eye_in_world;

@@ -123,7 +123,7 @@ const WHITE: [u8; 3] = [255, 255, 255];
 const BRIGHT_YELLOW: [u8; 3] = [255, 255, 200];
 const YELLOW: [u8; 3] = [255, 255, 0];
 
-const fn of(
+const fn emotion(
     name: &'static str,
     valence: Valence,
     key_color: [u8; 3],
@@ -149,31 +149,31 @@ use Valence::{Negative, Neutral, Positive};
 /// No emotion, and the types. Table 3.2 has colours for twelve of them; the others have that of
 /// their nearest kin. Designed.
 pub static EMOTIONS: [EmotionType; 25] = [
-    of("neutral", Neutral, WHITE, PLAIN),
-    of("joy", Positive, YELLOW, OPEN),
-    of("happy-for", Positive, YELLOW, OPEN),
-    of("gloating", Positive, GREEN_YELLOW, HARD),
-    of("hope", Positive, BRIGHT_YELLOW, OPEN),
-    of("satisfaction", Positive, BRIGHT_YELLOW, OPEN),
-    of("relief", Positive, WHITE, OPEN),
-    of("pride", Positive, YELLOW, PROUD).from(Angle::Low),
-    of("admiration", Positive, BRIGHT_YELLOW, OPEN),
-    of("gratification", Positive, YELLOW, PROUD),
-    of("gratitude", Positive, BRIGHT_YELLOW, OPEN),
-    of("love", Positive, BRIGHT_YELLOW, OPEN),
-    of("liking", Positive, BRIGHT_YELLOW, OPEN),
-    of("distress", Negative, DARK_GREY, HEAVY),
-    of("sorry-for", Negative, DARK_GREY, HEAVY),
-    of("resentment", Negative, RED, HARD),
-    of("fear", Negative, WHITE, UNCANNY).from(Angle::High),
-    of("fears-confirmed", Negative, GREY, UNCANNY),
-    of("disappointment", Negative, GREY, HEAVY),
-    of("shame", Negative, DARK_GREY, HEAVY),
-    of("reproach", Negative, RED, HARD),
-    of("remorse", Negative, DARK_GREY, HEAVY),
-    of("anger", Negative, RED, HARD).from(Angle::Low),
-    of("hate", Negative, RED, HARD),
-    of("disliking", Negative, GREEN_YELLOW, HARD),
+    emotion("neutral", Neutral, WHITE, PLAIN),
+    emotion("joy", Positive, YELLOW, OPEN),
+    emotion("happy-for", Positive, YELLOW, OPEN),
+    emotion("gloating", Positive, GREEN_YELLOW, HARD),
+    emotion("hope", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("satisfaction", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("relief", Positive, WHITE, OPEN),
+    emotion("pride", Positive, YELLOW, PROUD).from(Angle::Low),
+    emotion("admiration", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("gratification", Positive, YELLOW, PROUD),
+    emotion("gratitude", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("love", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("liking", Positive, BRIGHT_YELLOW, OPEN),
+    emotion("distress", Negative, DARK_GREY, HEAVY),
+    emotion("sorry-for", Negative, DARK_GREY, HEAVY),
+    emotion("resentment", Negative, RED, HARD),
+    emotion("fear", Negative, WHITE, UNCANNY).from(Angle::High),
+    emotion("fears-confirmed", Negative, GREY, UNCANNY),
+    emotion("disappointment", Negative, GREY, HEAVY),
+    emotion("shame", Negative, DARK_GREY, HEAVY),
+    emotion("reproach", Negative, RED, HARD),
+    emotion("remorse", Negative, DARK_GREY, HEAVY),
+    emotion("anger", Negative, RED, HARD).from(Angle::Low),
+    emotion("hate", Negative, RED, HARD),
+    emotion("disliking", Negative, GREEN_YELLOW, HARD),
 ];
 
 /// Words that F&H use besides, and the types that the environment takes them for. Designed.

@@ -2,7 +2,7 @@
 
 use raconteur_base::{DAffine3, NodeState};
 
-use crate::{Camera, Lighting, Line, Set, Shown};
+use crate::{Camera, Lighting, Line, Set, Visibility};
 
 /// Manipulators that a figure has: arms, legs and head (GEVH 3.3).
 const MANIPULATORS: usize = 5;
@@ -26,7 +26,7 @@ pub struct Frame {
     /// Floor and backdrop.
     pub set: Set,
     /// What of the figure is drawn.
-    pub shown: Shown,
+    pub shown: Visibility,
     /// World from the place and frame that each manipulator is sent to; drawn when
     /// [`Shown::manipulators`] says so.
     pub handles: Vec<DAffine3>,
@@ -35,7 +35,7 @@ pub struct Frame {
     /// Diameter of the pupils, millimetres.
     pub pupil_mm: f64,
     /// The utterance being spoken, if any.
-    pub speech: Option<SpeechNow>,
+    pub speech: Option<CurrentSpeech>,
 }
 
 impl Frame {
@@ -50,7 +50,7 @@ impl Frame {
             camera: Camera::default(),
             lighting: Lighting::default(),
             set: Set::default(),
-            shown: Shown::default(),
+            shown: Visibility::default(),
             handles: Vec::with_capacity(MANIPULATORS),
             lines: Vec::new(),
             pupil_mm: 4.0,
@@ -61,7 +61,7 @@ impl Frame {
 
 /// Which sound is heard, and how far into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpeechNow {
+pub struct CurrentSpeech {
     /// Index of the utterance in the story's performance.
     pub utterance: usize,
     /// Seconds since its start.

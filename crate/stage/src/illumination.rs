@@ -31,10 +31,10 @@ const MADE_UP: f64 = 0.6;
 /// Intensity at which shadows are as an emotion has them, of 10. Designed.
 const FULL_MANNER: f64 = 5.0;
 /// A key lamp never comes from further below or above, radians.
-const LOWEST_RAD: f64 = -0.35;
-const HIGHEST_RAD: f64 = 1.15;
+const MIN_ELEVATION_RAD: f64 = -0.35;
+const MAX_ELEVATION_RAD: f64 = 1.15;
 /// Nor from further round.
-const FARTHEST_RAD: f64 = 1.25;
+const MAX_AZIMUTH_RAD: f64 = 1.25;
 
 /// Towards a lamp between figure and camera, a little over the lens so that it is not in the picture.
 const FRONTAL: DVec3 = DVec3::new(0.0, 0.242_535_625, 0.970_142_5);
@@ -80,7 +80,7 @@ impl Illumination {
     /// How an emotion lights the stage at an intensity, 0 to 10: a share of the colour of table 3.2,
     /// brightness by equations 3.1 and 3.2 within bounds, and shadows.
     #[must_use]
-    pub fn of(emotion: &EmotionType, intensity: f64) -> Self {
+    pub fn from_emotion(emotion: &EmotionType, intensity: f64) -> Self {
         let share = (intensity / FULL_MANNER).clamp(0.0, 1.0);
         let tinge = ops::pow(share, TINGE);
         let lamp = emotion.lamp;
@@ -206,10 +206,10 @@ impl Illumination {
         let lift = ops::atan2(towards_light.y, level) + self.lift_rad;
         // A lamp that hangs high or low by itself stays there.
         let own = ops::atan2(towards_light.y, level);
-        let lift = lift.clamp(LOWEST_RAD.min(own), HIGHEST_RAD.max(own));
+        let lift = lift.clamp(MIN_ELEVATION_RAD.min(own), MAX_ELEVATION_RAD.max(own));
         let round = ops::atan2(towards_light.x, towards_light.z);
         let side = if towards_light.x < 0.0 { -1.0 } else { 1.0 };
-        let most = FARTHEST_RAD.max(round.abs());
+        let most = MAX_AZIMUTH_RAD.max(round.abs());
         let turn = (round + side * self.turn_rad).clamp(-most, most);
         let ((rise, out), (aside, front)) = (ops::sincos(lift), ops::sincos(turn));
         DVec3::new(out * aside, rise, out * front)
@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn a_strong_emotion_has_the_lamp_of_the_table() {
         for emotion in &EMOTIONS {
-            let strong = Illumination::of(emotion, 10.0);
+            let strong = Illumination::from_emotion(emotion, 10.0);
             let lamp = emotion.lamp;
             assert_eq!(strong.turn_rad, lamp.turn_rad, "{}", emotion.name);
             assert_eq!(strong.lift_rad, lamp.lift_rad, "{}", emotion.name);
@@ -320,7 +320,7 @@ mod tests {
     fn lamps_stay_lamps_in_every_emotion() {
         for (name, light) in Lighting::PRESETS {
             for emotion in &EMOTIONS {
-                let lit = Illumination::of(emotion, 8.0).lamps(&light());
+                let lit = Illumination::from_emotion(emotion, 8.0).lamps(&light());
                 let key = lit.key.towards_light_in_world;
                 assert!((key.length() - 1.0).abs() < 1e-9, "{name}");
                 assert!(key.z > 0.0, "{name} {}: never from behind", emotion.name);
@@ -379,7 +379,7 @@ mod tests {
             for tenths in [5, 20, 50, 80, 100] {
                 let intensity = 0.1 * f64::from(tenths);
                 let own = Lighting::default();
-                let light = Illumination::of(emotion, intensity);
+                let light = Illumination::from_emotion(emotion, intensity);
                 let lit = light.lamps(&own);
                 let key: [f32; 3] =
                     std::array::from_fn(|c| lit.key.irradiance[c] / own.key.irradiance[c]);

@@ -14,14 +14,14 @@ const MOODY: f64 = 1.0;
 /// Moods whose activity is beyond this, of 10, are aroused. Designed.
 const AROUSED: f64 = 0.6;
 /// Emotions that are looked at for one moment; more are left out. It bounds the work.
-const MOST: usize = 64;
+const MAX_EMOTIONS: usize = 64;
 /// Another emotion takes over from the strongest one while that is in force only if it is as much
 /// stronger: two of about one strength do not alternate. Designed.
 const HYSTERESIS: f64 = 0.25;
 
 /// An emotion over time. Its intensity rises straight to the apex, stays, and falls straight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Felt {
+pub struct EmotionEnvelope {
     /// Its type.
     pub kind: &'static EmotionType,
     /// How strong the events are that elicit it, 0 to 10.
@@ -40,7 +40,7 @@ pub struct Felt {
     pub end_secs: f64,
 }
 
-impl Felt {
+impl EmotionEnvelope {
     /// Its intensity at a time, 0 to 10.
     #[must_use]
     pub fn intensity_at(&self, time_secs: f64) -> f64 {
@@ -110,17 +110,17 @@ impl Mood {
 
 /// All that is felt in a performance, by start.
 #[derive(Clone, Debug, Default)]
-pub struct Feelings {
-    felt: Vec<Felt>,
+pub struct EmotionTimeline {
+    felt: Vec<EmotionEnvelope>,
     /// The longest of them, seconds.
     longest_secs: f64,
 }
 
-impl Feelings {
+impl EmotionTimeline {
     /// From emotions in any order; those with times that are no numbers are left out.
     #[must_use]
-    pub fn new(felt: impl IntoIterator<Item = Felt>) -> Self {
-        let mut felt: Vec<Felt> = felt.into_iter().filter_map(ordered).collect();
+    pub fn new(felt: impl IntoIterator<Item = EmotionEnvelope>) -> Self {
+        let mut felt: Vec<EmotionEnvelope> = felt.into_iter().filter_map(ordered).collect();
         felt.sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
         let lengths = felt.iter().map(|f| f.end_secs - f.start_secs);
         Self {
@@ -131,23 +131,27 @@ impl Feelings {
 
     /// All of them, by start.
     #[must_use]
-    pub fn all(&self) -> &[Felt] {
+    pub fn all(&self) -> &[EmotionEnvelope] {
         &self.felt
     }
 
     /// Those that began before a time and did not end longer ago than `past_secs`; the latest of them
     /// where they are many.
-    fn about(&self, time_secs: f64, past_secs: f64) -> &[Felt] {
+    fn about(&self, time_secs: f64, past_secs: f64) -> &[EmotionEnvelope] {
         let begun = self.felt.partition_point(|f| f.start_secs <= time_secs);
         let oldest_secs = time_secs - past_secs - self.longest_secs;
         let first = self.felt.partition_point(|f| f.start_secs < oldest_secs);
-        &self.felt[first.max(begun.saturating_sub(MOST))..begun]
+        &self.felt[first.max(begun.saturating_sub(MAX_EMOTIONS))..begun]
     }
 
     /// The strongest emotion in force at a time; `before` keeps its place until another one is
     /// clearly stronger. Of two equals, the later one.
     #[must_use]
-    pub fn strongest(&self, time_secs: f64, before: Option<&Felt>) -> Option<Felt> {
+    pub fn strongest(
+        &self,
+        time_secs: f64,
+        before: Option<&EmotionEnvelope>,
+    ) -> Option<EmotionEnvelope> {
         let in_force = self.about(time_secs, 0.0).iter();
         let in_force = in_force.filter(|f| f.is_in_force(time_secs));
         let strongest = in_force.max_by(|a, b| a.potential.total_cmp(&b.potential))?;
@@ -175,7 +179,7 @@ impl Feelings {
 }
 
 /// The same with times in their order and amounts on their scales.
-fn ordered(felt: Felt) -> Option<Felt> {
+fn ordered(felt: EmotionEnvelope) -> Option<EmotionEnvelope> {
     let all = [
         felt.start_secs,
         felt.apex_secs,
@@ -190,7 +194,7 @@ fn ordered(felt: Felt) -> Option<Felt> {
     }
     let apex_secs = felt.apex_secs.max(felt.start_secs);
     let until_secs = felt.until_secs.max(apex_secs);
-    Some(Felt {
+    Some(EmotionEnvelope {
         potential: felt.potential.clamp(0.0, STRONGEST),
         intensity: felt.intensity.clamp(0.0, STRONGEST),
         activation: felt.activation.clamp(-1.0, 1.0),
@@ -205,8 +209,8 @@ fn ordered(felt: Felt) -> Option<Felt> {
 mod tests {
     use super::*;
 
-    fn felt(kind: &str, start: f64, potential: f64) -> Felt {
-        Felt {
+    fn felt(kind: &str, start: f64, potential: f64) -> EmotionEnvelope {
+        EmotionEnvelope {
             kind: EmotionType::named(kind).expect(kind),
             potential,
             intensity: potential,
@@ -220,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_mood_is_the_low_pass_of_what_is_felt() {
-        let feelings = Feelings::new([felt("joy", 1.0, 5.0), felt("anger", 6.0, 3.0)]);
+        let feelings = EmotionTimeline::new([felt("joy", 1.0, 5.0), felt("anger", 6.0, 3.0)]);
         // The same by small steps.
         let (mut valence, step) = (0.0, 0.001);
         for i in 0..40_000 {
@@ -240,13 +244,13 @@ mod tests {
 
     #[test]
     fn the_strongest_emotion_is_not_disturbed_by_one_like_it() {
-        let feelings = Feelings::new([felt("joy", 0.0, 5.0), felt("hope", 0.0, 5.1)]);
+        let feelings = EmotionTimeline::new([felt("joy", 0.0, 5.0), felt("hope", 0.0, 5.1)]);
         let joy = feelings.all()[0];
         let first = feelings.strongest(1.0, None).expect("one");
         assert_eq!(first.kind.name, "hope");
         let kept = feelings.strongest(1.0, Some(&joy)).expect("one");
         assert_eq!(kept.kind.name, "joy");
-        let later = Feelings::new([joy, felt("anger", 2.0, 4.9)]);
+        let later = EmotionTimeline::new([joy, felt("anger", 2.0, 4.9)]);
         assert_eq!(
             later.strongest(2.5, Some(&joy)).map(|f| f.kind.name),
             Some("joy")

@@ -62,12 +62,12 @@ impl Set {
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::NAMES.iter().find(|(n, _)| *n == name);
-        found.map(|(_, kind)| Self::of(*kind))
+        found.map(|(_, kind)| Self::from_kind(*kind))
     }
 
     /// A place in its usual colours, in clear air. All chosen by eye.
     #[must_use]
-    pub fn of(kind: SetKind) -> Self {
+    pub fn from_kind(kind: SetKind) -> Self {
         let [floor, backdrop_low, backdrop_high, glow] = match kind {
             // An evening stage: velvet of a dark red, a low pool of warm light behind the speaker.
             SetKind::Curtain => [
@@ -212,7 +212,7 @@ impl Set {
 
 impl Default for Set {
     fn default() -> Self {
-        Self::of(SetKind::Curtain)
+        Self::from_kind(SetKind::Curtain)
     }
 }
 
@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn every_named_place_is_there_and_its_lamps_are_lamps() {
         for (name, kind) in Set::NAMES {
-            let set = Set::of(kind);
+            let set = Set::from_kind(kind);
             assert_eq!(Set::named(name), Some(set));
             let light = set.lighting();
             for lamp in [light.key, light.fill, light.rim] {
@@ -243,7 +243,7 @@ mod tests {
     #[test]
     fn white_light_in_clear_air_changes_no_colour() {
         for (name, kind) in Set::NAMES {
-            let set = Set::of(kind);
+            let set = Set::from_kind(kind);
             let lit = set.lit([1.0; 3], 1.0, 0.0);
             let fog = lit.fog;
             assert_eq!(lit, Set { fog, ..set }, "{name}");

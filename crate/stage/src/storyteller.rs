@@ -24,17 +24,17 @@ const NEAR_EDGE: f64 = 0.10;
 const ABOVE: f64 = 1.0 / 3.0;
 /// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
 /// straight up, and arms spread with bent elbows.
-const LOWEST: f64 = 0.36;
-const HIGHEST: f64 = 1.35;
-const WIDEST: f64 = 0.55;
-/// A picture (width over height) this narrow shows hands only as far as [`NARROW_MOST`] goes: on a
+const MIN_HEIGHT: f64 = 0.36;
+const MAX_HEIGHT: f64 = 1.35;
+const MAX_HALF_WIDTH: f64 = 0.55;
+/// A picture (width over height) this narrow shows hands only as far as [`NARROW_MAX`] goes: on a
 /// phone held upright a face matters more. Designed.
 const NARROW: f64 = 0.85;
 /// One this broad shows all that hands do, width over height. Designed.
 pub const BROAD: f64 = 1.0;
 /// What a narrow picture shows for hands at most, share of stature: from below the waist up. Hands
 /// that go further leave it for a moment. Designed.
-const NARROW_MOST: f64 = 0.64;
+const NARROW_MAX: f64 = 0.64;
 /// How much of the room for captions a narrow picture makes: hands may rest behind them. Designed.
 const NARROW_CAPTIONS: f64 = 0.4;
 /// What pictures that emotions ask for show, shares of stature: from the chest up, head and shoulders, and
@@ -108,7 +108,7 @@ impl TakenSpace {
 
     /// A little more than hands take: what is shown whole in a narrow picture too.
     #[must_use]
-    pub fn held(self) -> Self {
+    pub fn with_margin(self) -> Self {
         Self {
             bottom_m: self.bottom_m - HELD_M,
             ..self
@@ -119,9 +119,9 @@ impl TakenSpace {
     #[must_use]
     pub fn within_reach(self, stature_m: f64) -> Self {
         Self {
-            top_m: self.top_m.min(HIGHEST * stature_m),
-            bottom_m: self.bottom_m.max(LOWEST * stature_m),
-            half_width_m: self.half_width_m.min(WIDEST * stature_m),
+            top_m: self.top_m.min(MAX_HEIGHT * stature_m),
+            bottom_m: self.bottom_m.max(MIN_HEIGHT * stature_m),
+            half_width_m: self.half_width_m.min(MAX_HALF_WIDTH * stature_m),
         }
     }
 }
@@ -259,12 +259,12 @@ impl Span {
             needed.bottom = needed.bottom.min(self.bottom - PULLED);
         }
         // What reaches lower than hands are followed is a body, or is held.
-        let is_body = space.bottom_m < LOWEST * stature_m - 0.5 * HELD_M;
+        let is_body = space.bottom_m < MIN_HEIGHT * stature_m - 0.5 * HELD_M;
         let more = needed.height() - self.height();
         if is_body || more <= 0.0 {
             return needed;
         }
-        let allowed = (NARROW_MOST.max(self.height()) - self.height()).min(more);
+        let allowed = (NARROW_MAX.max(self.height()) - self.height()).min(more);
         self.towards(needed, lerp(1.0, allowed / more, narrow(aspect)))
     }
 
@@ -272,7 +272,7 @@ impl Span {
     /// as much as lets no zoom be faster than `zoom`, share of the picture's height a second for each
     /// gesture: [`SLOW_ZOOM`] or [`QUICK_ZOOM`].
     #[must_use]
-    pub fn at(
+    pub fn visible_span(
         self,
         gestures: &[Gesture],
         zoom: f64,
@@ -301,14 +301,14 @@ mod tests {
 
     use super::*;
     use crate::camera::STAGE_HALF_WIDTH_M;
-    use crate::{Room, Shot};
+    use crate::{FramingMargin, Shot};
 
     const STATURE_M: f64 = 1.66;
 
     fn seen(span: Span, aspect: f64) -> impl Fn(DVec3) -> [f64; 2] {
-        let room = Room {
+        let room = FramingMargin {
             span,
-            ..Room::default()
+            ..FramingMargin::default()
         };
         let c = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, room);
         let forward = (c.target_in_world - c.eye_in_world).normalize();
@@ -337,9 +337,9 @@ mod tests {
 
     #[test]
     fn a_figure_aside_stays_so_and_its_hands_are_seen() {
-        let room = Room {
+        let room = FramingMargin {
             aside: 0.36,
-            ..Room::default()
+            ..FramingMargin::default()
         };
         for (aspect, expected) in [
             (0.46, 0.0),
@@ -349,7 +349,8 @@ mod tests {
             (2.4, 0.36),
         ] {
             let c = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, room);
-            let middle = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, Room::default());
+            let middle =
+                Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, FramingMargin::default());
             assert_eq!(
                 c.eye_in_world, middle.eye_in_world,
                 "it is looked at the same"
@@ -398,7 +399,8 @@ mod tests {
                 space,
             });
         for aspect in [1.0, 1.33, 1.78] {
-            let at = |t: f64| Span::default().at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
+            let at =
+                |t: f64| Span::default().visible_span(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
             for t in [120.0, 121.0, 126.0, 160.2] {
                 let on = seen(at(t), aspect);
@@ -428,7 +430,9 @@ mod tests {
                 to_secs: 2.0,
                 space,
             }];
-            let at = |t: f64| Span::at_rest(aspect).at(&gestures, SLOW_ZOOM, t, STATURE_M, aspect);
+            let at = |t: f64| {
+                Span::at_rest(aspect).visible_span(&gestures, SLOW_ZOOM, t, STATURE_M, aspect)
+            };
             (at(1.5).height(), at(1.5))
         };
         let hands = TakenSpace {
@@ -438,7 +442,7 @@ mod tests {
         };
         for aspect in [0.46, 0.6, 0.8] {
             let (height, span) = of(hands, aspect);
-            assert!((height - NARROW_MOST).abs() < 1e-9, "{aspect}: {height}");
+            assert!((height - NARROW_MAX).abs() < 1e-9, "{aspect}: {height}");
             // From menton to vertex, above captions of two lines, in pixels of a phone 390 wide.
             let shown = span.above_captions_in(0.15, aspect).height();
             let face = (1.0 - 0.868) / shown * 390.0 / aspect;
@@ -458,7 +462,7 @@ mod tests {
     fn a_figure_at_the_edge_of_the_stage_stays_in_the_picture() {
         for aspect in [0.46, 1.0, 1.78] {
             let feet = DVec3::new(STAGE_HALF_WIDTH_M, 0.0, 0.5);
-            let c = Shot::Storyteller.frame(feet, STATURE_M, aspect, Room::default());
+            let c = Shot::Storyteller.frame(feet, STATURE_M, aspect, FramingMargin::default());
             let crown = feet + DVec3::new(0.09, STATURE_M, 0.0) - c.eye_in_world;
             let forward = (c.target_in_world - c.eye_in_world).normalize();
             let up = (DVec3::Y - forward * forward.y).normalize();

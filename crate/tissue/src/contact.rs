@@ -95,7 +95,7 @@ impl Arch {
 
 /// How deep the deepest of each kind is in what it should keep out of, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Depths {
+pub struct PenetrationDepths {
     /// A lip in the other.
     pub lips_m: f32,
     /// A lip in the teeth or gums.
@@ -146,8 +146,8 @@ impl Contacts {
         springs: &mut Springs,
         bones: &[[Vector; 2]],
         jaw: &JawPlace,
-    ) -> Depths {
-        let mut depths = Depths::default();
+    ) -> PenetrationDepths {
+        let mut depths = PenetrationDepths::default();
         for &(node, room) in &self.over_bone {
             let i = usize::from(node);
             let [place, outwards] = bones[i];
@@ -172,12 +172,12 @@ impl Contacts {
         let mut deepest: f32 = 0.0;
         for &node in &tissue.before_teeth {
             let i = usize::from(node);
-            let p = springs.at(i);
+            let p = springs.position(i);
             if let Some((deep, [x, z])) = tissue.arches[0].inside(xyz(p)) {
                 deepest = deepest.max(deep);
                 springs.shift(i, vector([x * deep, 0.0, z * deep]));
             }
-            let p = springs.at(i);
+            let p = springs.position(i);
             if let Some((deep, [x, z])) = tissue.arches[1].inside(jaw.unmoved(p)) {
                 deepest = deepest.max(deep);
                 springs.shift(i, jaw.turned([x * deep, 0.0, z * deep]));
@@ -192,7 +192,7 @@ impl Contacts {
         for [above, below] in &tissue.pairs {
             let (a, b) = (usize::from(*above), usize::from(*below));
             let least = (tissue.rest[a][1] - tissue.rest[b][1]).max(0.0);
-            let height = |i: usize| springs.at(i).as_array()[1];
+            let height = |i: usize| springs.position(i).as_array()[1];
             let deep = least - (height(a) - height(b));
             if deep > 0.0 {
                 deepest = deepest.max(deep);

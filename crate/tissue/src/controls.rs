@@ -24,7 +24,7 @@ impl Jaw {
     pub const RANGES: [[f64; 2]; 4] = [[0.0, 0.35], [-0.1, 0.1], [-0.004, 0.008], [0.0, 0.004]];
 
     /// The farthest that its joint slides from its place, metres.
-    pub const MOST_SLIDE_M: f64 = 0.009;
+    pub const MAX_SLIDE_M: f64 = 0.009;
 }
 
 /// The controls of a face at one moment: contractions of its muscles, and direct
@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(jaw(high), Jaw::RANGES.map(|[_, most]| most));
         let slides =
             [low, high].map(|face| raconteur_base::ops::hypot(face.jaw.forward_m, face.jaw.down_m));
-        assert!(slides.into_iter().all(|slide| slide < Jaw::MOST_SLIDE_M));
+        assert!(slides.into_iter().all(|slide| slide < Jaw::MAX_SLIDE_M));
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! The tissue in a figure's file: one block of little-endian numbers, version first. Lengths
 //! and indices are checked when it is read, so that the network need not check them.
 
-use super::tissue::{Arch, Attachment, Column, Course, Fibre, FibrePoint, Link, LipNode, Tissue};
+use super::tissue::{
+    Arch, Attachment, Column, Fibre, FibreCurve, FibrePoint, Link, LipNode, Tissue,
+};
 use super::{MUSCLES, Muscle};
 
 /// The block ends in zeros up to a multiple of this many bytes.
@@ -10,7 +12,7 @@ pub const PADDING: usize = 16;
 /// What [`from_bytes`] reads.
 const VERSION: u16 = 1;
 /// Most nodes, points of fibres and the like that a file may have; ours have some 4,000.
-const MOST: usize = 30_000;
+const MAX_NODES: usize = 30_000;
 /// Steps in which depths are kept, metres: 255 of them are 25 mm.
 const DEPTH_STEP_M: f32 = 1e-4;
 
@@ -71,7 +73,7 @@ impl Reader<'_> {
     ) -> Result<Vec<T>, TissueError> {
         let count = usize::from(self.u16()?);
         // Each item has a byte at least.
-        if count > MOST || count > self.0.len() {
+        if count > MAX_NODES || count > self.0.len() {
             return Err(TissueError::Length);
         }
         (0..count).map(|_| item(self)).collect()
@@ -93,9 +95,9 @@ fn fibre(r: &mut Reader<'_>) -> Result<Fibre, TissueError> {
     let muscle = Muscle::all().nth(at).filter(|_| at < MUSCLES);
     let muscle = muscle.ok_or(TissueError::Value("a muscle"))?;
     let course = match r.u8()? {
-        0 => Course::Linear,
-        1 => Course::Towards(r.vector()?),
-        kind @ (2 | 3) => Course::Oris {
+        0 => FibreCurve::Linear,
+        1 => FibreCurve::Towards(r.vector()?),
+        kind @ (2 | 3) => FibreCurve::Oris {
             is_lower: kind == 3,
             out: r.share()?,
         },
@@ -260,12 +262,12 @@ pub fn to_bytes(tissue: &Tissue) -> Vec<u8> {
     w.list(&tissue.fibres, |w, f| {
         w.u8(f.muscle.index() as u8);
         match f.course {
-            Course::Linear => w.u8(0),
-            Course::Towards(centre) => {
+            FibreCurve::Linear => w.u8(0),
+            FibreCurve::Towards(centre) => {
                 w.u8(1);
                 w.vector(centre);
             }
-            Course::Oris { is_lower, out } => {
+            FibreCurve::Oris { is_lower, out } => {
                 w.u8(2 + u8::from(is_lower));
                 w.share(out);
             }

@@ -32,7 +32,7 @@ pub(super) fn own_share(contraction: f32) -> f32 {
 
 /// A linear fibre's end at a point of the ring.
 #[derive(Clone, Debug)]
-struct Join {
+struct FibreJoin {
     end: usize,
     weight: f32,
     /// Links of the end's whole muscle to that point.
@@ -41,7 +41,7 @@ struct Join {
 
 /// A point of the ring with the ends that are grown to it.
 #[derive(Clone, Debug)]
-struct Meeting {
+struct JunctionPoint {
     ring: usize,
     joins: Range<usize>,
     /// What all its members pull with, now.
@@ -70,8 +70,8 @@ struct End {
 /// All places where muscles of a face are grown together.
 #[derive(Clone, Debug)]
 pub(super) struct Junctions {
-    meetings: Vec<Meeting>,
-    joins: Vec<Join>,
+    meetings: Vec<JunctionPoint>,
+    joins: Vec<FibreJoin>,
     ends: Vec<End>,
     anchors: Vec<Anchor>,
 }
@@ -90,11 +90,11 @@ impl Junctions {
             .collect();
         // By places, so that nothing depends on the order in which links are listed.
         links.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
-        let mut meetings: Vec<Meeting> = Vec::new();
+        let mut meetings: Vec<JunctionPoint> = Vec::new();
         for (i, &(ring, ..)) in links.iter().enumerate() {
             match meetings.last_mut() {
                 Some(last) if last.ring == ring => last.joins.end = i + 1,
-                _ => meetings.push(Meeting {
+                _ => meetings.push(JunctionPoint {
                     ring,
                     joins: i..i + 1,
                     pulls: 1.0,
@@ -139,7 +139,7 @@ impl Junctions {
         let join = |&(ring, end, weight): &(usize, usize, f32)| {
             let muscle = owner(end);
             let same = links.iter().filter(|l| l.0 == ring && owner(l.1) == muscle);
-            Join {
+            FibreJoin {
                 end,
                 weight,
                 of_muscle: same.map(|l| l.2).sum(),
@@ -156,7 +156,7 @@ impl Junctions {
     /// Moves the points of the ring to where they and what is grown to them meet: of their
     /// weighted centre as much as the links say. `moved` holds what every point asks for by
     /// itself and `tension` how strongly, 0 to 1.
-    pub(super) fn meet(&mut self, tension: &[f32], moved: &mut [[f32; 3]]) {
+    pub(super) fn relax(&mut self, tension: &[f32], moved: &mut [[f32; 3]]) {
         for meeting in &mut self.meetings {
             let asked = moved[meeting.ring];
             let mut pulls = pull(tension[meeting.ring]);

@@ -21,7 +21,7 @@ const LIP: f32 = 1.0;
 /// held sideways, and the least of it, 1/s. It acts on the difference of their velocities, so
 /// that skin does not lag behind a muscle that moves evenly. Designed.
 const FRICTION: f32 = 0.55;
-const LEAST_FRICTION_PER_S: f32 = 60.0;
+const MIN_FRICTION_PER_S: f32 = 60.0;
 /// Nodes nearer to each other than this are one mass, metres: in the corners of the mouth the
 /// rings of both lips crowd, and between springs of a tenth of a millimetre none would be
 /// short enough to hold.
@@ -67,13 +67,13 @@ pub(super) struct Edge {
 
 /// Four springs of the skin, which a processor takes in one go.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Four {
+pub(super) struct SpringX4 {
     pub(super) ends: [[u16; 2]; LANES],
     pub(super) stiffness: Vector,
     pub(super) rest: Vector,
 }
 
-impl Four {
+impl SpringX4 {
     /// The springs between these nodes, with the stiffness and the length at rest of each.
     pub(super) fn all(ends: &[[u16; 2]], of: &[[f32; 2]]) -> Vec<Self> {
         (0..ends.len())
@@ -91,7 +91,7 @@ impl Four {
 
     /// The ways from their first ends to their second.
     #[inline]
-    pub(super) fn ways(&self, places: &[Vector]) -> [Vector; LANES] {
+    pub(super) fn directions(&self, places: &[Vector]) -> [Vector; LANES] {
         self.ends
             .map(|[a, b]| places[usize::from(b)] - places[usize::from(a)])
     }
@@ -99,7 +99,7 @@ impl Four {
 
 /// The springs that hold four nodes, two each.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Connecting {
+pub(super) struct ConnectingSprings {
     /// Distance from the node to their ends.
     pub(super) deep: Vector,
     pub(super) rest: Vector,
@@ -108,10 +108,14 @@ pub(super) struct Connecting {
     pub(super) drag: Vector,
 }
 
-impl Connecting {
+impl ConnectingSprings {
     /// From each node's distance to what lies under it and its grip.
     pub(super) fn all(depth: &[f32], grip: &[f32]) -> Vec<Self> {
-        let of: Vec<Vector> = depth.iter().zip(grip).map(|(&d, &g)| held(d, g)).collect();
+        let of: Vec<Vector> = depth
+            .iter()
+            .zip(grip)
+            .map(|(&d, &g)| hold_vector(d, g))
+            .collect();
         (0..of.len())
             .step_by(LANES)
             .map(|from| {
@@ -213,7 +217,7 @@ pub(super) fn around_nodes<E: Iterator<Item = [u16; 2]>>(
 
 /// What holds a node: distance to the ends of its connecting springs, their length at rest and
 /// stiffness, and the friction of a step.
-fn held(depth: f32, grip: f32) -> Vector {
+fn hold_vector(depth: f32, grip: f32) -> Vector {
     let depth = depth.clamp(0.001, 0.05);
     // A node with little grip lies in a fold, and follows its neighbours.
     // Lips are held by muscle on all sides.
@@ -221,6 +225,6 @@ fn held(depth: f32, grip: f32) -> Vector {
     let firm = (grip / FIRM_GRIP).clamp(0.1, 1.0) * lip;
     let (stiffness, grip) = (CONNECTING_PER_S2 * firm, grip.clamp(0.05, 1.0));
     let critical = 2.0 * (2.0 * stiffness * grip).sqrt();
-    let friction = (FRICTION * critical).max(LEAST_FRICTION_PER_S);
+    let friction = (FRICTION * critical).max(MIN_FRICTION_PER_S);
     Vector::new([depth, depth * (1.0 - grip), stiffness, friction * STEP_SECS])
 }

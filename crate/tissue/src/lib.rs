@@ -29,7 +29,7 @@ mod table;
 pub mod tissue;
 
 pub use binding::Binding;
-pub use contact::Depths;
+pub use contact::PenetrationDepths;
 pub use controls::{FaceControls, Jaw};
 pub use muscle::{ANTAGONISTS, APART, ARKIT, Anatomy, CLOSES_JAW, MUSCLES, Muscle};
 pub use network::Network;

@@ -52,7 +52,7 @@ impl Anatomy {
     /// What is wrong with the table.
     pub fn read(text: &str) -> Result<Self, String> {
         let rows = crate::table::read(text)?;
-        let all = crate::table::each(&rows).map(|(row, side)| Traits {
+        let all = crate::table::for_each_muscle(&rows).map(|(row, side)| Traits {
             name: Cow::Owned(format!("{}{side}", row.name)),
             side: Side::BOTH.into_iter().find(|s| format!("{s:?}") == side),
             shortens: row.shortens,
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn the_program_knows_what_the_table_says() {
         let rows = table::read(include_str!("muscles.tsv")).expect("a table");
-        let told: Vec<_> = table::each(&rows).collect();
+        let told: Vec<_> = table::for_each_muscle(&rows).collect();
         assert_eq!(told.len(), MUSCLES);
         for (muscle, (row, side)) in Muscle::all().zip(told) {
             assert_eq!(muscle.name(), format!("{}{side}", row.name));

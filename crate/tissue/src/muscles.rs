@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::cord;
 use super::junction::{Junctions, own_share};
 use super::lanes::{Vector, vector};
-use super::tissue::{Attachment, Course, Fibre, FibrePoint, Tissue};
+use super::tissue::{Attachment, Fibre, FibreCurve, FibrePoint, Tissue};
 use super::{Anatomy, Muscle};
 
 use Muscle as M;
@@ -93,7 +93,7 @@ fn plus(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+fn subtract(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -102,7 +102,7 @@ impl Muscles {
         let mut low = [f32::MAX; 3];
         let mut high = [f32::MIN; 3];
         for fibre in &tissue.fibres {
-            if matches!(fibre.course, Course::Oris { out, .. } if out <= 0.0) {
+            if matches!(fibre.course, FibreCurve::Oris { out, .. } if out <= 0.0) {
                 for point in points_of(tissue, fibre) {
                     for k in 0..3 {
                         low[k] = low[k].min(point.rest[k]);
@@ -153,9 +153,9 @@ impl Muscles {
             self.ask(tissue, k, of(fibre.muscle), &lips);
         }
         self.asked.copy_from_slice(&self.moved);
-        self.junctions.meet(&self.tension, &mut self.moved);
+        self.junctions.relax(&self.tension, &mut self.moved);
         for fibre in &tissue.fibres {
-            if let Course::Oris { out, .. } = fibre.course {
+            if let FibreCurve::Oris { out, .. } = fibre.course {
                 let own = range_of(fibre);
                 cord::spread(
                     &self.asked[own.clone()],
@@ -166,7 +166,7 @@ impl Muscles {
             }
         }
         for (k, fibre) in tissue.fibres.iter().enumerate() {
-            if fibre.course == Course::Linear {
+            if fibre.course == FibreCurve::Linear {
                 self.reach(tissue, k, of(fibre.muscle));
             }
         }
@@ -213,23 +213,23 @@ impl Muscles {
         let points = points_of(tissue, fibre);
         tension.fill(contraction);
         self.own[range_of(fibre)].fill(match fibre.course {
-            Course::Oris { .. } => 1.0,
-            Course::Linear | Course::Towards(_) => own_share(contraction),
+            FibreCurve::Oris { .. } => 1.0,
+            FibreCurve::Linear | FibreCurve::Towards(_) => own_share(contraction),
         });
         match fibre.course {
-            Course::Linear => along_course(points, contraction * shortens, moved),
-            Course::Towards(centre) => {
+            FibreCurve::Linear => along_course(points, contraction * shortens, moved),
+            FibreCurve::Towards(centre) => {
                 for (point, moved) in points.iter().zip(moved) {
-                    let way = less(centre, point.rest);
+                    let way = subtract(centre, point.rest);
                     *moved = way.map(|x| x * contraction * shortens);
                     add(moved, point.outwards, contraction * bulges * tissue.scale);
                 }
             }
-            Course::Oris { is_lower, out } => {
+            FibreCurve::Oris { is_lower, out } => {
                 for ((point, moved), tension) in points.iter().zip(moved).zip(tension) {
                     let aside =
                         ((point.rest[0] - self.mouth[0]) / self.half_width).clamp(-1.0, 1.0);
-                    let [contraction, protrusion] = lips.at(is_lower, aside);
+                    let [contraction, protrusion] = lips.displacement(is_lower, aside);
                     *tension = contraction.max(protrusion.abs());
                     let lip = Lip {
                         contraction: contraction * shortens,
@@ -239,7 +239,11 @@ impl Muscles {
                         out,
                         corner: aside * aside,
                     };
-                    *moved = lip.moved(less(point.rest, self.mouth), point.outwards, tissue.scale);
+                    *moved = lip.moved(
+                        subtract(point.rest, self.mouth),
+                        point.outwards,
+                        tissue.scale,
+                    );
                 }
             }
         }
@@ -297,7 +301,7 @@ fn points_of<'a>(tissue: &'a Tissue, fibre: &Fibre) -> &'a [FibrePoint] {
 }
 
 fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
-    let d = less(b, a);
+    let d = subtract(b, a);
     (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }
 
@@ -341,7 +345,7 @@ fn stretched(
     places: &mut Vec<[f32; 3]>,
 ) -> f32 {
     let last = points.len() - 1;
-    let off = less(end, moved[last]);
+    let off = subtract(end, moved[last]);
     let origin = points[0].rest;
     let to = plus(points[last].rest, end);
     let along = |k: usize| k as f32 / last as f32;
@@ -389,7 +393,7 @@ struct Lips {
 
 impl Lips {
     /// Contraction and protrusion at a place from the right corner, −1, to the left, 1.
-    fn at(&self, is_lower: bool, aside: f32) -> [f32; 2] {
+    fn displacement(&self, is_lower: bool, aside: f32) -> [f32; 2] {
         let (own, other) = if is_lower { (1, 0) } else { (0, 1) };
         // At the corner the halves of the ring are one.
         let shared = 0.5 * aside * aside * aside * aside;

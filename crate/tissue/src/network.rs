@@ -1,11 +1,11 @@
 //! A face in motion: controls move muscles and jaw, these the network, and that the skin.
 
-use super::contact::{Contacts, Depths, JawPlace};
+use super::contact::{Contacts, JawPlace, PenetrationDepths};
 use super::lanes::{LANES, Vector, squares, vector, whole_fours, xyz};
 use super::layout::STEPS_PER_S;
 use super::muscles::Muscles;
 use super::smoothing::Smoothing;
-use super::springs::{Hold, Springs};
+use super::springs::{NodeHold, Springs};
 use super::tissue::{Column, LipNode};
 use super::{Anatomy, FaceControls, Jaw, Muscle, NodeState, Tissue};
 
@@ -74,8 +74,8 @@ pub struct Network {
     contacts: Contacts,
     /// Way outwards of each node at rest.
     outwards: Vec<Vector>,
-    holds: Vec<Hold>,
-    earlier: Vec<Hold>,
+    holds: Vec<NodeHold>,
+    earlier: Vec<NodeHold>,
     /// Where what lies under each node has come, without muscles.
     bones: Vec<[Vector; 2]>,
     jaw: JawPlace,
@@ -86,7 +86,7 @@ pub struct Network {
     folds: Vec<Fold>,
     contraction: Vec<f64>,
     blush: f32,
-    depths: Depths,
+    depths: PenetrationDepths,
     smoothing: Smoothing,
     /// Places between the last two steps, as they were written last.
     shown: Vec<Vector>,
@@ -108,12 +108,12 @@ impl Network {
         let mut normals = vec![Vector::default(); nodes];
         normals_of(&tissue.quads, &places, &mut normals);
         let outwards = normals[..places.len()].to_vec();
-        let mut holds: Vec<Hold> = places
+        let mut holds: Vec<NodeHold> = places
             .iter()
             .zip(&outwards)
-            .map(|(&place, &outwards)| Hold { place, outwards })
+            .map(|(&place, &outwards)| NodeHold { place, outwards })
             .collect();
-        holds.resize(nodes, Hold::default());
+        holds.resize(nodes, NodeHold::default());
         let springs = Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip);
         Self {
             muscles: Muscles::new(tissue, anatomy),
@@ -133,7 +133,7 @@ impl Network {
             shown: vec![Vector::default(); nodes],
             contraction: vec![0.0; anatomy.count()],
             blush: 0.0,
-            depths: Depths::default(),
+            depths: PenetrationDepths::default(),
             outwards,
             holds,
             normals,
@@ -142,13 +142,13 @@ impl Network {
 
     /// Puts everything where `controls` hold it, moving as from `earlier`, a step before.
     pub fn reset(&mut self, tissue: &Tissue, controls: &FaceControls, earlier: &FaceControls) {
-        self.hold(tissue, earlier, &[]);
-        self.hold(tissue, controls, &[]);
+        self.set_controls(tissue, earlier, &[]);
+        self.set_controls(tissue, controls, &[]);
         self.springs.reset(&self.holds, &self.earlier);
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
-        self.make_whole(tissue);
+        self.resolve_constraints(tissue);
     }
 
     /// Puts the face where these controls keep it, at rest.
@@ -167,17 +167,17 @@ impl Network {
     /// As [`step`](Self::step), with contractions of muscles beyond those that this program was
     /// built with, in the order of their table; 0 where there are fewer than of these.
     pub fn step_with(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
-        self.hold(tissue, controls, more);
+        self.set_controls(tissue, controls, more);
         self.springs.step(&self.holds, &self.earlier);
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
-        self.make_whole(tissue);
+        self.resolve_constraints(tissue);
     }
 
     /// Shortens overlong springs, and moves nodes out again that this has brought into contact;
     /// each undoes a little of the other.
-    fn make_whole(&mut self, tissue: &Tissue) {
+    fn resolve_constraints(&mut self, tissue: &Tissue) {
         let mut turns = 0;
         while self.springs.limit() && turns < TURNS {
             self.contacts
@@ -188,7 +188,7 @@ impl Network {
     }
 
     /// Brings muscles and jaw to the controls and finds where each node is held.
-    fn hold(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
+    fn set_controls(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
         core::mem::swap(&mut self.holds, &mut self.earlier);
         let asked = controls.contraction.iter().chain(more).copied();
         let asked = asked.chain(core::iter::repeat(0.0));
@@ -220,7 +220,7 @@ impl Network {
                 self.pulls[i] = self.muscles.pull(attachments);
             }
             let place = place + self.pulls[i];
-            self.holds[i] = Hold { place, outwards };
+            self.holds[i] = NodeHold { place, outwards };
         }
         self.close(tissue, controls);
     }
@@ -298,18 +298,18 @@ impl Network {
     /// How deep anything was in what it should keep out of at the end of the last step,
     /// before it was put out.
     #[must_use]
-    pub fn depths(&self) -> Depths {
+    pub fn depths(&self) -> PenetrationDepths {
         self.depths
     }
 
     /// How deep anything still is in what it should keep out of, after the last step. For
     /// those who look closely: it takes a copy of the network.
     #[must_use]
-    pub fn left(&self, tissue: &Tissue) -> Depths {
+    pub fn left(&self, tissue: &Tissue) -> PenetrationDepths {
         // Each kind on a copy of its own: putting one right moves the others.
         let lips_m = Contacts::part_lips(tissue, &mut self.springs.clone());
         let mut springs = self.springs.clone();
-        Depths {
+        PenetrationDepths {
             lips_m,
             ..self
                 .contacts
@@ -361,7 +361,7 @@ impl Network {
 
     /// The most that an edge or diagonal of the skin is stretched, against its length at rest.
     #[must_use]
-    pub fn most_stretched(&self) -> f32 {
+    pub fn most_stretched_edge(&self) -> f32 {
         self.springs.most_stretched()
     }
 

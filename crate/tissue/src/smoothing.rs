@@ -8,7 +8,7 @@
 
 use super::Muscle;
 use super::lanes::{Vector, vector};
-use super::tissue::{Course, Tissue};
+use super::tissue::{FibreCurve, Tissue};
 
 /// How often, and how far at most each time. A wave over two nodes keeps a ten-millionth
 /// (0.2 each time), one over eight nodes a seventh (0.82). Chosen by `folds.rs` of the player's
@@ -118,7 +118,7 @@ fn shares(tissue: &Tissue) -> Vec<f32> {
     let lips = tissue.lips.iter().map(|l| tissue.rest[usize::from(l.node)]);
     let lips: Vec<[f32; 3]> = lips.collect();
     let eyes = tissue.fibres.iter().filter_map(|f| match f.course {
-        Course::Towards(centre) => Some(centre),
+        FibreCurve::Towards(centre) => Some(centre),
         _ => None,
     });
     let eyes: Vec<[f32; 3]> = eyes.collect();

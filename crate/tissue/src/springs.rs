@@ -7,7 +7,8 @@
 
 use super::lanes::{LANES, Vector, dot, length, squares, vector, whole_fours, xyz};
 use super::layout::{
-    Connecting, Edge, Four, STEP_SECS, STEPS_PER_S, around_nodes, leaders, pairs_of, skin,
+    ConnectingSprings, Edge, STEP_SECS, STEPS_PER_S, SpringX4, around_nodes, leaders, pairs_of,
+    skin,
 };
 
 /// Skin that is stretched beyond this resists more (biphasic). F&H gives no numbers; skin
@@ -16,23 +17,23 @@ const SLACK: f32 = 1.15;
 /// No spring of the skin is left longer than this, against its length at rest: what a step
 /// has stretched more is shortened at once (Provot 1995, "Deformation Constraints in a
 /// Mass-Spring Model to Describe Rigid Cloth Behavior").
-const LONGEST: f32 = 2.15;
+const MAX_STRETCH: f32 = 2.15;
 /// What it is shortened to: a little less, so that it is soon done with.
 const SHORTENED: f32 = 2.1;
 /// How often what may be too long is gone through, as shortening one spring stretches its
 /// neighbours.
-const MOST_RELAXATIONS: usize = 256;
+const MAX_RELAXATIONS: usize = 256;
 /// What a node moves by, against the mean of what its springs that are too long ask for, in
 /// which each counts as much as it asks for.
 const OVER_RELAXATION: f32 = 1.5;
 /// How much stiffer a spring is beyond its slack.
 const STRAIN_STIFFENING: f32 = 3.0;
 /// Shorter ways have no direction, metres.
-const LEAST_M: f32 = 1e-9;
+const MIN_M: f32 = 1e-9;
 
 /// Where a node is held now.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Hold {
+pub(super) struct NodeHold {
     /// Where it would be if nothing else pulled.
     pub(super) place: Vector,
     /// Way outwards there, unit length.
@@ -41,14 +42,14 @@ pub(super) struct Hold {
 
 /// Some of a number of things, each once; with room for all, also in a copy.
 #[derive(Clone, Debug)]
-struct Chosen {
+struct IndexSet {
     items: Vec<u32>,
     count: usize,
     is_in: Vec<bool>,
 }
 
-impl Chosen {
-    fn of(all: usize) -> Self {
+impl IndexSet {
+    fn with_capacity(all: usize) -> Self {
         Self {
             items: vec![0; all],
             count: 0,
@@ -81,11 +82,11 @@ pub(super) struct Springs {
     /// Their lengths at rest.
     rest: Vec<f32>,
     /// All of them, and how strongly they pull in a step.
-    fours: Vec<Four>,
+    fours: Vec<SpringX4>,
     pulls: Vec<f32>,
     /// Counted after the springs where both are meant.
     edges: Vec<Edge>,
-    connecting: Vec<Connecting>,
+    connecting: Vec<ConnectingSprings>,
     /// Of the nodes, with some that nothing moves after the last, to whole fours.
     pub(super) places: Vec<Vector>,
     /// Places one step ago.
@@ -100,11 +101,11 @@ pub(super) struct Springs {
     around: Vec<u32>,
     /// Whether any spring may be too long, or only `suspects`.
     has_stepped: bool,
-    suspects: Chosen,
+    suspects: IndexSet,
     /// Those of the round before.
-    looked_at: Chosen,
+    looked_at: IndexSet,
     /// Nodes at the ends of those that are too long.
-    pulled: Chosen,
+    pulled: IndexSet,
 }
 
 impl Springs {
@@ -117,7 +118,7 @@ impl Springs {
         let leaders = leaders(&places, pairs.iter().map(|(ends, _)| *ends));
         let edges = Edge::all(&places, &leaders, &pairs);
         let (ends, of) = skin(&places, &leaders, pairs);
-        let fours = Four::all(&ends, &of);
+        let fours = SpringX4::all(&ends, &of);
         let count = ends.len() + edges.len();
         let all = || ends.iter().copied().chain(edges.iter().map(|e| e.leaders));
         let (starts, around) = around_nodes(nodes, all);
@@ -128,13 +129,13 @@ impl Springs {
         let still = vec![Vector::default(); places.len()];
         Self {
             has_stepped: true,
-            suspects: Chosen::of(count),
-            looked_at: Chosen::of(count),
-            pulled: Chosen::of(nodes),
+            suspects: IndexSet::with_capacity(count),
+            looked_at: IndexSet::with_capacity(count),
+            pulled: IndexSet::with_capacity(nodes),
             edges,
             starts,
             around,
-            connecting: Connecting::all(depth, grip),
+            connecting: ConnectingSprings::all(depth, grip),
             before: places.clone(),
             leaders,
             velocities: still.clone(),
@@ -153,7 +154,7 @@ impl Springs {
     }
 
     /// Puts every node where it is held, moving as its hold does.
-    pub(super) fn reset(&mut self, holds: &[Hold], earlier: &[Hold]) {
+    pub(super) fn reset(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         self.has_stepped = true;
         for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
             self.places[i] = hold.place;
@@ -163,7 +164,7 @@ impl Springs {
     }
 
     /// One step, from where the nodes were held before it to where they are held now.
-    pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
+    pub(super) fn step(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         self.has_stepped = true;
         self.find_pulls();
         self.pull();
@@ -173,8 +174,8 @@ impl Springs {
     /// Finds how strongly the springs of the skin pull, against their lengths now.
     fn find_pulls(&mut self) {
         for (pulls, springs) in self.pulls.as_chunks_mut().0.iter_mut().zip(&self.fours) {
-            let now = squares(springs.ways(&self.places)).sqrt();
-            let now = now.fast_max(Vector::splat(LEAST_M));
+            let now = squares(springs.directions(&self.places)).sqrt();
+            let now = now.fast_max(Vector::splat(MIN_M));
             let beyond = (now - springs.rest * SLACK).fast_max(Vector::splat(0.0));
             let longer = now - springs.rest + beyond * STRAIN_STIFFENING;
             *pulls = (springs.stiffness * longer / now).to_array();
@@ -201,7 +202,7 @@ impl Springs {
     }
 
     /// Moves nodes by what pulls them, which is forgotten then.
-    fn move_nodes(&mut self, holds: &[Hold], earlier: &[Hold]) {
+    fn move_nodes(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         let nodes = self.places.as_chunks_mut::<LANES>().0.iter_mut();
         let moving = self.velocities.as_chunks_mut::<LANES>().0.iter_mut();
         let forces = self.forces.as_chunks_mut::<LANES>().0.iter_mut();
@@ -219,7 +220,7 @@ impl Springs {
             for deep in [-connecting.deep, connecting.deep].map(Vector::to_array) {
                 let ends: [Vector; LANES] =
                     core::array::from_fn(|k| off[k] + holds[k].outwards * deep[k]);
-                let now = squares(ends).sqrt().fast_max(Vector::splat(LEAST_M));
+                let now = squares(ends).sqrt().fast_max(Vector::splat(MIN_M));
                 let pull = connecting.stiffness * (now - connecting.rest) / now;
                 let pull = pull.to_array();
                 for k in 0..LANES {
@@ -256,7 +257,7 @@ impl Springs {
     }
 
     /// Where a node is, or will be once it has followed its leader.
-    pub(super) fn at(&self, node: usize) -> Vector {
+    pub(super) fn position(&self, node: usize) -> Vector {
         let (leader, off) = self.leaders[node];
         self.places[usize::from(leader)] + off
     }
@@ -274,11 +275,11 @@ impl Springs {
             }
         }
         let mut was_any = false;
-        for _ in 0..MOST_RELAXATIONS {
+        for _ in 0..MAX_RELAXATIONS {
             core::mem::swap(&mut self.suspects, &mut self.looked_at);
             self.suspects.clear();
             let looked_at = &self.looked_at.items[..self.looked_at.count];
-            let is_too_long = |&i: &u32| self.too_long(i as usize, LONGEST).is_some();
+            let is_too_long = |&i: &u32| self.too_long(i as usize, MAX_STRETCH).is_some();
             if !looked_at.iter().any(is_too_long) {
                 break;
             }
@@ -315,7 +316,7 @@ impl Springs {
     fn suspect(&mut self) {
         for (first, springs) in (0u32..).step_by(LANES).zip(&self.fours) {
             let most = springs.rest * SHORTENED;
-            let beyond = squares(springs.ways(&self.places)).simd_gt(most * most);
+            let beyond = squares(springs.directions(&self.places)).simd_gt(most * most);
             if beyond.any() {
                 let which = beyond.to_bitmask();
                 for i in (first..self.ends.len() as u32).take(LANES) {

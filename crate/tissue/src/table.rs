@@ -163,7 +163,7 @@ pub(crate) fn sides(row: &Row<'_>) -> &'static [&'static str] {
 }
 
 /// Each muscle of a table by its place: its row, and what follows its names.
-pub(crate) fn each<'t, 'a>(
+pub(crate) fn for_each_muscle<'t, 'a>(
     rows: &'t [Row<'a>],
 ) -> impl Iterator<Item = (&'t Row<'a>, &'static str)> {
     rows.iter()

@@ -17,7 +17,7 @@ pub struct FibrePoint {
 
 /// How the points of a fibre move when it contracts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Course {
+pub enum FibreCurve {
     /// Towards the first point, the origin, along the fibre. Points lie at even distances.
     Linear,
     /// Towards a place, in the plane of the muscle: orbicularis oculi.
@@ -38,7 +38,7 @@ pub struct Fibre {
     /// Whose it is.
     pub muscle: Muscle,
     /// How it moves.
-    pub course: Course,
+    pub course: FibreCurve,
     /// Its first point in [`Tissue::points`].
     pub first: u16,
     /// How many points it has, at least two.

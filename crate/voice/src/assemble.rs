@@ -3,7 +3,7 @@
 
 use raconteur_base::ops;
 
-use crate::feel::Felt;
+use crate::emotion::EmotionSpan;
 use crate::plan::{Plan, Planned, Sound};
 use crate::realise::phrases_of;
 use crate::signal::f0;
@@ -72,11 +72,11 @@ pub fn assemble(
     plan: &Plan,
     sentences: &[SpokenSentence],
     recordings: &[Recording],
-    felt: &[Felt],
+    felt: &[EmotionSpan],
     rate_hz: f64,
 ) -> Speech {
     let mut assembly = Assembly {
-        tape: Tape {
+        tape: AudioBuilder {
             rate_hz,
             samples: Vec::new(),
             marks: Vec::new(),
@@ -113,7 +113,7 @@ pub fn assemble(
 
 /// An utterance as far as its sentences have been joined.
 struct Assembly<'a> {
-    tape: Tape<'a>,
+    tape: AudioBuilder<'a>,
     utterance: Utterance,
     /// Silence before the next sentence, seconds.
     gap_secs: f64,
@@ -133,7 +133,7 @@ impl<'a> Assembly<'a> {
         let phone_of = self.phones(planned, sentence, last);
         let samples = &sentence.spoken.samples;
         let end_secs = samples.len() as f64 / self.tape.rate_hz;
-        self.before = self.cut(samples, segments[last].end_secs, end_secs);
+        self.before = self.slice(samples, segments[last].end_secs, end_secs);
         let authors = planned.pauses.last().copied().flatten().is_some();
         let pace = if authors { 1.0 } else { sentence.pauses };
         self.gap_secs = planned.pause_secs * pace;
@@ -166,7 +166,7 @@ impl<'a> Assembly<'a> {
         let mut start_secs = 0.0;
         let mut last_token = None;
         for (i, segment) in spoken.segments.iter().enumerate().take(last + 1) {
-            let sound = self.cut(&spoken.samples, start_secs, segment.end_secs);
+            let sound = self.slice(&spoken.samples, start_secs, segment.end_secs);
             match (segment.is_silent(), last_token) {
                 // Silence before the sentence is part of the gap.
                 (true, None) => {}
@@ -183,7 +183,7 @@ impl<'a> Assembly<'a> {
                     let token = segment.token.unwrap_or(0);
                     match before {
                         None => {
-                            let after = self.cut(&spoken.samples, 0.0, start_secs);
+                            let after = self.slice(&spoken.samples, 0.0, start_secs);
                             self.tape.silence(self.gap_secs, self.before, after);
                         }
                         Some(before) if before != token && !spoken.segments[i - 1].is_silent() => {
@@ -207,7 +207,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// The samples between two times.
-    fn cut(&self, samples: &'a [f64], from_secs: f64, to_secs: f64) -> &'a [f64] {
+    fn slice(&self, samples: &'a [f64], from_secs: f64, to_secs: f64) -> &'a [f64] {
         let rate_hz = self.tape.rate_hz;
         let index = |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(samples.len());
         &samples[index(from_secs)..index(to_secs).max(index(from_secs))]
@@ -269,7 +269,7 @@ fn describe(
 }
 
 /// The sound so far and where its phones end.
-struct Tape<'a> {
+struct AudioBuilder<'a> {
     rate_hz: f64,
     samples: Vec<f64>,
     marks: Vec<Mark>,
@@ -285,7 +285,7 @@ struct Mark {
     end: usize,
 }
 
-impl Tape<'_> {
+impl AudioBuilder<'_> {
     fn speech(&mut self, symbol: &str, word: Option<usize>, sound: &[f64]) {
         self.samples.extend_from_slice(sound);
         self.marks.push(Mark {
@@ -385,7 +385,7 @@ impl Tape<'_> {
     }
 
     /// Mixes, and turns marks into times.
-    fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[Felt]) -> Speech {
+    fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[EmotionSpan]) -> Speech {
         // Whole milliseconds, so that the duration in the bundle is that of the file.
         let milli = self.rate_hz / 1000.0;
         let length_msec = (self.samples.len() as f64 / milli).ceil();
@@ -466,7 +466,7 @@ fn words(utterance: &mut Utterance, plan: &Plan) {
     }
 }
 
-fn emotions(utterance: &mut Utterance, felt: &[Felt]) {
+fn emotions(utterance: &mut Utterance, felt: &[EmotionSpan]) {
     for one in felt {
         let words = &utterance.words;
         let (Some(first), Some(last)) = (words.get(one.first_word), words.get(one.last_word))

@@ -24,13 +24,13 @@ const REACH_OF_PAUSES: (usize, f64) = (80, 0.08);
 /// By which factor the length of a phone usually is another than the engine tells, as a logarithm.
 const STRETCH: f64 = 0.3;
 /// The shortest phone, steps.
-const SHORTEST: usize = 3;
+const MIN_STEPS: usize = 3;
 /// The same of a vowel that the engine does not tell to be much shorter.
-const SHORTEST_VOWEL: usize = 8;
+const MIN_VOWEL: usize = 8;
 /// What is further under the loudest of a sentence is not heard, decibels.
 const HEARD_DB: f64 = -45.0;
 /// The shortest phone before a pause, seconds.
-const SHORTEST_LAST_SECS: f64 = 0.04;
+const MIN_LAST_SECS: f64 = 0.04;
 /// Silence that is shorter is no pause, seconds.
 const PAUSE_SECS: f64 = 0.04;
 /// The window of levels, seconds.
@@ -57,7 +57,7 @@ struct Frame {
 pub(crate) fn refine(spoken: &mut Spoken) {
     let count = spoken.segments.len();
     let frames = frames(spoken);
-    if count < 2 || frames.len() < count * SHORTEST {
+    if count < 2 || frames.len() < count * MIN_STEPS {
         return;
     }
     let told: Vec<f64> = spoken.segments.iter().map(|s| s.end_secs).collect();
@@ -102,7 +102,7 @@ fn trim(spoken: &mut Spoken, frames: &[Frame]) {
         }
         let end = spoken.segments[at - 1].end_secs;
         let step = |secs: f64| ((secs / STEP_SECS).round() as usize).min(frames.len());
-        let (from, to) = (step(before + SHORTEST_LAST_SECS), step(end));
+        let (from, to) = (step(before + MIN_LAST_SECS), step(end));
         let heard = (from..to).rev().find(|k| frames[*k].level_db > HEARD_DB);
         let last = heard.map_or(from, |k| k + 1).min(to);
         spoken.segments[at - 1].end_secs = last as f64 * STEP_SECS;
@@ -170,7 +170,7 @@ enum Kind {
 
 impl Kind {
     /// Of a phone of the set `radio`.
-    fn of(symbol: &str) -> Self {
+    fn from_symbol(symbol: &str) -> Self {
         match symbol {
             "m" | "n" | "ng" => Self::Nasal,
             "z" | "zh" | "v" | "dh" | "jh" | "hh" => Self::VoicedFriction,
@@ -221,7 +221,7 @@ fn sums(spoken: &Spoken, frames: &[Frame]) -> Vec<Vec<f64>> {
         .map(|segment| {
             let symbol = segment.symbol.as_str();
             let manner = manner(&spoken.phone_set, symbol);
-            let kind = Kind::of(symbol);
+            let kind = Kind::from_symbol(symbol);
             let mut sum = 0.0;
             let mut out = Vec::with_capacity(frames.len() + 1);
             out.push(0.0);
@@ -254,8 +254,8 @@ impl Paths {
         if self.silent[phone] {
             return own;
         }
-        let told = self.told(phone);
-        let stretch = ops::ln((to - from) as f64 / told.max(SHORTEST) as f64) / STRETCH;
+        let told = self.engine_steps(phone);
+        let stretch = ops::ln((to - from) as f64 / told.max(MIN_STEPS) as f64) / STRETCH;
         let own = own + 0.5 * stretch * stretch;
         if !self.plosive[phone] {
             return own;
@@ -267,17 +267,17 @@ impl Paths {
     }
 
     /// How long the engine tells a phone to be, steps.
-    fn told(&self, phone: usize) -> usize {
+    fn engine_steps(&self, phone: usize) -> usize {
         let start = phone.checked_sub(1).map_or(0, |before| self.places[before]);
         let end = self.places.get(phone).copied().unwrap_or(self.last);
         end.saturating_sub(start)
     }
 
     /// The least length of a phone, steps.
-    fn least(&self, phone: usize) -> usize {
+    fn min_steps(&self, phone: usize) -> usize {
         match self.vowel[phone] {
-            true => SHORTEST_VOWEL.min(self.told(phone) + SHORTEST),
-            false => SHORTEST,
+            true => MIN_VOWEL.min(self.engine_steps(phone) + MIN_STEPS),
+            false => MIN_STEPS,
         }
     }
 
@@ -292,8 +292,8 @@ impl Paths {
     /// The steps at which a border may be.
     fn choices(&self, border: usize) -> (usize, usize) {
         let (place, (reach, _)) = (self.places[border], self.reach(border));
-        let room = SHORTEST * (self.places.len() - border);
-        let first = place.saturating_sub(reach).max(SHORTEST * (border + 1));
+        let room = MIN_STEPS * (self.places.len() - border);
+        let first = place.saturating_sub(reach).max(MIN_STEPS * (border + 1));
         (
             first.min(self.last - room),
             (place + reach).min(self.last - room),
@@ -319,7 +319,7 @@ impl Paths {
                         let reached = layers[previous].iter().enumerate();
                         let ways = reached.filter_map(|(i, (until, _))| {
                             let from = start + i;
-                            let fits = from + self.least(border) <= at && until.is_finite();
+                            let fits = from + self.min_steps(border) <= at && until.is_finite();
                             fits.then(|| (until + self.phone(border, from, at), i))
                         });
                         ways.min_by(|a, b| a.0.total_cmp(&b.0))

@@ -69,7 +69,7 @@ pub(crate) fn deliver(plan: &mut Plan, tension: Option<f64>) {
                 || next.first() == Some(&true) && speech_begins(plan, at + 1)
         });
         let planned = &mut plan.sentences[at];
-        let tension = tension.unwrap_or_else(|| told(planned, &quotes[at], opens, closes));
+        let tension = tension.unwrap_or_else(|| tension_of(planned, &quotes[at], opens, closes));
         let over = tension - CALM;
         planned.sentence.pace = ops::exp(PACE * over);
         rests(planned, ops::exp(PAUSES * over), turns);
@@ -85,7 +85,7 @@ fn speech_begins(plan: &Plan, at: usize) -> bool {
 }
 
 /// The tension that a text tells.
-fn told(planned: &Planned, quoted: &[bool], opens: bool, closes: bool) -> f64 {
+fn tension_of(planned: &Planned, quoted: &[bool], opens: bool, closes: bool) -> f64 {
     let sentence = &planned.sentence;
     let kind = match sentence.kind {
         SentenceKind::Exclamation => EXCLAIMED,

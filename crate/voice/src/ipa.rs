@@ -9,7 +9,7 @@ use anyhow::{Result, bail, ensure};
 use raconteur_speech::phones::{self, Class};
 
 /// Longest pronunciation that is read, in characters.
-const MOST_CHARACTERS: usize = 200;
+const MAX_CHARACTERS: usize = 200;
 
 /// Who is to pronounce it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -443,8 +443,8 @@ fn divide(rows: &[&Row]) -> Vec<usize> {
 
 fn pieces(ipa: &str) -> Result<Vec<IpaSymbol>> {
     ensure!(
-        ipa.chars().count() <= MOST_CHARACTERS,
-        "a pronunciation of more than {MOST_CHARACTERS} characters"
+        ipa.chars().count() <= MAX_CHARACTERS,
+        "a pronunciation of more than {MAX_CHARACTERS} characters"
     );
     let mut chars = Vec::new();
     for c in ipa.chars().filter(|c| !IGNORED.contains(*c)) {

@@ -27,14 +27,14 @@ const CHANGE_PAUSE_SECS: f64 = 0.22;
 
 /// The longest silence that an utterance may ask for, seconds. Longer ones belong between
 /// clauses, where they cost no sound.
-const LONGEST_SILENCE_SECS: f64 = 60.0;
+const MAX_SILENCE_SECS: f64 = 60.0;
 
 /// An engine's work grows faster than the sentence; a text without full stops is parted
 /// after this many tokens.
-const LONGEST_SENTENCE: usize = 100;
+const MAX_SENTENCE_TOKENS: usize = 100;
 
 /// The most tokens of an utterance: some hours of speech.
-const MOST_TOKENS: usize = 100_000;
+const MAX_TOKENS: usize = 100_000;
 
 /// An utterance, ready for engines.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -129,17 +129,17 @@ pub fn plan(
     for item in &resolved.items {
         planner.item(item);
     }
-    planner.part();
+    planner.separate();
     // Signs after the last pause are shown with what was before it.
     if let Some(word) = planner.plan.words.last_mut() {
         let left = core::mem::take(&mut planner.signs);
         left.iter().for_each(|sign| signs::attach(word, sign));
     }
     planner.close(SENTENCE_PAUSE_SECS);
-    if planner.silence_secs > LONGEST_SILENCE_SECS {
+    if planner.silence_secs > MAX_SILENCE_SECS {
         return Err(PlanError::TooMuchSilence(planner.silence_secs));
     }
-    if planner.tokens > MOST_TOKENS {
+    if planner.tokens > MAX_TOKENS {
         return Err(PlanError::TooLong);
     }
     Ok(planner.plan)
@@ -200,11 +200,11 @@ impl Planner<'_> {
             Item::Punctuation(signs) => self.signs.push(signs.clone()),
             Item::Emoticon(word) => self.plan.emoticons.push((self.plan.words.len(), word)),
             Item::Break { msec, boundary } => {
-                self.part();
+                self.separate();
                 self.pause(f64::from(*msec) / 1000.0, *boundary);
             }
             Item::Division(division) => {
-                self.part();
+                self.separate();
                 self.close(match division {
                     Division::Sentence => SENTENCE_PAUSE_SECS,
                     Division::Paragraph => PARAGRAPH_PAUSE_SECS,
@@ -215,7 +215,7 @@ impl Planner<'_> {
                 background,
                 level,
             } => {
-                self.part();
+                self.separate();
                 self.plan.sounds.push(Sound {
                     word: self.plan.words.len(),
                     src: src.clone(),
@@ -228,11 +228,11 @@ impl Planner<'_> {
     }
 
     /// Something else than words follows.
-    fn part(&mut self) {
+    fn separate(&mut self) {
         if !self.waiting.is_empty() {
             self.settle_signs(None);
         }
-        self.say_waiting();
+        self.flush_pending();
     }
 
     /// Whether words of two styles may be read as one text.
@@ -310,7 +310,7 @@ impl Planner<'_> {
     }
 
     /// Turns the waiting words into tokens.
-    fn say_waiting(&mut self) {
+    fn flush_pending(&mut self) {
         let waiting = core::mem::take(&mut self.waiting);
         let Some(first) = waiting.first() else {
             return;
@@ -375,7 +375,7 @@ impl Planner<'_> {
             self.is_over |= ends;
             for token in tokens {
                 self.tokens += 1;
-                if self.tokens > MOST_TOKENS {
+                if self.tokens > MAX_TOKENS {
                     return;
                 }
                 self.open.sentence.tokens.push(Token {
@@ -399,7 +399,7 @@ impl Planner<'_> {
             .map(|w| [w.text.as_str(), &w.after].concat())
             .collect();
         let words: Vec<Word<'_>> = whole.iter().map(|word| Word::parse(word)).collect();
-        let language = Language::of(language);
+        let language = Language::from_tag(language);
         (0..words.len())
             .map(|at| sentence::ends_after(&words, at, language))
             .collect()
@@ -412,7 +412,8 @@ impl Planner<'_> {
             .chars()
             .find(|c| c.is_alphanumeric())
             .is_some_and(char::is_lowercase);
-        if (self.is_over && !begins_small) || self.open.sentence.tokens.len() >= LONGEST_SENTENCE {
+        if (self.is_over && !begins_small) || self.open.sentence.tokens.len() >= MAX_SENTENCE_TOKENS
+        {
             self.close(SENTENCE_PAUSE_SECS);
         }
         self.is_over = false;

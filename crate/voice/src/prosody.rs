@@ -52,7 +52,7 @@ impl Prosody {
     /// MARY's own rules have (the table's 0.4 would close every range at −10). A neutral
     /// place changes nothing, so the shapes that the table gives to it are left out.
     #[must_use]
-    pub fn of(place: EmotionPoint) -> Self {
+    pub fn from_point(place: EmotionPoint) -> Self {
         let EmotionPoint {
             activation: a,
             evaluation: e,
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_neutral_place_changes_nothing() {
-        let neutral = Prosody::of(EmotionPoint::default());
+        let neutral = Prosody::from_point(EmotionPoint::default());
         for factor in [
             neutral.pitch,
             neutral.pitch_dynamics,
@@ -117,7 +117,7 @@ mod tests {
     fn the_example_of_the_text_holds() {
         // F&H 4.4.2: 0.5 % from activation to rate is +25 % at +50 and −15 % at −30.
         let at = |activation| {
-            Prosody::of(EmotionPoint {
+            Prosody::from_point(EmotionPoint {
                 activation,
                 ..EmotionPoint::default()
             })

@@ -50,7 +50,7 @@ pub fn emphasis(level: f64) -> (f64, f64, f64) {
 
 /// What the voice does by itself in an utterance: what absolute values are measured against.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Own {
+pub struct VoiceBaseline {
     /// Mean of the pitch on a musical scale, hertz.
     pub mean_hz: f64,
     /// The base line: the twentieth part of the pitch is lower, hertz.
@@ -61,10 +61,10 @@ pub struct Own {
     pub words_a_minute: f64,
 }
 
-impl Own {
+impl VoiceBaseline {
     /// Measures sentences, each with the pitch of its sound.
     #[must_use]
-    pub fn of<'a>(sentences: impl Iterator<Item = (&'a Spoken, &'a PitchTrack)>) -> Self {
+    pub fn measure<'a>(sentences: impl Iterator<Item = (&'a Spoken, &'a PitchTrack)>) -> Self {
         let (mut hz, mut words, mut secs) = (Vec::new(), 0_usize, 0.0);
         for (spoken, track) in sentences {
             hz.extend(track.hz.iter().copied().filter(|hz| *hz > 0.0));
@@ -115,8 +115,8 @@ struct Delivery {
 }
 
 impl Delivery {
-    fn of(style: &Style, place: EmotionPoint, own: &Own) -> Self {
-        let prosody = Prosody::of(place);
+    fn resolve(style: &Style, place: EmotionPoint, own: &VoiceBaseline) -> Self {
+        let prosody = Prosody::from_point(place);
         let (longer, higher, louder) = emphasis(style.emphasis);
         let base = style.pitch_base.factor_on(own.base_hz);
         let middle = style.pitch_middle.factor_on(own.mean_hz);
@@ -199,11 +199,11 @@ pub fn realise(
     spoken: &Spoken,
     track: &PitchTrack,
     styles: &[(&Style, EmotionPoint)],
-    own: &Own,
+    own: &VoiceBaseline,
 ) -> Spoken {
     let deliveries: Vec<Delivery> = styles
         .iter()
-        .map(|(style, place)| Delivery::of(style, *place, own))
+        .map(|(style, place)| Delivery::resolve(style, *place, own))
         .collect();
     if deliveries.is_empty() || spoken.segments.is_empty() {
         return spoken.clone();
@@ -269,7 +269,7 @@ fn span(spoken: &Spoken, first: usize, count: usize) -> (f64, f64) {
     (start, end((first + count).max(1) - 1))
 }
 
-fn grid(spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &Own) -> Grid {
+fn grid(spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &VoiceBaseline) -> Grid {
     let length_secs = (spoken.samples.len() as f64 / spoken.rate_hz.max(1.0))
         .max(spoken.segments.last().map_or(0.0, |s| s.end_secs));
     let count = (length_secs / STEP_SECS) as usize + 2;
@@ -406,7 +406,7 @@ fn accents(
     spoken: &Spoken,
     track: &PitchTrack,
     deliveries: &[Delivery],
-    own: &Own,
+    own: &VoiceBaseline,
 ) {
     let mut rising = true;
     let accented: Vec<&SpokenSyllable> = spoken

@@ -11,7 +11,7 @@ use crate::style::Style;
 use raconteur_eml::emoticon::{self, Spaced};
 
 /// Markup further inside than this changes nothing.
-const DEEPEST: usize = 1000;
+const MAX_DEPTH: usize = 1000;
 
 /// A content with its markup taken together.
 #[derive(Clone, Debug, PartialEq)]
@@ -155,10 +155,10 @@ impl Resolver<'_> {
         match segment {
             Segment::Text(text) => {
                 let mut pieces = text.split(is_space);
-                self.more(pieces.next().unwrap_or_default());
+                self.append(pieces.next().unwrap_or_default());
                 for piece in pieces {
                     self.end_token();
-                    self.more(piece);
+                    self.append(piece);
                 }
             }
             Segment::Break { msec, boundary } => self.between(Item::Break {
@@ -190,13 +190,13 @@ impl Resolver<'_> {
 
     fn between(&mut self, item: Item) {
         self.end_token();
-        self.spaced.part();
+        self.spaced.separate();
         self.out.items.push(item);
     }
 
     fn open(&mut self, markup: &Markup) {
         self.openings += 1;
-        if self.levels.len() > DEEPEST {
+        if self.levels.len() > MAX_DEPTH {
             self.too_deep += 1;
             return;
         }
@@ -226,7 +226,7 @@ impl Resolver<'_> {
     }
 
     /// Adds characters to the token.
-    fn more(&mut self, piece: &str) {
+    fn append(&mut self, piece: &str) {
         self.token.text.push_str(piece);
         let kind = self.levels.last().and_then(|level| level.said_as);
         let length = self.token.text.len();
@@ -252,7 +252,7 @@ impl Resolver<'_> {
         };
         let styles = &mut self.out.styles;
         let index = *level.index.get_or_insert_with(|| {
-            let mut print = Print(DefaultHasher::new());
+            let mut print = FormatHasher(DefaultHasher::new());
             // A hasher takes everything.
             let _ = write!(print, "{:?}", level.style);
             let hash = print.0.finish();
@@ -289,7 +289,7 @@ impl Resolver<'_> {
             return;
         }
         if let Some((emotion, rest)) = emoticon::whole(&text) {
-            self.spaced.part();
+            self.spaced.separate();
             self.out.items.push(Item::Emoticon(emotion));
             // A sentence may end right behind an emoticon.
             if !rest.is_empty() {
@@ -298,7 +298,7 @@ impl Resolver<'_> {
             return;
         }
         if let Some((parts, emotion)) = self.spaced.take(&text, word.is_some()) {
-            self.take_back(parts);
+            self.remove_last(parts);
             self.out.items.push(Item::Emoticon(emotion));
             return;
         }
@@ -324,7 +324,7 @@ impl Resolver<'_> {
     }
 
     /// Takes back the last tokens without a letter or a digit: they are of an emoticon.
-    fn take_back(&mut self, parts: usize) {
+    fn remove_last(&mut self, parts: usize) {
         for _ in 0..parts {
             let is_sign = |item: &Item| matches!(item, Item::Punctuation(_));
             if let Some(last) = self.out.items.iter().rposition(is_sign) {
@@ -335,9 +335,9 @@ impl Resolver<'_> {
 }
 
 /// Hashes formatted output.
-struct Print(DefaultHasher);
+struct FormatHasher(DefaultHasher);
 
-impl core::fmt::Write for Print {
+impl core::fmt::Write for FormatHasher {
     fn write_str(&mut self, text: &str) -> core::fmt::Result {
         self.0.write(text.as_bytes());
         Ok(())

@@ -8,7 +8,7 @@ use raconteur_speech::emotion::EmotionPoint;
 pub const NO_EMPHASIS: f64 = 0.5;
 
 /// No setting goes beyond this factor or its inverse: further, a voice is no voice.
-pub const MOST_FACTOR: f64 = 4.0;
+pub const MAX_FACTOR: f64 = 4.0;
 
 /// A property with everything around it taken together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl Amount {
         match setting {
             Setting::Factor(factor) if fine(factor) => Self {
                 value: self.value,
-                factor: (self.factor * factor).clamp(1.0 / MOST_FACTOR, MOST_FACTOR),
+                factor: (self.factor * factor).clamp(1.0 / MAX_FACTOR, MAX_FACTOR),
             },
             Setting::Value(value) if fine(value) => Self {
                 value: Some(value),
@@ -50,14 +50,14 @@ impl Amount {
 
     /// The value, where the voice's own is `own`.
     #[must_use]
-    pub fn of(self, own: f64) -> f64 {
+    pub fn apply(self, own: f64) -> f64 {
         self.value.unwrap_or(own) * self.factor
     }
 
-    /// The factor on the voice's own value, within [`MOST_FACTOR`] and its inverse.
+    /// The factor on the voice's own value, within [`MAX_FACTOR`] and its inverse.
     #[must_use]
     pub fn factor_on(self, own: f64) -> f64 {
-        (self.of(own) / own).clamp(1.0 / MOST_FACTOR, MOST_FACTOR)
+        (self.apply(own) / own).clamp(1.0 / MAX_FACTOR, MAX_FACTOR)
     }
 
     /// Whether it leaves the voice as it is.
@@ -142,9 +142,9 @@ impl Style {
             Markup::Volume(setting) => {
                 inner.volume = match *setting {
                     Setting::Factor(factor) if factor >= 0.0 => {
-                        (inner.volume * factor).min(MOST_FACTOR)
+                        (inner.volume * factor).min(MAX_FACTOR)
                     }
-                    Setting::Value(gain) if gain >= 0.0 => gain.min(MOST_FACTOR),
+                    Setting::Value(gain) if gain >= 0.0 => gain.min(MAX_FACTOR),
                     Setting::Default => 1.0,
                     Setting::Factor(_) | Setting::Value(_) => inner.volume,
                 };
@@ -213,7 +213,7 @@ mod tests {
             assert_eq!(amount.with(Setting::Value(x)), amount);
         }
         let huge = (0..20).fold(amount, |a, _| a.with(Setting::Factor(1.5)));
-        assert_eq!(huge.factor, MOST_FACTOR);
+        assert_eq!(huge.factor, MAX_FACTOR);
         let quiet = Style::default().with(&Markup::Volume(Setting::Value(0.0)), "");
         assert_eq!(quiet.volume, 0.0);
     }

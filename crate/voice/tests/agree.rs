@@ -1,15 +1,15 @@
 //! The same text has the same words, sentences and readings wherever it comes from: in EML, typed
 //! in a box or written between tags, and told in pieces; and all that is written is in captions.
 
-use raconteur_eml::telling::{Telling, cut, told, told_on};
+use raconteur_eml::narration::{NarrationOptions, continue_narration, narrate, split_clauses};
 use raconteur_eml::{ClauseKind, VoiceText, parse};
 use raconteur_voice::plan::{Plan, plan};
 use raconteur_voice::text::Lexicon;
-use raconteur_voice::{Source, said};
+use raconteur_voice::{Source, speech_requests};
 
 /// What is heard and shown of a text.
 #[derive(Debug, PartialEq)]
-struct Heard {
+struct SpokenAndShown {
     /// With their signs, as captions show them.
     words: Vec<String>,
     /// The tokens of each word, joined.
@@ -18,7 +18,7 @@ struct Heard {
     begins: Vec<usize>,
 }
 
-fn add(heard: &mut Heard, plan: &Plan, shown: Vec<String>, is_whole: bool) {
+fn add(heard: &mut SpokenAndShown, plan: &Plan, shown: Vec<String>, is_whole: bool) {
     let base = heard.words.len();
     assert_eq!(
         plan.words, shown,
@@ -52,8 +52,8 @@ fn heard_of<'s>(
     scripts: impl IntoIterator<Item = &'s str>,
     language: &str,
     is_whole: bool,
-) -> Heard {
-    let mut heard = Heard {
+) -> SpokenAndShown {
+    let mut heard = SpokenAndShown {
         words: Vec::new(),
         spoken: Vec::new(),
         begins: Vec::new(),
@@ -73,7 +73,7 @@ fn heard_of<'s>(
                 ClauseKind::VoiceText(text) => Some(shown(text)),
                 _ => None,
             });
-        for (request, shown) in said(&parsed.document).iter().zip(shown) {
+        for (request, shown) in speech_requests(&parsed.document).iter().zip(shown) {
             let Source::Content(content) = &request.source else {
                 panic!("{request:?}");
             };
@@ -88,40 +88,40 @@ fn shown(text: &VoiceText) -> Vec<String> {
     text.words().into_iter().map(|word| word.text).collect()
 }
 
-fn in_eml(text: &str, language: &str) -> Heard {
+fn in_eml(text: &str, language: &str) -> SpokenAndShown {
     let escaped = text.replace('&', "&amp;").replace('<', "&lt;");
     let script = format!("<eml><body><voice-text time='0'>{escaped}</voice-text></body></eml>");
     heard_of([script.as_str()], language, true)
 }
 
-fn in_box(text: &str, language: &str, is_phrased: bool) -> Heard {
-    let telling = Telling {
+fn in_box(text: &str, language: &str, is_phrased: bool) -> SpokenAndShown {
+    let telling = NarrationOptions {
         language,
         is_phrased,
         most: 100_000,
     };
-    let script = told(text, &telling).unwrap();
+    let script = narrate(text, &telling).unwrap();
     heard_of([script.as_str()], language, false)
 }
 
-fn in_pieces(text: &str, length: usize, language: &str) -> Heard {
+fn in_pieces(text: &str, length: usize, language: &str) -> SpokenAndShown {
     let chars: Vec<char> = text.chars().collect();
     let (mut rest, mut clauses) = (String::new(), Vec::new());
     for piece in chars.chunks(length) {
         rest.extend(piece);
-        let found = cut(&rest, language, false);
+        let found = split_clauses(&rest, language, false);
         clauses.extend(found.clauses.iter().map(|clause| (*clause).to_owned()));
         rest = found.rest.to_owned();
     }
     clauses.extend(
-        cut(&rest, language, true)
+        split_clauses(&rest, language, true)
             .clauses
             .iter()
             .map(|clause| (*clause).to_owned()),
     );
     let told: Vec<String> = clauses
         .iter()
-        .filter_map(|clause| Some(told_on(clause, language, "neutral")?.fragment))
+        .filter_map(|clause| Some(continue_narration(clause, language, "neutral")?.fragment))
         .collect();
     heard_of(told.iter().map(String::as_str), language, false)
 }

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use proptest::prelude::*;
-use raconteur_voice::align::{Format, MOST_BYTES, MOST_JSON_BYTES, detect, read};
+use raconteur_voice::align::{Format, MAX_BYTES, MAX_JSON_BYTES, detect, read};
 use support::{FORMATS, files, folder};
 
 fn contents(folder: &Path) -> impl Iterator<Item = Vec<u8>> + use<> {
@@ -91,9 +91,9 @@ fn what_fuzzing_has_kept_is_refused_or_read() {
 
 #[test]
 fn too_much_is_refused() {
-    let xml = vec![b' '; MOST_BYTES + 1];
+    let xml = vec![b' '; MAX_BYTES + 1];
     assert!(read(Format::MaryXml, &xml).is_err());
-    assert!(read(Format::RhubarbJson, &xml[..=MOST_JSON_BYTES]).is_err());
+    assert!(read(Format::RhubarbJson, &xml[..=MAX_JSON_BYTES]).is_err());
     let long = format!("<maryxml><t sampa='{}'/></maryxml>", "a".repeat(1001));
     assert!(read(Format::MaryXml, long.as_bytes()).is_err());
     let many = "a 1\n".repeat(1_000_001);

@@ -196,8 +196,8 @@ fn sizes_are_bounded() {
     assert_eq!((problem.line, problem.column), (1, 601));
     let deep = |n: usize| format!("{}a{}", "<x>".repeat(n), "</x>".repeat(n));
     assert!(sable::read(&deep(300)).is_ok() && sable::read(&deep(500)).is_err());
-    assert!(sable::read(&"a".repeat(raconteur_voice::markup::LONGEST)).is_ok());
-    assert!(sable::read(&"a".repeat(raconteur_voice::markup::LONGEST + 1)).is_err());
+    assert!(sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES)).is_ok());
+    assert!(sable::read(&"a".repeat(raconteur_voice::markup::MAX_DOCUMENT_BYTES + 1)).is_err());
     assert!(ssml::read(&"<break/>".repeat(60_000)).is_err());
     let long = format!("<PRON SUB='{}'>a</PRON>", "b".repeat(2000));
     let (content, problems) = sable::read(&long).unwrap();

@@ -6,7 +6,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use raconteur_speech::Bundle;
-use raconteur_voice::hear::{Heard, hear};
+use raconteur_voice::measured_speech::{MeasuredSpeech, measure_speech};
 use symphonia::core::audio::SampleBuffer;
 use symphonia::core::codecs::DecoderOptions;
 use symphonia::core::formats::FormatOptions;
@@ -59,10 +59,10 @@ fn what_is_heard_is_what_the_bundles_tell() {
     let stories = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
     voices(&stories, &mut folders);
     folders.sort();
-    let mut all = Heard::default();
+    let mut all = MeasuredSpeech::default();
     for folder in folders {
         let bundle = Bundle::from_json(&fs::read(folder.join("speech.json")).unwrap()).unwrap();
-        let mut sum = Heard::default();
+        let mut sum = MeasuredSpeech::default();
         for utterance in &bundle.utterances {
             let file = &utterance.audio[1].file;
             let (samples, rate_hz) = decode(&folder.join(file));
@@ -73,7 +73,7 @@ fn what_is_heard_is_what_the_bundles_tell() {
                 utterance.duration_secs
             );
             let phone_set = &bundle.voices[utterance.voice].phone_set;
-            sum.add(&hear(utterance, phone_set, &samples, rate_hz));
+            sum.add(&measure_speech(utterance, phone_set, &samples, rate_hz));
         }
         let under = sum.pauses_under_db();
         println!(

@@ -9,5 +9,5 @@ use crate::player::plain;
 /// The figure, voice and language that a text chooses; a `Performer`.
 #[wasm_bindgen(js_name = performerOf)]
 pub fn performer(eml: &str) -> Result<JsValue, JsError> {
-    plain(&Performer::of(Some(&performer_of(eml))))
+    plain(&Performer::from_performer(Some(&performer_of(eml))))
 }

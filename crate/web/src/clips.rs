@@ -40,7 +40,7 @@ impl Player {
             performer.duration_secs(),
             performer.utterances(),
             performer.choice(),
-            Lesson::new(performer.questions(), performer.ways()),
+            Lesson::new(performer.questions(), performer.flow()),
             problems,
         ))
     }

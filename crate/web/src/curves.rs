@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use crate::player::Player;
 
 /// Samples that are taken at once at most.
-const MOST: usize = 4096;
+const MAX_SAMPLES: usize = 4096;
 
 /// Appends the controls of a face.
 fn push_controls(c: &FaceControls, numbers: &mut Vec<f32>) {
@@ -45,7 +45,7 @@ impl Player {
         let Some(performer) = &self.performer else {
             return numbers;
         };
-        let count = count.min(MOST);
+        let count = count.min(MAX_SAMPLES);
         for i in 0..count {
             let share = i as f64 / (count - 1).max(1) as f64;
             let mut controls = performer.face_controls(from + (to - from) * share);

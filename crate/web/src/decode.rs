@@ -9,7 +9,7 @@ use crate::player::plain;
 
 /// A script that was fetched.
 #[derive(Serialize)]
-struct Fetched {
+struct DecodedScript {
     text: String,
     /// That some of its bytes are not UTF-8; the parser cannot know.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -23,7 +23,7 @@ pub fn decode_script(bytes: Vec<u8>) -> Result<JsValue, JsError> {
     let problem = decoded
         .problem
         .map(|d| Diagnostic::new(d, &LineIndex::new(&decoded.text)));
-    plain(&Fetched {
+    plain(&DecodedScript {
         text: decoded.text,
         problem,
     })

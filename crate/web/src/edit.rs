@@ -1,12 +1,12 @@
 //! For pages that edit: another text for the current performer, and what to draw over the
 //! picture.
 
-use raconteur_player::stage::{Lighting, Room, View};
+use raconteur_player::stage::{FramingMargin, Lighting, View};
 use wasm_bindgen::prelude::*;
 
 use crate::player::Player;
 
-/// Room for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
+/// FramingMargin for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
 /// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
 /// still while a hand is dragged about.
 const REACH_UP: f64 = 1.23;
@@ -34,12 +34,12 @@ impl Player {
         };
         let stature_m = before.figure().skeleton.stature_m();
         let room = match roomy {
-            true => Room {
+            true => FramingMargin {
                 top_m: REACH_UP * stature_m,
                 half_width_m: REACH_OUT * stature_m,
-                ..Room::default()
+                ..FramingMargin::default()
             },
-            false => Room::default(),
+            false => FramingMargin::default(),
         };
         self.read_again(eml, bundle.as_deref(), motion, room)
     }

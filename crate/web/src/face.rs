@@ -5,7 +5,9 @@ use std::sync::Arc;
 use raconteur_player::base::{DVec3, ops};
 use raconteur_player::body::read::read_figure;
 use raconteur_player::body::{Bone, HairColour};
-use raconteur_player::reshape::{Lender, Look, NewFace, NewOrgans, Reshaper, SpeckleKind, Spot};
+use raconteur_player::reshape::{
+    HairDonor, Look, NewFace, NewOrgans, Reshaper, SpeckleKind, SurfacePoint,
+};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -52,7 +54,7 @@ impl Player {
             Some(reshaper) => reshaper,
             None => Reshaper::new(performer.figure().as_ref().clone(), skin.len() / 3)?,
         };
-        let made = reshaper.with_look(&face, &look, &self.lenders);
+        let made = reshaper.with_look(&face, &look, &self.donors);
         // Kept whatever came of it: preparing takes longer than a face.
         self.reshaper = Some(reshaper);
         let figure = Arc::new(made?);
@@ -82,16 +84,18 @@ impl Player {
     }
 
     /// Whether a figure lends its hair already.
+    #[wasm_bindgen(js_name = hasDonor)]
     #[must_use]
-    pub fn lends(&self, name: &str) -> bool {
-        self.lenders.contains_key(name)
+    pub fn has_donor(&self, name: &str) -> bool {
+        self.donors.contains_key(name)
     }
 
     /// Takes a figure that lends its hair to faces of so many vertices.
-    pub fn lend(&mut self, name: &str, glb: &[u8], vertices: usize) -> Result<(), JsError> {
+    #[wasm_bindgen(js_name = addDonor)]
+    pub fn add_donor(&mut self, name: &str, glb: &[u8], vertices: usize) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
-        let lender = Lender::new(&read_figure(name, glb)?, vertices)?;
-        self.lenders.insert(name.to_owned(), lender);
+        let lender = HairDonor::new(&read_figure(name, glb)?, vertices)?;
+        self.donors.insert(name.to_owned(), lender);
         Ok(())
     }
 
@@ -119,7 +123,7 @@ impl Player {
     #[must_use]
     pub fn face_chart(&self, spot: &[f64]) -> Option<Vec<f64>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
-        let chart = reshaper.chart(performer.figure(), &Spot::from_numbers(spot)?)?;
+        let chart = reshaper.chart(performer.figure(), &SurfacePoint::from_numbers(spot)?)?;
         Some([chart.uv, chart.right, chart.up].concat())
     }
 

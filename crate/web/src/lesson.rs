@@ -10,7 +10,7 @@ use serde::Serialize;
 #[serde(rename_all = "camelCase")]
 pub struct Lesson {
     questions: Vec<Question>,
-    ways: Vec<Way>,
+    ways: Vec<FlowEntry>,
 }
 
 impl Lesson {
@@ -19,7 +19,7 @@ impl Lesson {
     pub fn new(questions: Vec<QuestionCue>, ways: Vec<WayCue>) -> Self {
         Self {
             questions: questions.into_iter().map(Question::from).collect(),
-            ways: ways.into_iter().map(Way::from).collect(),
+            ways: ways.into_iter().map(FlowEntry::from).collect(),
         }
     }
 }
@@ -174,20 +174,20 @@ impl From<QuestionCue> for Question {
 /// Something on the way through a story.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Way {
+struct FlowEntry {
     order: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     within: Option<u32>,
     at_secs: f64,
     end_secs: f64,
     #[serde(flatten)]
-    what: What,
+    what: FlowEntryKind,
 }
 
 /// What is on the way.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "camelCase")]
-enum What {
+enum FlowEntryKind {
     Part {
         name: String,
         title: String,
@@ -221,27 +221,27 @@ enum What {
     },
 }
 
-impl From<WayCue> for Way {
+impl From<WayCue> for FlowEntry {
     fn from(cue: WayCue) -> Self {
         let what = match cue.kind {
-            WayKind::Part { name, title } => What::Part { name, title },
+            WayKind::Part { name, title } => FlowEntryKind::Part { name, title },
             WayKind::If {
                 name,
                 is,
                 not,
                 above,
                 below,
-            } => What::If {
+            } => FlowEntryKind::If {
                 name,
                 is,
                 not,
                 above,
                 below,
             },
-            WayKind::Set { name, value, by } => What::Set { name, value, by },
-            WayKind::Pool { count } => What::Pool { count },
-            WayKind::Item { pool } => What::Item { pool },
-            WayKind::Goto { to } => What::Goto { to },
+            WayKind::Set { name, value, by } => FlowEntryKind::Set { name, value, by },
+            WayKind::Pool { count } => FlowEntryKind::Pool { count },
+            WayKind::Item { pool } => FlowEntryKind::Item { pool },
+            WayKind::Goto { to } => FlowEntryKind::Goto { to },
         };
         Self {
             order: cue.order,

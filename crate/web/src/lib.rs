@@ -48,13 +48,13 @@ mod face;
 #[cfg(target_arch = "wasm32")]
 mod measure;
 #[cfg(target_arch = "wasm32")]
+mod narration;
+#[cfg(target_arch = "wasm32")]
 mod palm;
 #[cfg(target_arch = "wasm32")]
 mod player;
 #[cfg(target_arch = "wasm32")]
 mod reading;
-#[cfg(target_arch = "wasm32")]
-mod telling;
 #[cfg(target_arch = "wasm32")]
 pub use activity::doing;
 #[cfg(target_arch = "wasm32")]
@@ -62,10 +62,10 @@ pub use cast::performer;
 #[cfg(target_arch = "wasm32")]
 pub use decode::decode_script;
 #[cfg(target_arch = "wasm32")]
+pub use narration::{continue_narration, narrate, split_clauses};
+#[cfg(target_arch = "wasm32")]
 pub use palm::{hand_directions, palm_of};
 #[cfg(target_arch = "wasm32")]
 pub use player::Player;
 #[cfg(target_arch = "wasm32")]
 pub use reading::pose_digests;
-#[cfg(target_arch = "wasm32")]
-pub use telling::{cut_text, told, told_on};

@@ -38,7 +38,7 @@ pub struct Performer {
 impl Performer {
     /// As the language has it.
     #[must_use]
-    pub fn of(performer: Option<&eml::Performer>) -> Self {
+    pub fn from_performer(performer: Option<&eml::Performer>) -> Self {
         performer.map_or_else(Self::default, |p| Self {
             figure: p.figure.clone(),
             voice: p.voice.clone(),
@@ -127,7 +127,7 @@ impl From<MusicCue> for MusicPiece {
 /// How the environment expresses what is felt.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Expressed {
+pub struct EnvironmentExpression {
     emotion: &'static str,
     potential: f64,
     intensity: f64,
@@ -142,8 +142,8 @@ pub struct Expressed {
     music: Vec<String>,
 }
 
-impl From<raconteur_player::Expressed> for Expressed {
-    fn from(expressed: raconteur_player::Expressed) -> Self {
+impl From<raconteur_player::EnvironmentExpression> for EnvironmentExpression {
+    fn from(expressed: raconteur_player::EnvironmentExpression) -> Self {
         let emotion = expressed.emotion.unwrap_or_else(|| EmotionType::neutral());
         Self {
             emotion: emotion.name,
@@ -189,13 +189,13 @@ pub struct Performance {
     pub end_secs: f64,
     /// What it ends, where it was no fragment but `<interrupt/>`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub cut: Option<Interruption>,
+    pub cut: Option<InterruptionOutcome>,
 }
 
 /// What fragments say and do has ended.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Interruption {
+pub struct InterruptionOutcome {
     /// When, story time, seconds.
     pub at_secs: f64,
     /// When all that is known now is over, story time, seconds.
@@ -217,7 +217,7 @@ impl Story {
         Self {
             duration_secs,
             utterances: utterances.iter().map(Utterance::new).collect(),
-            performer: Performer::of(performer),
+            performer: Performer::from_performer(performer),
             lesson,
             diagnostics: diagnostics
                 .into_iter()

@@ -7,7 +7,7 @@ use raconteur_player::body::Bone;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::reshape::{Hair, Lenders, Reshaper};
-use raconteur_player::stage::{Frame, Lighting, Room, View};
+use raconteur_player::stage::{Frame, FramingMargin, Lighting, View};
 use raconteur_player::{LanguageTag, Options, Player as Performer};
 use raconteur_render::{Backend, CanvasTarget, Quality, RenderStatus};
 use serde::Serialize;
@@ -17,14 +17,16 @@ use web_sys::HtmlCanvasElement;
 
 use crate::activity::{Activity, ActivityGuard, note};
 use crate::lesson::Lesson;
-use crate::message::{Expressed, Interruption, MusicPiece, Performance, Utterance};
+use crate::message::{
+    EnvironmentExpression, InterruptionOutcome, MusicPiece, Performance, Utterance,
+};
 use crate::reading::read;
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
-const MOST_PIXELS: f64 = 8192.0;
+const MAX_PIXELS: f64 = 8192.0;
 
 /// Less idle life than this asks for less motion of the camera as well.
 const LITTLE_MOTION: f64 = 0.5;
@@ -59,7 +61,7 @@ pub struct Player {
     /// The figure as it came, once it has got another face.
     pub(crate) reshaper: Option<Reshaper>,
     /// Who lends hair.
-    pub(crate) lenders: Lenders,
+    pub(crate) donors: Lenders,
     /// Hair and beard that the figure has.
     pub(crate) hair: [Hair; 2],
 }
@@ -92,7 +94,7 @@ impl Player {
             language: None,
             sized: false,
             reshaper: None,
-            lenders: Lenders::new(),
+            donors: Lenders::new(),
             hair: Default::default(),
         })
     }
@@ -110,7 +112,7 @@ impl Player {
         let _activity = ActivityGuard::new(Activity::Figure);
         let figure = Arc::new(read_figure(figure, glb)?);
         self.reshaper = None;
-        let options = self.options(motion, Room::default());
+        let options = self.options(motion, FramingMargin::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
         performer.set_lighting(self.lighting);
@@ -143,13 +145,14 @@ impl Player {
 
     /// Reads another story for the figure that is on stage, which keeps its pictures: the device
     /// is sent nothing. The arguments and the answer are those of `load`. Nothing before a `load`.
-    pub fn tell(
+    #[wasm_bindgen(js_name = replaceStory)]
+    pub fn replace_story(
         &mut self,
         eml: &str,
         bundle: Option<Vec<u8>>,
         motion: f64,
     ) -> Result<JsValue, JsError> {
-        self.read_again(eml, bundle.as_deref(), motion, Room::default())
+        self.read_again(eml, bundle.as_deref(), motion, FramingMargin::default())
     }
 
     /// How many pictures the figure has, for the page to decode.
@@ -200,14 +203,16 @@ impl Player {
 
     /// Shows the figure as it waits for the story to be played, for so many seconds already; a
     /// `TickStatus`. The next `tick` goes on from there, unless a `seek` comes first.
-    pub fn welcome(&mut self, waited_secs: f64) -> Result<u32, JsError> {
+    #[wasm_bindgen(js_name = evaluateIdle)]
+    pub fn evaluate_idle(&mut self, waited_secs: f64) -> Result<u32, JsError> {
         let _activity = ActivityGuard::new(Activity::Pose);
-        self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
+        self.draw(|performer, aspect| performer.evaluate_idle(waited_secs, aspect))
     }
 
     /// Draws the figure as it waits for an answer where the story rests at `time_secs`, so many
     /// seconds already, and looks at a bone of EML's, or at the viewer by any other name.
-    pub fn attend(
+    #[wasm_bindgen(js_name = evaluateWaiting)]
+    pub fn evaluate_waiting(
         &mut self,
         time_secs: f64,
         waited_secs: f64,
@@ -215,13 +220,16 @@ impl Player {
     ) -> Result<u32, JsError> {
         let _activity = ActivityGuard::new(Activity::Pose);
         let bone = Bone::from_name(looked_at);
-        self.draw(|performer, aspect| performer.attend(time_secs, waited_secs, bone, aspect))
+        self.draw(|performer, aspect| {
+            performer.evaluate_waiting(time_secs, waited_secs, bone, aspect)
+        })
     }
 
     /// As `seek`, but what the figure does as it waits fades into what follows.
-    pub fn leap(&mut self, time_secs: f64) {
+    #[wasm_bindgen(js_name = seekWithFade)]
+    pub fn seek_with_fade(&mut self, time_secs: f64) {
         if let Some(performer) = &mut self.performer {
-            performer.leap(time_secs);
+            performer.seek_with_fade(time_secs);
         }
     }
 
@@ -277,14 +285,14 @@ impl Player {
             first_utterance: performed.first_utterance,
             lesson: Lesson::new(performed.questions, Vec::new()),
             end_secs: performer.end_secs(),
-            cut: performed.cut_secs.map(|at_secs| Interruption {
+            cut: performed.cut_secs.map(|at_secs| InterruptionOutcome {
                 at_secs,
                 end_secs: performer.end_secs(),
             }),
         })
     }
 
-    /// Ends what fragments say and do at a story time; an `Interruption`, or nothing where there was
+    /// Ends what fragments say and do at a story time; an `InterruptionOutcome`, or nothing where there was
     /// nothing to end.
     pub fn interrupt(&mut self, now_secs: f64) -> Result<JsValue, JsError> {
         let _activity = ActivityGuard::new(Activity::Fragment);
@@ -294,7 +302,7 @@ impl Player {
         let Some(at_secs) = performer.interrupt(now_secs) else {
             return Ok(JsValue::UNDEFINED);
         };
-        plain(&Interruption {
+        plain(&InterruptionOutcome {
             at_secs,
             end_secs: performer.end_secs(),
         })
@@ -302,9 +310,10 @@ impl Player {
 
     /// Takes the speech of fragments that will come: the text of a bundle that begins with what is
     /// known. Whether it does.
-    pub fn hear(&mut self, bundle: &[u8]) -> bool {
+    #[wasm_bindgen(js_name = updateBundle)]
+    pub fn update_bundle(&mut self, bundle: &[u8]) -> bool {
         let performer = self.performer.as_mut();
-        performer.is_some_and(|performer| performer.hear(bundle))
+        performer.is_some_and(|performer| performer.update_bundle(bundle))
     }
 
     /// Whether the clock may pass the end of the story, because a mind may send more.
@@ -321,7 +330,7 @@ impl Player {
             let wanted = (css * dpr).round();
             // A size that is not a number becomes the smallest.
             if wanted >= 1.0 {
-                wanted.min(MOST_PIXELS)
+                wanted.min(MAX_PIXELS)
             } else {
                 1.0
             }
@@ -346,10 +355,14 @@ impl Player {
         plain(&music.map(MusicPiece::from).collect::<Vec<_>>())
     }
 
-    /// How the environment expresses what is felt at a story time; an `Expressed`.
-    pub fn expressed(&self, time_secs: f64) -> Result<JsValue, JsError> {
-        let expressed = self.performer.as_ref().map(|p| p.expressed(time_secs));
-        plain(&expressed.map(Expressed::from))
+    /// How the environment expresses what is felt at a story time; an `EnvironmentExpression`.
+    #[wasm_bindgen(js_name = environmentExpression)]
+    pub fn environment_expression(&self, time_secs: f64) -> Result<JsValue, JsError> {
+        let expressed = self
+            .performer
+            .as_ref()
+            .map(|p| p.environment_expression(time_secs));
+        plain(&expressed.map(EnvironmentExpression::from))
     }
 
     /// The cues passed since the last call.
@@ -388,7 +401,7 @@ impl Player {
         eml: &str,
         bundle: Option<&[u8]>,
         motion: f64,
-        room: Room,
+        room: FramingMargin,
     ) -> Result<JsValue, JsError> {
         let Some(before) = &self.performer else {
             return Ok(JsValue::UNDEFINED);
@@ -411,7 +424,7 @@ impl Player {
 impl Player {
     /// How a story is performed, with this amount of idle life and no less room in the
     /// picture than `room`.
-    pub(crate) fn options(&self, motion: f64, room: Room) -> Options {
+    pub(crate) fn options(&self, motion: f64, room: FramingMargin) -> Options {
         Options {
             motion_amount: if motion.is_nan() {
                 1.0

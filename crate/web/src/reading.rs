@@ -56,7 +56,7 @@ pub(crate) fn read(
         performer.duration_secs(),
         performer.utterances(),
         performer.choice(),
-        Lesson::new(performer.questions(), performer.ways()),
+        Lesson::new(performer.questions(), performer.flow()),
         loaded.diagnostics,
     );
     (performer, story)

@@ -8,7 +8,7 @@ import { fetched, type Host, serve } from '../../../web/speech/serve.js';
 const VERSION = '1.52.0';
 const DATA = '/usr/share/espeak-ng-data';
 /** Longest text, characters; the baker gives sentences. */
-const MOST_CHARACTERS = 100_000;
+const MAX_CHARACTERS = 100_000;
 
 /** What happens at a sample: `Event` of `crate/voice`. */
 type Event = { readonly sample: number } & ({ readonly kind: 'word'; readonly position: number } | { readonly kind: 'phone'; readonly symbol: string } | { readonly kind: 'end' });
@@ -25,7 +25,7 @@ class Espeak implements Host {
     this.#worker = new module.eSpeakNGWorker();
     // The module keeps a place in memory for strings, and makes it larger with the second that did not fit: from now on
     // the longest fit, and that place is part of the fresh memory.
-    for (let i = 0; i < 2; i++) this.#worker.set_voice('x'.repeat(4 * MOST_CHARACTERS));
+    for (let i = 0; i < 2; i++) this.#worker.set_voice('x'.repeat(4 * MAX_CHARACTERS));
     this.#fresh = module.HEAPU8.slice();
   }
 
@@ -53,7 +53,7 @@ class Espeak implements Host {
 
   /** Says a text. The library keeps noise and flutter from text to text: it gets the memory back that it began with. */
   say(voice: string, text: string): { samples: Int16Array; rateHz: number; events: Event[]; marked: string } {
-    if (text.length > MOST_CHARACTERS) throw new Error('the sentence is too long');
+    if (text.length > MAX_CHARACTERS) throw new Error('the sentence is too long');
     this.#module.HEAPU8.set(this.#fresh);
     const worker = this.#worker;
     if (worker.set_voice(voice) !== 0) throw new Error(`espeak-ng has no voice ${voice}`);

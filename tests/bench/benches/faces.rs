@@ -34,9 +34,9 @@ fn faces(c: &mut Criterion) {
     });
     let name = "width of the mouth";
     c.bench_function("an attribute of a shape, the whole change", |b| {
-        b.iter(|| editor.attribute_change(Part::Shape, name, &Region::whole()));
+        b.iter(|| editor.attribute_change(Part::Shape, name, &Region::whole_head()));
     });
-    let change = editor.attribute_change(Part::Shape, name, &Region::whole());
+    let change = editor.attribute_change(Part::Shape, name, &Region::whole_head());
     let change = change.expect("an attribute");
     let mut face = editor.random(3);
     c.bench_function("an attribute of a shape, once more", |b| {

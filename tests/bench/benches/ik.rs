@@ -9,11 +9,11 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use k::nalgebra as na;
 use k::prelude::*;
-use raconteur_actor::limb::chain::{Base, LimbRig};
+use raconteur_actor::limb::chain::{LimbBase, LimbRig};
 use raconteur_actor::limb::obstacles::Obstacles;
-use raconteur_actor::limb::solve::{AT_EASE, Choice};
-use raconteur_actor::limb::swivel::Comfort;
-use raconteur_actor::limb::{BodySpace, Frame, Sex};
+use raconteur_actor::limb::solve::{AT_EASE, SolutionCriteria};
+use raconteur_actor::limb::swivel::SwivelCriteria;
+use raconteur_actor::limb::{BodySpace, RigidFrame, Sex};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -22,13 +22,13 @@ const TARGETS: i64 = 1024;
 const METRES: f64 = 1e-4;
 const RADIANS: f64 = 1e-3;
 
-fn targets(base: &Base, reach_m: f64) -> Vec<Frame> {
+fn targets(base: &LimbBase, reach_m: f64) -> Vec<RigidFrame> {
     let target = |i| {
         let r = |k| noise::signed(41, k, i);
         let direction = DVec3::new(r(0), r(1), r(2))
             .try_normalize()
             .unwrap_or(DVec3::Z);
-        Frame {
+        RigidFrame {
             position: base.origin + direction * reach_m * (0.4 + 0.55 * noise::unit(41, 3, i)),
             rotation: DQuat::from_xyzw(r(4), r(5), r(6), r(7)).normalize(),
         }
@@ -115,10 +115,10 @@ fn closed_form(
     c: &mut Criterion,
     skeleton: &Skeleton,
     rig: &LimbRig,
-    base: &Base,
-    next: &mut impl FnMut() -> Frame,
+    base: &LimbBase,
+    next: &mut impl FnMut() -> RigidFrame,
 ) {
-    let elbow = |target: &Frame| {
+    let elbow = |target: &RigidFrame| {
         let to = (target.position - base.origin).normalize();
         (DVec3::NEG_Y - to * to.dot(DVec3::NEG_Y)).normalize_or(DVec3::NEG_Z)
     };
@@ -138,9 +138,9 @@ fn closed_form(
         head: space.head(),
         other_forearm: Some([Bone::RElbow, Bone::RWrist].map(Bone::example_position_m)),
     };
-    let comfort = Comfort {
+    let comfort = SwivelCriteria {
         obstacles: Some(&obstacles),
-        ..Comfort::default()
+        ..SwivelCriteria::default()
     };
     c.bench_function("closed form: swivel, solutions, limits, bones", |b| {
         b.iter(|| {
@@ -148,7 +148,7 @@ fn closed_form(
             let swivel = rig.swivel_for(&target, base, &comfort);
             let elbow = rig.elbow_at(&target, base, swivel);
             let found = rig.solutions(&target, elbow, base, true);
-            let choice = Choice {
+            let choice = SolutionCriteria {
                 limited: 1.0,
                 current: None,
                 preferred: &AT_EASE,
@@ -163,13 +163,13 @@ fn closed_form(
 fn numerical(
     c: &mut Criterion,
     skeleton: &Skeleton,
-    base: &Base,
-    next: &mut impl FnMut() -> Frame,
+    base: &LimbBase,
+    next: &mut impl FnMut() -> RigidFrame,
 ) {
     let upper_m = skeleton.offset_length_m(Bone::LElbow);
     let fore_m = skeleton.offset_length_m(Bone::LWrist);
     let chain = chain(upper_m, fore_m);
-    let theirs = |target: &Frame| {
+    let theirs = |target: &RigidFrame| {
         let p = target.position - base.origin;
         let q = target.rotation;
         na::Isometry3::from_parts(

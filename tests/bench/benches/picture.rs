@@ -10,7 +10,7 @@ use raconteur_base::DVec3;
 use raconteur_body::Pose;
 use raconteur_body::read::read_figure;
 use raconteur_render::{Headless, Quality, RenderOptions};
-use raconteur_stage::{Frame, Room, Shot};
+use raconteur_stage::{Frame, FramingMargin, Shot};
 
 const SIZE: (u32, u32) = (828, 570);
 /// The same shape with the most pixels of the lowest rung.
@@ -24,7 +24,12 @@ fn frames(criterion: &mut Criterion) {
     let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
     let skeleton = &figure.skeleton;
     skeleton.solve(&Pose::zero(), &mut frame.world_from_joint);
-    frame.camera = Shot::Medium.frame(DVec3::ZERO, skeleton.stature_m(), aspect, Room::default());
+    frame.camera = Shot::Medium.frame(
+        DVec3::ZERO,
+        skeleton.stature_m(),
+        aspect,
+        FramingMargin::default(),
+    );
     let mut group = criterion.benchmark_group("frame");
     group.sample_size(10);
     for (quality, name) in Quality::NAMES {

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use raconteur_base::noise;
 use raconteur_body::face::{Binding, NodeState};
-use raconteur_body::figure::{Maps, Material, MaterialKind, Mesh};
+use raconteur_body::figure::{Material, MaterialKind, Mesh, TextureMaps};
 use raconteur_render::tissue::{BoundMesh, Nodes};
 
 const VERTICES: u32 = 15_000;
@@ -28,7 +28,7 @@ fn mesh() -> Mesh {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         positions: vec![[0.0; 3]; n],
         normals: vec![[0.0, 0.0, 1.0]; n],
@@ -64,7 +64,7 @@ fn states(beat: i64) -> Vec<NodeState> {
 
 fn tissue(c: &mut Criterion) {
     let mesh = mesh();
-    let mut nodes = Nodes::of([&mesh].into_iter());
+    let mut nodes = Nodes::from_meshes([&mesh].into_iter());
     let Some(mut bound) = BoundMesh::new(&mesh, 0) else {
         return;
     };
@@ -73,14 +73,14 @@ fn tissue(c: &mut Criterion) {
     c.bench_function("tissue: 15,000 vertices follow six of 2,000 nodes", |b| {
         b.iter(|| {
             beat = 1 - beat;
-            if nodes.take(black_box(&moments[beat])) {
+            if nodes.update(black_box(&moments[beat])) {
                 bound.apply(&nodes, 0);
             }
             black_box(bound.current.last());
         });
     });
     c.bench_function("tissue: nothing has moved", |b| {
-        b.iter(|| black_box(nodes.take(black_box(&moments[beat]))));
+        b.iter(|| black_box(nodes.update(black_box(&moments[beat]))));
     });
 }
 

@@ -3,7 +3,7 @@
 import type { Diagnostic } from './types.js';
 
 /** A mind that sends garbage does not fill the page with complaints. */
-const MOST_DIAGNOSTICS = 200;
+const MAX_DIAGNOSTICS = 200;
 /** What stays true when another figure performs. */
 const OF_SOUND: readonly string[] = ['voice-missing', 'voice-not-installed', 'sound-missing'];
 
@@ -21,13 +21,13 @@ export class Diagnostics {
   }
 
   report(diagnostic: Diagnostic): void {
-    this.#list = [...this.#list, diagnostic].slice(-MOST_DIAGNOSTICS);
+    this.#list = [...this.#list, diagnostic].slice(-MAX_DIAGNOSTICS);
     this.#reported(diagnostic);
   }
 
   /** Adds those of a story that was read again; `anew`: they replace all that were about its text. */
   addStory(diagnostics: readonly Diagnostic[], anew: boolean): void {
-    this.#list = [...this.#list.filter((d) => !anew || d.start === undefined), ...diagnostics].slice(0, MOST_DIAGNOSTICS);
+    this.#list = [...this.#list.filter((d) => !anew || d.start === undefined), ...diagnostics].slice(0, MAX_DIAGNOSTICS);
   }
 
   /** Another figure performs: only those about sound stay, the rest belonged to the figure before. */

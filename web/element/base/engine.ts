@@ -2,7 +2,7 @@
 
 import type { FaceLook, NaturalHair, SpotKind } from './face-types.js';
 import type { Cue, Interruption, Performance } from './performance.js';
-import type { Expressed, Light, PictureStatistics, Piece, Quality, Story } from './types.js';
+import type { EnvironmentExpression, Light, PictureStatistics, Piece, Quality, Story } from './types.js';
 
 /** What became of a tick; the numbers are `TickStatus` in `crate/web`. */
 export const TickStatus = {
@@ -24,7 +24,7 @@ export interface Engine {
    */
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
   /** Has the figure that `load` put on stage tell another story, as `load` would; undefined before a `load`. */
-  tell(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
+  replaceStory(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
   /** Has the figure that `load` put on stage read another text, with room for every place of a hand or not; undefined before a `load`. */
   rehearse(eml: string, bundle: Uint8Array | undefined, motion: number, roomy: boolean): Story | undefined;
   /** Names of animations that are played and have not been provided. */
@@ -38,9 +38,9 @@ export interface Engine {
   /** Gives the figure on stage a face of a face model; what is played goes on. Without factors it keeps its colours. */
   setFace(skin: Float64Array, organs: Float64Array, factors: Float64Array, look: FaceLook | undefined, moves: boolean): void;
   /** Whether hair of a name was taken already. */
-  lends(name: string): boolean;
+  hasDonor(name: string): boolean;
   /** Takes hair, on the skin that it grew on, for faces of so many vertices. */
-  lend(name: string, glb: Uint8Array, vertices: number): void;
+  addDonor(name: string, glb: Uint8Array, vertices: number): void;
   /** The natural colours of hair, from dark to pale. */
   naturalHair(): NaturalHair[];
   /** The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below: three vertices and their shares. */
@@ -71,23 +71,23 @@ export interface Engine {
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
   tick(timeSecs: number): number;
   /** Shows the figure as it waits for the story to be played, for so many seconds already; a `TickStatus`. The next `tick` goes on from there. */
-  welcome(waitedSecs: number): number;
+  evaluateIdle(waitedSecs: number): number;
   /** Shows the figure as it waits for an answer where the story rests, for so many seconds already, and looks at a bone, or at the viewer; a `TickStatus`. */
-  attend(timeSecs: number, waitedSecs: number, lookedAt: string): number;
+  evaluateWaiting(timeSecs: number, waitedSecs: number, lookedAt: string): number;
   /** Moves without passing what lies between. */
   seek(timeSecs: number): void;
   /** As `seek`, but what the figure does as it waits fades into what follows. */
-  leap(timeSecs: number): void;
+  seekWithFade(timeSecs: number): void;
   /** Size of the canvas in CSS pixels, and device pixels for each of them. */
   resize(width: number, height: number, dpr: number): void;
   /** The music under the story and what joined it. */
   music(): Piece[];
   /** How the environment expresses what is felt at a story time; none before a load. */
-  expressed(timeSecs: number): Expressed | undefined;
+  environmentExpression(timeSecs: number): EnvironmentExpression | undefined;
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
   /** Takes the speech of fragments that will come: a bundle that begins with what is known. Whether it does. */
-  hear(bundle: Uint8Array): boolean;
+  updateBundle(bundle: Uint8Array): boolean;
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
   /** Ends what fragments say and do; undefined where there is nothing to end. */

@@ -82,7 +82,7 @@ export interface Story {
 }
 
 /** How camera, light and music express what is felt. */
-export interface Expressed {
+export interface EnvironmentExpression {
   /** The strongest emotion; `neutral` where nothing is felt. */
   readonly emotion: string;
   /** How strong the events are that elicit it, 0 to 10. */

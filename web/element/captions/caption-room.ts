@@ -3,7 +3,7 @@
 import type { LitElement } from 'lit';
 
 /** A caption that takes more of the stage would make the head too small: a fifth of the height is its due. */
-const MOST_CAPTIONS = 0.2;
+const MAX_CAPTIONS = 0.2;
 
 /** The place of a whole caption on a stage, while there are captions. */
 export class CaptionRoom {
@@ -29,7 +29,7 @@ export class CaptionRoom {
   measure(): void {
     this.#place = this.#found();
     const { clientHeight } = this.#stage;
-    this.#share = clientHeight > 0 ? Math.min(MOST_CAPTIONS, (this.#place?.clientHeight ?? 0) / clientHeight) : 0;
+    this.#share = clientHeight > 0 ? Math.min(MAX_CAPTIONS, (this.#place?.clientHeight ?? 0) / clientHeight) : 0;
   }
 
   #found(): Element | null {

@@ -27,7 +27,7 @@ const CAPITAL = /^[^\p{L}]?\p{Lu}/u;
 /** No sign of punctuation and closing is longer: what comes before need not be looked at. */
 const TAIL = 16;
 /** Longer words are none of those below. */
-const LONGEST = 16;
+const MAX_WORD_LENGTH = 16;
 /** A silence that is heard as a stop, seconds: where a sentence would run on, and where a comma asks for a shorter one. */
 const STOP_SECS = { bare: 0.18, comma: 0.32 } as const;
 
@@ -92,5 +92,5 @@ export function breaksOf(words: readonly Word[], texts: readonly string[], langu
 
 /** A word without what stands around it, in small letters; empty for long ones. */
 function bareOf(text: string): string {
-  return text.length > LONGEST ? '' : text.toLowerCase().replace(/^[^\p{L}]+|[^\p{L}]+$/gu, '');
+  return text.length > MAX_WORD_LENGTH ? '' : text.toLowerCase().replace(/^[^\p{L}]+|[^\p{L}]+$/gu, '');
 }

@@ -6,7 +6,7 @@ import type { Engine } from '../base/engine.js';
 import type { Story } from '../base/types.js';
 
 /** Beyond this an animation is not read; the library's largest has 14 KB, files of avatars some megabytes. */
-const MOST_BYTES = 32e6;
+const MAX_BYTES = 32e6;
 /** A story waits so long for its animations; then it begins, and takes them as they come. */
 const PATIENCE_MS = 4000;
 /** What comes within so long of another is taken with it: taking one reads the story again. */
@@ -25,12 +25,12 @@ export function addressOf(name: string, library: URL, story: URL): URL | undefin
 
 /** The text of a clip; an animation of a glTF, GLB or VRM file is converted to one. */
 async function fetchClip(url: URL, signal: AbortSignal, credentials: Credentials): Promise<string> {
-  const fetching: Fetching = { what: 'The animation', most: MOST_BYTES, signal, credentials };
+  const fetching: Fetching = { what: 'The animation', most: MAX_BYTES, signal, credentials };
   const bytes = await fetchBytes(url, fetching);
   if (url.pathname.endsWith('.json')) return new TextDecoder().decode(bytes);
   const { convertAnimation } = await import('../face/avatar.js');
   const text = await convertAnimation(decodeURIComponent(url.hash.slice(1)), bytes);
-  return text.length <= MOST_BYTES ? text : '';
+  return text.length <= MAX_BYTES ? text : '';
 }
 
 const after = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));

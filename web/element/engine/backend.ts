@@ -14,14 +14,14 @@ export interface PalmFunctions {
   palmOf(left: boolean, directions: Float64Array): Float64Array;
 }
 
-/** How the engine tells plain text: `crate/web/src/telling.rs`. Languages are tags of BCP 47. */
-export interface TellingFunctions {
+/** How the engine tells plain text: `crate/web/src/narration.rs`. Languages are tags of BCP 47. */
+export interface NarrationFunctions {
   /** The script of a text, phrase by phrase or not, so many characters of it; undefined where it has no word. */
-  told(text: string, language: string, phrased: boolean, most: number): string | undefined;
+  narrate(text: string, language: string, phrased: boolean, most: number): string | undefined;
   /** The fragment that goes on after a text that has left the feeling `felt`, and the feeling that this one leaves; undefined where it has no word. */
-  toldOn(text: string, language: string, felt: string): { readonly fragment: string; readonly feels: string } | undefined;
+  continueNarration(text: string, language: string, felt: string): { readonly fragment: string; readonly feels: string } | undefined;
   /** The clauses of a text that comes piece by piece, and what may go on; with `whole` nothing more comes. */
-  cutText(text: string, language: string, whole: boolean): { readonly clauses: readonly string[]; readonly rest: string };
+  splitClauses(text: string, language: string, whole: boolean): { readonly clauses: readonly string[]; readonly rest: string };
 }
 
 /** A script that was fetched. */
@@ -32,7 +32,7 @@ export interface Script {
 }
 
 /** What the JavaScript side of a build gives for one instance. */
-interface Instance extends PalmFunctions, TellingFunctions {
+interface Instance extends PalmFunctions, NarrationFunctions {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   performerOf(eml: string): Performer;
   decodeScript(bytes: Uint8Array): Script;
@@ -50,7 +50,7 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
 
 /** No build is larger. */
-const MOST_BYTES = 64e6;
+const MAX_BYTES = 64e6;
 
 /** Compiled once a page, by address; each player has an instance of its own. */
 const modules = new Map<string, Promise<WebAssembly.Module>>();
@@ -137,7 +137,7 @@ export function panicOf(engine: Engine): string | undefined {
 function compile(url: string): Promise<WebAssembly.Module> {
   let module = modules.get(url);
   if (module === undefined) {
-    module = fetchModule(new URL(url, SCRIPT), { what: 'The player', most: MOST_BYTES });
+    module = fetchModule(new URL(url, SCRIPT), { what: 'The player', most: MAX_BYTES });
     modules.set(url, module);
     // A failure is not kept: the network may come back.
     module.catch(() => modules.delete(url));

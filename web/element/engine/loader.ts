@@ -8,11 +8,11 @@ import { Shared } from '../base/shared.js';
 import { PlayerError, type Diagnostic } from '../base/types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
-const MOST_STORY_BYTES = 16e6;
+const MAX_STORY_BYTES = 16e6;
 /** What a story has in which something is said, or in which a figure waits for lines. */
 const SPEAKS = /<([\w.-]+:)?(voice-(text|say)\b|body\s*(\/>|>\s*<\/))/;
 /** Figures have a budget of 3 MB; a user's own avatar may be larger. */
-const MOST_FIGURE_BYTES = 100e6;
+const MAX_FIGURE_BYTES = 100e6;
 
 /** Everything that a story needs, as it came. */
 export interface StoryFiles {
@@ -71,7 +71,7 @@ export async function fetchStory(
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
   const script =
-    text === undefined ? fetchBytes(story, { what: 'The story', most: MOST_STORY_BYTES, signal, credentials, progress: part(0) }).then(decode) : Promise.resolve<Script>({ text });
+    text === undefined ? fetchBytes(story, { what: 'The story', most: MAX_STORY_BYTES, signal, credentials, progress: part(0) }).then(decode) : Promise.resolve<Script>({ text });
   const told = script.then((script) => script.text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story without speech has no recordings.
@@ -79,7 +79,7 @@ export async function fetchStory(
       part(1)(1);
       return undefined;
     }
-    return await fetchBytes(new URL('speech.json', voiceFolder), { what: 'The voice', most: MOST_STORY_BYTES, signal, credentials, progress: part(1) }).catch((error: unknown) => {
+    return await fetchBytes(new URL('speech.json', voiceFolder), { what: 'The voice', most: MAX_STORY_BYTES, signal, credentials, progress: part(1) }).catch((error: unknown) => {
       // A story without a recorded voice plays with captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
@@ -101,13 +101,13 @@ const figures = new Shared<Uint8Array>();
 /** A figure by its name in the library or its address, or where it lies for certain. */
 export async function fetchFigure(figure: string, library: URL, wanted: Wanted, url = urlOfFigure(figure, library)): Promise<FigureFile> {
   const { signal, progress, credentials } = wanted;
-  const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MOST_FIGURE_BYTES, signal, credentials, progress }));
+  const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MAX_FIGURE_BYTES, signal, credentials, progress }));
   progress(1);
   return await prepareFigure(figure, shown(url), bytes);
 }
 
 /** A file of the user's own. */
 export async function readFigure(file: File): Promise<FigureFile> {
-  if (file.size > MOST_FIGURE_BYTES) throw tooLarge('The figure', MOST_FIGURE_BYTES);
+  if (file.size > MAX_FIGURE_BYTES) throw tooLarge('The figure', MAX_FIGURE_BYTES);
   return await prepareFigure(file.name, file.name, new Uint8Array(await file.arrayBuffer()));
 }

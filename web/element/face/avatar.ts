@@ -8,7 +8,7 @@ import type { FaceLook, FigureFace } from '../base/face-types.js';
 import type { Diagnostic } from '../base/types.js';
 
 /** It is not larger. */
-const MOST_BYTES = 64e6;
+const MAX_BYTES = 64e6;
 
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
@@ -48,7 +48,7 @@ export interface FaceFile {
 /** A fresh instance each time: a hostile file can at worst end this one. */
 async function open(): Promise<Instance> {
   const instance = instantiate() as unknown as Instance;
-  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads avatars made elsewhere', most: MOST_BYTES });
+  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads avatars made elsewhere', most: MAX_BYTES });
   await instance({ module_or_path: module });
   return instance;
 }

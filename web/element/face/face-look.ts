@@ -43,7 +43,7 @@ export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
   const { skin, organs, factors, look, moves = false } = face;
   for (const name of lendersOf(face)) {
     const glb = lent.get(name);
-    if (glb !== undefined && !engine.lends(name)) engine.lend(name, glb, skin.length / 3);
+    if (glb !== undefined && !engine.hasDonor(name)) engine.addDonor(name, glb, skin.length / 3);
   }
   engine.setFace(skin, organs, factors ?? new Float64Array(), toldLook(look), moves);
 }
@@ -68,7 +68,7 @@ const STEPS = 25;
 /** Under a beard of tufts the skin is as if it were shaved. */
 const UNDER: Readonly<Record<string, number>> = { [STUBBLE]: 1, full: 0.8, boxed: 0.9 };
 /** Nobody's face has more. */
-const MOST_MOLES = 12;
+const MAX_MOLES = 12;
 const stepped = (x: number): number => Math.round(Math.min(1, Math.max(0, x)) * STEPS) / STEPS;
 
 /** What a look paints. */
@@ -80,7 +80,7 @@ export function paintOf(look: FaceLook | undefined): SkinPaint {
     stubble: stepped(Math.max(stubble, UNDER[beard?.from ?? ''] ?? 0)),
     grey: stepped(grey),
     ageSpots: stepped(ageSpots),
-    moles: Math.min(MOST_MOLES, Math.max(0, Math.round(moles))),
+    moles: Math.min(MAX_MOLES, Math.max(0, Math.round(moles))),
     seed,
   };
 }

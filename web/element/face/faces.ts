@@ -6,7 +6,7 @@ import { fetchBytes, fetchModule, SCRIPT, type Progress } from '../base/fetching
 import type { FigureFace } from '../base/face-types.js';
 
 /** Neither the part that edits nor a file of a pack is larger. */
-const MOST_BYTES = 64e6;
+const MAX_BYTES = 64e6;
 
 /** Shape or texture. */
 export type FacePart = 'shape' | 'texture';
@@ -94,7 +94,7 @@ export class Faces {
 
   /** Fetches the model with its shapes and, beside them, its textures. */
   static async open(shapes: URL, textures?: URL, { signal, progress }: { readonly signal?: AbortSignal; readonly progress?: Progress } = {}): Promise<Faces> {
-    const watched = { most: MOST_BYTES, signal };
+    const watched = { most: MAX_BYTES, signal };
     const instance = instantiate() as unknown as Instance;
     const [module, shape, texture] = await Promise.all([
       fetchModule(new URL(wasmUrl, SCRIPT), { ...watched, what: 'The part that edits faces' }),

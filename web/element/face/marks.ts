@@ -65,7 +65,7 @@ const SHAPES: Readonly<Record<Exclude<TattooShape, 'text'>, (context: Context) =
 };
 
 /** Letters in a tattoo, at most. */
-const MOST_LETTERS = 24;
+const MAX_LETTERS = 24;
 
 function tattoo(context: Context, { shape = 'star', text = '' }: FaceMark): void {
   context.globalCompositeOperation = MULTIPLY;
@@ -78,7 +78,7 @@ function tattoo(context: Context, { shape = 'star', text = '' }: FaceMark): void
   context.font = '600 100px serif';
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  const letters = text.slice(0, MOST_LETTERS);
+  const letters = text.slice(0, MAX_LETTERS);
   const share = 1 / Math.max(100, context.measureText(letters).width);
   context.scale(share, share);
   context.fillText(letters, 0, 0);

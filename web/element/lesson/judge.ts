@@ -18,12 +18,12 @@ export function isOutcome(to: string, isRight: boolean | undefined): boolean {
 }
 
 /** A longer text is none. */
-export const MOST_CHARACTERS = 10_000;
+export const MAX_CHARACTERS = 10_000;
 
 /** An answer is the same with or without accents, capitals, commas and spaces. */
 export function plain(text: string): string {
   const bare = text
-    .slice(0, MOST_CHARACTERS)
+    .slice(0, MAX_CHARACTERS)
     .normalize('NFKD')
     .replaceAll(/[\u0300-\u036f]/g, '');
   return bare
@@ -61,7 +61,7 @@ const RULES: { readonly [kind in Question['kind']]: (question: Question, given: 
     return ruled(question, [given[0]?.trim() ?? ''], ({ least = -Infinity, most = Infinity }) => least <= number && number <= most);
   },
   text: (question, given) => {
-    const text = (given[0] ?? '').trim().slice(0, MOST_CHARACTERS);
+    const text = (given[0] ?? '').trim().slice(0, MAX_CHARACTERS);
     const words = plain(text);
     if (words === '') return undefined;
     const has = (phrase: string) => plain(phrase) !== '' && ` ${words} `.includes(` ${plain(phrase)} `);
@@ -120,7 +120,7 @@ export function isFilled({ options }: Question, given: readonly string[], place:
 }
 
 function gap(question: Question, given: readonly string[]): Required<Judgement> | undefined {
-  const written = question.options.map((_, i) => (given[i] ?? '').trim().slice(0, MOST_CHARACTERS));
+  const written = question.options.map((_, i) => (given[i] ?? '').trim().slice(0, MAX_CHARACTERS));
   if (written.every((text) => plain(text) === '')) return undefined;
   return { given: written, isRight: question.options.every((_, i) => isFilled(question, written, i)), fits: [] };
 }

@@ -51,7 +51,7 @@ const NEARLY_SECS = 1e-3;
 /** The places of what is not in the story, after all that is. */
 export const LIVE = 1e9;
 /** More of a state from outside is not read. */
-const MOST_DONE = 100_000;
+const MAX_DONE = 100_000;
 
 /** Marks in the order in which a story comes to them. */
 function marksOf(questions: readonly Question[], ways: readonly Way[]): readonly Mark[] {
@@ -263,9 +263,9 @@ export class Lesson {
     this.#draw();
     this.#values.restore(values);
     this.#done.clear();
-    for (const order of listOf(done).slice(0, MOST_DONE)) if (Number.isInteger(order)) this.#done.add(order as number);
+    for (const order of listOf(done).slice(0, MAX_DONE)) if (Number.isInteger(order)) this.#done.add(order as number);
     this.#furthestSecs = typeof furthestSecs === 'number' && furthestSecs >= 0 ? furthestSecs : 0;
-    this.#skipped.splice(0, Infinity, ...listOf(skipped).slice(0, MOST_DONE).filter(isSpan));
+    this.#skipped.splice(0, Infinity, ...listOf(skipped).slice(0, MAX_DONE).filter(isSpan));
     this.seek(0);
   }
 

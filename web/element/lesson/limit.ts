@@ -5,7 +5,7 @@ import type { QuestionWords } from './question-words.js';
 /** Then it is said that little is left. */
 const SOON_SECS = 20;
 /** More is given so often. */
-const MOST_MORE = 10;
+const MAX_MORE = 10;
 
 /** Who hears of the time. */
 interface Listener {
@@ -42,7 +42,7 @@ export class Limit {
   }
 
   get mayHaveMore(): boolean {
-    return this.#timer !== undefined && this.#more < MOST_MORE;
+    return this.#timer !== undefined && this.#more < MAX_MORE;
   }
 
   /** Gives the whole time again. */

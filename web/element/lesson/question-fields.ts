@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import { shuffled } from './chance.js';
-import { gapsOf, MOST_CHARACTERS } from './judge.js';
+import { gapsOf, MAX_CHARACTERS } from './judge.js';
 import type { QuestionWords } from './question-words.js';
 import type { Question, QuestionOption, QuestionPicture } from '../base/questions.js';
 
@@ -65,7 +65,7 @@ export function fieldsOf(fields: Fields): TemplateResult {
     case 'number':
       return html`<input class="written" name="option" type="text" inputmode="decimal" autocomplete="off" maxlength="40" required aria-label=${fields.words.yourAnswer} />`;
     case 'text':
-      return html`<textarea class="written" name="option" rows="3" maxlength=${MOST_CHARACTERS} required aria-label=${fields.words.yourAnswer}></textarea>`;
+      return html`<textarea class="written" name="option" rows="3" maxlength=${MAX_CHARACTERS} required aria-label=${fields.words.yourAnswer}></textarea>`;
   }
 }
 

@@ -7,9 +7,9 @@ import type { Way } from '../base/questions.js';
 export type Value = number | string | boolean;
 
 /** More variables than any story has; state from outside may hold no more. */
-const MOST_VALUES = 10_000;
+const MAX_VALUES = 10_000;
 /** A longer text is cut. */
-const LONGEST = 1000;
+const MAX_TEXT_LENGTH = 1000;
 
 /** What is known where a condition is looked at. */
 export interface Known {
@@ -22,7 +22,7 @@ export interface Known {
 function written(text: string): Value {
   if (text === 'true' || text === 'false') return text === 'true';
   const number = Number(text);
-  return text.trim() !== '' && Number.isFinite(number) ? number : text.slice(0, LONGEST);
+  return text.trim() !== '' && Number.isFinite(number) ? number : text.slice(0, MAX_TEXT_LENGTH);
 }
 
 const isValue = (value: unknown): value is Value => typeof value === 'string' || typeof value === 'boolean' || (typeof value === 'number' && Number.isFinite(value));
@@ -64,8 +64,8 @@ export class Values {
   /** Takes what `all` gave; what is no value is left out. */
   restore(all: unknown): void {
     this.#values.clear();
-    for (const [name, value] of Object.entries((all ?? {}) as object).slice(0, MOST_VALUES)) {
-      if (isValue(value)) this.#values.set(name, typeof value === 'string' ? value.slice(0, LONGEST) : value);
+    for (const [name, value] of Object.entries((all ?? {}) as object).slice(0, MAX_VALUES)) {
+      if (isValue(value)) this.#values.set(name, typeof value === 'string' ? value.slice(0, MAX_TEXT_LENGTH) : value);
     }
   }
 }

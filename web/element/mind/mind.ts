@@ -5,11 +5,11 @@ import type { Answer } from '../base/performance.js';
 import type { Diagnostic, MindState } from '../base/types.js';
 
 /** A longer message is no fragment; the engine takes a quarter of this. */
-const MOST_CHARACTERS = 65_536;
+const MAX_CHARACTERS = 65_536;
 /** Fragments refused for their pace, one after another, after which the connection is closed. */
-const MOST_REFUSED = 100;
+const MAX_REFUSED = 100;
 /** While this much is unsent, because the mind does not read, events are dropped and counted. */
-const MOST_UNREAD_BYTES = 1_000_000;
+const MAX_UNREAD_BYTES = 1_000_000;
 /** Waits before connecting again: the first, and the longest; each is twice the one before. */
 const WAIT_MS = { first: 500, longest: 30_000 };
 /** A connection that has held this long was a good one: the next wait is the first again. */
@@ -84,7 +84,7 @@ export class MindLink {
   tell(event: MindEvent): void {
     const socket = this.#socket;
     if (socket?.readyState !== WebSocket.OPEN) return;
-    if (socket.bufferedAmount > MOST_UNREAD_BYTES) {
+    if (socket.bufferedAmount > MAX_UNREAD_BYTES) {
       this.#lost += 1;
       return;
     }
@@ -123,7 +123,7 @@ export class MindLink {
       if (this.#closed) return;
       if (this.#openedMs > 0) {
         this.#seenMs = performance.now();
-        if (this.#seenMs - this.#openedMs > STEADY_MS && this.#refused < MOST_REFUSED) this.#failures = 0;
+        if (this.#seenMs - this.#openedMs > STEADY_MS && this.#refused < MAX_REFUSED) this.#failures = 0;
       }
       this.#again();
     };
@@ -145,7 +145,7 @@ export class MindLink {
   #hear(socket: WebSocket, data: unknown): void {
     // Messages that had come before it was closed.
     if (socket !== this.#socket || socket.readyState !== WebSocket.OPEN) return;
-    if (typeof data !== 'string' || data.length > MOST_CHARACTERS) {
+    if (typeof data !== 'string' || data.length > MAX_CHARACTERS) {
       socket.close(typeof data === 'string' ? 4009 : 4003);
       return;
     }
@@ -161,7 +161,7 @@ export class MindLink {
       return;
     }
     this.#speaking += 1;
-    if (this.#speaking > MOST_REFUSED) socket.close(4008);
+    if (this.#speaking > MAX_REFUSED) socket.close(4008);
     this.#spoken = answers.then((all) => {
       this.#speaking -= 1;
       if (socket === this.#socket) this.#answer(socket, all);
@@ -172,6 +172,6 @@ export class MindLink {
     this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
     // What else is wrong was told as a cue.
     for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.tell(answer);
-    if (this.#refused >= MOST_REFUSED) socket.close(4008);
+    if (this.#refused >= MAX_REFUSED) socket.close(4008);
   }
 }

@@ -8,7 +8,7 @@ const JUMP_SECS = 0.3;
 /** A picture of the film is as long. */
 const NEAR_SECS = 0.04;
 /** The most by which its speed leaves the story's. */
-const MOST_PULL = 0.1;
+const MAX_PULL = 0.1;
 /** It is given this long to come to its place before it is set anew: a seek takes a while where pictures are decoded slowly. */
 const SETTLE_MS = 500;
 /** While the story rests the film stands within a picture of its place. */
@@ -25,7 +25,7 @@ export interface Moment {
 /** What to do with a film that is `drift` seconds ahead of the story: a place to set, or a speed. */
 export function steerFilm(drift: number, rate: number): 'set' | number {
   if (Math.abs(drift) > JUMP_SECS) return 'set';
-  return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MOST_PULL, Math.max(-MOST_PULL, drift)));
+  return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MAX_PULL, Math.max(-MAX_PULL, drift)));
 }
 
 export class Film {

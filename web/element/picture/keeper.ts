@@ -43,7 +43,7 @@ export class PictureKeeper {
     const picture = this.#picture;
     if (picture === undefined) return undefined;
     if (!picture.lost && backends.includes(picture.backend)) {
-      const told = await picture.tell(files, events);
+      const told = await picture.replaceStory(files, events);
       if (told !== undefined) return { picture, ...told };
     }
     picture.close();

@@ -27,13 +27,13 @@ import {
   type Quality,
   type Story,
   type View,
-  type Expressed,
+  type EnvironmentExpression,
 } from '../base/types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
-const MOST_DPR = 2;
+const MAX_DPR = 2;
 /** A lost picture is restored by itself this often, the last time by the next back end that may be used; then a button offers it. */
-const MOST_RECOVERIES = 2;
+const MAX_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
 const RECOVERY_DELAY_MS = 600;
 
@@ -95,7 +95,7 @@ export class Picture {
    * here; undefined when the engine died of it. Throws, and may be called again, when the figure cannot
    * be read.
    */
-  async tell(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
+  async replaceStory(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
     const engine = this.#engine;
     if (engine === undefined || this.#canvas === undefined) return undefined;
     const before = this.#reader.files.figure;
@@ -176,8 +176,8 @@ export class Picture {
   }
 
   /** How camera, light and music express what is felt at a time. */
-  expressed(secs: number): Expressed | undefined {
-    return this.#guard((engine) => engine.expressed(secs));
+  environmentExpression(secs: number): EnvironmentExpression | undefined {
+    return this.#guard((engine) => engine.environmentExpression(secs));
   }
 
   /** The clock may pass the end of the story. */
@@ -211,8 +211,8 @@ export class Picture {
   }
 
   /** Takes the speech of fragments that will come. */
-  hear(bundle: Uint8Array): void {
-    if (this.#guard((engine) => engine.hear(bundle))) this.#reader.files = { ...this.#reader.files, bundle };
+  updateBundle(bundle: Uint8Array): void {
+    if (this.#guard((engine) => engine.updateBundle(bundle))) this.#reader.files = { ...this.#reader.files, bundle };
   }
 
   /** Performs a fragment of EML; undefined while there is no engine. */
@@ -317,7 +317,7 @@ export class Picture {
 
   #fit(engine: Engine): void {
     const { width, height } = this.#size;
-    if (width > 0) engine.resize(width, height, Math.min(MOST_DPR, window.devicePixelRatio || 1));
+    if (width > 0) engine.resize(width, height, Math.min(MAX_DPR, window.devicePixelRatio || 1));
   }
 
   /** Moves without passing the cues between. */
@@ -327,9 +327,9 @@ export class Picture {
   }
 
   /** As `seek`, but what the figure does as it waits fades into what follows. */
-  leap(secs: number): void {
+  seekWithFade(secs: number): void {
     this.#lastShown = secs;
-    this.#guard((engine) => engine.leap(secs));
+    this.#guard((engine) => engine.seekWithFade(secs));
   }
 
   /**
@@ -353,14 +353,14 @@ export class Picture {
   }
 
   /** Shows how the figure waits for the story to be played, since so many seconds. */
-  welcome(waitedSecs: number): void {
-    this.#wait((engine) => engine.welcome(waitedSecs));
+  showIdle(waitedSecs: number): void {
+    this.#wait((engine) => engine.evaluateIdle(waitedSecs));
   }
 
   /** Shows how the figure waits for an answer where the story rests, since so many seconds, and looks at a bone, or at the viewer. */
-  attend(secs: number, waitedSecs: number, lookedAt: string): void {
+  showWaiting(secs: number, waitedSecs: number, lookedAt: string): void {
     this.#lastShown = secs;
-    this.#wait((engine) => engine.attend(secs, waitedSecs, lookedAt));
+    this.#wait((engine) => engine.evaluateWaiting(secs, waitedSecs, lookedAt));
   }
 
   #wait(draw: (engine: Engine) => number): void {
@@ -383,7 +383,7 @@ export class Picture {
     if (this.#closed || (this.#lost && !asked)) return;
     this.#lost = true;
     if (asked) this.#recoveries = 0;
-    const again = this.#recoveries < MOST_RECOVERIES;
+    const again = this.#recoveries < MAX_RECOVERIES;
     this.#recoveries += 1;
     this.#events.lost(again);
     if (!again) return await this.#withoutPicture();
@@ -391,7 +391,7 @@ export class Picture {
     if (this.#closed) return;
     try {
       const [old, canvas, backend] = [this.#engine, this.#canvas, this.#backend];
-      if (this.#recoveries === MOST_RECOVERIES) this.#stepDown();
+      if (this.#recoveries === MAX_RECOVERIES) this.#stepDown();
       await this.#create();
       if (old !== undefined) release(old);
       if (canvas !== undefined) giveBack(canvas, backend);

@@ -31,7 +31,7 @@ export class StoryReader {
     engine.setHandedness(figure.handedness ?? '');
     engine.setLanguage(language);
     try {
-      const told = kept ? engine.tell(eml, bundle, motion) : undefined;
+      const told = kept ? engine.replaceStory(eml, bundle, motion) : undefined;
       const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motion);
       if (told === undefined) this.#given.apply(engine);
       engine.setOpenEnded(this.#asked.openEnded);

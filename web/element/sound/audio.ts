@@ -14,7 +14,7 @@ const KEEP_SECS = 60;
 /** A recording of which nothing has come for this long is given up, and the story goes on in captions. */
 const PATIENCE_MS = 20_000;
 /** No utterance is larger: it would be ten minutes of plain samples. */
-const MOST_SOUND_BYTES = 64e6;
+const MAX_SOUND_BYTES = 64e6;
 /** So long before what is being spoken the story stops: what has come is decoded and planned in less. */
 const BEFORE_SPEAKING_SECS = 0.05;
 /** A start or stop inside a sound fades over this, so that it does not click. */
@@ -378,7 +378,7 @@ export class RecordedVoice implements Voice {
     const given = this.#given.get(file);
     // Decoding takes the bytes away.
     if (given !== undefined) return given.slice().buffer;
-    return (await fetchBytes(url, { what: 'The recording', most: MOST_SOUND_BYTES, signal: this.#abort.signal, credentials: this.#credentials, silenceMs: PATIENCE_MS })).buffer;
+    return (await fetchBytes(url, { what: 'The recording', most: MAX_SOUND_BYTES, signal: this.#abort.signal, credentials: this.#credentials, silenceMs: PATIENCE_MS })).buffer;
   }
 
   /** Plans a decoded sound on the audio clock, once for each run. */

@@ -15,7 +15,7 @@ const JUMP_SECS = 0.06;
 /** Inaudible, and clocks of browsers wobble that much. */
 const NEAR_SECS = 0.012;
 /** The most by which the speed of a piece leaves the story's; 1.5 % is inaudible, since the pitch stays. */
-const MOST_PULL = 0.015;
+const MAX_PULL = 0.015;
 /** A piece is given this long to come to its place before it is set anew. */
 const SETTLE_MS = 400;
 /** How fast its level follows. */
@@ -36,7 +36,7 @@ export function levelAt(line: Piece['level'], secs: number): number {
 export function steer(drift: number, rate: number): 'set' | number {
   if (Math.abs(drift) > JUMP_SECS) return 'set';
   // A quarter of the way in each quarter of a second.
-  return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MOST_PULL, Math.max(-MOST_PULL, drift)));
+  return Math.abs(drift) < NEAR_SECS ? rate : rate * (1 - Math.min(MAX_PULL, Math.max(-MAX_PULL, drift)));
 }
 
 interface Playing {

@@ -12,7 +12,7 @@ export interface Permission {
  * No output is later than this; wireless ones are some tenths. A browser whose device stumbled
  * may report seconds, for minutes, and captions and lips would be that late.
  */
-const MOST_LATENCY_SECS = 1;
+const MAX_LATENCY_SECS = 1;
 /** A browser that allows sound starts it within this, even on a busy machine. */
 const REFUSAL_MS = 2000;
 /** Once the user has done something it is only a matter of time. */
@@ -82,7 +82,7 @@ export function soundOf(player: { readonly sinkId: string }): Permission {
 
 /** From the moment that a context computes to the one that is heard, in seconds. */
 export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outputLatency' | 'baseLatency'>): number {
-  return (outputLatency < MOST_LATENCY_SECS && outputLatency) || baseLatency || 0;
+  return (outputLatency < MAX_LATENCY_SECS && outputLatency) || baseLatency || 0;
 }
 
 /** The moment of a context that is heard now, seconds of its own clock. */

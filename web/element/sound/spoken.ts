@@ -12,7 +12,7 @@ import type { Utterance } from '../base/types.js';
 /** Browsers load their voices on the first request and report them later; one without voices reports nothing. */
 const VOICES_MS = 1000;
 /** An utterance that is not over at its end is waited for: this long, and this share of its own length. */
-const MOST_WAIT = { secs: 1.5, share: 0.5 } as const;
+const MAX_WAIT = { secs: 1.5, share: 0.5 } as const;
 /** A page that is not busy looks at least this often. */
 const LOOK_MS = 300;
 /** The utterances so far change the speed by no more than this. */
@@ -141,7 +141,7 @@ export class Spoken {
     // A busy page could not receive the end event: that counts as one check.
     now.waitedMs += Math.min(ms - (now.lateMs ?? ms), LOOK_MS);
     now.lateMs = ms;
-    if (now.waitedMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
+    if (now.waitedMs < (MAX_WAIT.secs + MAX_WAIT.share * now.secs) * 1000) return false;
     this.#cancel();
     return true;
   }

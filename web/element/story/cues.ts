@@ -37,7 +37,7 @@ export function passTransport(context: PlayerContext, event: TransportEvent): vo
   if (event === 'pause' && context.questioner.lesson.asked === undefined) say(player.ended ? wordsFor(player).ended : wordsFor(player).paused);
   if (event === 'seeked') {
     const { picture } = context.show ?? {};
-    if (context.questioner.isTurning) picture?.leap(player.currentTime);
+    if (context.questioner.isTurning) picture?.seekWithFade(player.currentTime);
     else {
       picture?.seek(player.currentTime);
       context.questioner.sought(player.currentTime);

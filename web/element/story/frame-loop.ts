@@ -82,9 +82,9 @@ export class FrameLoop {
     if ((show.transport.waiting || show.transport.rate === 0) && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
     this.#drawn = { secs, ms };
     const { asked } = questioner.lesson;
-    if (this.#waits) show.picture.welcome(this.#welcome.secs);
+    if (this.#waits) show.picture.showIdle(this.#welcome.secs);
     else if (asked !== undefined && player.paused) {
-      show.picture.attend(asked.atSecs, this.#welcome.secs, questioner.form.lookedAt);
+      show.picture.showWaiting(asked.atSecs, this.#welcome.secs, questioner.form.lookedAt);
       void questioner.form.place();
     } else this.#pass(show, secs);
     this.#context.follow();

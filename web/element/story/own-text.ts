@@ -6,7 +6,7 @@ import type { Backend, Diagnostic } from '../base/types.js';
 /** A script of this type carries EML as it is: the parser of HTML leaves it alone, and no policy of the page is about it. */
 const EML_TYPE = 'application/eml+xml';
 /** A longer text is told so far: as many hours are no story. */
-const MOST_CHARACTERS = 100_000;
+const MAX_CHARACTERS = 100_000;
 /** Text that is EML, and not to be said. */
 const IS_EML = /^\s*<(\?xml|!--|!DOCTYPE|([\w.-]+:)?eml\b)/i;
 /** What is not read: none of it is shown without scripts either, but for what says that there are none. */
@@ -57,7 +57,7 @@ const MANGLED: Diagnostic = {
 const TOO_LONG: Diagnostic = {
   code: 'text-too-long',
   severity: 'warning',
-  message: `The text between the tags has more than ${MOST_CHARACTERS} characters; it is told so far.`,
+  message: `The text between the tags has more than ${MAX_CHARACTERS} characters; it is told so far.`,
   hints: ['Make a story of it, in a file of its own.'],
 };
 
@@ -81,8 +81,8 @@ export class OwnText {
     const own = written(this.#host);
     if (own === undefined || own.isEml) return own?.text;
     if (own.isMangled) report(MANGLED);
-    if (own.text.length > MOST_CHARACTERS) report(TOO_LONG);
-    return (await openInstance(await backend)).told(own.text, language, false, MOST_CHARACTERS);
+    if (own.text.length > MAX_CHARACTERS) report(TOO_LONG);
+    return (await openInstance(await backend)).narrate(own.text, language, false, MAX_CHARACTERS);
   }
 
   /** Watches while the player is in a page; what is there already is no change. */

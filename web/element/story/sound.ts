@@ -53,7 +53,7 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
     const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: Said) => keep(context, show, said) };
     // It joins what is there.
     await source.speak({ eml: fragment, fragment: true, ...asked(context, show, source, show.files.bundle) }, saying);
-    if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
+    if (show.files.bundle !== undefined) show.picture.updateBundle(show.files.bundle);
   })().catch((error: unknown) => {
     if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
   });

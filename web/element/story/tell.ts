@@ -1,6 +1,6 @@
 /** Words that come piece by piece: cut into clauses, each of which is performed as soon as it is whole. Fetched only where it is used. */
 
-import { openInstance, type TellingFunctions } from '../engine/backend.js';
+import { openInstance, type NarrationFunctions } from '../engine/backend.js';
 import { languageOf, type PlayerContext } from './context.js';
 import { perform, Sender } from './fragments.js';
 import type { Show } from './show.js';
@@ -8,18 +8,18 @@ import type { Answer } from '../base/performance.js';
 import type { Diagnostic, Words } from '../base/types.js';
 
 /** A longer text is told so far. */
-const MOST_CHARACTERS = 100_000;
+const MAX_CHARACTERS = 100_000;
 /** No more than this is waiting to be said: what comes may be interrupted, and what waits takes room. */
 const AHEAD_SECS = 20;
 /** The story time, and an engine that is busy or away, are asked this often. */
 const LOOK_MS = 100;
 /** An engine that takes nothing for so long will not. */
-const MOST_TRIES = 300;
+const MAX_TRIES = 300;
 
 /** Where a text is told. */
 export interface Stage {
   /** How its engine tells texts. */
-  readonly telling: Pick<TellingFunctions, 'toldOn' | 'cutText'>;
+  readonly telling: Pick<NarrationFunctions, 'continueNarration' | 'splitClauses'>;
   /** What the text is read in, a tag of BCP 47. */
   readonly language: string;
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
@@ -45,9 +45,9 @@ class Speaker {
   }
 
   async say(clause: string): Promise<void> {
-    const made = this.#stage.telling.toldOn(clause, this.#stage.language, this.#feels);
+    const made = this.#stage.telling.continueNarration(clause, this.#stage.language, this.#feels);
     if (made === undefined) return;
-    for (let tries = 0; tries < MOST_TRIES; tries++) {
+    for (let tries = 0; tries < MAX_TRIES; tries++) {
       await this.#until(AHEAD_SECS);
       if (this.#end.aborted) return;
       const answers = await this.#stage.perform(made.fragment);
@@ -98,18 +98,18 @@ function piecesOf(words: Words): Pieces {
 const tooMuch: Diagnostic = {
   code: 'tell-too-long',
   severity: 'warning',
-  message: `A text of more than ${MOST_CHARACTERS} characters is told so far; the rest is left out.`,
+  message: `A text of more than ${MAX_CHARACTERS} characters is told so far; the rest is left out.`,
   hints: ['Tell it in parts.'],
 };
 
 /** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */
 export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Promise<void> {
   const speaker = new Speaker(stage, end);
-  const cut = (text: string, whole: boolean) => stage.telling.cutText(text, stage.language, whole);
+  const cut = (text: string, whole: boolean) => stage.telling.splitClauses(text, stage.language, whole);
   const over = new Promise<undefined>((done) => end.addEventListener('abort', () => done(undefined), { once: true }));
   let pieces: Pieces | undefined;
   let failure: { readonly error: unknown } | undefined;
-  let [rest, room] = ['', MOST_CHARACTERS];
+  let [rest, room] = ['', MAX_CHARACTERS];
   try {
     pieces = piecesOf(words);
     while (!end.aborted) {

@@ -9,11 +9,11 @@
 import { reducesMotion } from '../base/surroundings.js';
 
 /** Breath and glances need no more pictures a second. */
-const MOST_HZ = 15;
+const MAX_HZ = 15;
 /** The share of the time that pictures may take: a device that draws slowly draws fewer of them. */
-const MOST_SHARE = 0.25;
+const MAX_SHARE = 0.25;
 /** But one a second; fewer would be a row of stills. */
-const SLOWEST_MS = 1000;
+const MIN_SPEED_MS = 1000;
 /** What a screen takes for a picture of its own, at most; the rest is our own time. */
 const SCREEN_MS = 17;
 
@@ -64,11 +64,11 @@ export class Welcome {
       this.#measuring = false;
       this.#costMs = Math.max(since - SCREEN_MS, 0.8 * this.#costMs);
     }
-    const pause = Math.min(SLOWEST_MS, Math.max(1000 / MOST_HZ, this.#costMs / MOST_SHARE));
+    const pause = Math.min(MIN_SPEED_MS, Math.max(1000 / MAX_HZ, this.#costMs / MAX_SHARE));
     if (this.#drawnMs !== undefined && since < pause - 1) return;
     this.#drawnMs = nowMs;
     // After a hidden page or a long task it goes on where it was.
-    this.#waitedMs += Math.min(since, SLOWEST_MS);
+    this.#waitedMs += Math.min(since, MIN_SPEED_MS);
     this.#draw();
     this.#measuring = true;
   }

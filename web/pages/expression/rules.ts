@@ -1,6 +1,6 @@
 /** The rules by which the environment expresses what is felt (GEVH 3.5.4), as sentences about one moment. */
 
-import type { Expressed } from '../../element/base/types.js';
+import type { EnvironmentExpression } from '../../element/base/types.js';
 import type { Channels } from './state.js';
 import { BAD, GOOD, STRONGEST } from './types.js';
 
@@ -17,7 +17,7 @@ export interface Rule {
 /** A distance of the camera, and from which potential on it is taken. */
 interface Band {
   readonly from: number;
-  readonly shot: Expressed['shot'];
+  readonly shot: EnvironmentExpression['shot'];
   readonly name: string;
   readonly rule: number;
 }
@@ -57,25 +57,25 @@ export const told = (n: number, digits = 1): string => {
 
 const capital = (word: string): string => `${word.charAt(0).toUpperCase()}${word.slice(1)}`;
 
-function angleRule({ emotion, angle }: Expressed): Rule {
+function angleRule({ emotion, angle }: EnvironmentExpression): Rule {
   const name = capital(emotion);
   if (angle === 'eye') return { channel: 'camera', text: `${name} has no angle of its own → eye height`, source: '' };
   return { channel: 'camera', text: `${name} → ${angle} angle`, source: angle === 'low' ? '3.5.4.1, rule 1' : '3.5.4.1, rule 2' };
 }
 
-function shotRule({ potential }: Expressed): Rule {
+function shotRule({ potential }: EnvironmentExpression): Rule {
   const { from, name, rule } = bandOf(potential);
   const next = BANDS.find((band) => band.from > potential)?.from;
   const range = next === undefined ? `from ${told(from)} on` : `in [${told(from)}; ${told(next)})`;
   return { channel: 'camera', text: `Potential ${told(potential)} ${range} → ${name}`, source: `3.5.4.1, rule ${rule}` };
 }
 
-function colorRule({ emotion, color }: Expressed): Rule {
+function colorRule({ emotion, color }: EnvironmentExpression): Rule {
   const css = `rgb(${color.join(' ')})`;
   return { channel: 'light', text: `${capital(emotion)} → ${COLORS[color.join()] ?? css} key light`, source: 'table 3.2', color: css };
 }
 
-function lossRule({ emotion, intensity, attenuation, brightness }: Expressed): Rule {
+function lossRule({ emotion, intensity, attenuation, brightness }: EnvironmentExpression): Rule {
   const isGood = GOOD.some((name) => name === emotion);
   const share = `${told(intensity)}/${STRONGEST}`;
   const [sense, how, equation] = isGood ? ['Good', `min(0.5, 1 − ${share})`, '3.1'] : ['Bad', `max(0.25, ${share})`, '3.2'];
@@ -83,7 +83,7 @@ function lossRule({ emotion, intensity, attenuation, brightness }: Expressed): R
 }
 
 /** What the mood is called, and the bounds that make it so. */
-function moodOf({ valence, arousal }: Expressed): string {
+function moodOf({ valence, arousal }: EnvironmentExpression): string {
   const tone = valence > MOODY ? `above ${MOODY}, good` : valence < -MOODY ? `below −${MOODY}, bad` : `within ±${MOODY}, neutral`;
   const active = arousal > AROUSED ? `above ${AROUSED}, active` : `not above ${AROUSED}, calm`;
   return `Mood ${told(valence)} (${tone}), arousal ${told(arousal)} (${active})`;
@@ -113,7 +113,7 @@ const PLAIN: Readonly<Record<keyof Channels, string>> = {
 };
 
 /** All rules that fire at a moment. */
-export function rulesOf(expressed: Expressed, channels: Channels): readonly Rule[] {
+export function rulesOf(expressed: EnvironmentExpression, channels: Channels): readonly Rule[] {
   const { emotion, potential } = expressed;
   const isFelt = [...GOOD, ...BAD].some((name) => name === emotion) && potential > 0;
   const feeling: Rule = {

@@ -37,7 +37,7 @@ export const NEUTRAL: Readonly<EmotionPoint> = { activation: 0, evaluation: 0, p
 const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
 
 /** Less of a word than this is not seen. */
-const LEAST = 0.005;
+const MIN_WEIGHT = 0.005;
 /** How much it counts that the words of a mixture are near to its place, against how near the mixture's power is to the requested one. Designed: neighbours, unless others fit the power clearly better. */
 const NEAR = 0.12;
 
@@ -69,7 +69,7 @@ export function sharesAt(wanted: EmotionPoint): readonly Share[] {
         [
           { word: first, value: Math.min(1, x) },
           { word: second, value: Math.min(1, y) },
-        ].filter((s) => s.value > LEAST),
+        ].filter((s) => s.value > MIN_WEIGHT),
       );
     }
   });

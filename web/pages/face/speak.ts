@@ -15,7 +15,7 @@ const STORIES: Readonly<Record<string, string>> = {
 };
 const WAYS: Readonly<Record<Way, string>> = { sound: 'By its sound', text: 'By its text' };
 /** As long as a line is. */
-const MOST_LETTERS = 300;
+const MAX_LETTERS = 300;
 
 /** Sentences of the stories that were fetched, by address. */
 const fetched = new Map<string, readonly Line[]>();
@@ -61,10 +61,10 @@ export function speaking(app: App, say: (text: string) => void): TemplateResult 
   const submit = (event: Event): void => {
     event.preventDefault();
     const input = (event.currentTarget as HTMLFormElement).querySelector('input');
-    speak(app, '', input?.value.trim().slice(0, MOST_LETTERS) ?? '');
+    speak(app, '', input?.value.trim().slice(0, MAX_LETTERS) ?? '');
   };
   return html`<form class="line" @submit=${submit}>
-      <label class="select"><span>A line of your own</span><input type="text" name="line" maxlength=${MOST_LETTERS} .value=${mine} placeholder="Once upon a time, my dear …" autocomplete="off" /></label>
+      <label class="select"><span>A line of your own</span><input type="text" name="line" maxlength=${MAX_LETTERS} .value=${mine} placeholder="Once upon a time, my dear …" autocomplete="off" /></label>
       <button type="submit" class="play">Speak</button>
     </form>
     <label class="select"><span>A story</span>

@@ -9,9 +9,9 @@ import { dominance, liveliest, type Curve } from './course.js';
 
 /** Samples a second, and as many as the player gives at once. */
 const RATE_HZ = 50;
-const MOST_SAMPLES = 1500;
+const MAX_SAMPLES = 1500;
 /** Curves that are drawn. */
-const MOST_CURVES = 12;
+const MAX_CURVES = 12;
 /** Pixels of a second, of the row of phones, of dominance, and of one curve. */
 const SECOND = 220;
 const PHONES = 26;
@@ -31,12 +31,12 @@ export interface Strip {
 export function measure(app: App): Strip | undefined {
   const { player, state } = app;
   if (state.speech.kind === 'none') return undefined;
-  const secs = Math.min(player.duration, MOST_SAMPLES / RATE_HZ);
+  const secs = Math.min(player.duration, MAX_SAMPLES / RATE_HZ);
   if (!(secs > 0)) return undefined;
   const count = Math.ceil(secs * RATE_HZ);
   const course = player.course(0, secs, count);
   if (course === undefined || course.names.length === 0) return undefined;
-  return { secs, segments: segmentsOf(course).filter((s) => s.start < secs), curves: liveliest(curvesOf(course, count), MOST_CURVES) };
+  return { secs, segments: segmentsOf(course).filter((s) => s.start < secs), curves: liveliest(curvesOf(course, count), MAX_CURVES) };
 }
 
 const n = (value: number): string => value.toFixed(1);

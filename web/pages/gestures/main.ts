@@ -35,7 +35,7 @@ const SIDES: Readonly<Record<string, View | undefined>> = {
 /** A look that is none: the shot again. */
 const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
-const MOST_PROBLEMS = 8;
+const MAX_PROBLEMS = 8;
 
 const player = findPlayer();
 const places = {
@@ -146,13 +146,13 @@ function problems(): TemplateResult {
   };
   return html`<p class="trouble">${[...count('error', 'error'), ...count('warning', 'warning')].join(' and ')}; the rest is performed.</p>
     <ul>
-      ${diagnostics.slice(0, MOST_PROBLEMS).map(
+      ${diagnostics.slice(0, MAX_PROBLEMS).map(
         (d) => html`<li class=${d.severity}>
           ${d.start === undefined ? nothing : html`<button type="button" class="plain" @click=${() => d.start && app.editor.goTo(d.start)}>Line ${d.start.line}</button>`}
           <span>${d.message}${d.hints.map((hint) => html` <small>${hint}</small>`)}</span>
         </li>`,
       )}
-      ${diagnostics.length > MOST_PROBLEMS ? html`<li>… and ${diagnostics.length - MOST_PROBLEMS} more.</li>` : nothing}
+      ${diagnostics.length > MAX_PROBLEMS ? html`<li>… and ${diagnostics.length - MAX_PROBLEMS} more.</li>` : nothing}
     </ul>`;
 }
 

@@ -8,7 +8,7 @@ import { Voices } from './voice.js';
 import { save } from '../workbench.js';
 
 /** As long as a text is that somebody types, characters; the field takes no more. */
-const MOST_CHARACTERS = 600;
+const MAX_CHARACTERS = 600;
 
 /** Where the address has a text that was shared, and before it its language where that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
@@ -37,7 +37,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
 
   const tell = async (plays: boolean): Promise<void> => {
     const engine = await openInstance(player.backend ?? (await chooseBackends())[0]);
-    const next = engine.told(field.value, language.value, voices.isSlow(language.value), MOST_CHARACTERS);
+    const next = engine.narrate(field.value, language.value, voices.isSlow(language.value), MAX_CHARACTERS);
     if (next === undefined) {
       note.textContent = 'Write a few words first.';
       field.focus();

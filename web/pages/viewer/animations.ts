@@ -5,7 +5,7 @@ import { choice, numberField } from '../fields.js';
 import type { App } from './app.js';
 import { aboutClip, clipTitle } from './clips.js';
 import { clipMenu, menu } from './fields.js';
-import { ends, GROUP_NAMES, GROUPS, MOST_LAYERS, track, type Mechanism, type State, type Style, type Track } from './state.js';
+import { ends, GROUP_NAMES, GROUPS, MAX_LAYERS, track, type Mechanism, type State, type Style, type Track } from './state.js';
 
 const MECHANISMS: Readonly<Record<Mechanism, string>> = { layers: 'Layers', groups: 'Body groups', stances: 'Stances', none: 'None' };
 
@@ -101,7 +101,7 @@ function layers(app: App): TemplateResult {
         </li>`;
       })}
     </ol>
-    <button type="button" class="plain" ?disabled=${layers.length >= MOST_LAYERS} @click=${() => app.set((s) => s.layers.push(track('wave', { weight: 0.5 })))}>Add a layer</button>`;
+    <button type="button" class="plain" ?disabled=${layers.length >= MAX_LAYERS} @click=${() => app.set((s) => s.layers.push(track('wave', { weight: 0.5 })))}>Add a layer</button>`;
 }
 
 function groups(app: App): TemplateResult {

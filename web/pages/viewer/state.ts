@@ -75,7 +75,7 @@ export interface State {
 }
 
 /** As many layers as the page offers; EML allows 64. */
-export const MOST_LAYERS = 6;
+export const MAX_LAYERS = 6;
 
 export const track = (clip: string, rest: Partial<Track> = {}): Track => ({ clip, style: 'loop', times: 1, speed: 1, weight: 1, on: true, ...rest });
 

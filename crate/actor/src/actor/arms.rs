@@ -4,9 +4,9 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::Actor;
-use crate::animation::Animated;
+use crate::animation::AnimatedPose;
 use crate::gesture::HandTarget;
-use crate::gesture::contact::PlacedHand;
+use crate::gesture::contact::TargetHand;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ArmGoal, ArmSolution};
 
@@ -17,18 +17,18 @@ impl Actor {
         &self,
         skeleton: &Skeleton,
         t: f64,
-        animated: Option<&Animated>,
+        animated: Option<&AnimatedPose>,
         pose: &mut Pose,
     ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
-        let targets = self.plans.each_ref().map(|plan| plan.at(t));
+        let targets = self.plans.each_ref().map(|plan| plan.sample(t));
         // What rests goes with the trunk; what gestures is in the world.
         let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
         let turned = rotation_of(&moved);
         let mut hands =
             Side::BOTH.map(|side| self.place(side, &targets[side.index()], &moved, turned));
         let breathing = self.feeling.breath(t);
-        let solve = |side: Side, hand: &PlacedHand| {
+        let solve = |side: Side, hand: &TargetHand| {
             let i = side.index();
             let goal = ArmGoal {
                 wrist_in_world: hand.wrist,
@@ -43,7 +43,7 @@ impl Actor {
         // Hands meet as they are, which is not always as they are wanted.
         let met = Side::BOTH.map(|side| {
             let i = side.index();
-            PlacedHand {
+            TargetHand {
                 hand: self.rigs[i].hand_of(&thorax, &arms[i]),
                 ..hands[i]
             }
@@ -57,7 +57,7 @@ impl Actor {
         }
         for side in Side::BOTH {
             let i = side.index();
-            self.calming[i].lead(side, t, &mut arms[i]);
+            self.calming[i].correct(side, t, &mut arms[i]);
             arms[i].apply(side, pose);
             for (bone, rotation) in hands[i].fingers {
                 pose.set(bone, rotation);
@@ -78,18 +78,18 @@ impl Actor {
         target: &HandTarget,
         moved: &DAffine3,
         turned: DQuat,
-    ) -> PlacedHand {
+    ) -> TargetHand {
         let carried = target
             .wrist
             .lerp(moved.transform_point3(target.wrist), target.rest_share);
         let in_body = moved.inverse().transform_point3(carried);
         let hand = DQuat::IDENTITY.slerp(turned, target.hand_rest_share) * target.hand;
-        let mut placed = PlacedHand {
-            wrist: self.space.keep_out(in_body),
+        let mut placed = TargetHand {
+            wrist: self.space.project_outside(in_body),
             hand: (turned.inverse() * hand).normalized(),
             fingers: target.shape.rotations(side),
         };
-        placed.wrist += self.contact.way_out(side, &placed);
+        placed.wrist += self.contact.exit_displacement(side, &placed);
         placed.wrist = carried + turned * (placed.wrist - in_body);
         placed.hand = hand.normalized();
         placed

@@ -75,7 +75,7 @@ impl Actor {
             .and_then(track)
             .filter(|(at, track)| track.covers(*at));
         match begun.or_else(|| track(i).filter(|(at, track)| track.covers(*at))) {
-            Some((at, track)) => track.at(at),
+            Some((at, track)) => track.sample(at),
             None => MouthTargets::default(),
         }
     }

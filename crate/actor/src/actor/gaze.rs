@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::Actor;
-use crate::animation::Animated;
+use crate::animation::AnimatedPose;
 use crate::face::FaceRig;
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::trunk::spine;
@@ -20,7 +20,7 @@ impl Actor {
         skeleton: &Skeleton,
         t: f64,
         listener: DVec3,
-        animated: Option<&Animated>,
+        animated: Option<&AnimatedPose>,
         pose: &mut Pose,
     ) {
         // Animations are added to the gaze, which must not undo them.

@@ -10,7 +10,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use super::clip::{Clip, FootTrack, ReachTrack};
 use super::curve::Curve;
 use super::groups::BoneSet;
-use super::layering::Layering;
+use super::layering::BlendedLayers;
 use crate::idle::stance::Leg;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ARM_BONES, ArmGoal, ArmRig, LEG_BONES, Sex};
@@ -24,7 +24,7 @@ const TOES_FREE: f64 = 0.03;
 
 /// What of a figure clips need.
 #[derive(Clone, Debug)]
-pub(crate) struct Body {
+pub(crate) struct ClipSkeleton {
     pub(crate) legs: [Leg; 2],
     arms: [Arc<ArmRig>; 2],
     /// The ball of each foot in the zero pose, world, metres.
@@ -40,7 +40,7 @@ pub(crate) struct Body {
 /// The bones of the toes.
 const TOES: [Bone; 2] = [Bone::LMetatarsal, Bone::RMetatarsal];
 
-impl Body {
+impl ClipSkeleton {
     pub(crate) fn new(skeleton: &Skeleton, arms: [Arc<ArmRig>; 2], sex: Sex) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
@@ -48,7 +48,7 @@ impl Body {
         let legs = Side::BOTH.map(|side| Leg::new(skeleton, side, sex));
         Self {
             ball_in_foot: Side::BOTH.map(|side| {
-                let standing = legs[side.index()].standing();
+                let standing = legs[side.index()].world_from_ankle();
                 standing.inverse().transform_point3(at(TOES[side.index()]))
             }),
             legs,
@@ -75,9 +75,9 @@ impl Body {
     fn foot(&self, track: &FootTrack, side: Side, time_secs: f64) -> (DVec3, DQuat, DVec3, DQuat) {
         let i = side.index();
         let sign = side.sign();
-        let [out, up, front, knee] = track.place.at(time_secs);
-        let [heel, turn, roll, _] = track.turn.at(time_secs);
-        let standing = self.legs[i].standing();
+        let [out, up, front, knee] = track.place.sample(time_secs);
+        let [heel, turn, roll, _] = track.turn.sample(time_secs);
+        let standing = self.legs[i].world_from_ankle();
         let ankle = standing.translation;
         let about = DQuat::from_rotation_y(sign * turn);
         let tipped = DQuat::from_rotation_x(heel) * DQuat::from_rotation_z(-sign * roll);
@@ -106,7 +106,7 @@ impl Body {
 
 /// What of a clip counts in a mean.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Part {
+pub(crate) struct WeightedClip {
     /// The clip's own time, seconds.
     pub(crate) time_secs: f64,
     pub(crate) bones: BoneSet,
@@ -124,7 +124,7 @@ pub(crate) struct BoundClip {
 }
 
 impl BoundClip {
-    pub(crate) fn new(clip: Arc<Clip>, skeleton: &Skeleton, body: &Body) -> Self {
+    pub(crate) fn new(clip: Arc<Clip>, skeleton: &Skeleton, body: &ClipSkeleton) -> Self {
         let mut bound = Self {
             moves: clip.moves(),
             arms: Vec::new(),
@@ -142,7 +142,7 @@ impl BoundClip {
         &self,
         reach: &ReachTrack,
         skeleton: &Skeleton,
-        body: &Body,
+        body: &ClipSkeleton,
     ) -> [(Bone, Curve); 4] {
         let side = reach.side;
         let rig = &body.arms[side.index()];
@@ -196,8 +196,8 @@ impl BoundClip {
         })
     }
 
-    fn root_at(&self, time_secs: f64, body: &Body) -> Option<DVec3> {
-        let [x, y, z, _] = self.clip.root.as_ref()?.at(time_secs);
+    fn root_at(&self, time_secs: f64, body: &ClipSkeleton) -> Option<DVec3> {
+        let [x, y, z, _] = self.clip.root.as_ref()?.sample(time_secs);
         Some(DVec3::new(x, y, z) * body.stature_m)
     }
 
@@ -207,8 +207,14 @@ impl BoundClip {
     }
 
     /// Adds what the clip says of some bones at a time of its own to a mean.
-    pub(crate) fn add(&self, skeleton: &Skeleton, body: &Body, part: Part, into: &mut Layering) {
-        let Part {
+    pub(crate) fn add(
+        &self,
+        skeleton: &Skeleton,
+        body: &ClipSkeleton,
+        part: WeightedClip,
+        into: &mut BlendedLayers,
+    ) {
+        let WeightedClip {
             time_secs,
             bones,
             share,

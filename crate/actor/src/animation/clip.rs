@@ -69,13 +69,13 @@ impl Clip {
 
     /// How far it takes the figure from its place, share of stature.
     #[must_use]
-    pub fn way(&self) -> f64 {
+    pub fn travel(&self) -> f64 {
         const LOOKS: u32 = 32;
         self.root.as_ref().map_or(0.0, |root| {
             let at = |i: u32| self.duration_secs * f64::from(i) / f64::from(LOOKS);
             (0..=LOOKS)
                 .map(|i| {
-                    let [left, up, front, _] = root.at(at(i));
+                    let [left, up, front, _] = root.sample(at(i));
                     DVec3::new(left, up, front).length()
                 })
                 .fold(0.0, f64::max)

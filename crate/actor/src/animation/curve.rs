@@ -84,7 +84,7 @@ impl Curve {
 
     /// The value at a time; the first key's before it, the last key's after it. O(log n).
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> [f64; 4] {
+    pub fn sample(&self, time_secs: f64) -> [f64; 4] {
         let next = self.times.partition_point(|&t| t <= time_secs);
         let Some(i) = next.checked_sub(1) else {
             return self.values[0];
@@ -115,7 +115,7 @@ impl Curve {
             let s = (time_secs - self.times[next - 1]) / (self.times[next] - self.times[next - 1]);
             return from.slerp(to, s);
         }
-        let q = DQuat::from_array(self.at(time_secs));
+        let q = DQuat::from_array(self.sample(time_secs));
         if q.length_squared() > 1e-12 {
             q.normalized()
         } else {
@@ -206,15 +206,21 @@ mod tests {
         for (_, ease) in Ease::WORDS {
             let c = curve(&times, &values, ease, None);
             for (t, v) in times.iter().zip(values) {
-                assert!((c.at(*t)[0] - v).abs() < 1e-12, "{ease:?} at {t}");
+                assert!((c.sample(*t)[0] - v).abs() < 1e-12, "{ease:?} at {t}");
             }
             for i in 0..=200 {
-                let v = c.at(f64::from(i) * 0.01)[0];
+                let v = c.sample(f64::from(i) * 0.01)[0];
                 assert!((-2.0..=4.5).contains(&v), "{ease:?} {v}");
             }
         }
-        assert_eq!(curve(&times, &values, Ease::Step, None).at(0.49)[0], 1.0);
-        assert_eq!(curve(&times, &values, Ease::Flow, None).at(9.0)[0], -2.0);
+        assert_eq!(
+            curve(&times, &values, Ease::Step, None).sample(0.49)[0],
+            1.0
+        );
+        assert_eq!(
+            curve(&times, &values, Ease::Flow, None).sample(9.0)[0],
+            -2.0
+        );
     }
 
     #[test]
@@ -227,9 +233,9 @@ mod tests {
             };
             let c = curve(times, &values, Ease::Flow, Some(1.0));
             let h = 1e-6;
-            assert!((c.at(0.0)[0] - c.at(1.0 - 1e-12)[0]).abs() < 1e-9);
-            let start = (c.at(h)[0] - c.at(0.0)[0]) / h;
-            let end = (c.at(1.0 - h)[0] - c.at(1.0 - 2.0 * h)[0]) / h;
+            assert!((c.sample(0.0)[0] - c.sample(1.0 - 1e-12)[0]).abs() < 1e-9);
+            let start = (c.sample(h)[0] - c.sample(0.0)[0]) / h;
+            let end = (c.sample(1.0 - h)[0] - c.sample(1.0 - 2.0 * h)[0]) / h;
             assert!((start - end).abs() < 1e-3, "{start} {end}");
         }
     }

@@ -12,11 +12,11 @@ use super::joints;
 use crate::members::{Members, items};
 
 /// The longest text that is read, bytes. Sampled clips of a minute have some 300 KB.
-const MOST_BYTES: usize = 8 << 20;
+const MAX_BYTES: usize = 8 << 20;
 /// The longest clip, seconds.
-const LONGEST_SECS: f64 = 3600.0;
+const MAX_SECS: f64 = 3600.0;
 /// Most keys of a track.
-const MOST_KEYS: usize = 1 << 16;
+const MAX_KEYS: usize = 1 << 16;
 /// A loop's first and last key are one when their numbers are as near as this: a rotation
 /// within 2°, a place within 1 cm.
 const NEAR: f64 = 0.015;
@@ -26,7 +26,7 @@ const SAME_SECS: f64 = 1e-6;
 /// What a text says of the whole clip; what has another type says nothing.
 #[derive(Default, Deserialize)]
 #[serde(default)]
-struct Text {
+struct ClipHeader {
     tracks: Option<Members>,
     seconds: Value,
     #[serde(rename = "loop")]
@@ -41,13 +41,13 @@ struct Text {
 /// # Errors
 /// A sentence that says what is wrong, and in which track.
 pub fn read_clip(text: &str) -> Result<Clip, String> {
-    if text.len() > MOST_BYTES {
+    if text.len() > MAX_BYTES {
         return Err("it is larger than 8 MB".to_owned());
     }
-    let root: Text = serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
+    let root: ClipHeader = serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
     let tracks = root.tracks.as_ref().ok_or("it has no tracks")?;
     let seconds = root.seconds.as_f64().unwrap_or(0.0);
-    if !(0.0..=LONGEST_SECS).contains(&seconds) {
+    if !(0.0..=MAX_SECS).contains(&seconds) {
         return Err("its seconds are not between 0 and an hour".to_owned());
     }
     let mirrored = root.mirrored.as_bool().unwrap_or(false);
@@ -71,7 +71,7 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
 
 /// What one track says of one thing that moves.
 #[derive(Clone, Debug, PartialEq)]
-struct Half {
+struct TrackData {
     part: TrackTarget,
     ease: Ease,
     keys: Vec<(f64, Values)>,
@@ -125,11 +125,11 @@ impl TrackTarget {
 }
 
 struct Reader<'a> {
-    root: &'a Text,
+    root: &'a ClipHeader,
     seconds: f64,
     closed: bool,
     mirrored: bool,
-    halves: Vec<Half>,
+    halves: Vec<TrackData>,
 }
 
 /// The angles and places of a foot: name, whether it is an angle, its place in a key.
@@ -176,8 +176,8 @@ impl Reader<'_> {
         let n = times.len();
         let ease = self.ease(fields)?;
         let mut allowed = vec!["times", "ease"];
-        let add = |halves: &mut Vec<Half>, part: TrackTarget, keys: Vec<Values>| {
-            halves.push(Half {
+        let add = |halves: &mut Vec<TrackData>, part: TrackTarget, keys: Vec<Values>| {
+            halves.push(TrackData {
                 part,
                 ease,
                 keys: times.iter().copied().zip(keys).collect(),
@@ -255,7 +255,7 @@ impl Reader<'_> {
 
     /// Key times of a track: its own, else the clip's, else one at the beginning.
     fn times(&self, fields: &Value) -> Result<Vec<f64>, String> {
-        let list = own_or(&fields["times"], &self.root.times);
+        let list = value_or_common(&fields["times"], &self.root.times);
         if list.is_null() {
             return Ok(vec![0.0]);
         }
@@ -265,14 +265,14 @@ impl Reader<'_> {
         let end = self.seconds * if self.mirrored { 0.5 } else { 1.0 };
         let ascending = times.windows(2).all(|w| w[1] - w[0] > SAME_SECS);
         let inside = times.iter().all(|t| (0.0..=end + SAME_SECS).contains(t));
-        if times.is_empty() || times.len() > MOST_KEYS || !ascending || !inside {
+        if times.is_empty() || times.len() > MAX_KEYS || !ascending || !inside {
             return Err("the times do not ascend from 0 to the end".to_owned());
         }
         Ok(times)
     }
 
     fn ease(&self, fields: &Value) -> Result<Ease, String> {
-        let word = own_or(&fields["ease"], &self.root.ease);
+        let word = value_or_common(&fields["ease"], &self.root.ease);
         if word.is_null() {
             return Ok(Ease::Flow);
         }
@@ -282,7 +282,7 @@ impl Reader<'_> {
     }
 
     /// Adds to each half what the other side does in its own half, later.
-    fn whole(&self) -> Vec<Half> {
+    fn with_mirrored_halves(&self) -> Vec<TrackData> {
         let mut parts: Vec<TrackTarget> = Vec::new();
         for half in &self.halves {
             for part in [half.part, half.part.mirrored()] {
@@ -297,7 +297,7 @@ impl Reader<'_> {
             let (first, second) = (own(part), own(part.mirrored()));
             let written = first.or(second)?;
             // A side without keys waits where the other ends and begins.
-            let still = |half: &Half| vec![(0.0, part.mirror(half.keys[0].1))];
+            let still = |half: &TrackData| vec![(0.0, part.mirror(half.keys[0].1))];
             let mut keys = match (first, second) {
                 (Some(first), _) => first.keys.clone(),
                 (None, Some(second)) => still(second),
@@ -318,7 +318,7 @@ impl Reader<'_> {
                     .into_iter()
                     .filter(|(t, _)| *t < self.seconds - SAME_SECS),
             );
-            Some(Half {
+            Some(TrackData {
                 part,
                 ease: written.ease,
                 keys,
@@ -335,7 +335,7 @@ impl Reader<'_> {
         };
         let period = (self.closed && self.seconds > 0.0).then_some(self.seconds);
         let tracks = if self.mirrored {
-            self.whole()
+            self.with_mirrored_halves()
         } else {
             self.halves
         };
@@ -406,7 +406,7 @@ fn of_rotation(q: DQuat) -> Values {
 }
 
 /// What a track says, else what the clip says for all.
-fn own_or<'v>(own: &'v Value, common: &'v Value) -> &'v Value {
+fn value_or_common<'v>(own: &'v Value, common: &'v Value) -> &'v Value {
     if own.is_null() { common } else { own }
 }
 

@@ -12,7 +12,7 @@ use super::groups::BoneSet;
 
 /// A foot and how much it is covered.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Foot {
+pub(crate) struct FootWeight {
     /// Where its ball is, world, metres: a foot that rises on its ball stays there while it
     /// passes into one that is flat.
     pub(crate) ball_in_world: DVec3,
@@ -23,22 +23,22 @@ pub(crate) struct Foot {
 /// What some layers make of the figure. Shares are 0 to 1; a value whose share is 0 means
 /// nothing.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Layering {
+pub(crate) struct BlendedLayers {
     pub(crate) rotations: [DQuat; Bone::COUNT],
     pub(crate) shares: [f64; Bone::COUNT],
     pub(crate) root: DVec3,
     pub(crate) root_share: f64,
-    pub(crate) feet: [Foot; 2],
+    pub(crate) feet: [FootWeight; 2],
 }
 
-impl Layering {
+impl BlendedLayers {
     /// Nothing yet.
     pub(crate) const EMPTY: Self = Self {
         rotations: [DQuat::IDENTITY; Bone::COUNT],
         shares: [0.0; Bone::COUNT],
         root: DVec3::ZERO,
         root_share: 0.0,
-        feet: [Foot {
+        feet: [FootWeight {
             ball_in_world: DVec3::ZERO,
             rotation: DQuat::IDENTITY,
             share: 0.0,
@@ -154,13 +154,13 @@ fn between(a: DQuat, b: DQuat, s: f64) -> DQuat {
 mod tests {
     use super::*;
 
-    fn layer(angle: f64, share: f64) -> Layering {
-        let mut l = Layering::EMPTY;
+    fn layer(angle: f64, share: f64) -> BlendedLayers {
+        let mut l = BlendedLayers::EMPTY;
         l.add_bone(Bone::Skull, DQuat::from_rotation_x(angle), share);
         l
     }
 
-    fn skull(l: &Layering) -> (f64, f64) {
+    fn skull(l: &BlendedLayers) -> (f64, f64) {
         let i = Bone::Skull.index();
         (l.rotations[i].angle_between(DQuat::IDENTITY), l.shares[i])
     }
@@ -175,7 +175,7 @@ mod tests {
         l.cover(&layer(0.2, 0.25));
         assert!((skull(&l).0 - 0.8).abs() < 1e-9);
         // Over nothing, the value is whole and the share is the layer's.
-        let mut l = Layering::EMPTY;
+        let mut l = BlendedLayers::EMPTY;
         l.cover(&layer(0.2, 0.25));
         assert!((skull(&l).0 - 0.2).abs() < 1e-9 && (skull(&l).1 - 0.25).abs() < 1e-12);
     }

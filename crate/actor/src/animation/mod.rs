@@ -17,9 +17,9 @@ mod joints;
 mod keyframes;
 mod layering;
 mod library;
+mod piecewise_linear;
 mod playback;
 mod players;
-mod ramps;
 mod schedule;
 mod script;
 
@@ -28,9 +28,9 @@ pub use groups::{BODY_GROUPS, BoneSet, body_group};
 pub use keyframes::read_clip;
 pub use library::{Library, stem};
 pub use playback::Playback;
-pub use players::{Animated, Players};
+pub use players::{AnimatedPose, Players};
 pub use schedule::AT_ONCE_SECS;
 pub use script::{
-    Operation, PlayerCommand, PlayerKind, PlayerScript, Problem, ProblemKind, Property, TrackRef,
-    Tracks,
+    CommandProblem, CommandProblemKind, Operation, PlayerCommand, PlayerKind, PlayerScript,
+    Property, TrackRef, Tracks,
 };

@@ -7,21 +7,21 @@ use raconteur_base::{DAffine3, DQuat, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::bound::{Body, BoundClip, Part};
+use super::bound::{BoundClip, ClipSkeleton, WeightedClip};
 use super::groups::BoneSet;
-use super::layering::Layering;
+use super::layering::BlendedLayers;
 use super::library::Library;
-use super::schedule::{PlayerPlan, Playing, Schedule, Stretch, Stretches, Track};
-use super::script::{PlayerKind, PlayerScript, Problem};
+use super::schedule::{Interval, Intervals, PlayerPlan, PlayingClip, Schedule, Track};
+use super::script::{CommandProblem, PlayerKind, PlayerScript};
 
 use crate::kinematics::world_from_bone;
 use crate::limb::{ARM_BONES, ArmRig, LEG_BONES, Sex};
 
 /// Most changes that are seen at once; of older ones the end is shown.
-const MOST_FADES: usize = 16;
+const MAX_FADES: usize = 16;
 /// Layers are scaled up to a full weight where others have nothing to play, at most by its
 /// inverse: the last of a weight still fades. Designed.
-const LEAST_WEIGHT: f64 = 0.1;
+const MIN_WEIGHT: f64 = 0.1;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
 /// The last of a leg's reach, in which its knee eases out, as a share of it. Designed: 3 mm.
@@ -34,25 +34,25 @@ const LIFTED: f64 = 0.03;
 pub struct Players {
     schedule: Schedule,
     clips: Vec<BoundClip>,
-    body: Body,
+    body: ClipSkeleton,
 }
 
 /// How the figure stands without players.
-struct Idle {
+struct StandingPose {
     pelvis: DAffine3,
     legs: [[DQuat; 3]; 2],
 }
 
 /// What players make of a figure at one time, for the steps that come after them.
 #[derive(Clone, Copy, Debug)]
-pub struct Animated {
-    layers: Layering,
+pub struct AnimatedPose {
+    layers: BlendedLayers,
 }
 
 impl Players {
     /// What is wrong with the commands of a script, whoever performs it.
     #[must_use]
-    pub fn problems(script: &PlayerScript) -> Vec<Problem> {
+    pub fn problems(script: &PlayerScript) -> Vec<CommandProblem> {
         Schedule::new(script, &|_| false, &|_| 0.0).1
     }
 
@@ -64,11 +64,11 @@ impl Players {
         skeleton: &Skeleton,
         sex: Sex,
         arms: [Arc<ArmRig>; 2],
-    ) -> (Self, Vec<Problem>) {
+    ) -> (Self, Vec<CommandProblem>) {
         let exists = |name: &str| library.get(name).is_some();
         let length = |name: &str| library.get(name).map_or(0.0, |c| c.duration_secs());
         let (schedule, problems) = Schedule::new(script, &exists, &length);
-        let body = Body::new(skeleton, arms, sex);
+        let body = ClipSkeleton::new(skeleton, arms, sex);
         let bind = |name: &String| {
             let clip = library.get(name).unwrap_or_default();
             BoundClip::new(clip, skeleton, &body)
@@ -87,7 +87,7 @@ impl Players {
     pub fn weights_at(&self, player: usize, time_secs: f64) -> impl Iterator<Item = f64> {
         let plan = self.schedule.players.get(player);
         let tracks = plan.into_iter().flat_map(|p| &p.tracks);
-        tracks.map(move |t| t.weight.at(time_secs))
+        tracks.map(move |t| t.weight.sample(time_secs))
     }
 
     /// Lays the animations of a time over an idle pose. `None` when there are none: the pose
@@ -96,9 +96,14 @@ impl Players {
     /// Spine and sway keep the idle motion; arms keep the idle pose, since gestures come
     /// later: see [`Animated::blend_arm`].
     #[must_use]
-    pub fn apply(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) -> Option<Animated> {
+    pub fn apply(
+        &self,
+        skeleton: &Skeleton,
+        time_secs: f64,
+        pose: &mut Pose,
+    ) -> Option<AnimatedPose> {
         let layers = self.layers(skeleton, time_secs)?;
-        let idle = Idle {
+        let idle = StandingPose {
             pelvis: world_from_bone(skeleton, pose, Bone::Sacroiliac),
             legs: LEG_BONES.map(|leg| leg.map(|bone| pose.rotation(bone))),
         };
@@ -118,13 +123,19 @@ impl Players {
         }
         pose.root_offset_in_world +=
             (layers.root - pose.root_offset_in_world * (1.0 - SWAY_LEFT)) * layers.root_share;
-        self.stand(skeleton, &idle, &layers, pose);
-        Some(Animated { layers })
+        self.plant_feet(skeleton, &idle, &layers, pose);
+        Some(AnimatedPose { layers })
     }
 
     /// Puts the feet where they should be: where the layers that move them say, and where the
     /// idle stance keeps them, by their shares.
-    fn stand(&self, skeleton: &Skeleton, idle: &Idle, layers: &Layering, pose: &mut Pose) {
+    fn plant_feet(
+        &self,
+        skeleton: &Skeleton,
+        idle: &StandingPose,
+        layers: &BlendedLayers,
+        pose: &mut Pose,
+    ) {
         let touched = |b: Bone| layers.shares[b.index()] > 0.0;
         let legs = LEG_BONES.as_flattened();
         let pelvis_moves = touched(Bone::Sacroiliac) || layers.root_share > 0.0;
@@ -158,7 +169,7 @@ impl Players {
         for (i, foot) in feet.iter().enumerate() {
             let leg = &self.body.legs[i];
             if let Some((at, ..)) = foot {
-                let high = at.y - leg.standing().translation.y;
+                let high = at.y - leg.world_from_ankle().translation.y;
                 let stood_on = 1.0 - smooth(high / (LIFTED * self.body.stature_m));
                 spare_m[i] = SPARE * leg.reach_m() * (1.0 - stood_on * (1.0 - cover));
                 let missing = leg.shortage_m(&pelvis, *at, spare_m[i]);
@@ -182,13 +193,13 @@ impl Players {
     }
 
     /// What all players make together; none when none is there.
-    fn layers(&self, skeleton: &Skeleton, t: f64) -> Option<Layering> {
+    fn layers(&self, skeleton: &Skeleton, t: f64) -> Option<BlendedLayers> {
         let orders = &self.schedule.orders;
-        orders.begun(t).next()?;
-        let mut sum = Layering::EMPTY;
+        orders.started_by(t).next()?;
+        let mut sum = BlendedLayers::EMPTY;
         let mut anything = false;
         in_order(orders, t, |order, share| {
-            let mut layers = Layering::EMPTY;
+            let mut layers = BlendedLayers::EMPTY;
             anything |= !order.is_empty();
             // From the one on top down, as far as anything can be seen.
             for &player in order.iter().rev() {
@@ -203,16 +214,22 @@ impl Players {
     }
 
     /// What one player makes, but for what moves hidden bones alone.
-    fn player(&self, skeleton: &Skeleton, plan: &PlayerPlan, t: f64, hidden: BoneSet) -> Layering {
-        let mut out = Layering::EMPTY;
+    fn player(
+        &self,
+        skeleton: &Skeleton,
+        plan: &PlayerPlan,
+        t: f64,
+        hidden: BoneSet,
+    ) -> BlendedLayers {
+        let mut out = BlendedLayers::EMPTY;
         let scale = self.scale(plan, t);
         for track in &plan.tracks {
-            let weight = track.weight.at(t).max(0.0) * track.presence_factor(t) * scale;
+            let weight = track.weight.sample(t).max(0.0) * track.presence_factor(t) * scale;
             if weight <= 0.0 {
                 continue;
             }
             let still = plan.kind == PlayerKind::Pose;
-            track.heard(t, |playing, share| {
+            track.visit_audible(t, |playing, share| {
                 let clip = &self.clips[playing.clip];
                 if clip.moved(track.bones).without(hidden).is_empty() {
                     return;
@@ -230,7 +247,7 @@ impl Players {
                     (place.at_secs, share * (1.0 - seam)),
                     (seam_secs, share * seam),
                 ] {
-                    let part = Part {
+                    let part = WeightedClip {
                         time_secs,
                         bones,
                         share,
@@ -251,10 +268,10 @@ impl Players {
         let (mut sum, mut most, mut counted) = (0.0, 0.0_f64, 0.0_f64);
         for track in &plan.tracks {
             let mut heard = 0.0;
-            track.heard(t, |_, share| heard += share);
+            track.visit_audible(t, |_, share| heard += share);
             let present = heard * track.presence_factor(t);
-            let weight = track.weight.at(t).max(0.0);
-            let counts = (weight / LEAST_WEIGHT).min(1.0);
+            let weight = track.weight.sample(t).max(0.0);
+            let counts = (weight / MIN_WEIGHT).min(1.0);
             sum += weight * present;
             most = most.max(present * counts);
             counted = counted.max(counts);
@@ -262,11 +279,11 @@ impl Players {
         if counted <= 0.0 {
             return 0.0;
         }
-        most / (counted * sum.max(LEAST_WEIGHT))
+        most / (counted * sum.max(MIN_WEIGHT))
     }
 }
 
-impl Animated {
+impl AnimatedPose {
     /// Takes an arm, which a gesture or idle life has posed, as far to the animation as the
     /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
     /// fingers, which may gesture while the arm rests.
@@ -302,14 +319,14 @@ fn is_arm(bone: Bone) -> bool {
 impl Track {
     /// How much of the track is on.
     fn presence_factor(&self, t: f64) -> f64 {
-        minimum_jerk(self.on.at(t))
+        minimum_jerk(self.on.sample(t))
     }
 
     /// What is heard of the stack's top and what it passes over from, with shares that sum
     /// to 1 where the stack was never empty.
-    fn heard(&self, t: f64, mut each: impl FnMut(&Playing, f64)) {
+    fn visit_audible(&self, t: f64, mut each: impl FnMut(&PlayingClip, f64)) {
         let mut left = 1.0;
-        for (i, stretch) in self.top.begun(t).enumerate() {
+        for (i, stretch) in self.top.started_by(t).enumerate() {
             let share = faded(stretch, t, i) * left;
             if let Some(playing) = &stretch.what {
                 each(playing, share);
@@ -323,8 +340,8 @@ impl Track {
 }
 
 /// How far a stretch has faded in; the oldest that is looked at wholly.
-fn faded<T>(stretch: &Stretch<T>, t: f64, age: usize) -> f64 {
-    if stretch.fade_secs <= 0.0 || age + 1 >= MOST_FADES {
+fn faded<T>(stretch: &Interval<T>, t: f64, age: usize) -> f64 {
+    if stretch.fade_secs <= 0.0 || age + 1 >= MAX_FADES {
         return 1.0;
     }
     minimum_jerk((t - stretch.from_secs) / stretch.fade_secs)
@@ -332,16 +349,16 @@ fn faded<T>(stretch: &Stretch<T>, t: f64, age: usize) -> f64 {
 
 /// Calls for what is on, the oldest first, with the share by which it has faded in over what
 /// came before.
-fn in_order<T>(stretches: &Stretches<T>, t: f64, mut each: impl FnMut(&T, f64)) {
+fn in_order<T>(stretches: &Intervals<T>, t: f64, mut each: impl FnMut(&T, f64)) {
     let mut seen = 0;
-    for (i, stretch) in stretches.begun(t).enumerate() {
+    for (i, stretch) in stretches.started_by(t).enumerate() {
         seen = i + 1;
         if faded(stretch, t, i) >= 1.0 {
             break;
         }
     }
     for i in (0..seen).rev() {
-        if let Some(stretch) = stretches.begun(t).nth(i) {
+        if let Some(stretch) = stretches.started_by(t).nth(i) {
             each(&stretch.what, faded(stretch, t, i));
         }
     }

@@ -4,11 +4,11 @@
 use raconteur_base::order::sort_by_number;
 
 use super::groups::{BODY_GROUPS, BoneSet};
+use super::piecewise_linear::PiecewiseLinear;
 use super::playback::Playback;
-use super::ramps::Ramps;
 use super::script::{
-    Operation, PlayerCommand, PlayerKind, PlayerScript, Problem, ProblemKind, Property, TrackRef,
-    Tracks,
+    CommandProblem, CommandProblemKind, Operation, PlayerCommand, PlayerKind, PlayerScript,
+    Property, TrackRef, Tracks,
 };
 
 /// Default length of a cross-fade, seconds. Designed: as quick as one takes a step.
@@ -18,11 +18,11 @@ const SWAP_SECS: f64 = 0.4;
 /// look immediate, and no joint jumps.
 pub const AT_ONCE_SECS: f64 = 0.08;
 /// Longest cross-fade, seconds.
-const LONGEST_SWAP_SECS: f64 = 60.0;
+const MAX_SWAP_SECS: f64 = 60.0;
 
 /// Something that is on from a time on, and fades in.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Stretch<T> {
+pub(crate) struct Interval<T> {
     pub(crate) from_secs: f64,
     pub(crate) fade_secs: f64,
     pub(crate) what: T,
@@ -30,9 +30,9 @@ pub(crate) struct Stretch<T> {
 
 /// Entries, in order of time.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Stretches<T>(Vec<Stretch<T>>);
+pub(crate) struct Intervals<T>(Vec<Interval<T>>);
 
-impl<T> Stretches<T> {
+impl<T> Intervals<T> {
     fn new() -> Self {
         Self(Vec::new())
     }
@@ -44,7 +44,7 @@ impl<T> Stretches<T> {
             self.0.pop();
         }
         let fade_secs = if from_secs <= 0.0 { 0.0 } else { fade_secs };
-        self.0.push(Stretch {
+        self.0.push(Interval {
             from_secs,
             fade_secs,
             what,
@@ -52,7 +52,7 @@ impl<T> Stretches<T> {
     }
 
     /// What has begun by a time, the latest first.
-    pub(crate) fn begun(&self, t: f64) -> impl Iterator<Item = &Stretch<T>> {
+    pub(crate) fn started_by(&self, t: f64) -> impl Iterator<Item = &Interval<T>> {
         let n = self.0.partition_point(|s| s.from_secs <= t);
         self.0[..n].iter().rev()
     }
@@ -60,7 +60,7 @@ impl<T> Stretches<T> {
 
 /// An animation that is being played.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Playing {
+pub(crate) struct PlayingClip {
     /// Index of its clip.
     pub(crate) clip: usize,
     /// Integral of the track's speed when it was put on.
@@ -72,18 +72,18 @@ pub(crate) struct Playing {
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
     pub(crate) bones: BoneSet,
-    pub(crate) speed: Ramps,
-    pub(crate) weight: Ramps,
+    pub(crate) speed: PiecewiseLinear,
+    pub(crate) weight: PiecewiseLinear,
     /// 0 off, 1 on.
-    pub(crate) on: Ramps,
+    pub(crate) on: PiecewiseLinear,
     /// The top of the stack.
-    pub(crate) top: Stretches<Option<Playing>>,
-    operations: Vec<(f64, f64, Stacked)>,
+    pub(crate) top: Intervals<Option<PlayingClip>>,
+    operations: Vec<(f64, f64, ResolvedOperation)>,
 }
 
 /// An operation with its clip found.
 #[derive(Clone, Copy, Debug)]
-enum Stacked {
+enum ResolvedOperation {
     Push(usize, Playback),
     Exchange(usize, Playback),
     Pop,
@@ -102,13 +102,13 @@ pub(crate) struct PlayerPlan {
 pub(crate) struct Schedule {
     pub(crate) players: Vec<PlayerPlan>,
     /// The players that are there, the one that wins last.
-    pub(crate) orders: Stretches<Vec<usize>>,
+    pub(crate) orders: Intervals<Vec<usize>>,
     /// Names of the clips that are played.
     pub(crate) clips: Vec<String>,
 }
 
 /// A player that is there while commands are read.
-struct Present {
+struct ActivePlayer {
     name: String,
     priority: i32,
     player: usize,
@@ -116,10 +116,10 @@ struct Present {
 
 struct Reader<'a> {
     out: Schedule,
-    present: Vec<Present>,
+    present: Vec<ActivePlayer>,
     smooth: bool,
     swap_secs: f64,
-    problems: Vec<Problem>,
+    problems: Vec<CommandProblem>,
     exists: &'a dyn Fn(&str) -> bool,
 }
 
@@ -129,7 +129,7 @@ impl Schedule {
         script: &PlayerScript,
         exists: &dyn Fn(&str) -> bool,
         length: &dyn Fn(&str) -> f64,
-    ) -> (Self, Vec<Problem>) {
+    ) -> (Self, Vec<CommandProblem>) {
         let mut commands: Vec<(usize, f64, &PlayerCommand)> = script
             .commands
             .iter()
@@ -141,7 +141,7 @@ impl Schedule {
         let mut reader = Reader {
             out: Self {
                 players: Vec::new(),
-                orders: Stretches::new(),
+                orders: Intervals::new(),
                 clips: Vec::new(),
             },
             present: Vec::new(),
@@ -152,7 +152,7 @@ impl Schedule {
         };
         for (index, t, command) in commands {
             if let Err(kind) = reader.command(t, command) {
-                reader.problems.push(Problem {
+                reader.problems.push(CommandProblem {
                     command: index,
                     kind,
                 });
@@ -175,13 +175,13 @@ impl Reader<'_> {
         }
     }
 
-    fn command(&mut self, t: f64, command: &PlayerCommand) -> Result<(), ProblemKind> {
+    fn command(&mut self, t: f64, command: &PlayerCommand) -> Result<(), CommandProblemKind> {
         match command {
             PlayerCommand::Configure { smooth, swap_secs } => {
                 self.smooth = smooth.unwrap_or(self.smooth);
                 if let Some(secs) = swap_secs.filter(|s| s.is_finite()) {
                     // Nothing changes faster than at once.
-                    self.swap_secs = secs.clamp(AT_ONCE_SECS, LONGEST_SWAP_SECS);
+                    self.swap_secs = secs.clamp(AT_ONCE_SECS, MAX_SWAP_SECS);
                 }
             }
             PlayerCommand::Add {
@@ -191,7 +191,7 @@ impl Reader<'_> {
                 exclusive,
             } => {
                 self.present.retain(|p| !exclusive && p.name != *name);
-                self.present.push(Present {
+                self.present.push(ActivePlayer {
                     name: name.clone(),
                     priority: 0,
                     player: self.out.players.len(),
@@ -237,10 +237,14 @@ impl Reader<'_> {
                     _ if lost.is_err() && tracks.as_ref().is_some_and(|t| t.len() == 1) => {
                         return lost;
                     }
-                    Operation::Push(name, style) => Stacked::Push(self.clip(name)?, *style),
-                    Operation::Exchange(name, style) => Stacked::Exchange(self.clip(name)?, *style),
-                    Operation::Pop => Stacked::Pop,
-                    Operation::Clear => Stacked::Clear,
+                    Operation::Push(name, style) => {
+                        ResolvedOperation::Push(self.clip(name)?, *style)
+                    }
+                    Operation::Exchange(name, style) => {
+                        ResolvedOperation::Exchange(self.clip(name)?, *style)
+                    }
+                    Operation::Pop => ResolvedOperation::Pop,
+                    Operation::Clear => ResolvedOperation::Clear,
                 };
                 let fade_secs = self.fade_secs();
                 let (plan, tracks, lost) = self.tracks(player, tracks)?;
@@ -256,7 +260,7 @@ impl Reader<'_> {
 
     /// A player that is there, by name; without one, the one that has none, or the first that was
     /// added.
-    fn find(&self, name: &Option<String>) -> Result<usize, ProblemKind> {
+    fn find(&self, name: &Option<String>) -> Result<usize, CommandProblemKind> {
         let found = match name {
             Some(name) => self.present.iter().position(|p| p.name == *name),
             None => {
@@ -264,7 +268,7 @@ impl Reader<'_> {
                 unnamed.or((!self.present.is_empty()).then_some(0))
             }
         };
-        found.ok_or_else(|| ProblemKind::NoPlayer(name.clone()))
+        found.ok_or_else(|| CommandProblemKind::NoPlayer(name.clone()))
     }
 
     /// The tracks of a player that are meant, and whether one is not there.
@@ -273,7 +277,8 @@ impl Reader<'_> {
         &mut self,
         player: &Option<String>,
         tracks: &Tracks,
-    ) -> Result<(&mut PlayerPlan, Vec<usize>, Result<(), ProblemKind>), ProblemKind> {
+    ) -> Result<(&mut PlayerPlan, Vec<usize>, Result<(), CommandProblemKind>), CommandProblemKind>
+    {
         let player = self.present[self.find(player)?].player;
         let plan = &mut self.out.players[player];
         let meant: Vec<usize> = match tracks {
@@ -282,13 +287,13 @@ impl Reader<'_> {
         };
         let mut named = tracks.iter().flatten();
         let lost = named.find(|track| plan.index(**track).is_none());
-        let lost = lost.map_or(Ok(()), |i| Err(ProblemKind::NoTrack(*i)));
+        let lost = lost.map_or(Ok(()), |i| Err(CommandProblemKind::NoTrack(*i)));
         Ok((plan, meant, lost))
     }
 
-    fn clip(&mut self, name: &str) -> Result<usize, ProblemKind> {
+    fn clip(&mut self, name: &str) -> Result<usize, CommandProblemKind> {
         if !(self.exists)(name) {
-            return Err(ProblemKind::NoClip(name.to_owned()));
+            return Err(CommandProblemKind::NoClip(name.to_owned()));
         }
         let clips = &mut self.out.clips;
         let known = clips.iter().position(|c| c == name);
@@ -316,10 +321,10 @@ impl PlayerPlan {
     fn new(kind: PlayerKind, bones: BoneSet) -> Self {
         let track = |bones: BoneSet, weight: f64| Track {
             bones,
-            speed: Ramps::constant(1.0),
-            weight: Ramps::constant(weight),
-            on: Ramps::constant(1.0),
-            top: Stretches::new(),
+            speed: PiecewiseLinear::constant(1.0),
+            weight: PiecewiseLinear::constant(weight),
+            on: PiecewiseLinear::constant(1.0),
+            top: Intervals::new(),
             operations: Vec::new(),
         };
         let tracks = match kind {
@@ -399,7 +404,7 @@ impl PlayerPlan {
             value.min(1.0 / own)
         };
         let left = 1.0 - own * each;
-        let now = |track: &Track| track.weight.at(t);
+        let now = |track: &Track| track.weight.sample(t);
         let unmeant = self.tracks.iter().zip(&meant).filter(|(_, m)| !**m);
         let sum: f64 = unmeant.map(|(track, _)| now(track)).sum();
         for (track, meant) in self.tracks.iter_mut().zip(meant) {
@@ -416,8 +421,8 @@ impl PlayerPlan {
 }
 
 /// An animation on a stack, and when it leaves by itself.
-struct Entry {
-    playing: Playing,
+struct StackEntry {
+    playing: PlayingClip,
     until_secs: f64,
     /// How long its leaving takes.
     fade_secs: f64,
@@ -426,7 +431,7 @@ struct Entry {
 impl Track {
     /// Plays the operations through.
     fn play(&mut self, length: &dyn Fn(usize) -> f64) {
-        let mut stack: Vec<Entry> = Vec::new();
+        let mut stack: Vec<StackEntry> = Vec::new();
         for (t, fade_secs, operation) in std::mem::take(&mut self.operations) {
             self.expire(&mut stack, t);
             let entry = |clip: usize, style: Playback| {
@@ -434,24 +439,24 @@ impl Track {
                 let passes = style.iterations().filter(|_| style.is_temporary());
                 let until = passes.and_then(|n| {
                     let total = f64::from(n) * length(clip);
-                    self.speed.when(t, begun + total)
+                    self.speed.time_of_integral(t, begun + total)
                 });
-                Entry {
-                    playing: Playing { clip, begun, style },
+                StackEntry {
+                    playing: PlayingClip { clip, begun, style },
                     until_secs: until.unwrap_or(f64::INFINITY),
                     fade_secs,
                 }
             };
             match operation {
-                Stacked::Push(clip, style) => stack.push(entry(clip, style)),
-                Stacked::Exchange(clip, style) => {
+                ResolvedOperation::Push(clip, style) => stack.push(entry(clip, style)),
+                ResolvedOperation::Exchange(clip, style) => {
                     stack.pop();
                     stack.push(entry(clip, style));
                 }
-                Stacked::Pop => {
+                ResolvedOperation::Pop => {
                     stack.pop();
                 }
-                Stacked::Clear => stack.clear(),
+                ResolvedOperation::Clear => stack.clear(),
             }
             self.show(&stack, t, fade_secs);
         }
@@ -459,7 +464,7 @@ impl Track {
     }
 
     /// Takes off what leaves by itself up to a time.
-    fn expire(&mut self, stack: &mut Vec<Entry>, t: f64) {
+    fn expire(&mut self, stack: &mut Vec<StackEntry>, t: f64) {
         loop {
             let mut next = (f64::INFINITY, SWAP_SECS);
             for entry in stack.iter() {
@@ -476,7 +481,7 @@ impl Track {
         }
     }
 
-    fn show(&mut self, stack: &[Entry], t: f64, fade_secs: f64) {
+    fn show(&mut self, stack: &[StackEntry], t: f64, fade_secs: f64) {
         let top = stack.last().map(|e| e.playing);
         let same = self.top.0.last().is_some_and(|s| s.what == top);
         if !same {

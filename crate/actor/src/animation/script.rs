@@ -122,16 +122,16 @@ pub struct PlayerScript {
 
 /// Why a command does nothing, or less than it says.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
+pub struct CommandProblem {
     /// Its index in [`PlayerScript::commands`].
     pub command: usize,
     /// What is wrong.
-    pub kind: ProblemKind,
+    pub kind: CommandProblemKind,
 }
 
 /// What is wrong with a command.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ProblemKind {
+pub enum CommandProblemKind {
     /// There is no player of this name, or none at all, at the time.
     NoPlayer(Option<String>),
     /// The player has no such track.

@@ -10,7 +10,7 @@
 use raconteur_body::face::Muscle as M;
 use raconteur_speech::emotion::EmotionPoint;
 
-use crate::parameters::Dial;
+use crate::parameters::FaceControl;
 
 /// How many basic emotions there are.
 pub const BASICS: usize = 6;
@@ -18,7 +18,7 @@ pub const BASICS: usize = 6;
 /// A basic emotion, in the order of their angles on the disc of activation and evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
-pub enum Basic {
+pub enum BasicEmotion {
     /// F&H's joy.
     Joy,
     /// Full activation and nothing else (F&H section 4.4.3).
@@ -34,10 +34,10 @@ pub enum Basic {
 }
 
 /// A share of a dial in percent. Values of the left side hold for the right as well.
-pub(super) type Share = (Dial, i8);
+pub(super) type Share = (FaceControl, i8);
 
 pub(super) const fn m(muscle: M, percent: i8) -> Share {
-    (Dial::of(muscle), percent)
+    (FaceControl::from_muscle(muscle), percent)
 }
 
 /// AU 6, 12 and a little 25 and 26.
@@ -47,16 +47,16 @@ const JOY: &[Share] = &[
     m(M::LevatorAnguliLeft, 35),
     m(M::LevatorLabiiLeft, 25),
     m(M::OrbicularisOculiLeft, 85),
-    (Dial::LOWER_LID_LEFT, 60),
-    (Dial::JAW, 10),
+    (FaceControl::LOWER_LID_LEFT, 60),
+    (FaceControl::JAW, 10),
 ];
 
 /// AU 1, 2, 5, 26.
 const SURPRISE: &[Share] = &[
     m(M::FrontalisMedialLeft, 95),
     m(M::FrontalisLateralLeft, 95),
-    (Dial::UPPER_LID_LEFT, -95),
-    (Dial::JAW, 55),
+    (FaceControl::UPPER_LID_LEFT, -95),
+    (FaceControl::JAW, 55),
 ];
 
 /// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
@@ -71,8 +71,8 @@ const DISGUST: &[Share] = &[
     m(M::OrbicularisOculiLeft, 50),
     m(M::MentalisLeft, 20),
     m(M::DepressorAnguliLeft, 20),
-    (Dial::LOWER_LID_LEFT, 35),
-    (Dial::UPPER_LID_LEFT, 10),
+    (FaceControl::LOWER_LID_LEFT, 35),
+    (FaceControl::UPPER_LID_LEFT, 10),
 ];
 
 /// AU 4, 5, 7, 23, 24 with a little 17 and 38, jaw forwards (AU 29).
@@ -87,11 +87,11 @@ const ANGER: &[Share] = &[
     m(M::MentalisLeft, 35),
     m(M::NasalisLeft, 25),
     m(M::LevatorLabiiAlaequeLeft, 8),
-    (Dial::LIP_PROTRUSION_UPPER, -80),
-    (Dial::LIP_PROTRUSION_LOWER, -80),
-    (Dial::LOWER_LID_LEFT, 60),
-    (Dial::UPPER_LID_LEFT, -35),
-    (Dial::JAW_FORWARD, 25),
+    (FaceControl::LIP_PROTRUSION_UPPER, -80),
+    (FaceControl::LIP_PROTRUSION_LOWER, -80),
+    (FaceControl::LOWER_LID_LEFT, 60),
+    (FaceControl::UPPER_LID_LEFT, -35),
+    (FaceControl::JAW_FORWARD, 25),
 ];
 
 /// AU 1, 2, 4, 5, 20, 26, the lips a little parted (AU 25).
@@ -103,9 +103,9 @@ const FEAR: &[Share] = &[
     m(M::PlatysmaLeft, 45),
     m(M::BuccinatorLeft, 15),
     m(M::DepressorLabiiLeft, 30),
-    (Dial::UPPER_LID_LEFT, -90),
-    (Dial::LOWER_LID_LEFT, 45),
-    (Dial::JAW, 18),
+    (FaceControl::UPPER_LID_LEFT, -90),
+    (FaceControl::LOWER_LID_LEFT, 45),
+    (FaceControl::JAW, 18),
 ];
 
 /// AU 1, 4, 15, 17 with a little 6, the lids low.
@@ -115,11 +115,11 @@ const SADNESS: &[Share] = &[
     m(M::DepressorAnguliLeft, 60),
     m(M::MentalisLeft, 65),
     m(M::OrbicularisOculiLeft, 12),
-    (Dial::UPPER_LID_LEFT, 25),
-    (Dial::LOWER_LID_LEFT, 10),
+    (FaceControl::UPPER_LID_LEFT, 25),
+    (FaceControl::LOWER_LID_LEFT, 10),
 ];
 
-impl Basic {
+impl BasicEmotion {
     /// All, by their angles.
     pub const ALL: [Self; BASICS] = [
         Self::Joy,

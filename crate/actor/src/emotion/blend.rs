@@ -6,13 +6,13 @@ use raconteur_base::ops;
 use raconteur_base::{DVec3, Length, curve::smooth};
 use raconteur_speech::emotion::{self, EmotionPoint};
 
-use super::basic::{BASICS, Basic};
+use super::basic::{BASICS, BasicEmotion};
 use super::expression::Expression;
-use super::look::{self, LOOKS, Look};
+use super::look::{self, BaseExpression, LOOKS};
 
 /// In which space basic emotions are neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Space {
+pub enum EmotionSpace {
     /// Activation and evaluation (F&H section 4.4.3).
     Disc,
     /// With power (F&H section 4.4.4).
@@ -28,7 +28,7 @@ pub struct Affect {
     /// Its word in [`raconteur_speech::emotion::WORDS`]; it may have a look of its own.
     pub word: Option<&'static str>,
     /// In which space its expression is blended of the basic ones.
-    pub space: Space,
+    pub space: EmotionSpace,
 }
 
 impl Affect {
@@ -41,13 +41,13 @@ impl Affect {
         Some(Self {
             place: emotion::place(own)?,
             word: Some(own),
-            space: Space::default(),
+            space: EmotionSpace::default(),
         })
     }
 
     /// That of a place without a word.
     #[must_use]
-    pub fn at(place: EmotionPoint) -> Self {
+    pub fn from_point(place: EmotionPoint) -> Self {
         Self {
             place,
             ..Self::default()
@@ -66,7 +66,7 @@ const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
 /// How much an expression takes of each look, by [`Look::ALL`]: of the basic ones first, by
 /// [`Basic::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Mixture {
+pub struct ExpressionWeights {
     /// By muscles that have no antagonist, and by all else.
     pub free: [f64; LOOKS],
     /// By muscles that have antagonists, before they are set against each other.
@@ -83,11 +83,11 @@ pub fn polar(place: EmotionPoint) -> [f64; 2] {
     ]
 }
 
-impl Mixture {
+impl ExpressionWeights {
     /// A basic emotion scaled by the ratio of distances from the middle (F&H equations 4.6
     /// and 4.7).
     #[must_use]
-    pub fn scaled(basic: Basic, ratio: f64) -> Self {
+    pub fn scaled(basic: BasicEmotion, ratio: f64) -> Self {
         let mut mixture = Self::default();
         mixture.free[basic as usize] = ratio;
         mixture.bound[basic as usize] = ratio;
@@ -101,7 +101,7 @@ impl Mixture {
     /// Muscles with antagonists take the plain sums of equation 4.10 whatever the share: they
     /// jump where another basic emotion becomes a neighbour. [`Mixture::on_disc`] mends that.
     #[must_use]
-    pub fn printed(between: [Basic; 2], share: f64, ratios: [f64; 2]) -> Self {
+    pub fn printed(between: [BasicEmotion; 2], share: f64, ratios: [f64; 2]) -> Self {
         let mut mixture = Self::default();
         for (k, weight) in [1.0 - share, share].into_iter().enumerate() {
             mixture.free[between[k] as usize] += weight * ratios[k];
@@ -128,7 +128,7 @@ impl Mixture {
                 turn
             }
         };
-        let ends = Basic::ALL.map(|basic| polar(basic.place()));
+        let ends = BasicEmotion::ALL.map(|basic| polar(basic.place()));
         // The last basic emotion that the turn has passed is the first neighbour.
         let mut first = BASICS - 1;
         for i in 0..BASICS {
@@ -140,7 +140,7 @@ impl Mixture {
         let sector = turned(ends[first][0], ends[second][0]);
         let share = (turned(ends[first][0], angle) / sector).clamp(0.0, 1.0);
         let ratios = [radius / ends[first][1], radius / ends[second][1]];
-        let between = [Basic::ALL[first], Basic::ALL[second]];
+        let between = [BasicEmotion::ALL[first], BasicEmotion::ALL[second]];
         let mut mixture = Self::printed(between, share, ratios);
         let most = share.max(1.0 - share);
         mixture.bound[first] *= (1.0 - share) / most;
@@ -153,7 +153,7 @@ impl Mixture {
     /// as they are nearly as near. Sums of equation 4.10 fade as they do on the disc.
     #[must_use]
     pub fn on_sphere(place: EmotionPoint) -> Self {
-        let sites = Basic::ALL.map(|basic| vector(basic.place()));
+        let sites = BasicEmotion::ALL.map(|basic| vector(basic.place()));
         let length = vector(place).magnitude();
         let mut near = COUNTS;
         nearness(vector(place), &sites, &mut near);
@@ -172,19 +172,19 @@ impl Mixture {
 
     /// The expression of a place in a space.
     #[must_use]
-    pub fn of(place: EmotionPoint, space: Space) -> Self {
+    pub fn from_point(place: EmotionPoint, space: EmotionSpace) -> Self {
         match space {
-            Space::Disc => Self::on_disc(place),
-            Space::Sphere => Self::on_sphere(place),
+            EmotionSpace::Disc => Self::on_disc(place),
+            EmotionSpace::Sphere => Self::on_sphere(place),
         }
     }
 
     /// The expression of an emotion. A word that has a look of its own has it on the sphere; on the
     /// disc every emotion is blended of the six by its place, as in F&H.
     #[must_use]
-    pub fn felt(affect: Affect) -> Self {
+    pub fn perceived_weights(affect: Affect) -> Self {
         let looks = affect.word.and_then(look::of_word);
-        match looks.filter(|_| affect.space == Space::Sphere) {
+        match looks.filter(|_| affect.space == EmotionSpace::Sphere) {
             Some(looks) => {
                 let mut mixture = Self::default();
                 for (look, share) in looks {
@@ -193,13 +193,13 @@ impl Mixture {
                 }
                 mixture
             }
-            None => Self::of(affect.place, affect.space),
+            None => Self::from_point(affect.place, affect.space),
         }
     }
 
     /// The same without the wink, and how much of a wink is in it.
-    pub(super) fn parted(mut self) -> (Self, f64) {
-        let wink = Look::Wink.index();
+    pub(super) fn split_wink(mut self) -> (Self, f64) {
+        let wink = BaseExpression::Wink.index();
         self.bound[wink] = 0.0;
         let amount = core::mem::take(&mut self.free[wink]);
         (self, amount)
@@ -207,7 +207,7 @@ impl Mixture {
 
     /// Adds so much of a wink.
     pub(super) fn wink(&mut self, amount: f64) {
-        let wink = Look::Wink.index();
+        let wink = BaseExpression::Wink.index();
         self.free[wink] += amount;
         self.bound[wink] += amount;
     }
@@ -230,7 +230,7 @@ impl Mixture {
     #[must_use]
     pub fn expression(&self) -> Expression {
         let mut expression = Expression::default();
-        for (i, look) in Look::ALL.into_iter().enumerate() {
+        for (i, look) in BaseExpression::ALL.into_iter().enumerate() {
             let (free, bound) = (self.free[i], self.bound[i]);
             if free != 0.0 || bound != 0.0 {
                 expression.gather(look, free, bound);

@@ -3,15 +3,17 @@
 
 use raconteur_body::face::{ANTAGONISTS, FaceControls, Muscle as M};
 
-use super::basic::Basic;
-use super::look::Look;
-use crate::parameters::{DIALS, Dial};
+use super::basic::BasicEmotion;
+use super::look::BaseExpression;
+use crate::parameters::{DIALS, FaceControl};
 
 /// Whether a dial is of a muscle that has antagonists.
 #[must_use]
-pub fn has_antagonist(dial: Dial) -> bool {
+pub fn has_antagonist(dial: FaceControl) -> bool {
     let muscles = ANTAGONISTS.iter().flat_map(|(a, b)| a.iter().chain(*b));
-    muscles.into_iter().any(|m| Dial::of(*m) == dial)
+    muscles
+        .into_iter()
+        .any(|m| FaceControl::from_muscle(*m) == dial)
 }
 
 /// The value of each dial, −1 to 1; muscles 0 to 1.
@@ -37,7 +39,7 @@ const ROOM_FROM: f64 = 0.95;
 /// A value of any size brought into −1 to 1: it always grows with the request, and is the
 /// same up to [`ROOM_FROM`].
 #[must_use]
-pub(super) fn within(value: f64) -> f64 {
+pub(super) fn compress(value: f64) -> f64 {
     let over = value.abs() - ROOM_FROM;
     if over <= 0.0 {
         return value;
@@ -49,15 +51,15 @@ pub(super) fn within(value: f64) -> f64 {
 impl Expression {
     /// That of a basic emotion at its place.
     #[must_use]
-    pub fn of(basic: Basic) -> Self {
+    pub fn from_basic(basic: BasicEmotion) -> Self {
         let mut expression = Self::default();
-        expression.gather(Look::Basic(basic), 1.0, 1.0);
+        expression.gather(BaseExpression::Basic(basic), 1.0, 1.0);
         expression
     }
 
     /// Adds a look, free muscles and those with antagonists by factors of their own.
-    pub(super) fn gather(&mut self, look: Look, free: f64, bound: f64) {
-        look.each(&mut |dial, percent| {
+    pub(super) fn gather(&mut self, look: BaseExpression, free: f64, bound: f64) {
+        look.for_each_control(&mut |dial, percent| {
             let factor = if has_antagonist(dial) { bound } else { free };
             self.values[dial.index()] += factor * f64::from(percent) * 0.01;
         });
@@ -84,12 +86,12 @@ impl Expression {
     /// Brings every value into its range, each by itself: the stronger an emotion, the stronger
     /// all that is of it.
     pub(super) fn limit(&mut self) {
-        self.values.iter_mut().for_each(|v| *v = within(*v));
+        self.values.iter_mut().for_each(|v| *v = compress(*v));
     }
 
     /// The value of a dial.
     #[must_use]
-    pub fn value(&self, dial: Dial) -> f64 {
+    pub fn value(&self, dial: FaceControl) -> f64 {
         self.values[dial.index()]
     }
 
@@ -97,7 +99,7 @@ impl Expression {
     pub fn add(&self, controls: &mut FaceControls) {
         for (i, value) in self.values.iter().enumerate() {
             if *value != 0.0
-                && let Some(dial) = Dial::at(i)
+                && let Some(dial) = FaceControl::from_index(i)
             {
                 dial.add(*value, controls);
             }
@@ -111,8 +113,8 @@ mod tests {
 
     #[test]
     fn basic_expressions_are_symmetric_in_range_and_at_peace_with_themselves() {
-        for basic in Basic::ALL {
-            let face = Expression::of(basic);
+        for basic in BasicEmotion::ALL {
+            let face = Expression::from_basic(basic);
             for m in M::all() {
                 let value = face.values[m.index()];
                 assert!((0.0..=1.0).contains(&value), "{basic:?} {m:?}");
@@ -124,7 +126,7 @@ mod tests {
             assert_eq!(settled, face, "{basic:?}");
             // What moves the eyes is said elsewhere.
             for i in 0..DIALS {
-                let dial = Dial::at(i).expect("a dial");
+                let dial = FaceControl::from_index(i).expect("a dial");
                 assert!(!dial.name().starts_with("Gaze") || face.value(dial) == 0.0);
             }
         }
@@ -132,12 +134,12 @@ mod tests {
 
     #[test]
     fn every_look_is_in_range_and_at_peace_with_itself() {
-        for look in Look::ALL {
+        for look in BaseExpression::ALL {
             let mut face = Expression::default();
             face.gather(look, 1.0, 1.0);
-            assert_eq!(Look::ALL[look.index()], look);
+            assert_eq!(BaseExpression::ALL[look.index()], look);
             for (i, value) in face.values.iter().enumerate() {
-                let least = if Dial::at(i).is_some_and(Dial::is_signed) {
+                let least = if FaceControl::from_index(i).is_some_and(FaceControl::is_signed) {
                     -1.0
                 } else {
                     0.0
@@ -157,10 +159,10 @@ mod tests {
         let mut before = 0.0;
         for i in 1..4000 {
             let asked = f64::from(i) * 0.001;
-            let value = within(asked);
+            let value = compress(asked);
             assert!(value > before && value < 1.0, "{asked}");
             assert!(value - before < 1.001e-3, "{asked}");
-            assert_eq!(within(-asked), -value);
+            assert_eq!(compress(-asked), -value);
             assert!(asked > 0.95 || value == asked);
             before = value;
         }

@@ -6,17 +6,17 @@
 
 use raconteur_body::face::Muscle as M;
 
-use super::basic::{BASICS, Basic, Share, m};
-use crate::parameters::Dial;
+use super::basic::{BASICS, BasicEmotion, Share, m};
+use crate::parameters::FaceControl;
 
 /// How many looks there are.
 pub const LOOKS: usize = BASICS + 9;
 
 /// A way to look: a basic expression, or one of a word's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
+pub enum BaseExpression {
     /// One of the six.
-    Basic(Basic),
+    Basic(BasicEmotion),
     /// Ashamed.
     Shame,
     /// Proud.
@@ -45,11 +45,11 @@ const SHAME: &[Share] = &[
     m(M::CorrugatorLeft, 35),
     m(M::OrbicularisOrisUpper, 12),
     m(M::OrbicularisOrisLower, 14),
-    (Dial::LIP_PROTRUSION_UPPER, -65),
-    (Dial::LIP_PROTRUSION_LOWER, -65),
+    (FaceControl::LIP_PROTRUSION_UPPER, -65),
+    (FaceControl::LIP_PROTRUSION_LOWER, -65),
     m(M::DepressorAnguliLeft, 35),
     m(M::MentalisLeft, 35),
-    (Dial::UPPER_LID_LEFT, 35),
+    (FaceControl::UPPER_LID_LEFT, 35),
 ];
 
 /// A small smile (AU 12 without 6) with the head tilted back: Tracy & Robins 2004,
@@ -60,8 +60,8 @@ const PRIDE: &[Share] = &[
     m(M::LevatorAnguliLeft, 25),
     m(M::BuccinatorLeft, 25),
     m(M::FrontalisLateralLeft, 30),
-    (Dial::UPPER_LID_LEFT, 22),
-    (Dial::LOWER_LID_LEFT, 15),
+    (FaceControl::UPPER_LID_LEFT, 22),
+    (FaceControl::LOWER_LID_LEFT, 15),
 ];
 
 /// The upper lip raised (AU 10), which of the faces of disgust is the one towards persons and what
@@ -74,8 +74,8 @@ const DISLIKING: &[Share] = &[
     m(M::DepressorAnguliLeft, 50),
     m(M::MentalisLeft, 30),
     m(M::OrbicularisOculiLeft, 15),
-    (Dial::UPPER_LID_LEFT, 18),
-    (Dial::LOWER_LID_LEFT, 30),
+    (FaceControl::UPPER_LID_LEFT, 18),
+    (FaceControl::LOWER_LID_LEFT, 30),
 ];
 const DISLIKING_RIGHT: &[Share] = &[
     m(M::LevatorLabiiRight, 38),
@@ -92,12 +92,12 @@ const RESENTMENT: &[Share] = &[
     m(M::DepressorSuperciliiLeft, 80),
     m(M::OrbicularisOrisUpper, 12),
     m(M::OrbicularisOrisLower, 14),
-    (Dial::LIP_PROTRUSION_UPPER, -65),
-    (Dial::LIP_PROTRUSION_LOWER, -65),
+    (FaceControl::LIP_PROTRUSION_UPPER, -65),
+    (FaceControl::LIP_PROTRUSION_LOWER, -65),
     m(M::MentalisLeft, 25),
     m(M::OrbicularisOculiLeft, 20),
-    (Dial::LOWER_LID_LEFT, 55),
-    (Dial::UPPER_LID_LEFT, 22),
+    (FaceControl::LOWER_LID_LEFT, 55),
+    (FaceControl::UPPER_LID_LEFT, 22),
 ];
 const RESENTMENT_RIGHT: &[Share] = &[
     m(M::BuccinatorRight, 90),
@@ -111,8 +111,8 @@ const SATISFACTION: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 45),
     m(M::OrbicularisOculiLeft, 25),
     m(M::OrbicularisOrisLower, 15),
-    (Dial::UPPER_LID_LEFT, 50),
-    (Dial::LOWER_LID_LEFT, 20),
+    (FaceControl::UPPER_LID_LEFT, 50),
+    (FaceControl::LOWER_LID_LEFT, 20),
 ];
 
 /// A sigh: it marks relief (Vlemincx et al. 2009, doi:10.1111/j.1469-8986.2009.00842.x). No
@@ -122,9 +122,9 @@ const RELIEF: &[Share] = &[
     m(M::FrontalisMedialLeft, 50),
     m(M::FrontalisLateralLeft, 20),
     m(M::ZygomaticusMajorLeft, 25),
-    (Dial::UPPER_LID_LEFT, 65),
-    (Dial::JAW, 24),
-    (Dial::LIP_PROTRUSION_LOWER, 20),
+    (FaceControl::UPPER_LID_LEFT, 65),
+    (FaceControl::JAW, 24),
+    (FaceControl::LIP_PROTRUSION_LOWER, 20),
 ];
 
 /// A felt smile (AU 6, 12) with the head inclined to the other: Gonzaga et al. 2001,
@@ -133,8 +133,8 @@ const LOVE: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 55),
     m(M::OrbicularisOculiLeft, 40),
     m(M::FrontalisMedialLeft, 45),
-    (Dial::UPPER_LID_LEFT, 22),
-    (Dial::LOWER_LID_LEFT, 25),
+    (FaceControl::UPPER_LID_LEFT, 22),
+    (FaceControl::LOWER_LID_LEFT, 25),
 ];
 
 /// A smile that is stronger on the side of the wink, one brow raised on the other. *Designed*:
@@ -143,7 +143,7 @@ const KIDDING: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 50),
     m(M::OrbicularisOculiLeft, 25),
     m(M::LevatorAnguliLeft, 15),
-    (Dial::LOWER_LID_LEFT, 15),
+    (FaceControl::LOWER_LID_LEFT, 15),
 ];
 const KIDDING_RIGHT: &[Share] = &[
     m(M::FrontalisLateralRight, 55),
@@ -158,19 +158,19 @@ const WINK_LEFT: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 25),
     m(M::ZygomaticusMinorLeft, 30),
     m(M::DepressorSuperciliiLeft, 30),
-    (Dial::UPPER_LID_LEFT, 100),
-    (Dial::LOWER_LID_LEFT, 70),
+    (FaceControl::UPPER_LID_LEFT, 100),
+    (FaceControl::LOWER_LID_LEFT, 70),
 ];
 
-impl Look {
+impl BaseExpression {
     /// All, in the order of [`Look::index`].
     pub const ALL: [Self; LOOKS] = [
-        Self::Basic(Basic::Joy),
-        Self::Basic(Basic::Surprise),
-        Self::Basic(Basic::Disgust),
-        Self::Basic(Basic::Anger),
-        Self::Basic(Basic::Fear),
-        Self::Basic(Basic::Sadness),
+        Self::Basic(BasicEmotion::Joy),
+        Self::Basic(BasicEmotion::Surprise),
+        Self::Basic(BasicEmotion::Disgust),
+        Self::Basic(BasicEmotion::Anger),
+        Self::Basic(BasicEmotion::Fear),
+        Self::Basic(BasicEmotion::Sadness),
         Self::Shame,
         Self::Pride,
         Self::Disliking,
@@ -189,7 +189,7 @@ impl Look {
     }
 
     /// Shows what takes part in it, in percent.
-    pub(super) fn each(self, visit: &mut dyn FnMut(Dial, i8)) {
+    pub(super) fn for_each_control(self, visit: &mut dyn FnMut(FaceControl, i8)) {
         let (both, one): (&[Share], &[Share]) = match self {
             Self::Basic(basic) => (basic.shares(), &[]),
             Self::Shame => (SHAME, &[]),
@@ -204,7 +204,7 @@ impl Look {
         };
         for (dial, percent) in both {
             visit(*dial, *percent);
-            let right = dial.also_right();
+            let right = dial.with_right_half();
             if right != *dial {
                 visit(right, *percent);
             }
@@ -221,22 +221,22 @@ impl Look {
 /// (see [`Signs`](super::Signs)). Liking is a weaker joy than its place, which it shares with
 /// satisfaction, would have it (*designed*). Anxiety and panic are fear scaled by the ratio of distances
 /// from the middle of the disc (F&H equation 4.7, figure 4.17).
-pub(super) fn of_word(word: &str) -> Option<&'static [(Look, f64)]> {
-    const FEAR: Look = Look::Basic(Basic::Fear);
-    const JOY: Look = Look::Basic(Basic::Joy);
-    const SADNESS: Look = Look::Basic(Basic::Sadness);
+pub(super) fn of_word(word: &str) -> Option<&'static [(BaseExpression, f64)]> {
+    const FEAR: BaseExpression = BaseExpression::Basic(BasicEmotion::Fear);
+    const JOY: BaseExpression = BaseExpression::Basic(BasicEmotion::Joy);
+    const SADNESS: BaseExpression = BaseExpression::Basic(BasicEmotion::Sadness);
     Some(match word {
-        "shame" => &[(Look::Shame, 1.0)],
-        "pride" => &[(Look::Pride, 1.0)],
-        "disliking" => &[(Look::Disliking, 1.0)],
-        "resentment" => &[(Look::Resentment, 1.0)],
-        "satisfaction" => &[(Look::Satisfaction, 1.0)],
-        "relief" => &[(Look::Relief, 1.0)],
-        "love" => &[(Look::Love, 1.0)],
+        "shame" => &[(BaseExpression::Shame, 1.0)],
+        "pride" => &[(BaseExpression::Pride, 1.0)],
+        "disliking" => &[(BaseExpression::Disliking, 1.0)],
+        "resentment" => &[(BaseExpression::Resentment, 1.0)],
+        "satisfaction" => &[(BaseExpression::Satisfaction, 1.0)],
+        "relief" => &[(BaseExpression::Relief, 1.0)],
+        "love" => &[(BaseExpression::Love, 1.0)],
         "liking" => &[(JOY, 0.6)],
-        "kidding" => &[(Look::Kidding, 1.0), (Look::Wink, 1.0)],
-        "gratification" => &[(Look::Pride, 0.5), (JOY, 0.5)],
-        "remorse" => &[(Look::Shame, 0.5), (SADNESS, 0.5)],
+        "kidding" => &[(BaseExpression::Kidding, 1.0), (BaseExpression::Wink, 1.0)],
+        "gratification" => &[(BaseExpression::Pride, 0.5), (JOY, 0.5)],
+        "remorse" => &[(BaseExpression::Shame, 0.5), (SADNESS, 0.5)],
         "anxiety" => &[(FEAR, 0.5)],
         "panic" => &[(FEAR, 2.0)],
         _ => return None,

@@ -10,12 +10,12 @@ mod signs;
 mod track;
 mod wink;
 
-pub use basic::{BASICS, Basic};
-pub use blend::{Affect, Mixture, Space, polar};
+pub use basic::{BASICS, BasicEmotion};
+pub use blend::{Affect, EmotionSpace, ExpressionWeights, polar};
 pub use expression::{Expression, has_antagonist};
-pub use look::{LOOKS, Look};
-pub use signs::Signs;
-pub use track::{Breathing, EmotionSpan, EmotionTrack, SHORTEST_SECS};
+pub use look::{BaseExpression, LOOKS};
+pub use signs::EmotionSigns;
+pub use track::{Breathing, EmotionSpan, EmotionTrack, MIN_SECS};
 
 #[cfg(test)]
 mod tests;

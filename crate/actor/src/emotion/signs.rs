@@ -4,13 +4,13 @@
 use raconteur_base::{DVec3, Length};
 use raconteur_speech::emotion::{self, EmotionPoint};
 
-use super::blend::{Affect, Space, nearness, vector};
-use super::expression::within;
-use super::look::{self, Look};
+use super::blend::{Affect, EmotionSpace, nearness, vector};
+use super::expression::compress;
+use super::look::{self, BaseExpression};
 
 /// Signs of an emotion; all 0 when one is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Signs {
+pub struct EmotionSigns {
     /// More (positive) or less blood in the skin than usual, −1 to 1.
     pub blush: f64,
     /// The gaze downwards, radians.
@@ -54,7 +54,7 @@ const KNOWN: [(&str, [i8; 6]); 8] = [
 const BOW_RAD: f64 = 0.18;
 
 /// Signs of nothing.
-const CALM: Signs = Signs {
+const CALM: EmotionSigns = EmotionSigns {
     blush: 0.0,
     gaze_down_rad: 0.0,
     head_down_rad: 0.0,
@@ -68,10 +68,10 @@ const CALM: Signs = Signs {
 /// Those of a look of its own. Head and gaze of shame and pride are of the sources of their
 /// looks, in pride about 20°; in disliking and resentment the head turns from whom the eyes
 /// stay with; relief sighs. Amounts, and all of the rest, are *designed*.
-fn of_look(look: Look) -> Signs {
+fn of_look(look: BaseExpression) -> EmotionSigns {
     match look {
-        Look::Basic(basic) => Signs::of(basic.place()),
-        Look::Shame => Signs {
+        BaseExpression::Basic(basic) => EmotionSigns::from_point(basic.place()),
+        BaseExpression::Shame => EmotionSigns {
             blush: 0.8,
             gaze_down_rad: 0.33,
             head_down_rad: 0.26,
@@ -81,7 +81,7 @@ fn of_look(look: Look) -> Signs {
             liveliness: -0.35,
             ..CALM
         },
-        Look::Pride => Signs {
+        BaseExpression::Pride => EmotionSigns {
             blush: 0.1,
             head_down_rad: -0.34,
             breath_rate: -0.05,
@@ -89,13 +89,13 @@ fn of_look(look: Look) -> Signs {
             liveliness: 0.1,
             ..CALM
         },
-        Look::Disliking => Signs {
+        BaseExpression::Disliking => EmotionSigns {
             head_down_rad: -0.08,
             head_turn_rad: 0.2,
             liveliness: -0.1,
             ..CALM
         },
-        Look::Resentment => Signs {
+        BaseExpression::Resentment => EmotionSigns {
             blush: 0.2,
             head_down_rad: 0.14,
             head_turn_rad: 0.08,
@@ -104,7 +104,7 @@ fn of_look(look: Look) -> Signs {
             liveliness: -0.15,
             ..CALM
         },
-        Look::Satisfaction => Signs {
+        BaseExpression::Satisfaction => EmotionSigns {
             blush: 0.1,
             head_down_rad: 0.04,
             head_tilt_rad: 0.08,
@@ -113,14 +113,14 @@ fn of_look(look: Look) -> Signs {
             liveliness: -0.15,
             ..CALM
         },
-        Look::Relief => Signs {
+        BaseExpression::Relief => EmotionSigns {
             head_down_rad: -0.06,
             breath_rate: -0.2,
             breath_depth: 0.6,
             liveliness: -0.2,
             ..CALM
         },
-        Look::Love => Signs {
+        BaseExpression::Love => EmotionSigns {
             blush: 0.25,
             head_down_rad: 0.05,
             head_tilt_rad: 0.14,
@@ -128,7 +128,7 @@ fn of_look(look: Look) -> Signs {
             breath_depth: 0.15,
             ..CALM
         },
-        Look::Kidding => Signs {
+        BaseExpression::Kidding => EmotionSigns {
             blush: 0.05,
             head_down_rad: 0.04,
             head_tilt_rad: 0.12,
@@ -136,16 +136,16 @@ fn of_look(look: Look) -> Signs {
             liveliness: 0.25,
             ..CALM
         },
-        Look::Wink => CALM,
+        BaseExpression::Wink => CALM,
     }
 }
 
-impl Signs {
+impl EmotionSigns {
     /// Those of an emotion: of the looks of its word, where it shows these, else of its place.
     /// Who thanks bows (*designed*).
     #[must_use]
-    pub fn felt(affect: Affect) -> Self {
-        let word = affect.word.filter(|_| affect.space == Space::Sphere);
+    pub fn from_affect(affect: Affect) -> Self {
+        let word = affect.word.filter(|_| affect.space == EmotionSpace::Sphere);
         let mut signs = match word.and_then(look::of_word) {
             Some(looks) => {
                 let mut signs = CALM;
@@ -154,7 +154,7 @@ impl Signs {
                 }
                 signs
             }
-            None => Self::of(affect.place),
+            None => Self::from_point(affect.place),
         };
         if word == Some("gratitude") {
             signs.head_down_rad = BOW_RAD;
@@ -164,7 +164,7 @@ impl Signs {
 
     /// Those of a place: of the known emotions that are near in direction, by distance.
     #[must_use]
-    pub fn of(place: EmotionPoint) -> Self {
+    pub fn from_point(place: EmotionPoint) -> Self {
         let sites: [DVec3; KNOWN.len()] =
             KNOWN.map(|(word, _)| vector(emotion::place(word).unwrap_or_default()));
         let mut near = [1.0; KNOWN.len()];
@@ -223,7 +223,7 @@ impl Signs {
         let to = |sign: f64, least: f64, most: f64| {
             let end: f64 = if sign < 0.0 { least } else { most };
             let (share, end) = (sign / end.abs(), end.abs());
-            let shown = within(share);
+            let shown = compress(share);
             if shown == share { sign } else { end * shown }
         };
         Self {
@@ -243,18 +243,18 @@ impl Signs {
 mod tests {
     use super::*;
 
-    fn of(word: &str) -> Signs {
-        Signs::of(emotion::place(word).expect(word))
+    fn signs_of_word(word: &str) -> EmotionSigns {
+        EmotionSigns::from_point(emotion::place(word).expect(word))
     }
 
-    fn felt(word: &str) -> Signs {
-        Signs::felt(Affect::named(word).expect(word))
+    fn felt(word: &str) -> EmotionSigns {
+        EmotionSigns::from_affect(Affect::named(word).expect(word))
     }
 
     #[test]
     fn known_emotions_have_their_own_signs() {
         for (word, percent) in KNOWN {
-            let signs = of(word);
+            let signs = signs_of_word(word);
             assert!(
                 (signs.blush - 0.01 * f64::from(percent[0])).abs() < 1e-9,
                 "{word}"
@@ -265,17 +265,32 @@ mod tests {
             );
             assert_eq!(signs, signs.limited(), "{word}");
         }
-        assert_eq!(Signs::of(EmotionPoint::default()), Signs::default());
+        assert_eq!(
+            EmotionSigns::from_point(EmotionPoint::default()),
+            EmotionSigns::default()
+        );
     }
 
     #[test]
     fn shame_blushes_fear_pales_sadness_looks_down_pride_raises_the_head() {
-        assert!(of("shame").blush > 0.5 && of("joy").blush > 0.1 && of("anger").blush > 0.3);
-        assert!(of("fear").blush < -0.3);
-        assert!(of("sorry-for").gaze_down_rad > 0.1 && of("fears-confirmed").gaze_down_rad > 0.1);
+        assert!(
+            signs_of_word("shame").blush > 0.5
+                && signs_of_word("joy").blush > 0.1
+                && signs_of_word("anger").blush > 0.3
+        );
+        assert!(signs_of_word("fear").blush < -0.3);
+        assert!(
+            signs_of_word("sorry-for").gaze_down_rad > 0.1
+                && signs_of_word("fears-confirmed").gaze_down_rad > 0.1
+        );
         assert!(felt("pride").head_down_rad < -0.3 && felt("remorse").head_down_rad > 0.1);
         assert!(felt("shame").gaze_down_rad > 0.3 && felt("shame").head_down_rad > 0.2);
-        assert!(felt("panic").blush < of("fear").blush && felt("anxiety").blush > of("fear").blush);
-        assert!(of("distress").liveliness < -0.3 && of("anger").liveliness > 0.3);
+        assert!(
+            felt("panic").blush < signs_of_word("fear").blush
+                && felt("anxiety").blush > signs_of_word("fear").blush
+        );
+        assert!(
+            signs_of_word("distress").liveliness < -0.3 && signs_of_word("anger").liveliness > 0.3
+        );
     }
 }

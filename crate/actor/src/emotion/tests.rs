@@ -1,7 +1,7 @@
 //! Properties of expressions over the disc and the sphere.
 
 use super::*;
-use crate::parameters::{DIALS, Dial};
+use crate::parameters::{DIALS, FaceControl};
 use raconteur_base::{DVec3, noise, ops};
 use raconteur_body::face::{ANTAGONISTS, Muscle};
 use raconteur_speech::emotion::{EmotionPoint, WORDS, place};
@@ -36,7 +36,7 @@ fn apart(a: &Expression, b: &Expression) -> f64 {
 }
 
 fn printed_on_disc(angle_deg: f64, radius: f64) -> Expression {
-    let ends = Basic::ALL.map(|b| polar(b.place()));
+    let ends = BasicEmotion::ALL.map(|b| polar(b.place()));
     let turn = |from: f64, to: f64| (to - from).rem_euclid(360.0);
     let angles = ends.map(|end| end[0].to_degrees());
     // The neighbour passed last is the one from which the least turn leads here.
@@ -47,28 +47,33 @@ fn printed_on_disc(angle_deg: f64, radius: f64) -> Expression {
     let second = (first + 1) % BASICS;
     let share = passed[first] / turn(angles[first], angles[second]);
     let ratios = [first, second].map(|i| radius / ends[i][1]);
-    Mixture::printed([Basic::ALL[first], Basic::ALL[second]], share, ratios).expression()
+    ExpressionWeights::printed(
+        [BasicEmotion::ALL[first], BasicEmotion::ALL[second]],
+        share,
+        ratios,
+    )
+    .expression()
 }
 
 #[test]
 fn basics_stand_in_the_order_of_their_angles() {
-    let angles = Basic::ALL.map(|b| polar(b.place())[0].rem_euclid(core::f64::consts::TAU));
+    let angles = BasicEmotion::ALL.map(|b| polar(b.place())[0].rem_euclid(core::f64::consts::TAU));
     assert!(angles.is_sorted(), "{angles:?}");
     let degrees = angles.map(|a| (a.to_degrees() * 10.0).round() / 10.0);
     assert_eq!(degrees, [22.3, 90.0, 135.0, 136.3, 161.6, 203.2]);
-    let radii = Basic::ALL.map(|b| (polar(b.place())[1] * 10.0).round() / 10.0);
+    let radii = BasicEmotion::ALL.map(|b| (polar(b.place())[1] * 10.0).round() / 10.0);
     assert_eq!(radii, [45.6, 100.0, 84.9, 49.2, 46.8, 43.6]);
 }
 
 #[test]
 fn at_a_basic_emotion_its_own_expression_stands_scaled_by_the_ratio() {
-    for basic in Basic::ALL {
-        let full = Expression::of(basic);
-        for space in [Space::Disc, Space::Sphere] {
+    for basic in BasicEmotion::ALL {
+        let full = Expression::from_basic(basic);
+        for space in [EmotionSpace::Disc, EmotionSpace::Sphere] {
             for ratio in [0.1, 0.25, 0.5, 0.8, 1.0] {
                 let new = basic.place().scaled(ratio);
-                let face = Mixture::of(new, space).expression();
-                let same = Mixture::scaled(basic, ratio).expression();
+                let face = ExpressionWeights::from_point(new, space).expression();
+                let same = ExpressionWeights::scaled(basic, ratio).expression();
                 for i in 0..DIALS {
                     let wanted = ratio * full.values[i];
                     assert!(
@@ -84,10 +89,10 @@ fn at_a_basic_emotion_its_own_expression_stands_scaled_by_the_ratio() {
 
 #[test]
 fn scaling_an_emotion_scales_its_contractions() {
-    let scaled_well = |place: EmotionPoint, space: Space| {
-        let full = Mixture::of(place, space).expression();
+    let scaled_well = |place: EmotionPoint, space: EmotionSpace| {
+        let full = ExpressionWeights::from_point(place, space).expression();
         for factor in [0.2, 0.5, 0.9] {
-            let face = Mixture::of(place.scaled(factor), space).expression();
+            let face = ExpressionWeights::from_point(place.scaled(factor), space).expression();
             for i in 0..DIALS {
                 let wanted = factor * full.values[i];
                 assert!(
@@ -98,24 +103,29 @@ fn scaling_an_emotion_scales_its_contractions() {
         }
     };
     for i in 0..500 {
-        scaled_well(on_disc(0.72 * f64::from(i), 40.0), Space::Disc);
-        scaled_well(on_sphere(random_direction(i.into()), 40.0), Space::Sphere);
+        scaled_well(on_disc(0.72 * f64::from(i), 40.0), EmotionSpace::Disc);
+        scaled_well(
+            on_sphere(random_direction(i.into()), 40.0),
+            EmotionSpace::Sphere,
+        );
     }
 }
 
 #[test]
 fn blends_of_muscles_without_antagonist_lie_between_those_of_the_neighbours() {
-    let check = |place: EmotionPoint, space: Space| {
-        let mixture = Mixture::of(place, space);
+    let check = |place: EmotionPoint, space: EmotionSpace| {
+        let mixture = ExpressionWeights::from_point(place, space);
         let face = mixture.expression();
         let length = match space {
-            Space::Disc => polar(place)[1],
-            Space::Sphere => DVec3::new(place.evaluation, place.activation, place.power).length(),
+            EmotionSpace::Disc => polar(place)[1],
+            EmotionSpace::Sphere => {
+                DVec3::new(place.evaluation, place.activation, place.power).length()
+            }
         };
-        let taking = Basic::ALL.map(|b| (mixture.free[b as usize] > 0.0).then_some(b));
+        let taking = BasicEmotion::ALL.map(|b| (mixture.free[b as usize] > 0.0).then_some(b));
         let mut shares = 0.0;
         for i in 0..DIALS {
-            let dial = Dial::at(i).expect("a dial");
+            let dial = FaceControl::from_index(i).expect("a dial");
             if has_antagonist(dial) {
                 continue;
             }
@@ -123,13 +133,13 @@ fn blends_of_muscles_without_antagonist_lie_between_those_of_the_neighbours() {
             shares = 0.0;
             for basic in taking.into_iter().flatten() {
                 let own = match space {
-                    Space::Disc => polar(basic.place())[1],
-                    Space::Sphere => {
+                    EmotionSpace::Disc => polar(basic.place())[1],
+                    EmotionSpace::Sphere => {
                         let p = basic.place();
                         DVec3::new(p.evaluation, p.activation, p.power).length()
                     }
                 };
-                let value = length / own * Expression::of(basic).values[i];
+                let value = length / own * Expression::from_basic(basic).values[i];
                 (least, most) = (least.min(value), most.max(value));
                 shares += mixture.free[basic as usize] * own / length;
             }
@@ -143,8 +153,11 @@ fn blends_of_muscles_without_antagonist_lie_between_those_of_the_neighbours() {
         assert!((shares - 1.0).abs() < 1e-9, "{shares}");
     };
     for i in 0..720 {
-        check(on_disc(0.5 * f64::from(i), 35.0), Space::Disc);
-        check(on_sphere(random_direction(i.into()), 35.0), Space::Sphere);
+        check(on_disc(0.5 * f64::from(i), 35.0), EmotionSpace::Disc);
+        check(
+            on_sphere(random_direction(i.into()), 35.0),
+            EmotionSpace::Sphere,
+        );
     }
 }
 
@@ -156,7 +169,7 @@ fn antagonists_never_both_win_and_values_stay_in_range() {
             assert!(!(wins(one) && wins(other)));
         }
         for (i, value) in face.values.iter().enumerate() {
-            let dial = Dial::at(i).expect("a dial");
+            let dial = FaceControl::from_index(i).expect("a dial");
             let least = if dial.is_signed() { -1.0 } else { 0.0 };
             assert!((least..=1.0).contains(value), "{} {value}", dial.name());
         }
@@ -164,21 +177,21 @@ fn antagonists_never_both_win_and_values_stay_in_range() {
     for i in 0..3600 {
         for radius in [5.0, 50.0, 100.0, 141.0] {
             let angle = 0.1 * f64::from(i);
-            check(&Mixture::on_disc(on_disc(angle, radius)).expression());
+            check(&ExpressionWeights::on_disc(on_disc(angle, radius)).expression());
             check(&printed_on_disc(angle, radius));
             let far = on_sphere(random_direction(i.into()), radius * 1.2);
-            check(&Mixture::on_sphere(far).expression());
+            check(&ExpressionWeights::on_sphere(far).expression());
         }
     }
 }
 
 #[test]
 fn midway_between_two_the_equations_stand_as_printed() {
-    let ends = Basic::ALL.map(|b| polar(b.place())[0].to_degrees());
+    let ends = BasicEmotion::ALL.map(|b| polar(b.place())[0].to_degrees());
     for i in 0..BASICS {
         let next = ends[(i + 1) % BASICS];
         let middle = ends[i] + 0.5 * (next - ends[i]).rem_euclid(360.0);
-        let mended = Mixture::on_disc(on_disc(middle, 40.0)).expression();
+        let mended = ExpressionWeights::on_disc(on_disc(middle, 40.0)).expression();
         let printed = printed_on_disc(middle, 40.0);
         assert!(apart(&mended, &printed) < 1e-9, "{i}");
     }
@@ -188,7 +201,9 @@ fn midway_between_two_the_equations_stand_as_printed() {
 fn the_equations_as_printed_by_hand() {
     // Joy and sadness in the middle, each at its own distance from the middle of the disc:
     // zygomaticus 0.8 against depressor anguli 0.6, mentalis 0.65 against nothing.
-    let face = Mixture::printed([Basic::Sadness, Basic::Joy], 0.5, [1.0, 1.0]).expression();
+    let face =
+        ExpressionWeights::printed([BasicEmotion::Sadness, BasicEmotion::Joy], 0.5, [1.0, 1.0])
+            .expression();
     let value = |m: Muscle| face.values[m.index()];
     assert!((value(Muscle::ZygomaticusMajorLeft) - 0.2).abs() < 1e-12);
     assert_eq!(value(Muscle::DepressorAnguliLeft), 0.0);
@@ -198,11 +213,16 @@ fn the_equations_as_printed_by_hand() {
     assert!((value(Muscle::CorrugatorLeft) - 0.25).abs() < 1e-12);
     // Anger at half its distance and fear at twice: orbicularis oris 0.5 · (0.14 + 0.16) for
     // a sum of 0.15, risorius 2 · 0.65 on both sides for 2.6: left are 2.45 of 2.6.
-    let mixture = Mixture::printed([Basic::Anger, Basic::Fear], 0.25, [0.5, 2.0]);
+    let mixture =
+        ExpressionWeights::printed([BasicEmotion::Anger, BasicEmotion::Fear], 0.25, [0.5, 2.0]);
     let mut face = Expression::default();
-    for basic in [Basic::Anger, Basic::Fear] {
+    for basic in [BasicEmotion::Anger, BasicEmotion::Fear] {
         let i = basic as usize;
-        face.gather(Look::Basic(basic), mixture.free[i], mixture.bound[i]);
+        face.gather(
+            BaseExpression::Basic(basic),
+            mixture.free[i],
+            mixture.bound[i],
+        );
     }
     face.settle();
     let value = |m: Muscle| face.values[m.index()];
@@ -219,12 +239,12 @@ fn nothing_jumps_around_the_disc() {
     // a degree that is little.
     let step = 1e-3;
     let mut worst = (0.0, 0.0);
-    let mut last = Mixture::on_disc(on_disc(-180.0, 45.0)).expression();
+    let mut last = ExpressionWeights::on_disc(on_disc(-180.0, 45.0)).expression();
     let mut printed = (0.0, 0.0);
     let mut last_printed = printed_on_disc(-180.0, 45.0);
     for i in 1..=360_000 {
         let angle = -180.0 + step * f64::from(i);
-        let now = Mixture::on_disc(on_disc(angle, 45.0)).expression();
+        let now = ExpressionWeights::on_disc(on_disc(angle, 45.0)).expression();
         let change = apart(&now, &last);
         if change > worst.0 {
             worst = (change, angle);
@@ -251,7 +271,7 @@ fn nothing_jumps_over_the_sphere() {
     // Great circles in all directions, among them through each basic emotion.
     let mut worst = 0.0_f64;
     let step = 1e-4_f64;
-    let sites = Basic::ALL.map(|b| {
+    let sites = BasicEmotion::ALL.map(|b| {
         let p = b.place();
         DVec3::new(p.evaluation, p.activation, p.power).normalize()
     });
@@ -263,7 +283,7 @@ fn nothing_jumps_over_the_sphere() {
         let across = from.cross(random_direction(i + 1000)).normalize();
         let at = |angle: f64| {
             let (sin, cos) = ops::sincos(angle);
-            let face = Mixture::on_sphere(on_sphere(from * cos + across * sin, 60.0));
+            let face = ExpressionWeights::on_sphere(on_sphere(from * cos + across * sin, 60.0));
             face.expression()
         };
         // All around in steps of a tenth of a degree; where much changes, a closer look.
@@ -295,12 +315,12 @@ fn nothing_jumps_over_the_sphere() {
 fn power_tells_anger_from_fear_where_the_disc_cannot() {
     // Reproach lies between fear and sadness on the disc, though it is of great power.
     let reproach = place("reproach").expect("a word");
-    let shares = |space: Space| Mixture::of(reproach, space).free;
-    let (disc, sphere) = (shares(Space::Disc), shares(Space::Sphere));
-    let of = |shares: [f64; LOOKS], b: Basic| shares[b as usize];
-    assert!(of(disc, Basic::Fear) > 0.1 && of(disc, Basic::Anger) == 0.0);
+    let shares = |space: EmotionSpace| ExpressionWeights::from_point(reproach, space).free;
+    let (disc, sphere) = (shares(EmotionSpace::Disc), shares(EmotionSpace::Sphere));
+    let of = |shares: [f64; LOOKS], b: BasicEmotion| shares[b as usize];
+    assert!(of(disc, BasicEmotion::Fear) > 0.1 && of(disc, BasicEmotion::Anger) == 0.0);
     assert!(
-        of(sphere, Basic::Anger) > 0.2 && of(sphere, Basic::Fear) == 0.0,
+        of(sphere, BasicEmotion::Anger) > 0.2 && of(sphere, BasicEmotion::Fear) == 0.0,
         "{sphere:?}"
     );
     // The same activation and evaluation with power and without.
@@ -310,21 +330,21 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
             evaluation: -40.0,
             power,
         };
-        Mixture::on_sphere(place)
+        ExpressionWeights::on_sphere(place)
     };
     let (strong, weak) = (at(25.0), at(-60.0));
-    assert!(of(strong.free, Basic::Anger) > 3.0 * of(strong.free, Basic::Fear));
-    assert!(of(weak.free, Basic::Fear) > 3.0 * of(weak.free, Basic::Anger));
+    assert!(of(strong.free, BasicEmotion::Anger) > 3.0 * of(strong.free, BasicEmotion::Fear));
+    assert!(of(weak.free, BasicEmotion::Fear) > 3.0 * of(weak.free, BasicEmotion::Anger));
 }
 
 #[test]
 fn the_middle_of_the_space_is_calm() {
-    for space in [Space::Disc, Space::Sphere] {
+    for space in [EmotionSpace::Disc, EmotionSpace::Sphere] {
         assert_eq!(
-            Mixture::of(EmotionPoint::default(), space).expression(),
+            ExpressionWeights::from_point(EmotionPoint::default(), space).expression(),
             Expression::default()
         );
-        let near = Mixture::of(on_disc(77.0, 1e-9), space).expression();
+        let near = ExpressionWeights::from_point(on_disc(77.0, 1e-9), space).expression();
         assert!(apart(&near, &Expression::default()) < 1e-9);
     }
 }
@@ -340,9 +360,9 @@ const SAME: [[&str; 2]; 3] = [
 /// What a stranger sees of an emotion, with angles against those that are plain to see.
 fn seen(word: &str, intensity: f64) -> Vec<f64> {
     let affect = Affect::named(word).expect(word);
-    let mut mixture = Mixture::felt(affect);
+    let mut mixture = ExpressionWeights::perceived_weights(affect);
     mixture.scale(intensity);
-    let signs = Signs::felt(affect).scaled(intensity);
+    let signs = EmotionSigns::from_affect(affect).scaled(intensity);
     let angles = [
         signs.gaze_down_rad,
         signs.head_down_rad,
@@ -405,26 +425,39 @@ fn every_word_grows_with_its_potential_all_the_way() {
 
 #[test]
 fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
-    for basic in Basic::ALL {
-        let named = Mixture::felt(Affect::named(basic.word()).expect("a word"));
-        assert_eq!(named.expression(), Expression::of(basic), "{basic:?}");
+    for basic in BasicEmotion::ALL {
+        let named =
+            ExpressionWeights::perceived_weights(Affect::named(basic.word()).expect("a word"));
+        assert_eq!(
+            named.expression(),
+            Expression::from_basic(basic),
+            "{basic:?}"
+        );
     }
     // What emoticons stand for (F&H table 4.1, section 4.3.5: 100 %).
     for (word, basic) in [
-        ("joy", Basic::Joy),
-        ("distress", Basic::Sadness),
-        ("surprise", Basic::Surprise),
-        ("anger", Basic::Anger),
-        ("disgust", Basic::Disgust),
+        ("joy", BasicEmotion::Joy),
+        ("distress", BasicEmotion::Sadness),
+        ("surprise", BasicEmotion::Surprise),
+        ("anger", BasicEmotion::Anger),
+        ("disgust", BasicEmotion::Disgust),
     ] {
-        let face = Mixture::felt(Affect::named(word).expect("a word")).expression();
-        assert!(apart(&face, &Expression::of(basic)) < 1e-9, "{word}");
+        let face =
+            ExpressionWeights::perceived_weights(Affect::named(word).expect("a word")).expression();
+        assert!(
+            apart(&face, &Expression::from_basic(basic)) < 1e-9,
+            "{word}"
+        );
     }
     // Anxiety and panic are fear, scaled (F&H figure 4.17).
     for (word, ratio) in [("anxiety", 0.5), ("panic", 2.0)] {
-        let own = Mixture::felt(Affect::named(word).expect("a word"));
-        assert_eq!(own, Mixture::scaled(Basic::Fear, ratio), "{word}");
-        let disc = Mixture::on_disc(place(word).expect("a word")).expression();
+        let own = ExpressionWeights::perceived_weights(Affect::named(word).expect("a word"));
+        assert_eq!(
+            own,
+            ExpressionWeights::scaled(BasicEmotion::Fear, ratio),
+            "{word}"
+        );
+        let disc = ExpressionWeights::on_disc(place(word).expect("a word")).expression();
         assert!(apart(&disc, &own.expression()) < 1e-2, "{word}");
     }
 }
@@ -434,12 +467,12 @@ fn faces_of_all_words() {
     // What each word takes of the six by its place, for people to read with --nocapture.
     for (word, _) in WORDS {
         let place = place(word).expect("a word");
-        let percent = |s: Space| {
-            let free = Mixture::of(place, s).free;
+        let percent = |s: EmotionSpace| {
+            let free = ExpressionWeights::from_point(place, s).free;
             let six: Vec<f64> = free[..BASICS].iter().map(|f| (100.0 * f).round()).collect();
             six
         };
-        let (disc, sphere) = (percent(Space::Disc), percent(Space::Sphere));
+        let (disc, sphere) = (percent(EmotionSpace::Disc), percent(EmotionSpace::Sphere));
         println!("{word:16} disc {disc:?} sphere {sphere:?}");
         assert!(sphere.iter().sum::<f64>() > 10.0, "{word}");
     }

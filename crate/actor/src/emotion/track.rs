@@ -5,14 +5,14 @@ use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
 use raconteur_speech::emotion::EmotionPoint;
 
-use super::blend::{Affect, Mixture};
-use super::signs::Signs;
+use super::blend::{Affect, ExpressionWeights};
+use super::signs::EmotionSigns;
 use super::wink;
-use crate::parameters::{Curve, Dial, SET_SECS};
+use crate::parameters::{Curve, FaceControl, SET_SECS};
 
 /// An emotion neither comes nor goes in less, seconds. Designed: the quickest onsets of
 /// expressions that are felt.
-pub const SHORTEST_SECS: f64 = 0.25;
+pub const MIN_SECS: f64 = 0.25;
 /// The most that an emotion is stronger than in its place.
 const STRONGEST: f64 = 4.0;
 /// Emotions of spans that are in force at once; more are left out. A story needs fewer, and
@@ -38,7 +38,7 @@ pub struct EmotionSpan {
 
 impl EmotionSpan {
     /// The same with times in their order, no time to grow or to fade less than
-    /// [`SHORTEST_SECS`]; none when a time or a place is no number.
+    /// [`MIN_SECS`]; none when a time or a place is no number.
     fn ordered(self) -> Option<Self> {
         let all = [
             self.start_secs,
@@ -58,8 +58,8 @@ impl EmotionSpan {
             self.apex_secs
         };
         Some(Self {
-            start_secs: self.start_secs.min(self.apex_secs - SHORTEST_SECS),
-            end_secs: self.end_secs.max(until_secs + SHORTEST_SECS),
+            start_secs: self.start_secs.min(self.apex_secs - MIN_SECS),
+            end_secs: self.end_secs.max(until_secs + MIN_SECS),
             until_secs,
             intensity: self.intensity.clamp(0.0, STRONGEST),
             affect: Affect {
@@ -81,21 +81,21 @@ impl EmotionSpan {
 
 /// What an emotion does in full: computed once.
 #[derive(Clone, Copy, Debug, Default)]
-struct Effect {
-    mixture: Mixture,
-    signs: Signs,
+struct EmotionEffect {
+    mixture: ExpressionWeights,
+    signs: EmotionSigns,
     place: EmotionPoint,
     strength: f64,
     /// How far one eye winks; of a span at its apex. It is no part of sums.
     wink: f64,
 }
 
-impl Effect {
+impl EmotionEffect {
     /// An emotion that comes and goes: its wink has a time of its own.
-    fn of(affect: Affect, intensity: f64) -> Self {
+    fn from_affect(affect: Affect, intensity: f64) -> Self {
         let mut effect = Self::default();
-        let mut full = Self::held(affect);
-        let (mixture, share) = full.mixture.parted();
+        let mut full = Self::sustained(affect);
+        let (mixture, share) = full.mixture.split_wink();
         full.mixture = mixture;
         effect.add(&full, intensity);
         effect.strength = 1.0;
@@ -104,10 +104,10 @@ impl Effect {
     }
 
     /// An emotion that somebody holds: with its wink, if it has one.
-    fn held(affect: Affect) -> Self {
+    fn sustained(affect: Affect) -> Self {
         Self {
-            mixture: Mixture::felt(affect),
-            signs: Signs::felt(affect),
+            mixture: ExpressionWeights::perceived_weights(affect),
+            signs: EmotionSigns::from_affect(affect),
             place: affect.place,
             strength: 1.0,
             wink: 0.0,
@@ -151,9 +151,9 @@ impl Breathing {
 #[derive(Clone, Debug, Default)]
 pub struct EmotionTrack {
     /// Spans one after the other: each begins when the one before it in its lane is over.
-    lanes: Vec<Vec<(EmotionSpan, Effect)>>,
+    lanes: Vec<Vec<(EmotionSpan, EmotionEffect)>>,
     /// Emotions that are set by name.
-    scripted: Vec<(Effect, Curve)>,
+    scripted: Vec<(EmotionEffect, Curve)>,
     /// Times between which the rate of breath goes straight, rising; the rates less 1, and
     /// their integral up to each.
     knots: Vec<f64>,
@@ -169,9 +169,9 @@ impl EmotionTrack {
     pub fn new(spans: &[EmotionSpan], scripted: &[(&str, Curve)]) -> Self {
         let mut spans: Vec<EmotionSpan> = spans.iter().filter_map(|s| s.ordered()).collect();
         sort_by_number(&mut spans, |span| span.start_secs);
-        let mut lanes: Vec<Vec<(EmotionSpan, Effect)>> = Vec::new();
+        let mut lanes: Vec<Vec<(EmotionSpan, EmotionEffect)>> = Vec::new();
         for span in spans {
-            let is_free = |lane: &Vec<(EmotionSpan, Effect)>| {
+            let is_free = |lane: &Vec<(EmotionSpan, EmotionEffect)>| {
                 let last = lane.last();
                 last.is_none_or(|(last, _)| last.end_secs <= span.start_secs)
             };
@@ -180,7 +180,10 @@ impl EmotionTrack {
                 lanes.push(Vec::new());
             }
             if let Some(lane) = lanes.get_mut(free) {
-                lane.push((span, Effect::of(span.affect, span.intensity)));
+                lane.push((
+                    span,
+                    EmotionEffect::from_affect(span.affect, span.intensity),
+                ));
             }
         }
         let mut track = Self {
@@ -189,7 +192,7 @@ impl EmotionTrack {
                 .iter()
                 .map(|(word, curve)| {
                     let affect = Affect::named(word).unwrap_or_default();
-                    (Effect::held(affect), curve.clone())
+                    (EmotionEffect::sustained(affect), curve.clone())
                 })
                 .collect(),
             ..Self::default()
@@ -231,10 +234,10 @@ impl EmotionTrack {
     }
 
     /// All that is felt at a time.
-    fn sum(&self, t: f64) -> Effect {
-        let mut sum = Effect::default();
+    fn sum(&self, t: f64) -> EmotionEffect {
+        let mut sum = EmotionEffect::default();
         let mut winks: f64 = 0.0;
-        let mut take = |effect: &Effect, strength: f64| {
+        let mut take = |effect: &EmotionEffect, strength: f64| {
             if strength > 0.0 {
                 sum.add(effect, strength);
             }
@@ -247,10 +250,10 @@ impl EmotionTrack {
             }
         }
         for (effect, curve) in &self.scripted {
-            take(effect, curve.at(t));
+            take(effect, curve.sample(t));
         }
         if sum.strength > 1.0 {
-            let mut mean = Effect::default();
+            let mut mean = EmotionEffect::default();
             mean.add(&sum, 1.0 / sum.strength);
             sum = mean;
         }
@@ -264,11 +267,11 @@ impl EmotionTrack {
         let mut sum = self.sum(time_secs);
         let mut expression = sum.mixture.expression();
         if sum.wink > 0.0 {
-            let lid = expression.value(Dial::UPPER_LID_LEFT);
+            let lid = expression.value(FaceControl::UPPER_LID_LEFT);
             sum.mixture.wink(sum.wink);
             expression = sum.mixture.expression();
             // The lid has a way of its own: all the way, from wherever it is.
-            expression.values[Dial::UPPER_LID_LEFT.index()] = lid;
+            expression.values[FaceControl::UPPER_LID_LEFT.index()] = lid;
         }
         expression.add(controls);
         wink::close(sum.wink, controls);
@@ -277,7 +280,7 @@ impl EmotionTrack {
 
     /// Where one is in the space of emotions; its middle when one is calm.
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> EmotionPoint {
+    pub fn sample(&self, time_secs: f64) -> EmotionPoint {
         self.sum(time_secs).place.scaled(1.0)
     }
 

@@ -12,7 +12,7 @@ use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
-use targets::{NAMES, Target as T, Weights};
+use targets::{MorphTarget as T, NAMES, Weights};
 
 /// Turn of the eye that the whole of a gaze target stands for, radians. ARKit gives no
 /// angle; the eye's range in usual looking. Designed.

@@ -7,8 +7,8 @@
 use raconteur_body::face::{ARKIT, FaceControls, Jaw, MUSCLES, Muscle};
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 
+use MorphTarget as T;
 use Muscle as M;
-use Target as T;
 
 /// How far in front of the jaw's hinge the lips are, metres: what slides down opens them as
 /// a turn by the slide over this does. Designed.
@@ -21,7 +21,7 @@ const LIPS_M: f64 = 0.09;
 )]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub(super) enum Target {
+pub(super) enum MorphTarget {
     JawOpen,
     JawForward,
     /// To the left and to the right.
@@ -59,7 +59,7 @@ pub(super) enum Target {
     TongueOut,
 }
 
-impl Target {
+impl MorphTarget {
     pub(super) const COUNT: usize = Self::TongueOut as usize + 1;
 
     /// Targets that stand for a joint of the face: nothing of them may be written where the

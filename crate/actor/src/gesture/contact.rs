@@ -94,7 +94,7 @@ impl HandSolid {
         }
     }
 
-    fn capsules(&self, hand: &PlacedHand) -> [Capsule; CAPSULES] {
+    fn capsules(&self, hand: &TargetHand) -> [Capsule; CAPSULES] {
         let mut capsules = [Capsule {
             ends: [hand.wrist; 2],
             radius_m: 0.0,
@@ -128,7 +128,7 @@ impl HandSolid {
 
 /// A hand as it is wanted.
 #[derive(Clone, Copy, Debug)]
-pub struct PlacedHand {
+pub struct TargetHand {
     /// Wrist, metres.
     pub wrist: DVec3,
     /// Hand rotation ([`crate::palm`]).
@@ -162,11 +162,13 @@ impl Contact {
 
     /// What moves a hand (in the axes of the zero pose's trunk) out of trunk and head.
     #[must_use]
-    pub fn way_out(&self, side: Side, hand: &PlacedHand) -> DVec3 {
+    pub fn exit_displacement(&self, side: Side, hand: &TargetHand) -> DVec3 {
         let mut sum = DVec3::ZERO;
         let (mut deepest, mut total) = (0.0_f64, 0.0);
         for capsule in self.hands[side.index()].capsules(hand) {
-            let out = self.space.way_out(capsule.ends[1], capsule.radius_m);
+            let out = self
+                .space
+                .exit_displacement(capsule.ends[1], capsule.radius_m);
             let depth = out.magnitude();
             deepest = deepest.max(depth);
             // The deeper, the more it has to say of the way.
@@ -183,7 +185,7 @@ impl Contact {
     /// What moves the left hand away from the right until they are free of each other; each
     /// takes half. The axes are the body's left and front.
     #[must_use]
-    pub fn apart(&self, hands: [&PlacedHand; 2], [left, front]: [DVec3; 2]) -> DVec3 {
+    pub fn apart(&self, hands: [&TargetHand; 2], [left, front]: [DVec3; 2]) -> DVec3 {
         let [a, b] = [0, 1].map(|i| self.hands[i].capsules(hands[i]));
         // A sphere about each hand, from the middle of the palm.
         let [ca, cb] = [&a, &b].map(|c| c[4].ends[1]);
@@ -240,15 +242,15 @@ fn eased(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gesture::Rest;
+    use crate::gesture::RestPostures;
     use crate::palm;
     use raconteur_base::mirror_rotation;
 
-    fn placed(side: Side, wrist: DVec3, hand: DQuat) -> PlacedHand {
-        PlacedHand {
+    fn placed(side: Side, wrist: DVec3, hand: DQuat) -> TargetHand {
+        TargetHand {
             wrist,
             hand,
-            fingers: Rest::shape().rotations(side),
+            fingers: RestPostures::shape().rotations(side),
         }
     }
 

@@ -5,8 +5,8 @@ use raconteur_base::curve::minimum_jerk;
 use raconteur_base::profile::Profile;
 use raconteur_body::hand_shape::HandAngles;
 
-use super::Rest;
-use super::pace::FASTEST_FINGER_RAD_S;
+use super::RestPostures;
+use super::pace::MAX_SPEED_FINGER_RAD_S;
 use super::tracks::piece_at;
 
 /// Fingers form a little before the hand arrives: they take this share less of the time.
@@ -33,19 +33,19 @@ struct FingerNode {
 
 impl FingerNode {
     fn angles(&self) -> HandAngles {
-        self.shape.unwrap_or_else(Rest::shape)
+        self.shape.unwrap_or_else(RestPostures::shape)
     }
 }
 
 impl FingerTrack {
     /// The angles at a time, relaxed before the first key, and the share of rest in them.
-    pub(super) fn at(&self, time_secs: f64) -> (HandAngles, f64) {
+    pub(super) fn sample(&self, time_secs: f64) -> (HandAngles, f64) {
         let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
-            return (Rest::shape(), 1.0);
+            return (RestPostures::shape(), 1.0);
         };
         let (from, to) = (&self.nodes[i], &self.nodes[i + 1]);
         let m = match from.profile {
-            Some(profile) => profile.at(s).clamp(-OVERSHOOT, 1.0 + OVERSHOOT),
+            Some(profile) => profile.sample(s).clamp(-OVERSHOOT, 1.0 + OVERSHOOT),
             None => minimum_jerk((s * EARLY).min(1.0)),
         };
         let share = |node: &FingerNode| f64::from(u8::from(node.shape.is_none()));
@@ -77,7 +77,7 @@ impl FingerTrack {
         let mut time_secs = time_secs;
         if let (Some(t), Some(last)) = (self.times.last(), self.nodes.last_mut()) {
             let turn_rad = last.angles().greatest_difference(&node.angles());
-            time_secs = time_secs.max(t + turn_rad / FASTEST_FINGER_RAD_S);
+            time_secs = time_secs.max(t + turn_rad / MAX_SPEED_FINGER_RAD_S);
             last.profile = profile;
         }
         self.times.push(time_secs);

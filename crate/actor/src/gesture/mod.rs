@@ -9,7 +9,6 @@
 //! Wrist, hand rotation and fingers keep clocks of their own: a palm that turns does not stop
 //! the arm that carries it.
 
-pub(crate) mod calm;
 pub mod contact;
 mod fingers;
 mod pace;
@@ -18,6 +17,7 @@ mod phrase;
 mod plan;
 mod planner;
 mod rest;
+pub(crate) mod smoothing;
 mod tracks;
 
 use raconteur_base::profile::Profile;
@@ -26,7 +26,7 @@ use raconteur_body::hand_shape::HandAngles;
 
 pub use plan::{ArmPlan, HandState, HandTarget};
 pub use planner::PlannedKey;
-pub use rest::{Rest, RestHand};
+pub use rest::{RestPostures, RestingHand};
 
 /// The features of one hand at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,12 +60,12 @@ pub struct Transition {
     /// curved path, passing through keys that lie on the way.
     pub profile: Option<Profile>,
     /// The interpolated quantity. `None`: positions; of rotations what is more natural.
-    pub space: Option<Space>,
+    pub space: Option<InterpolationSpace>,
 }
 
 /// The quantity that is interpolated between two keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Space {
+pub enum InterpolationSpace {
     /// Positions and orientations in the world: a straight way.
     Cartesian,
     /// Joint angles: the wrist swings as shoulder and elbow turn, the hand turns as the wrist
@@ -75,7 +75,7 @@ pub enum Space {
 
 /// A part of a gesture (GEVH 3.5.2, appendix C.3.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Phase {
+pub enum GesturePhase {
     /// What carries the meaning. The planner sees to what goes before and after.
     #[default]
     Stroke,
@@ -94,7 +94,7 @@ pub enum Phase {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GestureStroke {
     /// What part of a gesture it is.
-    pub phase: Phase,
+    pub phase: GesturePhase,
     /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by
     /// its own time, whatever this says; in other phases it sets out now.
     pub start_secs: f64,
@@ -109,7 +109,7 @@ pub struct GestureStroke {
 
 /// A stretch of story time, seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct TimeSpan {
     /// Beginning.
     pub start_secs: f64,
     /// End; may be infinite.
@@ -118,7 +118,7 @@ pub struct Span {
 
 /// How a figure moves its arms by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Life {
+pub struct IdleSettings {
     /// Seed of all that is left to chance.
     pub seed: u64,
     /// Liveliness, 0 (still) to 1.
@@ -134,14 +134,14 @@ pub struct ArmScript {
     /// Strokes in any order.
     pub strokes: Vec<GestureStroke>,
     /// When gestures are switched on. Empty means always.
-    pub on: Vec<Span>,
+    pub on: Vec<TimeSpan>,
 }
 
 impl ArmScript {
     /// The script in the axes of a figure that goes about: places of the world as it sees them
     /// at the time of their key. `figure_from_world` is where it is then.
     #[must_use]
-    pub fn seen_by(&self, figure_from_world: impl Fn(f64) -> DAffine3) -> Self {
+    pub fn from_viewpoint(&self, figure_from_world: impl Fn(f64) -> DAffine3) -> Self {
         let mut script = self.clone();
         let strokes = script.strokes.iter_mut();
         for key in strokes.flat_map(|s| &mut s.keys) {

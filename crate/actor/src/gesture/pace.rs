@@ -7,13 +7,13 @@ use super::path::reach_secs;
 
 /// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4.1 m/s, as
 /// in brisk conversation. What a script wants faster comes later.
-pub(super) const FASTEST_M_S: f64 = 2.2;
+pub(super) const MAX_SPEED_M_S: f64 = 2.2;
 /// Fastest mean turn of a hand, radians a second: half a turn takes a fifth of a second.
 /// Designed.
-pub(super) const FASTEST_TURN_RAD_S: f64 = 15.0;
+pub(super) const MAX_SPEED_TURN_RAD_S: f64 = 15.0;
 /// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
 /// second at best. Designed.
-pub(super) const FASTEST_FINGER_RAD_S: f64 = 18.0;
+pub(super) const MAX_SPEED_FINGER_RAD_S: f64 = 18.0;
 /// A key that repeats the place of the one before within this distance keeps it, metres.
 pub(super) const SAME_PLACE_M: f64 = 1e-6;
 /// Turns and finger angles within this are one, radians.
@@ -26,21 +26,21 @@ pub(super) const SHAPING_SECS: f64 = 0.35;
 
 /// Times for a way, seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Needed {
+pub(super) struct MoveDurations {
     /// The shortest that the planner plans.
     pub(super) least_secs: f64,
     /// What people take who are not pressed.
     pub(super) easy_secs: f64,
 }
 
-impl Needed {
+impl MoveDurations {
     /// For a wrist.
     pub(super) fn by_wrist(from: DVec3, to: DVec3) -> Self {
         let way_m = from.distance_to(to);
         if way_m <= SAME_PLACE_M {
             return Self::default();
         }
-        let least_secs = way_m / FASTEST_M_S;
+        let least_secs = way_m / MAX_SPEED_M_S;
         Self {
             least_secs,
             easy_secs: reach_secs(way_m).max(least_secs),
@@ -54,7 +54,7 @@ impl Needed {
             return Self::default();
         }
         Self {
-            least_secs: turn_rad / FASTEST_TURN_RAD_S,
+            least_secs: turn_rad / MAX_SPEED_TURN_RAD_S,
             easy_secs: TURN_SECS[0] + TURN_SECS[1] * turn_rad,
         }
     }
@@ -66,7 +66,7 @@ impl Needed {
             return Self::default();
         }
         Self {
-            least_secs: turn_rad / FASTEST_FINGER_RAD_S,
+            least_secs: turn_rad / MAX_SPEED_FINGER_RAD_S,
             easy_secs: SHAPING_SECS,
         }
     }

@@ -15,14 +15,14 @@ const GAUSS: [(f64, f64); 5] = [
 /// A free movement: from its start along `along` with a bulge of `arch` in the middle, a
 /// parabola; metres.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bow {
+pub(super) struct ArcPath {
     /// From start to end.
     pub(super) along: DVec3,
     /// Displacement of the middle.
     pub(super) arch: DVec3,
 }
 
-impl Bow {
+impl ArcPath {
     /// The place at a parameter 0..1, from the start.
     pub(super) fn place(&self, u: f64) -> DVec3 {
         self.along * u + self.arch * (4.0 * u * (1.0 - u))
@@ -64,7 +64,7 @@ impl Bow {
 
 /// A movement that begins and ends with a velocity (metres a second), from its start: the
 /// quintic of least jerk, and a bump of `arch` on it. `secs` is its whole time.
-pub(super) fn flowing(bow: &Bow, velocities: [DVec3; 2], secs: f64, s: f64) -> DVec3 {
+pub(super) fn flowing(bow: &ArcPath, velocities: [DVec3; 2], secs: f64, s: f64) -> DVec3 {
     bow.along * minimum_jerk(s)
         + velocities[0] * (secs * start_slope(s))
         + velocities[1] * (secs * end_slope(s))
@@ -101,7 +101,7 @@ mod tests {
     #[test]
     fn bows_are_passed_at_the_speed_of_the_profile() {
         for height in [0.0, 0.05, 0.2, 0.5] {
-            let bow = Bow {
+            let bow = ArcPath {
                 along: DVec3::new(0.5, 0.1, 0.0),
                 arch: DVec3::new(0.0, height, 0.3 * height),
             };
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn flowing_movements_meet_their_velocities() {
-        let bow = Bow {
+        let bow = ArcPath {
             along: DVec3::X,
             arch: DVec3::Y,
         };

@@ -4,8 +4,8 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3};
 
-use super::pace::Needed;
-use super::{ArmScript, HandKey, Phase, Span};
+use super::pace::MoveDurations;
+use super::{ArmScript, GesturePhase, HandKey, TimeSpan};
 
 /// Two keys this close are one moment, seconds.
 const SAME_SECS: f64 = 1e-6;
@@ -14,7 +14,7 @@ const JOIN_SECS: f64 = 0.5;
 
 /// A run of keys within one switched-on span, with the time to hold the last.
 pub(super) struct Phrase {
-    pub(super) phase: Phase,
+    pub(super) phase: GesturePhase,
     /// When it begins: the first key, or the phase.
     pub(super) start: f64,
     pub(super) keys: Vec<HandKey>,
@@ -37,19 +37,19 @@ impl Phrase {
     /// Whether the way to a feature's first key is part of the script, from the beginning of
     /// the phrase, and not the planner's preparation: in a phase that is no stroke, or where
     /// the key comes later than the stroke and says how it is reached.
-    pub(super) fn leads(&self, feature: usize) -> bool {
+    pub(super) fn includes_approach(&self, feature: usize) -> bool {
         let Some(first) = self.keys.iter().find(|k| FEATURES[feature].0(k)) else {
             return false;
         };
         let course = [first.wrist_course, first.hand_course, first.shape_course][feature];
-        let scripted = self.phase != Phase::Stroke || course.profile.is_some();
+        let scripted = self.phase != GesturePhase::Stroke || course.profile.is_some();
         scripted && first.time_secs > self.start + SAME_SECS
     }
 
     /// When something begins to happen.
     fn begins(&self) -> f64 {
         match self.keys.first() {
-            Some(key) if !(0..FEATURES.len()).any(|f| self.leads(f)) => key.time_secs,
+            Some(key) if !(0..FEATURES.len()).any(|f| self.includes_approach(f)) => key.time_secs,
             Some(key) => key.time_secs.min(self.start),
             None => self.start,
         }
@@ -85,7 +85,7 @@ const FEATURES: [Feature; 3] = [
 
 /// The phrases of a script, by time.
 pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
-    let always = [Span {
+    let always = [TimeSpan {
         start_secs: f64::NEG_INFINITY,
         end_secs: f64::INFINITY,
     }];
@@ -103,7 +103,7 @@ pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
             sort_by_number(&mut keys, |k| k.time_secs);
             let first = match keys.first() {
                 Some(key) => key.time_secs,
-                None if stroke.phase == Phase::Stroke => return None,
+                None if stroke.phase == GesturePhase::Stroke => return None,
                 None => stroke.start_secs,
             };
             if !first.is_finite() {
@@ -131,15 +131,15 @@ pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
             before.turn_back_for(&phrase);
         }
         match out.last_mut() {
-            Some(before) if before.meets(&phrase) => {
-                if let Some(phrase) = before.give_way(phrase) {
+            Some(before) if before.overlaps(&phrase) => {
+                if let Some(phrase) = before.yield_to(phrase) {
                     out.push(phrase);
                 }
             }
             _ => out.push(phrase),
         }
     }
-    out.retain(|p| !p.keys.is_empty() || p.phase != Phase::Stroke);
+    out.retain(|p| !p.keys.is_empty() || p.phase != GesturePhase::Stroke);
     out
 }
 
@@ -156,9 +156,9 @@ fn usable(key: &HandKey) -> bool {
 impl Phrase {
     /// Whether a phrase that begins no earlier contends with this one: it begins before this
     /// one is over, or a stroke ends elsewhere than the next begins at that very moment.
-    fn meets(&self, next: &Self) -> bool {
+    fn overlaps(&self, next: &Self) -> bool {
         let gap = next.begins() - self.hold_until;
-        let strokes = self.phase == Phase::Stroke && next.phase == Phase::Stroke;
+        let strokes = self.phase == GesturePhase::Stroke && next.phase == GesturePhase::Stroke;
         let last = self
             .keys
             .last()
@@ -182,7 +182,7 @@ impl Phrase {
         };
         let at_once = (last.time_secs - next.begins()).abs() <= SAME_SECS
             && (first.time_secs - last.time_secs).abs() <= SAME_SECS;
-        if !at_once || self.phase != Phase::Stroke || next.phase != Phase::Stroke {
+        if !at_once || self.phase != GesturePhase::Stroke || next.phase != GesturePhase::Stroke {
             return;
         }
         let (there, back) = (before.needs_to(last), last.needs_to(first));
@@ -197,9 +197,12 @@ impl Phrase {
     /// Makes way for a phrase that begins before this one is over: of each feature that both
     /// have, the later word counts from its first key on. Takes the other in when what
     /// remains goes on beside it, and gives it back when it follows.
-    fn give_way(&mut self, mut next: Self) -> Option<Self> {
+    fn yield_to(&mut self, mut next: Self) -> Option<Self> {
         let begins = next.begins();
-        let goes_back = matches!(next.phase, Phase::Retraction | Phase::PartialRetraction);
+        let goes_back = matches!(
+            next.phase,
+            GesturePhase::Retraction | GesturePhase::PartialRetraction
+        );
         // When the other begins to count, and whether that took keys away.
         let mut joined: [Option<f64>; 3] = [None; 3];
         for ((has, forget), joined) in FEATURES.into_iter().zip(&mut joined) {
@@ -230,7 +233,7 @@ impl Phrase {
         self.keys.dedup_by(|later, earlier| {
             let one = later.time_secs - earlier.time_secs < SAME_SECS;
             if one {
-                earlier.take(later);
+                earlier.merge(later);
             }
             one
         });
@@ -267,18 +270,24 @@ impl Phrase {
 
 impl HandKey {
     /// The time to another key, in all that both say.
-    fn needs_to(&self, to: &Self) -> Needed {
+    fn needs_to(&self, to: &Self) -> MoveDurations {
         let wrist = self.wrist_in_world.zip(to.wrist_in_world);
         let hand = self.hand_in_world.zip(to.hand_in_world);
         let fingers = self.shape.as_ref().zip(to.shape.as_ref());
-        let wrist = wrist.map_or_else(Needed::default, |(a, b)| Needed::by_wrist(a, b));
-        let hand = hand.map_or_else(Needed::default, |(a, b)| Needed::by_hand(a, b));
-        let fingers = fingers.map_or_else(Needed::default, |(a, b)| Needed::by_fingers(a, b));
+        let wrist = wrist.map_or_else(MoveDurations::default, |(a, b)| {
+            MoveDurations::by_wrist(a, b)
+        });
+        let hand = hand.map_or_else(MoveDurations::default, |(a, b)| {
+            MoveDurations::by_hand(a, b)
+        });
+        let fingers = fingers.map_or_else(MoveDurations::default, |(a, b)| {
+            MoveDurations::by_fingers(a, b)
+        });
         wrist.and(hand).and(fingers)
     }
 
     /// Takes over what another key of the same moment says.
-    fn take(&mut self, other: &Self) {
+    fn merge(&mut self, other: &Self) {
         if other.wrist_in_world.is_some() {
             (self.wrist_in_world, self.wrist_course) = (other.wrist_in_world, other.wrist_course);
             self.stays_in_world = other.stays_in_world;

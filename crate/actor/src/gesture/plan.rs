@@ -12,7 +12,7 @@ use super::fingers::FingerTrack;
 use super::path::reach_secs;
 use super::planner::{PlannedKey, Planner};
 use super::tracks::{HandTrack, WristTrack, piece_at};
-use super::{ArmScript, Life, Rest};
+use super::{ArmScript, IdleSettings, RestPostures};
 use crate::ArmRig;
 
 /// What a hand should do at one time.
@@ -44,7 +44,7 @@ pub enum HandState {
 
 /// A stretch of time with a pace of its own.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pace {
+pub(super) struct SpeedSpan {
     pub(super) start_secs: f64,
     pub(super) end_secs: f64,
     pub(super) profile: Profile,
@@ -58,9 +58,9 @@ pub struct ArmPlan {
     fingers: FingerTrack,
     /// Starts of the stretches in `paces`.
     pace_starts: Vec<f64>,
-    paces: Vec<Pace>,
+    paces: Vec<SpeedSpan>,
     keys: Vec<PlannedKey>,
-    rest: Rest,
+    rest: RestPostures,
     rig: Arc<ArmRig>,
 }
 
@@ -68,14 +68,19 @@ impl ArmPlan {
     /// Plans one arm of a figure with its body in the way. Keys at impossible times or places
     /// (not finite) are left out.
     #[must_use]
-    pub fn new(script: &ArmScript, skeleton: &Skeleton, rig: Arc<ArmRig>, life: &Life) -> Self {
-        let rest = Rest::new(skeleton, &rig, life);
+    pub fn new(
+        script: &ArmScript,
+        skeleton: &Skeleton,
+        rig: Arc<ArmRig>,
+        life: &IdleSettings,
+    ) -> Self {
+        let rest = RestPostures::new(skeleton, &rig, life);
         let planned = Planner::new(&rig, &rest, life.amount).plan(script);
-        let mut paces: Vec<Pace> = script
+        let mut paces: Vec<SpeedSpan> = script
             .strokes
             .iter()
             .filter_map(|s| {
-                let pace = Pace {
+                let pace = SpeedSpan {
                     start_secs: s.start_secs,
                     end_secs: s.end_secs,
                     profile: s.pace?,
@@ -108,12 +113,12 @@ impl ArmPlan {
     /// what the way from one to the other makes of the time, before the first and after the last
     /// rest. O(log n), no allocation.
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> HandTarget {
-        let rest = self.rest.at(time_secs);
+    pub fn sample(&self, time_secs: f64) -> HandTarget {
+        let rest = self.rest.sample(time_secs);
         let t = self.paced(time_secs);
-        let (wrist, rest_share) = self.wrist.at(&self.rig, t, rest.wrist);
-        let (hand, hand_rest_share) = self.hand.at(&self.rig, t, &rest, wrist);
-        let (shape, finger_rest_share) = self.fingers.at(t);
+        let (wrist, rest_share) = self.wrist.sample(&self.rig, t, rest.wrist);
+        let (hand, hand_rest_share) = self.hand.sample(&self.rig, t, &rest, wrist);
+        let (shape, finger_rest_share) = self.fingers.sample(t);
         HandTarget {
             wrist,
             hand,
@@ -130,7 +135,7 @@ impl ArmPlan {
         match pace {
             Some(p) if time_secs < p.end_secs => {
                 let length = p.end_secs - p.start_secs;
-                p.start_secs + length * p.profile.at((time_secs - p.start_secs) / length)
+                p.start_secs + length * p.profile.sample((time_secs - p.start_secs) / length)
             }
             _ => time_secs,
         }
@@ -162,8 +167,8 @@ impl ArmPlan {
     }
 
     /// As [`Rest::welcome`].
-    pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
-        self.rest.welcome(skeleton);
+    pub(crate) fn use_welcome_posture(&mut self, skeleton: &Skeleton) {
+        self.rest.use_welcome_posture(skeleton);
     }
 
     /// The time that the hand needs from where it is at `from_secs`, or from rest, to the
@@ -171,7 +176,10 @@ impl ArmPlan {
     /// fingers only.
     #[must_use]
     pub fn time_to(&self, from_secs: f64, wrist_in_world: Option<DVec3>) -> f64 {
-        let places = [self.at(from_secs).wrist, self.rest.at(from_secs).wrist];
+        let places = [
+            self.sample(from_secs).wrist,
+            self.rest.sample(from_secs).wrist,
+        ];
         let far = |to: DVec3| {
             places
                 .map(|p| p.distance_to(to))

@@ -6,11 +6,11 @@ mod flow;
 use raconteur_base::{DQuat, DVec3, Length, Side};
 
 use super::fingers::FingerTrack;
-use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SHAPING_SECS};
+use super::pace::{MAX_SPEED_M_S, MAX_SPEED_TURN_RAD_S, MoveDurations, SHAPING_SECS};
 use super::path::reach_secs;
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::tracks::{HandTrack, WristTrack};
-use super::{ArmScript, HandKey, Phase, Rest, Transition};
+use super::{ArmScript, GesturePhase, HandKey, RestPostures, Transition};
 use crate::ArmRig;
 use crate::limb::BodySpace;
 
@@ -28,12 +28,12 @@ const HOLD_SOFTENING: f64 = 0.16;
 /// are slower than preparations.
 const RETRACT_SLOWNESS: f64 = 1.25;
 /// Shortest time in which a return to rest is worth while before the next stroke, seconds.
-const RETURN_LEAST_SECS: f64 = 0.35;
+const MIN_RETURN_SECS: f64 = 0.35;
 /// Longest time in which fingers form before a stroke, seconds. Designed.
-const LONGEST_SHAPING_SECS: f64 = 0.9;
+const MAX_SHAPING_SECS: f64 = 0.9;
 /// A hand waits before it leaves for the next stroke, so that the way there takes no longer
 /// than this, seconds. Designed.
-const LONGEST_WAY_SECS: f64 = 0.85;
+const MAX_TRAVEL_SECS: f64 = 0.85;
 
 /// The course of everything that a script leaves to the planner.
 const FREE: Transition = Transition {
@@ -42,7 +42,7 @@ const FREE: Transition = Transition {
 };
 
 /// What the planner makes of a script.
-pub(super) struct Planned {
+pub(super) struct PlannerOutput {
     pub(super) wrist: WristTrack,
     pub(super) hand: HandTrack,
     pub(super) fingers: FingerTrack,
@@ -67,10 +67,10 @@ pub struct PlannedKey {
 pub(super) struct Planner<'a> {
     rig: &'a ArmRig,
     space: &'a BodySpace,
-    rest: &'a Rest,
+    rest: &'a RestPostures,
     side: Side,
     amount: f64,
-    out: Planned,
+    out: PlannerOutput,
     /// The hand is on its way back: it does not hold what it has reached.
     returning: bool,
     /// When gestures are switched off.
@@ -78,14 +78,14 @@ pub(super) struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(rig: &'a ArmRig, rest: &'a Rest, amount: f64) -> Self {
+    pub(super) fn new(rig: &'a ArmRig, rest: &'a RestPostures, amount: f64) -> Self {
         Self {
             rig,
             space: rig.space(),
             rest,
             side: rig.side(),
             amount,
-            out: Planned {
+            out: PlannerOutput {
                 wrist: WristTrack::default(),
                 hand: HandTrack::default(),
                 fingers: FingerTrack::default(),
@@ -97,14 +97,16 @@ impl<'a> Planner<'a> {
     }
 
     /// Plans a script.
-    pub(super) fn plan(mut self, script: &ArmScript) -> Planned {
+    pub(super) fn plan(mut self, script: &ArmScript) -> PlannerOutput {
         let phrases = phrases(script);
         for (i, phrase) in phrases.iter().enumerate() {
             let next = phrases.get(i + 1);
             match phrase.phase {
-                Phase::Hold if phrase.keys.is_empty() => self.hold_on(phrase, next),
-                Phase::Retraction | Phase::PartialRetraction if self.out.wrist.last().is_some() => {
-                    self.go_back(phrase, next);
+                GesturePhase::Hold if phrase.keys.is_empty() => self.hold(phrase, next),
+                GesturePhase::Retraction | GesturePhase::PartialRetraction
+                    if self.out.wrist.last().is_some() =>
+                {
+                    self.return_to_rest(phrase, next);
                 }
                 _ => self.perform(phrase, next),
             }
@@ -116,7 +118,7 @@ impl<'a> Planner<'a> {
 
     /// Performs a phrase after the planned ones, and before what comes next.
     fn perform(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
-        let leads = phrase.leads(WRIST) || phrase.leads(HAND);
+        let leads = phrase.includes_approach(WRIST) || phrase.includes_approach(HAND);
         let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
         if let Some(first) = firsts.into_iter().flatten().reduce(f64::min) {
             let begins = if leads { phrase.start } else { first };
@@ -132,7 +134,7 @@ impl<'a> Planner<'a> {
             self.returning = false;
         }
         self.push_shapes(phrase);
-        let sink = if phrase.phase == Phase::Hold {
+        let sink = if phrase.phase == GesturePhase::Hold {
             0.0
         } else {
             1.0
@@ -151,26 +153,31 @@ impl<'a> Planner<'a> {
     /// unhurried. Infinite where the phrase says itself when to set out, or nothing moves.
     fn sets_out_secs(&self, next: &Phrase) -> f64 {
         let mut latest = f64::INFINITY;
-        let mut meet = |feature: usize, key: Option<&HandKey>, way: &dyn Fn(&HandKey) -> Needed| {
-            if let Some(key) = key
-                && !next.leads(feature)
-            {
-                latest = latest.min(key.time_secs - way(key).easy_secs);
-            }
-        };
+        let mut meet =
+            |feature: usize, key: Option<&HandKey>, way: &dyn Fn(&HandKey) -> MoveDurations| {
+                if let Some(key) = key
+                    && !next.includes_approach(feature)
+                {
+                    latest = latest.min(key.time_secs - way(key).easy_secs);
+                }
+            };
         meet(WRIST, next.first_key(has_wrist), &|key| {
             let ends = self.out.wrist.last().zip(key.wrist_in_world);
-            ends.map_or_else(Needed::default, |(from, to)| {
-                Needed::by_wrist(from, self.reachable(to))
+            ends.map_or_else(MoveDurations::default, |(from, to)| {
+                MoveDurations::by_wrist(from, self.reachable(to))
             })
         });
         meet(HAND, next.first_key(has_hand), &|key| {
             let ends = self.out.hand.last().zip(key.hand_in_world);
-            ends.map_or_else(Needed::default, |(from, to)| Needed::by_hand(from, to))
+            ends.map_or_else(MoveDurations::default, |(from, to)| {
+                MoveDurations::by_hand(from, to)
+            })
         });
         meet(SHAPE, next.first_key(has_shape), &|key| {
             let ends = self.out.fingers.last().zip(key.shape);
-            ends.map_or_else(Needed::default, |(from, to)| Needed::by_fingers(&from, &to))
+            ends.map_or_else(MoveDurations::default, |(from, to)| {
+                MoveDurations::by_fingers(&from, &to)
+            })
         });
         latest
     }
@@ -180,7 +187,7 @@ impl<'a> Planner<'a> {
         let out = &mut self.out;
         while out.wrist.nodes.len() > 1
             && out.wrist.last().is_none()
-            && out.wrist.last_secs() > first - RETURN_LEAST_SECS
+            && out.wrist.last_secs() > first - MIN_RETURN_SECS
         {
             out.wrist.pop();
             out.hand.forget_after(out.wrist.last_secs());
@@ -207,7 +214,7 @@ impl<'a> Planner<'a> {
         }
         if gap <= FLOW_SECS {
             // Hold until it is time to go.
-            let depart = (next - LONGEST_WAY_SECS)
+            let depart = (next - MAX_TRAVEL_SECS)
                 .max(held_until + 0.35 * gap)
                 .min(self.sets_out_secs(phrase));
             if depart > held_until + 0.05 {
@@ -230,10 +237,10 @@ impl<'a> Planner<'a> {
         let wrist = place.lerp(self.rest.ready(), 0.5);
         let hand = self.out.hand.last().unwrap_or(DQuat::IDENTITY);
         let hand = hand.slerp(self.rig.relaxed_hand(wrist), 0.4);
-        let there = self.push_wrist(time, Some(self.space.keep_out(wrist)), FREE);
+        let there = self.push_wrist(time, Some(self.space.project_outside(wrist)), FREE);
         let there = there.max(self.push_hand(time, Some(hand), FREE));
         if let Some(shape) = self.out.fingers.last() {
-            let eased = shape.lerp(&Rest::shape(), 0.5);
+            let eased = shape.lerp(&RestPostures::shape(), 0.5);
             self.out.fingers.push(there, Some(eased), None);
         }
     }
@@ -246,8 +253,8 @@ impl<'a> Planner<'a> {
             Some((first, wrist)) => (first, self.reachable(wrist)),
             None => (first_hand, self.rest.ready()),
         };
-        let from = self.rest.at(first - 0.6).wrist;
-        let start = (first - reach_secs(from.distance_to(to))).min(first_hand - RETURN_LEAST_SECS);
+        let from = self.rest.sample(first - 0.6).wrist;
+        let start = (first - reach_secs(from.distance_to(to))).min(first_hand - MIN_RETURN_SECS);
         let start = if leads { phrase.start } else { start };
         let start = start.max(self.planned_secs());
         self.out.wrist.push(self.rig, start, None, FREE);
@@ -259,7 +266,7 @@ impl<'a> Planner<'a> {
 
     /// The script's place as far as it is in reach and outside the body.
     fn reachable(&self, wrist: DVec3) -> DVec3 {
-        self.rig.within_reach(self.space.keep_out(wrist))
+        self.rig.within_reach(self.space.project_outside(wrist))
     }
 
     fn push_wrists(&mut self, phrase: &Phrase, flows: bool) {
@@ -270,7 +277,7 @@ impl<'a> Planner<'a> {
             };
             // The way to the first key of a stroke is preparation, and no part of its course.
             let first = Some(key.time_secs) == phrase.first(has_wrist);
-            let prepared = first && !phrase.leads(WRIST);
+            let prepared = first && !phrase.includes_approach(WRIST);
             let course = if prepared { FREE } else { key.wrist_course };
             let place = self.reachable(wrist);
             let arrives_secs = self.push_wrist(key.time_secs, Some(place), course);
@@ -278,7 +285,7 @@ impl<'a> Planner<'a> {
                 time_secs: key.time_secs,
                 arrives_secs,
                 wrist_in_world: Some(place),
-                begins_stroke: prepared && phrase.phase == Phase::Stroke,
+                begins_stroke: prepared && phrase.phase == GesturePhase::Stroke,
             });
             // This hand has not been turned yet.
             if !flows && first_hand.is_none_or(|t| t > key.time_secs) {
@@ -293,7 +300,7 @@ impl<'a> Planner<'a> {
                 continue;
             };
             let first = Some(key.time_secs) == phrase.first(has_hand);
-            let prepared = first && !phrase.leads(HAND);
+            let prepared = first && !phrase.includes_approach(HAND);
             let course = if prepared { FREE } else { key.hand_course };
             if first && !prepared && phrase.start > self.out.hand.last_secs() {
                 let held = self.out.hand.last();
@@ -309,14 +316,14 @@ impl<'a> Planner<'a> {
             let Some(shape) = key.shape else { continue };
             let time = key.time_secs;
             let first = Some(time) == phrase.first(has_shape);
-            let prepared = first && !phrase.leads(SHAPE);
+            let prepared = first && !phrase.includes_approach(SHAPE);
             if first {
                 // Fingers form on the way of the hand, not while it holds before.
                 let mut moves = self.out.wrist.times.iter().rev();
                 let leaves = moves.find(|t| **t < time - 0.05).copied();
                 let leaves = leaves
                     .unwrap_or(time)
-                    .clamp(time - LONGEST_SHAPING_SECS, time - SHAPING_SECS);
+                    .clamp(time - MAX_SHAPING_SECS, time - SHAPING_SECS);
                 let leaves = if prepared { leaves } else { phrase.start };
                 if leaves > self.out.fingers.last_secs() {
                     let held = self.out.fingers.last();
@@ -346,9 +353,9 @@ impl<'a> Planner<'a> {
         let track = &mut self.out.wrist;
         let mut time = time;
         if let Some(before) = track.times.last().copied() {
-            let at = |place: Option<DVec3>, t| place.unwrap_or_else(|| self.rest.at(t).wrist);
+            let at = |place: Option<DVec3>, t| place.unwrap_or_else(|| self.rest.sample(t).wrist);
             let way_m = at(track.last(), before).distance_to(at(place, time));
-            time = time.max(before + way_m / FASTEST_M_S);
+            time = time.max(before + way_m / MAX_SPEED_M_S);
         }
         track.push(self.rig, time, place, course);
         time
@@ -360,7 +367,7 @@ impl<'a> Planner<'a> {
         let mut time = time.max(track.last_secs());
         if let (Some(from), Some(to)) = (track.last(), hand) {
             let turn_rad = from.angle_between(to);
-            time = time.max(track.last_secs() + turn_rad / FASTEST_TURN_RAD_S);
+            time = time.max(track.last_secs() + turn_rad / MAX_SPEED_TURN_RAD_S);
         }
         track.push(time, hand, course);
         time
@@ -390,20 +397,20 @@ impl<'a> Planner<'a> {
             // Fingers that have keys of their own to the end of a stroke begin to ease there.
             let from = (until - held_secs).max(out.fingers.last_secs());
             out.fingers.push(from, Some(shape), None);
-            let eased = shape.lerp(&Rest::shape(), HOLD_SOFTENING * share);
+            let eased = shape.lerp(&RestPostures::shape(), HOLD_SOFTENING * share);
             out.fingers.push(until, Some(eased), None);
         }
     }
 
     /// A hold that a script asks for.
-    fn hold_on(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
+    fn hold(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         if phrase.start - self.planned_secs() <= FLOW_SECS {
             self.settle(self.held_until(phrase, next), 0.0);
         }
     }
 
     /// A return that a script asks for: after its keys to rest, or half-way there, by its end.
-    fn go_back(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
+    fn return_to_rest(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         self.settle(phrase.start, 1.0);
         self.push_wrists(phrase, true);
         self.push_hands(phrase);
@@ -411,7 +418,7 @@ impl<'a> Planner<'a> {
         let last = phrase.keys.last().map_or(phrase.start, |k| k.time_secs);
         let end = self.held_until(phrase, next).max(self.planned_secs());
         self.returning = true;
-        if phrase.phase == Phase::Retraction && end > last + 0.05 {
+        if phrase.phase == GesturePhase::Retraction && end > last + 0.05 {
             self.arrive_at_rest(end);
         } else if phrase.keys.is_empty()
             && let Some(place) = self.out.wrist.last()
@@ -430,7 +437,7 @@ impl<'a> Planner<'a> {
         let Some(place) = self.out.wrist.last() else {
             return;
         };
-        let distance = place.distance_to(self.rest.at(start + 1.0).wrist);
+        let distance = place.distance_to(self.rest.sample(start + 1.0).wrist);
         self.arrive_at_rest(start + (reach_secs(distance) * RETRACT_SLOWNESS).min(1.15));
     }
 
@@ -461,6 +468,8 @@ impl<'a> Planner<'a> {
             }
         }
         let (wrist, rig, rest) = (&self.out.wrist, self.rig, self.rest);
-        self.out.hand.meet(|t| wrist.at(rig, t, rest.at(t).wrist).0);
+        self.out
+            .hand
+            .record_positions(|t| wrist.sample(rig, t, rest.sample(t).wrist).0);
     }
 }

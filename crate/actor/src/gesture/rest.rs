@@ -9,7 +9,7 @@ use raconteur_base::{DQuat, DVec3, Side, noise};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{HandShape, Skeleton};
 
-use super::Life;
+use super::IdleSettings;
 use crate::{ArmRig, palm};
 
 /// Shortest time that a posture of rest is kept, seconds. Designed.
@@ -23,7 +23,7 @@ const RANDOM_DRIFT: u64 = 0xd21f7;
 
 /// A hand at rest, relative to the zero pose of the trunk.
 #[derive(Clone, Copy, Debug)]
-pub struct RestHand {
+pub struct RestingHand {
     /// Wrist, metres.
     pub wrist: DVec3,
     /// Hand rotation.
@@ -32,18 +32,18 @@ pub struct RestHand {
 
 /// The postures of rest of one arm of a figure.
 #[derive(Clone, Debug)]
-pub struct Rest {
-    hanging: RestHand,
-    in_front: RestHand,
+pub struct RestPostures {
+    hanging: RestingHand,
+    in_front: RestingHand,
     ready: DVec3,
     side: Side,
-    life: Life,
+    life: IdleSettings,
 }
 
-impl Rest {
+impl RestPostures {
     /// Places the postures on a figure.
     #[must_use]
-    pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &Life) -> Self {
+    pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &IdleSettings) -> Self {
         let (side, space) = (rig.side(), rig.space());
         let scale = skeleton.scale();
         let sign = side.sign();
@@ -70,11 +70,11 @@ impl Rest {
             palm::from_directions(side, fingers, normal).unwrap_or(DQuat::IDENTITY)
         };
         Self {
-            hanging: RestHand {
+            hanging: RestingHand {
                 wrist: hanging,
                 hand: turn(out(-0.04, -1.0, 0.16), out(-1.0, 0.0, -0.42)),
             },
-            in_front: RestHand {
+            in_front: RestingHand {
                 wrist: in_front,
                 hand: turn(out(-0.82, -0.30, 0.46), out(-0.40, 0.35, -1.0)),
             },
@@ -91,12 +91,12 @@ impl Rest {
     /// Rests from now on in one posture alone, a welcome: the arms a little away from the
     /// sides, the forearms before them, the palms turned to the audience. Near enough to the
     /// hanging arm that a story may begin with that.
-    pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
+    pub(crate) fn use_welcome_posture(&mut self, skeleton: &Skeleton) {
         let scale = skeleton.scale();
         let sign = self.side.sign();
         let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
         let hand = palm::from_directions(self.side, out(0.22, -0.72, 0.62), out(-0.62, 0.35, 0.62));
-        let open = RestHand {
+        let open = RestingHand {
             wrist: self.hanging.wrist + out(0.045, 0.085, 0.11) * scale,
             hand: hand.unwrap_or(self.hanging.hand),
         };
@@ -105,7 +105,7 @@ impl Rest {
 
     /// The hand at rest at a time, relative to the trunk of the zero pose.
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> RestHand {
+    pub fn sample(&self, time_secs: f64) -> RestingHand {
         let s = self.front_share(time_secs);
         let size = 0.004 * self.life.amount;
         let seed = self.life.seed ^ RANDOM_DRIFT;
@@ -117,7 +117,7 @@ impl Rest {
         };
         let k = 3 * side.index() as u64;
         let drift = DVec3::new(sign * drift(k), drift(k + 1), drift(k + 2));
-        RestHand {
+        RestingHand {
             wrist: self.hanging.wrist.lerp(self.in_front.wrist, s) + drift,
             hand: self.hanging.hand.slerp(self.in_front.hand, s),
         }

@@ -4,8 +4,8 @@ use raconteur_base::curve::{last_at_or_before, minimum_jerk, smooth};
 use raconteur_base::profile::Profile;
 use raconteur_base::{DQuat, DVec3, Length};
 
-use super::path::{Bow, flowing};
-use super::{RestHand, Space, Transition};
+use super::path::{ArcPath, flowing};
+use super::{InterpolationSpace, RestingHand, Transition};
 use crate::ArmRig;
 use crate::limb::arm::ArmPosture;
 
@@ -60,15 +60,15 @@ pub(super) struct WristTrack {
 
 impl WristTrack {
     /// The wrist at a time and the share of rest in it; `rest` is where it rests then.
-    pub(super) fn at(&self, rig: &ArmRig, time_secs: f64, rest: DVec3) -> (DVec3, f64) {
+    pub(super) fn sample(&self, rig: &ArmRig, time_secs: f64, rest: DVec3) -> (DVec3, f64) {
         let Some((i, s, length)) = piece_at(&self.times, time_secs) else {
             return (rest, 1.0);
         };
         let (a, b) = (&self.nodes[i], &self.nodes[i + 1]);
         let from = a.place.unwrap_or(rest);
         let along = b.place.unwrap_or(rest) - from;
-        let m = a.profile.unwrap_or_default().at(s);
-        let bow = Bow {
+        let m = a.profile.unwrap_or_default().sample(s);
+        let bow = ArcPath {
             along,
             arch: a.arch,
         };
@@ -106,7 +106,7 @@ impl WristTrack {
     ) {
         if let Some(last) = self.nodes.last_mut() {
             last.profile = course.profile;
-            if course.space == Some(Space::Joint)
+            if course.space == Some(InterpolationSpace::Joint)
                 && let (Some(from), Some(to)) = (last.place, place)
             {
                 let ends = [from, to].map(|wrist| rig.posture(wrist));
@@ -161,11 +161,11 @@ impl HandTrack {
     }
 
     /// The hand rotation at a time, with the wrist where it is, and the share of rest in it.
-    pub(super) fn at(
+    pub(super) fn sample(
         &self,
         rig: &ArmRig,
         time_secs: f64,
-        rest: &RestHand,
+        rest: &RestingHand,
         wrist: DVec3,
     ) -> (DQuat, f64) {
         let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
@@ -173,11 +173,11 @@ impl HandTrack {
         };
         let (a, b) = (&self.nodes[i], &self.nodes[i + 1]);
         let m = match a.course.profile {
-            Some(profile) => profile.at(s),
+            Some(profile) => profile.sample(s),
             None => minimum_jerk(s),
         };
         let placed = |node: &HandNode| match node.hand {
-            Some(hand) => RestHand {
+            Some(hand) => RestingHand {
                 wrist: node.wrist,
                 hand,
             },
@@ -218,7 +218,7 @@ impl HandTrack {
     }
 
     /// Notes where the wrist is at each node.
-    pub(super) fn meet(&mut self, wrist_at: impl Fn(f64) -> DVec3) {
+    pub(super) fn record_positions(&mut self, wrist_at: impl Fn(f64) -> DVec3) {
         for (time, node) in self.times.iter().zip(&mut self.nodes) {
             node.wrist = wrist_at(*time);
         }
@@ -231,11 +231,11 @@ impl HandTrack {
 /// what no arm can do.
 fn turned(
     rig: &ArmRig,
-    from: &RestHand,
-    to: &RestHand,
+    from: &RestingHand,
+    to: &RestingHand,
     wrist: DVec3,
     m: f64,
-    space: Option<Space>,
+    space: Option<InterpolationSpace>,
 ) -> DQuat {
     if m == 0.0 || from.hand == to.hand {
         return from.hand;
@@ -244,8 +244,8 @@ fn turned(
         return to.hand;
     }
     let by_wrist = match space {
-        Some(Space::Cartesian) => 0.0,
-        Some(Space::Joint) => 1.0,
+        Some(InterpolationSpace::Cartesian) => 0.0,
+        Some(InterpolationSpace::Joint) => 1.0,
         None => smooth((from.hand.angle_between(to.hand) - 0.6) / 0.9),
     };
     let straight = from.hand.slerp(to.hand, m);

@@ -142,7 +142,7 @@ impl Leg {
     }
 
     /// World from ankle in the zero pose.
-    pub(crate) fn standing(&self) -> &DAffine3 {
+    pub(crate) fn world_from_ankle(&self) -> &DAffine3 {
         &self.ankle_in_world
     }
 
@@ -264,8 +264,8 @@ mod tests {
         for side in Side::BOTH {
             let leg = Leg::new(&skeleton, side, Sex::Male);
             let pelvis = world_from_bone(&skeleton, &Pose::zero(), Bone::Sacroiliac);
-            let at = leg.standing().translation + DVec3::new(0.1 * side.sign(), 0.2, 0.15);
-            let foot = DQuat::from_rotation_x(0.4) * rotation_of(leg.standing());
+            let at = leg.world_from_ankle().translation + DVec3::new(0.1 * side.sign(), 0.2, 0.15);
+            let foot = DQuat::from_rotation_x(0.4) * rotation_of(leg.world_from_ankle());
             let knee = DVec3::new(0.5 * side.sign(), 0.1, 1.0);
             let solved = leg.solve(&pelvis, at, foot, knee);
             let (there, turned, looks) = leg.placed(&pelvis, solved);

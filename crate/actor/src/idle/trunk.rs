@@ -64,12 +64,12 @@ impl SpeechRhythm {
 
 /// The trunk's own motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Trunk {
+pub struct TrunkMotion {
     /// Seed of the performance.
     pub seed: u64,
 }
 
-impl Trunk {
+impl TrunkMotion {
     /// Depth of breath at a time: −1 out to 1 in where `breathing` is calm.
     #[must_use]
     pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64, breathing: &Breathing) -> f64 {
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn breath_is_faster_in_speech() {
         let count = |rhythm: &SpeechRhythm| {
-            let trunk = Trunk { seed: 3 };
+            let trunk = TrunkMotion { seed: 3 };
             let at = |i: i32| trunk.breath(rhythm, f64::from(i) * 0.01, &Breathing::CALM) > 0.0;
             (1..24_000).filter(|i| at(*i) && !at(i - 1)).count()
         };

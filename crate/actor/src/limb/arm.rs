@@ -15,12 +15,12 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::body_space::BodySpace;
-use super::chain::{Base, LimbRig};
+use super::chain::{LimbBase, LimbRig};
 use super::girdle::Girdle;
 use super::obstacles::Obstacles;
-use super::swivel::Comfort;
+use super::swivel::SwivelCriteria;
 use super::wrist::{WristAngles, WristLimits};
-use super::{ARM_BONES, Build, Frame};
+use super::{ARM_BONES, Build, RigidFrame};
 use crate::kinematics::world_from_bone;
 
 /// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
@@ -87,7 +87,7 @@ pub struct ArmRig {
 }
 
 /// An arm that is solved.
-struct Solved {
+struct SolvedArm {
     solution: ArmSolution,
     /// World from the lower bone.
     lower: DQuat,
@@ -165,7 +165,7 @@ impl ArmRig {
         self.solved(world_from_thorax, goal).solution
     }
 
-    fn solved(&self, world_from_thorax: &DAffine3, goal: &ArmGoal) -> Solved {
+    fn solved(&self, world_from_thorax: &DAffine3, goal: &ArmGoal) -> SolvedArm {
         let (wrist_in_world, shrug_rad) = (goal.wrist_in_world, goal.shrug_rad);
         let girdle = &self.girdle;
         let scapula = girdle.scapula_for(world_from_thorax, wrist_in_world, shrug_rad);
@@ -180,7 +180,7 @@ impl ArmRig {
         // A wrist in the shoulder hangs.
         let direction = wanted.try_normalized().unwrap_or(base.rotation * DVec3::X);
         let turn = goal.hand_in_world.unwrap_or(DQuat::IDENTITY);
-        let target = Frame {
+        let target = RigidFrame {
             position: base.origin + direction * met_m,
             rotation: self.limb.target_rotation(turn),
         };
@@ -206,11 +206,11 @@ impl ArmRig {
             hand_error_rad,
             reached: distance <= self.reach_m() && error_m < spare_m,
         };
-        Solved { solution, lower }
+        SolvedArm { solution, lower }
     }
 
     /// Where the arm stands on a thorax, with the scapula turned so.
-    fn base(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> Base {
+    fn base(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> LimbBase {
         let girdle = self.girdle.placed(world_from_thorax, scapula);
         self.limb.base(world_from_thorax, Some(girdle))
     }
@@ -220,8 +220,8 @@ impl ArmRig {
     fn swivel(
         &self,
         world_from_thorax: &DAffine3,
-        base: &Base,
-        target: &Frame,
+        base: &LimbBase,
+        target: &RigidFrame,
         goal: &ArmGoal,
     ) -> f64 {
         let body_from_figure = self.thorax_zero_in_world * world_from_thorax.inverse();
@@ -233,10 +233,10 @@ impl ArmRig {
                 .transform_point3(self.space.head()),
             other_forearm: None,
         };
-        let comfort = Comfort {
+        let comfort = SwivelCriteria {
             obstacles: Some(&obstacles),
             is_relaxed: goal.hand_in_world.is_none(),
-            ..Comfort::default()
+            ..SwivelCriteria::default()
         };
         self.limb.swivel_for(target, base, &comfort)
     }
@@ -270,7 +270,7 @@ impl ArmRig {
     pub fn angles_of_hand(&self, wrist_in_world: DVec3, hand_in_world: DQuat) -> WristAngles {
         let target = self.limb.target_rotation(hand_in_world);
         let lower = self.natural(wrist_in_world).lower;
-        WristAngles::of(self.side, self.limb.end_for(lower, target))
+        WristAngles::from_local(self.side, self.limb.end_for(lower, target))
     }
 
     /// The inverse of [`ArmRig::angles_of_hand`].
@@ -282,7 +282,7 @@ impl ArmRig {
     }
 
     /// The arm with its wrist at a place and the hand as it likes, the thorax in the zero pose.
-    fn natural(&self, wrist_in_world: DVec3) -> Solved {
+    fn natural(&self, wrist_in_world: DVec3) -> SolvedArm {
         let goal = ArmGoal {
             wrist_in_world,
             hand_in_world: None,

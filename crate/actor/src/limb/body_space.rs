@@ -34,7 +34,7 @@ pub struct TrunkShape {
 impl TrunkShape {
     /// Measures a figure with its clothes.
     #[must_use]
-    pub fn of(figure: &Figure) -> Self {
+    pub fn from_figure(figure: &Figure) -> Self {
         let space = BodySpace::new(&figure.skeleton, None);
         let mut depths_m = [0.0_f64; LEVELS];
         for bone in [Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic] {
@@ -177,14 +177,14 @@ impl BodySpace {
     /// The nearest place outside trunk and head for a wrist. Places farther out than a few
     /// hundredths of the half axes are left exactly alone.
     #[must_use]
-    pub fn keep_out(&self, p: DVec3) -> DVec3 {
-        self.keep(p, self.hand)
+    pub fn project_outside(&self, p: DVec3) -> DVec3 {
+        self.project(p, self.hand)
     }
 
     /// The way out of trunk and head for what needs `room_m` around it: nothing outside.
     #[must_use]
-    pub fn way_out(&self, p: DVec3, room_m: f64) -> DVec3 {
-        self.keep(p, room_m) - p
+    pub fn exit_displacement(&self, p: DVec3, room_m: f64) -> DVec3 {
+        self.project(p, room_m) - p
     }
 
     /// How deep a place that needs `room_m` around it is in the trunk, as a share of the half
@@ -216,11 +216,11 @@ impl BodySpace {
 
     /// The way out for a wrist.
     #[must_use]
-    pub fn wrist_way_out(&self, p: DVec3) -> DVec3 {
-        self.way_out(p, self.hand)
+    pub fn wrist_exit_displacement(&self, p: DVec3) -> DVec3 {
+        self.exit_displacement(p, self.hand)
     }
 
-    fn keep(&self, p: DVec3, room: f64) -> DVec3 {
+    fn project(&self, p: DVec3, room: f64) -> DVec3 {
         let p = self.out_of_head(p, room);
         let [half_width, half_depth] = self.half_axes_at(p, room);
         let (x, z) = (p.x / half_width, (p.z - self.axis_z) / half_depth);
@@ -283,8 +283,8 @@ mod tests {
         for i in 0..5_000 {
             let r = |k| noise::signed(2, k, i);
             let p = DVec3::new(0.5 * r(0), 1.3 + 0.6 * r(1), 0.5 * r(2));
-            let q = space.keep_out(p);
-            assert!(space.wrist_way_out(q).length() < 0.012, "{p} {q}");
+            let q = space.project_outside(p);
+            assert!(space.wrist_exit_displacement(q).length() < 0.012, "{p} {q}");
             if q != p {
                 moved += 1;
                 let near = DVec3::new(p.x / 0.30, 0.0, (p.z - space.axis_z) / 0.25).length();
@@ -303,7 +303,7 @@ mod tests {
             let r = |k| noise::signed(3, k, i);
             let p = DVec3::new(0.35 * r(0), 1.3 + 0.6 * r(1), 0.05 + 0.3 * r(2).abs());
             let q = p + DVec3::new(1e-5, 1e-5, -1e-5);
-            let d = space.keep_out(p).distance(space.keep_out(q));
+            let d = space.project_outside(p).distance(space.project_outside(q));
             // Near the axis a column magnifies; hands pass it only by explicit keys.
             if ops::hypot(p.x, p.z - space.axis_z) > 0.06 && p.distance(space.head) > 0.06 {
                 assert!(d < 30.0 * p.distance(q), "{p}: {d}");

@@ -14,7 +14,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::limits::{self, Limit, Sex};
 use super::two_bone::TwoBone;
-use super::{ARM_BONES, Frame, Joints, LEG_BONES, Limb};
+use super::{ARM_BONES, Joints, LEG_BONES, Limb, RigidFrame};
 use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Index of the seventh joint.
@@ -24,7 +24,7 @@ pub(crate) const END: core::ops::Range<usize> = 3..ROLL;
 
 /// Where a manipulator stands at one moment, figure axes.
 #[derive(Clone, Copy, Debug)]
-pub struct Base {
+pub struct LimbBase {
     /// The first joint, metres.
     pub origin: DVec3,
     /// Axes of the base: those of the trunk, not of the girdle.
@@ -35,11 +35,11 @@ pub struct Base {
 
 /// Joint angles made bones.
 #[derive(Clone, Copy, Debug)]
-pub struct Posed {
+pub struct PosedLimb {
     /// Local rotations of the upper, lower and end bone.
     pub rotations: [DQuat; 3],
     /// Where the end comes, figure axes.
-    pub frame: Frame,
+    pub frame: RigidFrame,
 }
 
 /// One limb of a figure: everything about it that does not change with the pose.
@@ -129,11 +129,11 @@ impl LimbRig {
     /// Where the manipulator stands when the trunk stands so and, for an arm, the girdle
     /// (rotation of the scapula bone and place of the shoulder joint, figure axes).
     #[must_use]
-    pub fn base(&self, trunk: &DAffine3, girdle: Option<(DQuat, DVec3)>) -> Base {
+    pub fn base(&self, trunk: &DAffine3, girdle: Option<(DQuat, DVec3)>) -> LimbBase {
         let turned = rotation_of(trunk);
         let (parent, origin) =
             girdle.unwrap_or((turned, trunk.transform_point3(self.origin_in_trunk)));
-        Base {
+        LimbBase {
             origin,
             rotation: turned * self.trunk_zero.inverse() * base_axes(),
             parent,
@@ -195,18 +195,18 @@ impl LimbRig {
 
     /// Forward kinematics: the bones and the end for joint angles.
     #[must_use]
-    pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {
+    pub fn posed(&self, joints: &Joints, base: &LimbBase) -> PosedLimb {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         let lower_local = self.chain.flexed(joints[2]);
         let lower = upper * self.chain.zero() * lower_local;
         let turn = self.turn(joints);
-        Posed {
+        PosedLimb {
             rotations: [
                 ((base.parent * self.upper_zero).inverse() * upper).normalized(),
                 lower_local,
                 (self.target_from_end.inverse() * turn * self.target_from_end).normalized(),
             ],
-            frame: Frame {
+            frame: RigidFrame {
                 position: base.origin + upper * self.chain.end_in_upper(joints[2]),
                 rotation: (lower * self.lower_from_target * turn).normalized(),
             },
@@ -254,7 +254,7 @@ impl LimbRig {
 
     /// The hinge of elbow or knee when the first bone is turned so, figure axes, metres.
     #[must_use]
-    pub fn hinge_at(&self, rotation: DQuat, base: &Base) -> DVec3 {
+    pub fn hinge_at(&self, rotation: DQuat, base: &LimbBase) -> DVec3 {
         base.origin + base.parent * self.upper_zero * rotation * self.chain.hinge()
     }
 
@@ -316,7 +316,7 @@ impl LimbRig {
     }
 
     /// The axes of the joints and a point on each, figure axes, for inverse velocity.
-    pub(crate) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
+    pub(crate) fn axes(&self, joints: &Joints, base: &LimbBase) -> [(DVec3, DVec3); 7] {
         let s = self.signs();
         let lifted = base.rotation * DQuat::from_rotation_z(s[0] * joints[0]);
         let link = base.rotation * self.link(joints);

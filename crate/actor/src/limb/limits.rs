@@ -20,7 +20,7 @@ pub enum Sex {
 impl Sex {
     /// The table for a share of female, 0 to 1: the nearer one.
     #[must_use]
-    pub fn of(share: Option<f64>) -> Self {
+    pub fn from_share(share: Option<f64>) -> Self {
         if share.is_some_and(|share| share > 0.5) {
             Self::Female
         } else {
@@ -87,7 +87,7 @@ impl Limit {
         most_rad: f64::INFINITY,
     };
 
-    fn of([least_deg, most_deg]: [f64; 2]) -> Self {
+    fn from_degrees([least_deg, most_deg]: [f64; 2]) -> Self {
         Self {
             least_rad: least_deg.to_radians(),
             most_rad: most_deg.to_radians(),
@@ -96,7 +96,7 @@ impl Limit {
 
     /// Whether an angle is within.
     #[must_use]
-    pub fn holds(self, angle_rad: f64) -> bool {
+    pub fn contains(self, angle_rad: f64) -> bool {
         (self.least_rad..=self.most_rad).contains(&angle_rad)
     }
 
@@ -115,9 +115,9 @@ impl Limit {
     /// circle the limit gives way, so that turning on past it makes no joint snap from one
     /// limit to the other.
     #[must_use]
-    pub fn kept(self, angle_rad: f64) -> f64 {
+    pub fn clamp(self, angle_rad: f64) -> f64 {
         let angle = self.wrapped(angle_rad);
-        if self.holds(angle) {
+        if self.contains(angle) {
             return angle;
         }
         let middle = 0.5 * (self.least_rad + self.most_rad);
@@ -168,24 +168,24 @@ pub fn limits(limb: Limb, sex: Sex) -> [Limit; 7] {
             let mut limits = [Limit::FREE; 7];
             let rows = [table.cervical[0], table.cervical[1], z, y, x];
             for (limit, row) in limits.iter_mut().zip(rows) {
-                *limit = Limit::of(row);
+                *limit = Limit::from_degrees(row);
             }
             return limits;
         }
     };
     let mut limits = [Limit::FREE; 7];
     for (limit, row) in limits.iter_mut().zip(degrees) {
-        *limit = Limit::of(row);
+        *limit = Limit::from_degrees(row);
     }
     limits
 }
 
 /// Joints a share of the way to being within their limits.
-pub(crate) fn keep(limits: &[Limit; 7], share: f64, joints: &Joints) -> Joints {
+pub(crate) fn clamp_joints(limits: &[Limit; 7], share: f64, joints: &Joints) -> Joints {
     let mut kept = *joints;
     for (angle, limit) in kept.iter_mut().zip(limits) {
         // The equal angle within a turn of the limits, so that a share is a short way.
-        let within = limit.kept(*angle);
+        let within = limit.clamp(*angle);
         let near = limit.wrapped(*angle);
         *angle = if share >= 1.0 {
             within
@@ -208,14 +208,14 @@ mod tests {
                     let mut last: Option<f64> = None;
                     for i in -4000..=4000 {
                         let angle = f64::from(i) * 1e-3;
-                        let kept = limit.kept(angle);
+                        let kept = limit.clamp(angle);
                         if limit.least_rad.is_finite() {
-                            assert!(limit.holds(kept), "{limb:?} {angle} {kept}");
+                            assert!(limit.contains(kept), "{limb:?} {angle} {kept}");
                             let jump = last.map_or(0.0, |l| (kept - l).abs());
                             assert!(jump < 0.05, "{limb:?} {angle}: {jump}");
                             last = Some(kept);
                         }
-                        if limit.holds(ops::wrap_angle(angle)) {
+                        if limit.contains(ops::wrap_angle(angle)) {
                             let same = ops::wrap_angle(kept - angle);
                             assert!(same.abs() < 1e-12);
                         }

@@ -55,10 +55,10 @@ pub struct Build {
 impl Build {
     /// Measures a figure with its clothes.
     #[must_use]
-    pub fn of(figure: &Figure) -> Self {
+    pub fn from_figure(figure: &Figure) -> Self {
         Self {
-            sex: Sex::of(figure.sex),
-            trunk: Some(TrunkShape::of(figure)),
+            sex: Sex::from_share(figure.sex),
+            trunk: Some(TrunkShape::from_figure(figure)),
         }
     }
 }
@@ -115,17 +115,17 @@ pub type Joints = [f64; 7];
 
 /// A place and an orientation, figure axes or a manipulator's base axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct RigidFrame {
     /// Metres.
     pub position: DVec3,
     /// Rotation of the target frame.
     pub rotation: DQuat,
 }
 
-impl Frame {
+impl RigidFrame {
     /// On the straight way to another frame: line and shortest turn.
     #[must_use]
-    pub fn toward(&self, to: &Self, share: f64) -> Self {
+    pub fn lerp(&self, to: &Self, share: f64) -> Self {
         Self {
             position: self.position.lerp(to.position, share),
             rotation: self.rotation.slerp(to.rotation, share).normalized(),

@@ -8,17 +8,17 @@ use core::f64::consts::PI;
 
 use raconteur_base::{DMat3, DQuat, DVec3, Length, METRES_PER_INCH, ops};
 
-use super::chain::{Base, LimbRig, ROLL};
-use super::{Frame, Joints, limits};
+use super::chain::{LimbBase, LimbRig, ROLL};
+use super::{Joints, RigidFrame, limits};
 
 /// Most sets of joint angles for one target: two flexions, two ways to turn the shoulder
 /// and two for the wrist.
-pub const MOST: usize = 8;
+pub const MAX_SOLUTIONS: usize = 8;
 
 /// All joint angles that reach a target.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Solutions {
-    joints: [Joints; MOST],
+    joints: [Joints; MAX_SOLUTIONS],
     count: usize,
 }
 
@@ -37,7 +37,12 @@ impl Solutions {
     }
 
     /// Every way to turn the shoulder (joints 1, 2 and 7) with every way to turn the wrist.
-    pub(crate) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: &[[f64; 3]]) {
+    pub(crate) fn push_combinations(
+        &mut self,
+        shoulder: [[f64; 3]; 2],
+        flexion: f64,
+        wrist: &[[f64; 3]],
+    ) {
         for s in shoulder {
             for w in wrist {
                 self.push([s[0], s[1], flexion, w[0], w[1], w[2], s[2]]);
@@ -48,7 +53,7 @@ impl Solutions {
 
 /// What decides between solutions, in the order of the thesis's filters.
 #[derive(Clone, Copy, Debug)]
-pub struct Choice<'a> {
+pub struct SolutionCriteria<'a> {
     /// How much limits count, 0 to 1.
     pub limited: f64,
     /// The angles that the limb has now; among solutions that meet the target alike the one
@@ -68,13 +73,13 @@ impl LimbRig {
     /// The joint angles of bones, the inverse of [`LimbRig::posed`]: both ways to turn the
     /// shoulder with both ways to turn the wrist, each angle in −π..π.
     #[must_use]
-    pub fn joints_of(&self, rotations: [DQuat; 3], base: &Base) -> Solutions {
+    pub fn joints_of(&self, rotations: [DQuat; 3], base: &LimbBase) -> Solutions {
         let upper = base.parent * self.upper_zero * rotations[0];
         let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
         let turn = self.target_from_end * rotations[2] * self.target_from_end.inverse();
         let flexion = self.chain.flexion_of(rotations[1]);
         let mut found = Solutions::default();
-        found.push_all(self.shoulder_angles(link), flexion, &self.turn_angles(turn));
+        found.push_combinations(self.shoulder_angles(link), flexion, &self.turn_angles(turn));
         found
     }
 
@@ -97,7 +102,7 @@ impl LimbRig {
     /// All solutions of the six joints of table 3.1, the seventh being 0: up to eight, none
     /// where the swivel of the table cannot reach. The target is in reach, figure axes.
     #[must_use]
-    pub fn table_solutions(&self, target: &Frame, base: &Base) -> Solutions {
+    pub fn table_solutions(&self, target: &RigidFrame, base: &LimbBase) -> Solutions {
         let mut found = Solutions::default();
         let p = base.rotation.inverse() * (target.position - base.origin);
         for flexion in self.chain.flexions_for(p.magnitude()) {
@@ -134,9 +139,9 @@ impl LimbRig {
     #[must_use]
     pub fn solutions(
         &self,
-        target: &Frame,
+        target: &RigidFrame,
         elbow: DVec3,
-        base: &Base,
+        base: &LimbBase,
         natural_only: bool,
     ) -> Solutions {
         let mut found = Solutions::default();
@@ -149,7 +154,7 @@ impl LimbRig {
             let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
             let wrist = self.wrist_for(upper, flexion, target.rotation);
             let shoulder = self.shoulder_angles(link);
-            found.push_all(shoulder, ops::wrap_angle(flexion), &wrist[..ways]);
+            found.push_combinations(shoulder, ops::wrap_angle(flexion), &wrist[..ways]);
         }
         found
     }
@@ -161,7 +166,7 @@ impl LimbRig {
     }
 
     /// Adds both ways to turn the wrist to joints 1 to 3.
-    fn complete(&self, joints: &Joints, rotation: DQuat, base: &Base, into: &mut Solutions) {
+    fn complete(&self, joints: &Joints, rotation: DQuat, base: &LimbBase, into: &mut Solutions) {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         for wrist in self.wrist_for(upper, joints[2], rotation) {
             let mut all = *joints;
@@ -176,12 +181,12 @@ impl LimbRig {
     pub fn choose(
         &self,
         solutions: &Solutions,
-        target: &Frame,
-        base: &Base,
-        choice: &Choice<'_>,
+        target: &RigidFrame,
+        base: &LimbBase,
+        choice: &SolutionCriteria<'_>,
     ) -> Option<Joints> {
         let error = |raw: &Joints, kept: &Joints| self.error(raw, kept, target, base);
-        let keep = |raw: &Joints| self.keep(choice.limited, raw);
+        let keep = |raw: &Joints| self.clamp_joints(choice.limited, raw);
         choose(solutions, choice, &keep, &error).map(|(_, kept)| kept)
     }
 
@@ -190,8 +195,8 @@ impl LimbRig {
     /// can: where the bone points along the first axis, that one may be anything, and the bone
     /// must not turn with it.
     #[must_use]
-    pub fn keep(&self, share: f64, joints: &Joints) -> Joints {
-        let mut kept = limits::keep(&self.limits, share, joints);
+    pub fn clamp_joints(&self, share: f64, joints: &Joints) -> Joints {
+        let mut kept = limits::clamp_joints(&self.limits, share, joints);
         if !(same(kept[0], joints[0]) && same(kept[1], joints[1])) {
             let off = self.link(&kept).inverse() * self.link(joints);
             kept[ROLL] += self.sign * 2.0 * ops::atan2(off.x, off.w);
@@ -218,7 +223,7 @@ impl LimbRig {
         turned[0] = self.limits[0].wrapped(joints[0] + PI);
         turned[1] = self.limits[1].wrapped(PI - joints[1]);
         turned[ROLL] = joints[ROLL] + PI;
-        let holds = |i: usize| self.limits[i].holds(turned[i]);
+        let holds = |i: usize| self.limits[i].contains(turned[i]);
         if limited && !(holds(0) && holds(1)) || variation(&turned, to) >= variation(joints, to) {
             *joints
         } else {
@@ -235,7 +240,7 @@ impl LimbRig {
             (turned[0], turned[1], turned[ROLL]) = (a, b, roll);
             turned
         });
-        let beyond = |set: &Joints| self.bent(set, &self.keep(1.0, set))[0];
+        let beyond = |set: &Joints| self.bent(set, &self.clamp_joints(1.0, set))[0];
         *joints = if beyond(&second) < beyond(&first) {
             second
         } else {
@@ -246,7 +251,7 @@ impl LimbRig {
     /// The matrix error of joints that were brought within their limits from joints that meet
     /// the target.
     #[must_use]
-    pub fn error(&self, raw: &Joints, kept: &Joints, target: &Frame, base: &Base) -> f64 {
+    pub fn error(&self, raw: &Joints, kept: &Joints, target: &RigidFrame, base: &LimbBase) -> f64 {
         if [0, 1, 2, ROLL].iter().all(|&i| same(raw[i], kept[i])) {
             // The end is in its place; the square of a rotation's matrix less one is
             // 8 sin² of half its angle.
@@ -269,7 +274,7 @@ fn same(a: f64, b: f64) -> bool {
 #[must_use]
 pub fn choose(
     solutions: &Solutions,
-    choice: &Choice<'_>,
+    choice: &SolutionCriteria<'_>,
     keep: &dyn Fn(&Joints) -> Joints,
     error: &dyn Fn(&Joints, &Joints) -> f64,
 ) -> Option<(usize, Joints)> {
@@ -299,7 +304,7 @@ pub fn choose(
 /// unit (an inch): a wrist that is off its place always weighs more than a turned one, so that
 /// no shoulder leaves its place to turn the hand better.
 #[must_use]
-pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
+pub fn matrix_error(a: &RigidFrame, b: &RigidFrame) -> f64 {
     let rotation = DMat3::from_quat(a.rotation) - DMat3::from_quat(b.rotation);
     let squares = |v: DVec3| v.length_squared();
     squares(rotation.x_axis)

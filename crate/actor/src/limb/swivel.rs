@@ -9,9 +9,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_base::{DQuat, DVec3, Length, ops};
 
-use super::chain::{Base, LimbRig};
+use super::chain::{LimbBase, LimbRig};
 use super::obstacles::{Clearance, Obstacles};
-use super::{Frame, Joints};
+use super::{Joints, RigidFrame};
 
 /// Direction, in body axes of the left side (x outwards), of a hand held in front at
 /// ease, where [`ELBOW_AT_EASE`] applies; the swivel field is singular opposite to it.
@@ -47,15 +47,15 @@ const PREFERRED: f64 = 1.5;
 
 /// Joint angles that the user prefers, and how much each set counts, 0 to 1.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Preference(pub [(Option<Joints>, f64); 2]);
+pub struct JointPreference(pub [(Option<Joints>, f64); 2]);
 
 /// What decides where elbow or knee go.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Comfort<'a> {
+pub struct SwivelCriteria<'a> {
     /// What is in the way.
     pub obstacles: Option<&'a Obstacles<'a>>,
     /// What the user prefers; goes before comfort (GEVH 3.3.2.1).
-    pub preference: Preference,
+    pub preference: JointPreference,
     /// Whether the end turns as it likes, whatever the rotation of the target.
     pub is_relaxed: bool,
 }
@@ -85,7 +85,7 @@ fn mean_swivel(efforts: &[f64; CANDIDATES]) -> f64 {
 }
 
 /// A limb with everything settled but the swivel.
-struct Circle {
+struct SwivelCircle {
     shoulder: DVec3,
     wrist: DVec3,
     direction: DVec3,
@@ -98,7 +98,7 @@ struct Circle {
     end_axes: [DVec3; 2],
 }
 
-impl Circle {
+impl SwivelCircle {
     fn elbow(&self, outwards: DVec3) -> DVec3 {
         self.shoulder + self.direction * self.along_m + outwards * self.radius_m
     }
@@ -107,7 +107,7 @@ impl Circle {
 impl LimbRig {
     /// The natural direction of the elbow or knee for a direction of the end, and that
     /// direction turned by a right angle in the sense of a lift; unit, figure axes.
-    fn natural(&self, direction: DVec3, base: &Base) -> [DVec3; 2] {
+    fn natural(&self, direction: DVec3, base: &LimbBase) -> [DVec3; 2] {
         // The base has x down, y left and z to the front.
         let body = base.rotation * DQuat::from_rotation_z(FRAC_PI_2);
         let in_body = body.inverse() * direction;
@@ -126,7 +126,7 @@ impl LimbRig {
 
     /// The line from the base to a target, and around it the natural direction of elbow or
     /// knee and that direction lifted by a right angle.
-    fn axes_for(&self, target: &Frame, base: &Base) -> [DVec3; 3] {
+    fn axes_for(&self, target: &RigidFrame, base: &LimbBase) -> [DVec3; 3] {
         let direction = (target.position - base.origin)
             .try_normalized()
             .unwrap_or(base.rotation * DVec3::X);
@@ -137,7 +137,7 @@ impl LimbRig {
     /// The direction of the elbow or knee (unit, across the line to the target, figure axes)
     /// for a swivel, radians from the natural direction.
     #[must_use]
-    pub fn elbow_at(&self, target: &Frame, base: &Base, swivel_rad: f64) -> DVec3 {
+    pub fn elbow_at(&self, target: &RigidFrame, base: &LimbBase, swivel_rad: f64) -> DVec3 {
         let [_, first, second] = self.axes_for(target, base);
         let (s, c) = ops::sincos(swivel_rad);
         first * c + second * s
@@ -145,7 +145,7 @@ impl LimbRig {
 
     /// The swivel of an elbow or knee in a direction from the base, radians.
     #[must_use]
-    pub fn swivel_of(&self, hinge: DVec3, target: &Frame, base: &Base) -> f64 {
+    pub fn swivel_of(&self, hinge: DVec3, target: &RigidFrame, base: &LimbBase) -> f64 {
         let [_, first, second] = self.axes_for(target, base);
         ops::atan2(hinge.dot(second), hinge.dot(first))
     }
@@ -155,7 +155,12 @@ impl LimbRig {
     /// lifted, to strain the hand, to go beyond the shoulder's limits, against the user's preference
     /// or into what is in the way.
     #[must_use]
-    pub fn swivel_for(&self, target: &Frame, base: &Base, comfort: &Comfort<'_>) -> f64 {
+    pub fn swivel_for(
+        &self,
+        target: &RigidFrame,
+        base: &LimbBase,
+        comfort: &SwivelCriteria<'_>,
+    ) -> f64 {
         let axes = self.axes_for(target, base);
         let [direction, first, second] = axes;
         let preferred = comfort.preference.0.map(|(joints, weight)| {
@@ -169,7 +174,7 @@ impl LimbRig {
         let along_m = hinge.dot(end) / end.magnitude().max(1e-9);
         let radius_m = (hinge.length_squared() - along_m * along_m).max(0.0).sqrt();
         let lower_m = ((distance - along_m) * (distance - along_m) + radius_m * radius_m).sqrt();
-        let circle = Circle {
+        let circle = SwivelCircle {
             shoulder: base.origin,
             wrist: target.position,
             direction,
@@ -198,7 +203,7 @@ impl LimbRig {
             let elbow = circle.elbow(outwards);
             let upper = elbow - base.origin;
             if self.is_arm && upper.dot(back) >= most_back_m {
-                *effort += LIMITS * self.beyond(to_base * upper);
+                *effort += LIMITS * self.excess_squared(to_base * upper);
             }
             for ([along_first, along_second], weight) in preferred.into_iter().flatten() {
                 let aside = ops::hypot(along_first, along_second);
@@ -218,7 +223,7 @@ impl LimbRig {
 
     /// Where elbow or knee are with these joints, across the line to a target: along the two
     /// axes that a swivel turns in, shares of the upper limb.
-    fn hinge_across(&self, joints: &Joints, base: &Base, axes: [DVec3; 3]) -> [f64; 2] {
+    fn hinge_across(&self, joints: &Joints, base: &LimbBase, axes: [DVec3; 3]) -> [f64; 2] {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         let hinge = upper * self.chain.hinge();
         let unit = hinge.try_normalized().unwrap_or(DVec3::ZERO);
@@ -228,7 +233,7 @@ impl LimbRig {
 
     /// Square of the angle by which an upper arm (base axes, any length) is beyond the limits of
     /// the shoulder.
-    fn beyond(&self, upper: DVec3) -> f64 {
+    fn excess_squared(&self, upper: DVec3) -> f64 {
         let level = (upper.x * upper.x + upper.y * upper.y).sqrt();
         let aside = self.sign * ops::atan2(upper.y, upper.x);
         let forth = ops::atan2(upper.z, level);
@@ -247,7 +252,7 @@ impl LimbRig {
 
     /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend
     /// and twist, by their cosines.
-    fn strain(&self, circle: &Circle, outwards: DVec3) -> f64 {
+    fn strain(&self, circle: &SwivelCircle, outwards: DVec3) -> f64 {
         const FREE_BEND: f64 = 0.17;
         const FREE_TWIST: f64 = 0.62;
         let fore = (circle.wrist - circle.elbow(outwards)) * circle.per_lower;

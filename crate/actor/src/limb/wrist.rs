@@ -36,7 +36,7 @@ impl WristAngles {
 
     /// The angles of a wrist rotation, local to the forearm.
     #[must_use]
-    pub fn of(side: Side, local: DQuat) -> Self {
+    pub fn from_local(side: Side, local: DQuat) -> Self {
         let twist = twist_about_x(local);
         let swing = (twist.inverse() * local).normalized();
         Self {
@@ -108,7 +108,7 @@ impl WristLimits {
         let WristAngles {
             pronation_rad,
             swing,
-        } = WristAngles::of(self.side, local);
+        } = WristAngles::from_local(self.side, local);
         let give_way = 1.0 - smooth((pronation_rad.abs() - 2.3) / (PI - 2.3));
         let pronation_rad = soft_limit(pronation_rad, self.twist_rad) * give_way;
         // Negative turns about y flex the left wrist; positive turns about z bend both to the
@@ -127,7 +127,7 @@ impl WristLimits {
     /// radians; 0 within.
     #[must_use]
     pub fn beyond_rad(&self, local: DQuat) -> f64 {
-        let angles = WristAngles::of(self.side, local);
+        let angles = WristAngles::from_local(self.side, local);
         let beyond = |x: f64, [low, high]: [f64; 2]| (x - high).max(-low - x).max(0.0);
         beyond(angles.pronation_rad, self.twist_rad)
             .max(beyond(self.side.sign() * angles.swing.y, self.flexion_rad))
@@ -178,7 +178,7 @@ mod tests {
                 let limited = limits.limited(random_rotation(i));
                 assert!(limits.beyond_rad(limited) < 1e-9);
                 // GEVH tables B.1 and B.2.
-                let angles = WristAngles::of(side, limited);
+                let angles = WristAngles::from_local(side, limited);
                 let pronation = angles.pronation_rad.to_degrees();
                 let [range, flexion, extension, ulnar, radial] = match sex {
                     Sex::Male => [151.9, 94.8, 78.0, 47.9, 36.7],
@@ -199,7 +199,12 @@ mod tests {
         for side in Side::BOTH {
             for i in 0..500 {
                 let q = random_rotation(i);
-                assert!(WristAngles::of(side, q).rotation(side).angle_between(q) < 1e-6);
+                assert!(
+                    WristAngles::from_local(side, q)
+                        .rotation(side)
+                        .angle_between(q)
+                        < 1e-6
+                );
             }
         }
     }

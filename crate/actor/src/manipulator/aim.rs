@@ -10,16 +10,16 @@ use raconteur_base::{DAffine3, DQuat, DVec3, ops};
 
 use super::between;
 use crate::limb::chain::{END, LimbRig, ROLL};
-use crate::limb::{Frame, Joints};
+use crate::limb::{Joints, RigidFrame};
 
 /// Joints that are bent by so much in all, radians, take the mean of the last goals.
 pub(super) const FORCED: f64 = 0.2;
 
 /// A place of the end, and the joints that reach it on the body that was planned with.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Aim {
+pub(super) struct ReachTarget {
     /// Figure axes.
-    pub(super) frame: Frame,
+    pub(super) frame: RigidFrame,
     /// The place in the axes of the trunk that was planned with, metres.
     pub(super) place: DVec3,
     pub(super) joints: Joints,
@@ -28,12 +28,12 @@ pub(super) struct Aim {
     /// How much it counts, 0 to 1.
     pub(super) share: f64,
     /// Where the limb was sent, figure axes: what its error is told against.
-    pub(super) target: Frame,
+    pub(super) target: RigidFrame,
 }
 
-impl Aim {
+impl ReachTarget {
     /// The same with another share and target.
-    pub(super) fn counting(&self, share: f64, target: Frame) -> Self {
+    pub(super) fn counting(&self, share: f64, target: RigidFrame) -> Self {
         Self {
             share,
             target,
@@ -42,10 +42,10 @@ impl Aim {
     }
 
     /// A share of the way to another one.
-    pub(super) fn toward(&self, to: &Self, share: f64) -> Self {
+    pub(super) fn lerp(&self, to: &Self, share: f64) -> Self {
         let swivel_rad = ops::wrap_angle(to.swivel_rad - self.swivel_rad);
         Self {
-            frame: self.frame.toward(&to.frame, share),
+            frame: self.frame.lerp(&to.frame, share),
             place: self.place.lerp(to.place, share),
             joints: between(&self.joints, &to.joints, share),
             swivel_rad: self.swivel_rad + share * swivel_rad,
@@ -54,7 +54,7 @@ impl Aim {
     }
 
     /// Where the limb was sent; none while a way through the joints has not come there.
-    pub(super) fn target(&self) -> Option<Frame> {
+    pub(super) fn target(&self) -> Option<RigidFrame> {
         (self.share >= 1.0).then_some(self.target)
     }
 
@@ -68,7 +68,7 @@ impl Aim {
     /// is left as it was planned, for how it is not met may change with every sway of the body.
     /// `now` are the joints for the place that are nearest to those planned, and how much limits
     /// force its upper bone and its end, radians.
-    pub(super) fn lead(
+    pub(super) fn correct_joints(
         &self,
         joints: &mut Joints,
         (now, forced): &(Joints, [f64; 2]),

@@ -2,31 +2,31 @@
 
 use raconteur_base::DAffine3;
 
-use super::aim::Aim;
-use super::meet::Wish;
+use super::aim::ReachTarget;
 use super::perform::Manipulators;
-use crate::limb::chain::Base;
-use crate::limb::{Frame, Joints, Limb};
+use super::solve::ReachRequest;
+use crate::limb::chain::LimbBase;
+use crate::limb::{Joints, Limb, RigidFrame};
 
 impl Manipulators {
     /// Solves joints again for what they are to reach on a base.
     pub(super) fn aimed(
         &self,
         limb: Limb,
-        aim: &Aim,
+        aim: &ReachTarget,
         joints: &Joints,
         limited: f64,
-        base: &Base,
+        base: &LimbBase,
     ) -> Joints {
         let mut joints = *joints;
         if aim.share > 0.0 {
-            let wish = Wish {
+            let wish = ReachRequest {
                 swivel_rad: aim.swivel_rad,
                 limited,
                 current: Some(&aim.joints),
             };
             let now = self.solved(limb, &aim.frame, &wish, base);
-            aim.lead(&mut joints, &now, self.limbs.get(limb.index()));
+            aim.correct_joints(&mut joints, &now, self.limbs.get(limb.index()));
         }
         joints
     }
@@ -35,24 +35,24 @@ impl Manipulators {
     pub(super) fn aim(
         &self,
         limb: Limb,
-        frame: &Frame,
+        frame: &RigidFrame,
         joints: &Joints,
-        base: &Base,
+        base: &LimbBase,
         trunk: &DAffine3,
-    ) -> Aim {
+    ) -> ReachTarget {
         let swivel_rad = self.limbs.get(limb.index()).map_or(0.0, |rig| {
             let upper = rig.posed(joints, base).rotations[0];
             rig.swivel_of(rig.hinge_at(upper, base) - base.origin, frame, base)
         });
         // Solved as it will be again: without a change of the body nothing is added.
         let limited = f64::from(u8::from(self.tracks[limb.index()].has_limits()));
-        let wish = Wish {
+        let wish = ReachRequest {
             swivel_rad,
             limited,
             current: Some(joints),
         };
         let (solved, _) = self.solved(limb, frame, &wish, base);
-        Aim {
+        ReachTarget {
             frame: *frame,
             place: trunk.inverse().transform_point3(frame.position),
             joints: solved,

@@ -4,22 +4,24 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DVec3, ops};
 use raconteur_body::{Pose, Skeleton};
 
-use super::aim::Aim;
+use super::aim::ReachTarget;
 use super::head::HEAD_BONES;
 use super::jacobian::Twist;
-use super::meet::Terms;
-use super::motion::{Goal, Held, LimbMotion, Mend, MotionKind, SETTLE_SECS, even_secs};
-use super::path::Curve;
+use super::motion::{
+    HeldLimb, JointCorrection, LimbMotion, MotionGoal, MotionKind, SETTLE_SECS, even_secs,
+};
+use super::path::TimedPath;
 use super::perform::Manipulators;
 use super::scan::Scan;
-use super::scene::{Moment, Scene};
+use super::scene::{CommandContext, FigureState};
+use super::solve::SolveOptions;
 use super::track::LimbTrack;
-use super::{Command, ManipulatorScript, Motion, Pace};
+use super::{Command, JointSpeed, ManipulatorScript, Motion};
 use crate::limb::ARM_BONES;
-use crate::limb::chain::{Base, ROLL};
+use crate::limb::chain::{LimbBase, ROLL};
 use crate::limb::limits;
-use crate::limb::solve::{AT_EASE, Choice, Solutions, choose};
-use crate::limb::{Frame, Joints, Limb};
+use crate::limb::solve::{AT_EASE, SolutionCriteria, Solutions, choose};
+use crate::limb::{Joints, Limb, RigidFrame};
 
 /// Longest time that inverse velocity is followed to a target, seconds.
 const TARGET_SECS: f64 = 8.0;
@@ -30,19 +32,19 @@ const VELOCITY_SECS: f64 = 1200.0;
 const SCANNED_SECS: f64 = 30.0;
 /// Share of the remaining way that is made up in a second, and the highest speed.
 const GAIN_HZ: f64 = 3.0;
-const FASTEST_M_PER_S: f64 = 0.7;
-const FASTEST_RAD_PER_S: f64 = 2.5;
+const MAX_SPEED_M_PER_S: f64 = 0.7;
+const MAX_SPEED_RAD_PER_S: f64 = 2.5;
 
 /// Where a limb is at a moment.
-pub(super) struct Now {
+pub(super) struct LimbState {
     /// Story time, seconds.
     pub(super) at_secs: f64,
     /// The figure just before the limb is moved.
     pub(super) pose: Pose,
     pub(super) trunk: DAffine3,
-    pub(super) base: Base,
+    pub(super) base: LimbBase,
     pub(super) joints: Joints,
-    pub(super) frame: Frame,
+    pub(super) frame: RigidFrame,
     pub(super) cue: DVec3,
     pub(super) lean: DVec3,
     pub(super) help: DVec3,
@@ -53,9 +55,9 @@ pub(super) struct Now {
     pub(super) lean_lag: [DVec3; 2],
 }
 
-impl Now {
-    pub(super) fn held(&self) -> Held {
-        Held {
+impl LimbState {
+    pub(super) fn held(&self) -> HeldLimb {
+        HeldLimb {
             joints: self.joints,
             cue: self.cue,
             lean: self.lean,
@@ -72,7 +74,7 @@ impl Manipulators {
         skeleton: &Skeleton,
         idle: &dyn Fn(f64, &mut Pose),
     ) {
-        let scene = Scene { skeleton, idle };
+        let scene = CommandContext { skeleton, idle };
         let finite = |c: &&Command| c.time_secs.is_finite();
         let mut commands: Vec<&Command> = script.commands.iter().filter(finite).collect();
         sort_by_number(&mut commands, |c| c.time_secs);
@@ -115,9 +117,9 @@ impl Manipulators {
                 let until = next.map_or(f64::INFINITY, |c| c.time_secs);
                 self.wake(&mut scan, at, &scene);
                 if command.motion.cuts() {
-                    scan.cut(command.limb);
+                    scan.reset(command.limb);
                 } else {
-                    self.take(&scan, command.limb, &scene);
+                    self.begin_scan(&scan, command.limb, &scene);
                 }
                 let is_velocity = matches!(command.motion, Motion::JacobianVelocity { .. });
                 let most_secs = match is_velocity {
@@ -139,7 +141,13 @@ impl Manipulators {
         self.follow_to(&mut scan, f64::INFINITY, &scene);
     }
 
-    fn figure_moves(&mut self, scan: &mut Scan, from_secs: f64, secs: f64, scene: &Scene<'_>) {
+    fn figure_moves(
+        &mut self,
+        scan: &mut Scan,
+        from_secs: f64,
+        secs: f64,
+        scene: &CommandContext<'_>,
+    ) {
         self.follow_to(scan, from_secs, scene);
         if self.tracks.iter().any(LimbTrack::in_control) {
             self.wake(scan, from_secs, scene);
@@ -147,7 +155,7 @@ impl Manipulators {
         }
     }
 
-    fn begin(&mut self, command: &Command, most_secs: f64, scene: &Scene<'_>) {
+    fn begin(&mut self, command: &Command, most_secs: f64, scene: &CommandContext<'_>) {
         let (limb, at) = (command.limb, command.time_secs);
         let track = &mut self.tracks[limb.index()];
         match command.motion {
@@ -172,14 +180,14 @@ impl Manipulators {
                 to: *to,
                 secs: *secs,
             },
-            Motion::Function(path) => MotionKind::Curve(Curve::new(path, &now.frame, false)),
+            Motion::Function(path) => MotionKind::Curve(TimedPath::new(path, &now.frame, false)),
             Motion::JacobianTarget(to) => {
                 let secs = most_secs.min(TARGET_SECS);
                 self.follow(limb, &now, secs, Some(to), &|frame| {
                     let left = Twist::between(frame, to);
                     Twist {
-                        linear: (left.linear * GAIN_HZ).clamp_length_max(FASTEST_M_PER_S),
-                        angular: (left.angular * GAIN_HZ).clamp_length_max(FASTEST_RAD_PER_S),
+                        linear: (left.linear * GAIN_HZ).clamp_length_max(MAX_SPEED_M_PER_S),
+                        angular: (left.angular * GAIN_HZ).clamp_length_max(MAX_SPEED_RAD_PER_S),
                     }
                 })
             }
@@ -191,7 +199,7 @@ impl Manipulators {
                 self.follow(limb, &now, most_secs, None, &|_| twist)
             }
             Motion::Lock(true) => {
-                let moved = self.root.at(at).unwrap_or(DAffine3::IDENTITY);
+                let moved = self.root.sample(at).unwrap_or(DAffine3::IDENTITY);
                 MotionKind::Lock(now.frame.moved(&moved))
             }
             Motion::Lock(false) => MotionKind::Joints {
@@ -216,15 +224,15 @@ impl Manipulators {
                 swivel_rad: 0.0,
                 cue_lag: now.cue_lag,
                 lean_lag: now.lean_lag,
-                mend: Mend::default(),
+                mend: JointCorrection::default(),
             },
         );
-        self.take_over(limb, at, scene, &now);
+        self.replace(limb, at, scene, &now);
     }
 
     /// Makes up for what the last course of a limb does not take over from where the limb was.
-    fn take_over(&mut self, limb: Limb, at: f64, scene: &Scene<'_>, now: &Now) {
-        if let Some((goal @ Goal::Frame { .. }, _)) = self.goal(limb, at) {
+    fn replace(&mut self, limb: Limb, at: f64, scene: &CommandContext<'_>, now: &LimbState) {
+        if let Some((goal @ MotionGoal::Frame { .. }, _)) = self.goal(limb, at) {
             if let Some(rig) = self.limbs.get(limb.index()) {
                 let would = self.swivel_at(limb, &goal, at, scene.skeleton, &now.pose);
                 let is = rig.swivel_of(now.hinge, &now.frame, &now.base);
@@ -234,9 +242,9 @@ impl Manipulators {
             let Some((goal, _)) = self.goal(limb, at) else {
                 return;
             };
-            let met = self.meet_alone(limb, &goal, at, scene.skeleton, &now.pose);
+            let met = self.solve_static(limb, &goal, at, scene.skeleton, &now.pose);
             let limited = self.tracks[limb.index()].has_limits();
-            let mut off = Mend::default();
+            let mut off = JointCorrection::default();
             for (i, off) in off.joints.iter_mut().enumerate() {
                 let by = now.joints[i] - met.joints[i];
                 *off = if limited { by } else { ops::wrap_angle(by) };
@@ -247,12 +255,12 @@ impl Manipulators {
                     off.joints[joint] = 0.0;
                 }
             }
-            self.tracks[limb.index()].mend_last(off);
+            self.tracks[limb.index()].correct_last(off);
         }
     }
 
     /// Where a limb is at a time, by idle life and the commands up to now.
-    fn now(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Now {
+    fn now(&self, limb: Limb, time_secs: f64, scene: &CommandContext<'_>) -> LimbState {
         let skeleton = scene.skeleton;
         let upright = scene.idle(time_secs);
         let mut pose = upright.clone();
@@ -272,13 +280,13 @@ impl Manipulators {
         let frame = self.posed(limb, &joints, &base).frame;
         let place = trunk.inverse().transform_point3(frame.position);
         let cue = match goal {
-            Some((Goal::Joints(held, aim), _)) => held.cued(aim.as_ref(), &trunk),
-            Some((Goal::Frame { frame, cue_lag, .. }, _)) => {
+            Some((MotionGoal::Joints(held, aim), _)) => held.cued(aim.as_ref(), &trunk),
+            Some((MotionGoal::Frame { frame, cue_lag, .. }, _)) => {
                 trunk.inverse().transform_point3(frame.position) + cue_lag
             }
             None => place,
         };
-        let plain = Goal::Frame {
+        let plain = MotionGoal::Frame {
             frame,
             swivel_rad: 0.0,
             cue_lag: DVec3::ZERO,
@@ -294,7 +302,7 @@ impl Manipulators {
         let hinge = self.limbs.get(limb.index()).map_or(DVec3::ZERO, |rig| {
             rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin
         });
-        Now {
+        LimbState {
             at_secs: time_secs,
             pose: before,
             trunk,
@@ -312,19 +320,19 @@ impl Manipulators {
 
     /// The joint angles of a limb's bones in a pose: of all that turn them so, those within
     /// the limits and nearest to ease, as equal angles near the middle of their ranges.
-    pub(super) fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
+    pub(super) fn configuration(&self, limb: Limb, pose: &Pose, base: &LimbBase) -> Joints {
         let found: Solutions = match self.limbs.get(limb.index()) {
             Some(rig) => rig.joints_of(rig.bones.map(|b| pose.rotation(b)), base),
             None => self
                 .head
                 .joints_of(HEAD_BONES.map(|b| pose.rotation(b)), base),
         };
-        let choice = Choice {
+        let choice = SolutionCriteria {
             limited: 1.0,
             current: None,
             preferred: &AT_EASE,
         };
-        let keep = |raw: &Joints| limits::keep(self.limits(limb), 1.0, raw);
+        let keep = |raw: &Joints| limits::clamp_joints(self.limits(limb), 1.0, raw);
         // Angles that have to be bent are worse the more they are.
         let chosen = choose(&found, &choice, &keep, &|raw, kept| {
             let bends = raw
@@ -335,11 +343,17 @@ impl Manipulators {
         });
         let index = chosen.map_or(0, |(index, _)| index);
         let raw = found.as_slice().get(index).copied().unwrap_or_default();
-        limits::keep(self.limits(limb), 0.0, &raw)
+        limits::clamp_joints(self.limits(limb), 0.0, &raw)
     }
 
     /// Joint angles set, those that are given, in some seconds or at once.
-    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], secs: f64, now: &Now) -> MotionKind {
+    fn to_joints(
+        &self,
+        limb: Limb,
+        angles: &[Option<f64>; 6],
+        secs: f64,
+        now: &LimbState,
+    ) -> MotionKind {
         let mut to = now.held();
         for (joint, angle) in to.joints.iter_mut().zip(angles) {
             *joint = angle.unwrap_or(*joint);
@@ -349,7 +363,7 @@ impl Manipulators {
             to.joints[ROLL] = 0.0;
         }
         if self.tracks[limb.index()].has_limits() {
-            to.joints = limits::keep(self.limits(limb), 1.0, &to.joints);
+            to.joints = limits::clamp_joints(self.limits(limb), 1.0, &to.joints);
         }
         // The girdle follows the place where the wrist would come with the girdle at rest.
         let rest = self.base(limb, &now.trunk, None);
@@ -372,17 +386,17 @@ impl Manipulators {
     fn interpolate_joints(
         &self,
         limb: Limb,
-        to: &Frame,
-        pace: Pace,
-        now: &Now,
-        scene: &Scene<'_>,
+        to: &RigidFrame,
+        pace: JointSpeed,
+        now: &LimbState,
+        scene: &CommandContext<'_>,
     ) -> MotionKind {
         let (even, mut secs) = match pace {
-            Pace::Secs(secs) => (false, secs.max(0.0)),
-            Pace::RadPerSec(_) => (true, 0.0),
+            JointSpeed::Secs(secs) => (false, secs.max(0.0)),
+            JointSpeed::RadPerSec(_) => (true, 0.0),
         };
         let (mut end, mut aim) = self.held_at(limb, to, now.at_secs + secs, now, scene);
-        if let Pace::RadPerSec(speed) = pace {
+        if let JointSpeed::RadPerSec(speed) = pace {
             // Slower motion is not visible.
             let speed = speed.max(1e-3);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
@@ -403,13 +417,13 @@ impl Manipulators {
     fn held_at(
         &self,
         limb: Limb,
-        to: &Frame,
+        to: &RigidFrame,
         time_secs: f64,
-        now: &Now,
-        scene: &Scene<'_>,
-    ) -> (Held, Aim) {
+        now: &LimbState,
+        scene: &CommandContext<'_>,
+    ) -> (HeldLimb, ReachTarget) {
         let mut pose = scene.idle(time_secs);
-        let goal = Goal::Frame {
+        let goal = MotionGoal::Frame {
             frame: *to,
             swivel_rad: 0.0,
             cue_lag: DVec3::ZERO,
@@ -418,17 +432,17 @@ impl Manipulators {
         let lean = self.lean_for(limb, &goal, scene.skeleton, &pose);
         super::lean::apply(scene.skeleton, lean, &mut pose);
         let limited = self.tracks[limb.index()].has_limits();
-        let terms = Terms {
+        let terms = SolveOptions {
             limited: f64::from(u8::from(limited)),
             set_in: 1.0,
             swivel_rad: None,
             preference: self.tracks[limb.index()].preference(time_secs),
         };
-        let moment = Moment {
+        let moment = FigureState {
             skeleton: scene.skeleton,
             pose: &pose,
         };
-        let met = self.meet(limb, &goal, &terms, Some(&now.joints), moment);
+        let met = self.solve(limb, &goal, &terms, Some(&now.joints), moment);
         let mut joints = met.joints;
         for (i, (joint, from)) in joints.iter_mut().zip(&now.joints).enumerate() {
             if !limited || i == ROLL {
@@ -437,7 +451,7 @@ impl Manipulators {
         }
         let trunk = self.trunk(limb, scene.skeleton, &pose);
         let aim = self.aim(limb, to, &joints, &met.base, &trunk);
-        let held = Held {
+        let held = HeldLimb {
             joints,
             cue: met.cue,
             lean,

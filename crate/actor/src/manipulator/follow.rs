@@ -3,14 +3,14 @@
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::{DVec3, Length};
 
-use super::compile::Now;
+use super::compile::LimbState;
 use super::jacobian::{Twist, joint_speeds};
-use super::motion::{Held, MotionKind, SETTLE_SECS};
+use super::motion::{HeldLimb, MotionKind, SETTLE_SECS};
 use super::perform::Manipulators;
 use super::track::BRAKE_SECS;
-use crate::limb::chain::Base;
+use crate::limb::chain::LimbBase;
 use crate::limb::limits;
-use crate::limb::{Frame, Limb};
+use crate::limb::{Limb, RigidFrame};
 
 /// Steps of inverse velocity a second, and how many make a sample.
 const STEPS_HZ: f64 = 120.0;
@@ -26,14 +26,14 @@ impl Manipulators {
     pub(super) fn follow(
         &self,
         limb: Limb,
-        now: &Now,
+        now: &LimbState,
         most_secs: f64,
-        to: Option<&Frame>,
-        wanted: &dyn Fn(&Frame) -> Twist,
+        to: Option<&RigidFrame>,
+        wanted: &dyn Fn(&RigidFrame) -> Twist,
     ) -> MotionKind {
         let limited = self.tracks[limb.index()].has_limits();
         let mut state = now.held();
-        let aim = |frame: &Frame, state: &Held, base: &Base| {
+        let aim = |frame: &RigidFrame, state: &HeldLimb, base: &LimbBase| {
             self.aim(limb, frame, &state.joints, base, &now.trunk)
         };
         let mut steps = vec![(state, aim(&now.frame, &state, &now.base))];
@@ -63,7 +63,7 @@ impl Manipulators {
                 *joint += speed / STEPS_HZ;
             }
             if limited {
-                state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
+                state.joints = limits::clamp_joints(self.limits(limb), 1.0, &state.joints);
             }
             // The girdle follows, and moves the base under the arm.
             let left = 1.0 - minimum_jerk(step as f64 / (SETTLE_SECS * STEPS_HZ));
@@ -94,7 +94,7 @@ impl Manipulators {
 }
 
 /// Whether a step changes nothing that can be seen.
-fn rests(from: &Held, to: &Held) -> bool {
+fn rests(from: &HeldLimb, to: &HeldLimb) -> bool {
     let turns = from
         .joints
         .iter()

@@ -7,10 +7,10 @@ use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use crate::kinematics::{rotation_of, world_from_bone};
-use crate::limb::chain::{Base, Posed};
+use crate::limb::chain::{LimbBase, PosedLimb};
 use crate::limb::limits::{self, Limit, Sex};
 use crate::limb::solve::Solutions;
-use crate::limb::{Frame, Joints, Limb};
+use crate::limb::{Joints, Limb, RigidFrame};
 
 /// Neck and skull of a figure. The base has the body's axes: x left, y up, z front.
 #[derive(Clone, Debug)]
@@ -55,9 +55,9 @@ impl HeadRig {
 
     /// Where the manipulator stands on a thorax, figure axes.
     #[must_use]
-    pub fn base(&self, thorax: &DAffine3) -> Base {
+    pub fn base(&self, thorax: &DAffine3) -> LimbBase {
         let parent = rotation_of(thorax);
-        Base {
+        LimbBase {
             origin: thorax.transform_point3(self.neck_in_thorax),
             rotation: parent * self.thorax_zero.inverse(),
             parent,
@@ -82,18 +82,18 @@ impl HeadRig {
 
     /// Forward kinematics: local rotations of neck and skull, and where the skull comes.
     #[must_use]
-    pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {
+    pub fn posed(&self, joints: &Joints, base: &LimbBase) -> PosedLimb {
         let neck = Self::neck_turn(joints);
         let turn = Self::skull_turn(joints);
         let neck_in_figure = base.rotation * neck * self.body_from_neck;
         let local = self.body_from_skull.inverse() * turn * self.body_from_skull;
-        Posed {
+        PosedLimb {
             rotations: [
                 ((base.parent * self.neck_zero).inverse() * neck_in_figure).normalized(),
                 local.normalized(),
                 DQuat::IDENTITY,
             ],
-            frame: Frame {
+            frame: RigidFrame {
                 position: base.origin + base.rotation * neck * self.skull_from_neck,
                 rotation: (base.rotation * neck * turn).normalized(),
             },
@@ -103,10 +103,10 @@ impl HeadRig {
     /// The joint angles of bones that [`HeadRig::posed`] could have turned; of others the
     /// nearest: a neck has no twist here.
     #[must_use]
-    pub fn joints_of(&self, rotations: [DQuat; 2], base: &Base) -> Solutions {
+    pub fn joints_of(&self, rotations: [DQuat; 2], base: &LimbBase) -> Solutions {
         let neck = base.parent * self.neck_zero * rotations[0] * self.body_from_neck.inverse();
         let skull = neck * self.body_from_skull * rotations[1] * self.body_from_skull.inverse();
-        let target = Frame {
+        let target = RigidFrame {
             position: base.origin + neck * self.skull_from_neck,
             rotation: skull,
         };
@@ -127,16 +127,21 @@ impl HeadRig {
     /// (`limited`, 0..1), its orientation kept: the skull then makes up for what the neck
     /// leaves, and stays still while the neck is stopped.
     #[must_use]
-    pub(super) fn held(&self, target: &Frame, base: &Base, limited: f64) -> Frame {
+    pub(super) fn clamp_target(
+        &self,
+        target: &RigidFrame,
+        base: &LimbBase,
+        limited: f64,
+    ) -> RigidFrame {
         let (near, _) = self.projected(target.position - base.origin);
-        let on_sphere = Frame {
+        let on_sphere = RigidFrame {
             position: base.origin + near,
             ..*target
         };
         let found = self.solutions(&on_sphere, base, true);
         found.as_slice().first().map_or(on_sphere, |joints| {
-            let kept = limits::keep(&self.limits, limited, joints);
-            Frame {
+            let kept = limits::clamp_joints(&self.limits, limited, joints);
+            RigidFrame {
                 position: self.posed(&kept, base).frame.position,
                 ..*target
             }
@@ -147,7 +152,7 @@ impl HeadRig {
     /// target lies on the sphere about the neck; where the neck cannot point, the nearest
     /// is taken.
     #[must_use]
-    pub fn solutions(&self, target: &Frame, base: &Base, natural_only: bool) -> Solutions {
+    pub fn solutions(&self, target: &RigidFrame, base: &LimbBase, natural_only: bool) -> Solutions {
         let mut found = Solutions::default();
         let p = base.rotation.inverse() * (target.position - base.origin);
         let arm = self.skull_from_neck;
@@ -172,7 +177,7 @@ impl HeadRig {
     }
 
     /// The axes of the joints and a point on each, figure axes, for inverse velocity.
-    pub(super) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
+    pub(super) fn axes(&self, joints: &Joints, base: &LimbBase) -> [(DVec3, DVec3); 7] {
         let tilted = base.rotation * DQuat::from_rotation_z(-joints[0]);
         let neck = base.rotation * Self::neck_turn(joints);
         let skull = base.origin + neck * self.skull_from_neck;

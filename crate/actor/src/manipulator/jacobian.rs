@@ -3,7 +3,7 @@
 
 use raconteur_base::{DVec3, Length};
 
-use crate::limb::Frame;
+use crate::limb::RigidFrame;
 use crate::limb::wrist::rotation_vector;
 
 /// How many metres count as much as a radian.
@@ -26,7 +26,7 @@ pub struct Twist {
 impl Twist {
     /// The speeds that would take one frame to another in a second.
     #[must_use]
-    pub fn between(from: &Frame, to: &Frame) -> Self {
+    pub fn between(from: &RigidFrame, to: &RigidFrame) -> Self {
         let turn = (to.rotation * from.rotation.inverse()).normalized();
         let turn = if turn.w < 0.0 { -turn } else { turn };
         Self {

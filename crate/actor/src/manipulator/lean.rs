@@ -3,7 +3,7 @@
 use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::motion::Goal;
+use super::motion::MotionGoal;
 use super::perform::Manipulators;
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::Limb;
@@ -16,13 +16,13 @@ const SOFT: f64 = 0.02;
 /// at its foot.
 const GAIN: f64 = 1.3;
 /// Lean that is approached by the farthest targets, radians.
-const MOST_RAD: f64 = 0.8;
+const MAX_RAD: f64 = 0.8;
 /// How often the lean that one arm needs more because of the other one is found again.
 const ROUNDS: usize = 3;
 
 /// The lean that an arm asks for: a rotation vector in figure axes. `shoulder` is where the
 /// joint is without it, `lumbar` the foot of the spine.
-pub(super) fn wanted(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64) -> DVec3 {
+pub(super) fn required_lean(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64) -> DVec3 {
     let to = target - shoulder;
     let distance = to.magnitude();
     let soft = SOFT * reach_m;
@@ -31,7 +31,7 @@ pub(super) fn wanted(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64
     let missing = soft * (over.max(0.0) + ops::ln(1.0 + ops::exp(-over.abs())));
     let arm = shoulder - lumbar;
     let turn = arm.cross(to) * (GAIN * missing / (distance.max(1e-9) * arm.length_squared()));
-    turn / (1.0 + turn.magnitude() / MOST_RAD)
+    turn / (1.0 + turn.magnitude() / MAX_RAD)
 }
 
 /// Leans the spine by a rotation vector, half of it at its foot and half in the chest.
@@ -82,13 +82,13 @@ impl Manipulators {
     pub(super) fn lean_for(
         &self,
         limb: Limb,
-        goal: &Goal,
+        goal: &MotionGoal,
         skeleton: &Skeleton,
         pose: &Pose,
     ) -> DVec3 {
         match goal {
-            Goal::Joints(held, _) => held.lean,
-            Goal::Frame {
+            MotionGoal::Joints(held, _) => held.lean,
+            MotionGoal::Frame {
                 frame, lean_lag, ..
             } => self.lean_to(limb, frame.position, skeleton, pose) + lean_lag[0],
         }
@@ -99,7 +99,7 @@ impl Manipulators {
     pub(super) fn help_for(
         &self,
         limb: Limb,
-        goal: &Goal,
+        goal: &MotionGoal,
         [own, other]: [DVec3; 2],
         skeleton: &Skeleton,
         upright: &Pose,
@@ -124,9 +124,9 @@ impl Manipulators {
             sum
         };
         match goal {
-            Goal::Joints(held, None) => held.help,
-            Goal::Joints(held, Some(aim)) => held.help + aim.share * help(aim.frame.position),
-            Goal::Frame {
+            MotionGoal::Joints(held, None) => held.help,
+            MotionGoal::Joints(held, Some(aim)) => held.help + aim.share * help(aim.frame.position),
+            MotionGoal::Frame {
                 frame, lean_lag, ..
             } => help(frame.position) + lean_lag[1],
         }
@@ -140,7 +140,7 @@ impl Manipulators {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
         let scapula = arm.girdle().scapula_for(&thorax, to, 0.0);
-        wanted(
+        required_lean(
             arm.girdle().shoulder_at(&thorax, scapula),
             lumbar,
             to,
@@ -161,10 +161,10 @@ mod tests {
         let (shoulder, lumbar) = (at(&zero, Bone::LShoulder), at(&zero, Bone::Lumbar));
         for direction in [DVec3::Z, DVec3::X, DVec3::new(-0.6, 0.3, 1.0), DVec3::Y] {
             let direction = direction.normalize();
-            let near = wanted(shoulder, lumbar, shoulder + direction * 0.4, 0.58);
+            let near = required_lean(shoulder, lumbar, shoulder + direction * 0.4, 0.58);
             assert!(near.length() < 1e-3, "{near}");
             let target = shoulder + direction * 0.75;
-            let lean = wanted(shoulder, lumbar, target, 0.58);
+            let lean = required_lean(shoulder, lumbar, target, 0.58);
             let mut pose = Pose::zero();
             apply(&skeleton, lean, &mut pose);
             let nearer = 0.75 - at(&pose, Bone::LShoulder).distance(target);

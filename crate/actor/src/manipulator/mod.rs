@@ -17,24 +17,24 @@ mod follow;
 pub mod head;
 pub mod jacobian;
 mod lean;
-mod meet;
 mod motion;
 pub mod path;
 mod perform;
 mod root;
 mod scan;
 mod scene;
-mod steady;
+mod smoothing;
+mod solve;
 mod track;
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DAffine3, DVec3};
 
-use crate::limb::{Frame, Joints, Limb};
+use crate::limb::{Joints, Limb, RigidFrame};
 
-pub use path::{Path, Placement, Shape};
+pub use path::{Path, PathShape, Placement};
 pub use perform::Manipulators;
-pub use steady::MOST_RAD_PER_S;
+pub use smoothing::MAX_RAD_PER_S;
 
 /// A limb's motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,21 +59,21 @@ pub enum Motion {
     /// To a frame by the joints (GEVH D.3.21).
     JointInterpolation {
         /// Where to, figure axes.
-        to: Frame,
+        to: RigidFrame,
         /// How long it takes.
-        pace: Pace,
+        pace: JointSpeed,
     },
     /// To a frame on a straight line with the shortest turn (GEVH D.3.22).
     FrameInterpolation {
         /// Where to, figure axes.
-        to: Frame,
+        to: RigidFrame,
         /// Seconds.
         secs: f64,
     },
     /// Along a function of time (GEVH D.3.23).
     Function(Box<Path>),
     /// To a frame by inverse velocity (GEVH D.3.24).
-    JacobianTarget(Frame),
+    JacobianTarget(RigidFrame),
     /// At velocities by inverse velocity until another command comes (GEVH D.3.24).
     JacobianVelocity {
         /// Metres a second, figure axes.
@@ -89,7 +89,7 @@ pub enum Motion {
 
 /// How fast joints go.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pace {
+pub enum JointSpeed {
     /// All of it in so many seconds.
     Secs(f64),
     /// The joint with the longest way at so many radians a second.
@@ -109,7 +109,7 @@ pub struct Command {
 
 /// A motion of the whole figure at its time (GEVH D.1.6).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Move {
+pub struct RootMotion {
     /// Story time, seconds.
     pub time_secs: f64,
     /// Where the point of the floor under the figure goes, world, and how it turns.
@@ -123,7 +123,7 @@ pub struct ManipulatorScript {
     /// Motions of limbs.
     pub commands: Vec<Command>,
     /// Motions of the figure.
-    pub moves: Vec<Move>,
+    pub moves: Vec<RootMotion>,
 }
 
 impl ManipulatorScript {
@@ -132,7 +132,7 @@ impl ManipulatorScript {
     pub fn figure_from_world(&self) -> Option<impl Fn(f64) -> DAffine3> {
         let root = root::RootTrack::new(&self.moves);
         (!self.moves.is_empty()).then_some(move |time_secs| {
-            let moved = root.at(time_secs).unwrap_or(DAffine3::IDENTITY);
+            let moved = root.sample(time_secs).unwrap_or(DAffine3::IDENTITY);
             moved.inverse()
         })
     }

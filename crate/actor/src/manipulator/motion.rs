@@ -3,10 +3,10 @@
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
-use super::aim::Aim;
+use super::aim::ReachTarget;
 use super::between;
-use super::path::Curve;
-use crate::limb::{Frame, Joints};
+use super::path::TimedPath;
+use crate::limb::{Joints, RigidFrame};
 
 /// Time in which elbow and girdle take their own way again after a change of motion, seconds.
 pub(super) const SETTLE_SECS: f64 = 0.6;
@@ -15,7 +15,7 @@ const RAMP_SECS: f64 = 0.2;
 
 /// A limb held by its joints.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Held {
+pub(super) struct HeldLimb {
     pub(super) joints: Joints,
     /// The wrist as the girdle is to take it, trunk axes, metres.
     pub(super) cue: DVec3,
@@ -25,13 +25,13 @@ pub(super) struct Held {
     pub(super) help: DVec3,
 }
 
-impl Held {
+impl HeldLimb {
     /// The wrist as the girdle is to take it on a trunk for what is aimed at, trunk axes, metres.
-    pub(super) fn cued(&self, aim: Option<&Aim>, trunk: &DAffine3) -> DVec3 {
+    pub(super) fn cued(&self, aim: Option<&ReachTarget>, trunk: &DAffine3) -> DVec3 {
         self.cue + aim.map_or(DVec3::ZERO, |aim| aim.moved_on(trunk))
     }
 
-    fn toward(&self, to: &Self, share: f64) -> Self {
+    fn lerp(&self, to: &Self, share: f64) -> Self {
         Self {
             joints: between(&self.joints, &to.joints, share),
             cue: self.cue.lerp(to.cue, share),
@@ -47,12 +47,12 @@ impl Held {
     clippy::large_enum_variant,
     reason = "goals are made at every evaluation, which allocates nothing"
 )]
-pub(super) enum Goal {
+pub(super) enum MotionGoal {
     /// Joints as they are given, and where they are to bring the end, if that is said.
-    Joints(Held, Option<Aim>),
+    Joints(HeldLimb, Option<ReachTarget>),
     /// The end in a place.
     Frame {
-        frame: Frame,
+        frame: RigidFrame,
         /// How far elbow or knee are turned from their natural way, radians.
         swivel_rad: f64,
         /// What the girdle's cue is off the target, trunk axes, metres.
@@ -68,28 +68,32 @@ pub(super) enum Goal {
 pub(super) enum MotionKind {
     /// Joint angles, with minimum jerk or at an even speed.
     Joints {
-        from: Held,
-        to: Held,
+        from: HeldLimb,
+        to: HeldLimb,
         /// Where `to` is to bring the end; none where the angles themselves are asked for.
-        aim: Option<Box<Aim>>,
+        aim: Option<Box<ReachTarget>>,
         secs: f64,
         even: bool,
     },
     /// Joint angles from its beginning on.
-    Cut(Held),
+    Cut(HeldLimb),
     /// A straight line with the shortest turn.
-    Line { from: Frame, to: Frame, secs: f64 },
+    Line {
+        from: RigidFrame,
+        to: RigidFrame,
+        secs: f64,
+    },
     /// A function of time.
-    Curve(Curve),
+    Curve(TimedPath),
     /// Joint angles at even steps, and where they bring the end.
     Samples {
-        steps: Vec<(Held, Aim)>,
+        steps: Vec<(HeldLimb, ReachTarget)>,
         step_secs: f64,
         /// The target that they are on the way to, if there is one.
-        to: Option<Box<Frame>>,
+        to: Option<Box<RigidFrame>>,
     },
     /// A place in the world.
-    Lock(Frame),
+    Lock(RigidFrame),
 }
 
 impl MotionKind {
@@ -118,19 +122,19 @@ pub(super) struct LimbMotion {
     /// because of the other arm.
     pub(super) lean_lag: [DVec3; 2],
     /// What its joints were off, radians, and its upper bone, base axes.
-    pub(super) mend: Mend,
+    pub(super) mend: JointCorrection,
 }
 
 /// What joints are off from where they are to be.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mend {
+pub(super) struct JointCorrection {
     /// Each joint, radians; of limbs those of the shoulder or hip are 0.
     pub(super) joints: Joints,
     /// The turn of the upper bone of a limb, which has two sets of angles.
     pub(super) upper: DQuat,
 }
 
-impl Default for Mend {
+impl Default for JointCorrection {
     fn default() -> Self {
         Self {
             joints: Joints::default(),
@@ -141,7 +145,7 @@ impl Default for Mend {
 
 impl LimbMotion {
     /// What the limb is to do some seconds after it began.
-    pub(super) fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> Goal {
+    pub(super) fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> MotionGoal {
         let frame = match &self.kind {
             MotionKind::Joints {
                 from,
@@ -156,9 +160,9 @@ impl LimbMotion {
                     minimum_jerk(secs / whole.max(1e-9))
                 };
                 let aim = aim.as_ref().map(|aim| aim.counting(share, aim.frame));
-                return Goal::Joints(from.toward(to, share), aim);
+                return MotionGoal::Joints(from.lerp(to, share), aim);
             }
-            MotionKind::Cut(held) => return Goal::Joints(*held, None),
+            MotionKind::Cut(held) => return MotionGoal::Joints(*held, None),
             MotionKind::Samples {
                 steps,
                 step_secs,
@@ -171,25 +175,25 @@ impl LimbMotion {
                 let share = at - index as f64;
                 // Velocities lead the joints, and to no place.
                 let aim = to.as_ref().map(|to| {
-                    let aim = aim.toward(next, share);
+                    let aim = aim.lerp(next, share);
                     // It begins where the limb is, whatever led it there.
                     let counts = minimum_jerk(secs / SETTLE_SECS);
                     let is_over = at >= last as f64;
                     let target = if is_over { **to } else { aim.frame };
                     aim.counting(counts, target)
                 });
-                return Goal::Joints(a.toward(b, share), aim);
+                return MotionGoal::Joints(a.lerp(b, share), aim);
             }
             MotionKind::Line {
                 from,
                 to,
                 secs: whole,
-            } => from.toward(to, minimum_jerk(secs / whole.max(1e-9))),
-            MotionKind::Curve(curve) => curve.at(secs),
+            } => from.lerp(to, minimum_jerk(secs / whole.max(1e-9))),
+            MotionKind::Curve(curve) => curve.sample(secs),
             MotionKind::Lock(frame) => frame.moved(figure_from_world),
         };
         let left = 1.0 - minimum_jerk(secs / SETTLE_SECS);
-        Goal::Frame {
+        MotionGoal::Frame {
             frame,
             swivel_rad: self.swivel_rad * left,
             cue_lag: self.cue_lag * left,

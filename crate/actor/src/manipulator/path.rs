@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
-use crate::limb::Frame;
+use crate::limb::RigidFrame;
 
 /// A place of which parts may be left open. Positions in metres, figure axes (or world, for
 /// the whole figure); angles in radians: yaw about y, then pitch about x, then roll about z,
@@ -68,7 +68,7 @@ pub fn angles_of(rotation: DQuat) -> [f64; 3] {
 
 /// The form of a path.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum PathShape {
     /// A straight line.
     Segment,
     /// A straight line with a wave across it.
@@ -123,7 +123,7 @@ pub enum Shape {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// Its form.
-    pub shape: Shape,
+    pub shape: PathShape,
     /// Where it begins; `None` is where the limb is. Round shapes use the angles only.
     pub from: Placement,
     /// Where it ends; `None` is as at the beginning.
@@ -135,7 +135,7 @@ pub struct Path {
 }
 
 #[derive(Clone, Debug)]
-enum Form {
+enum PathGeometry {
     /// Bézier control points, a wave across and its number.
     Cubic([DVec3; 4], DVec3, f64),
     /// Centre, the two half axes, the way along the normal, first angle and rounds.
@@ -144,8 +144,8 @@ enum Form {
     Eight([DVec3; 3], f64),
 }
 
-impl Form {
-    fn at(&self, share: f64) -> DVec3 {
+impl PathGeometry {
+    fn position_at(&self, share: f64) -> DVec3 {
         match self {
             Self::Cubic([a, b, c, d], across, cycles) => {
                 let (s, r) = (share, 1.0 - share);
@@ -187,12 +187,12 @@ const HURRY_RAD_PER_S: f64 = 3.0;
 const EASED_PEAK: f64 = 4.0 / 3.0;
 /// Fastest that a figure turns along its way, radians a second: the round and a half a second
 /// of a dancer's pirouette.
-pub const MOST_TURN_RAD_PER_S: f64 = 1.5 * TAU;
+pub const MAX_TURN_RAD_PER_S: f64 = 1.5 * TAU;
 
 /// A path ready to be followed.
 #[derive(Clone, Debug)]
-pub struct Curve {
-    form: Form,
+pub struct TimedPath {
+    form: PathGeometry,
     from_angles: [f64; 3],
     to_angles: [f64; 3],
     /// Whether it turns by the yaw, however often round, or the shortest way.
@@ -200,21 +200,21 @@ pub struct Curve {
     period_secs: f64,
     looping: bool,
     /// From the curve's beginning to where the limb was.
-    lag: Lag,
+    lag: OffsetDecay,
     /// From the curve's beginning to its end, for the next round.
-    seam: Lag,
+    seam: OffsetDecay,
 }
 
 /// A difference that is made up in some time.
 #[derive(Clone, Copy, Debug)]
-struct Lag {
+struct OffsetDecay {
     position: DVec3,
     rotation: DQuat,
     secs: f64,
 }
 
-impl Lag {
-    fn between(from: &Frame, to: &Frame, most_secs: f64) -> Self {
+impl OffsetDecay {
+    fn between(from: &RigidFrame, to: &RigidFrame, most_secs: f64) -> Self {
         let position = to.position - from.position;
         let rotation = (to.rotation * from.rotation.inverse()).normalized();
         let turn = rotation.angle_between(DQuat::IDENTITY);
@@ -226,35 +226,35 @@ impl Lag {
         }
     }
 
-    fn left(&self, frame: Frame, secs: f64) -> Frame {
+    fn left(&self, frame: RigidFrame, secs: f64) -> RigidFrame {
         if self.secs <= 0.0 || secs >= self.secs {
             return frame;
         }
         let left = 1.0 - minimum_jerk(secs / self.secs);
-        Frame {
+        RigidFrame {
             position: frame.position + self.position * left,
             rotation: (DQuat::IDENTITY.slerp(self.rotation, left) * frame.rotation).normalized(),
         }
     }
 }
 
-impl Form {
+impl PathGeometry {
     /// The line of a path for a limb or figure that is at `now`.
-    fn new(path: &Path, now: &Frame) -> Self {
+    fn new(path: &Path, now: &RigidFrame) -> Self {
         let start = path.from.position_or(now.position);
         let end = path.to.position_or(start);
         match &path.shape {
-            Shape::Segment => cubic(start, end, DVec3::ZERO, 0.0),
-            Shape::Sinusoid { across, cycles } => cubic(start, end, *across, *cycles),
-            Shape::Bezier { controls } => {
+            PathShape::Segment => cubic(start, end, DVec3::ZERO, 0.0),
+            PathShape::Sinusoid { across, cycles } => cubic(start, end, *across, *cycles),
+            PathShape::Bezier { controls } => {
                 let [b, c] = [controls[0].position_or(start), controls[1].position_or(end)];
-                Form::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
+                PathGeometry::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
             }
-            Shape::Hermite { tangents } => {
+            PathShape::Hermite { tangents } => {
                 let [b, c] = [start + tangents[0] / 3.0, end - tangents[1] / 3.0];
-                Form::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
+                PathGeometry::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
             }
-            Shape::Round {
+            PathShape::Round {
                 centre,
                 normal,
                 radii,
@@ -266,9 +266,9 @@ impl Form {
                 let (u, v) = (u * radii[0], v * radii[1]);
                 let (s, c) = ops::sincos(*from_rad);
                 let own = centre.position_or(now.position - u * c - v * s);
-                Form::Round([own, u, v, n * *rise], *from_rad, *turns)
+                PathGeometry::Round([own, u, v, n * *rise], *from_rad, *turns)
             }
-            Shape::Lemniscate {
+            PathShape::Lemniscate {
                 centre,
                 normal,
                 half_width,
@@ -279,23 +279,23 @@ impl Form {
                 let tilt = DQuat::from_axis_angle(n, *tilt_rad);
                 let (u, v) = (tilt * u * *half_width, tilt * v * *half_width);
                 let own = centre.position_or(now.position - u);
-                Form::Eight([own, u, v], *turns)
+                PathGeometry::Eight([own, u, v], *turns)
             }
         }
     }
 }
 
-impl Curve {
+impl TimedPath {
     /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
     /// by the yaw from the beginning to the end, however often round, as a figure may, and tilts
     /// the shortest way; it takes longer than its period where it would turn faster than
-    /// [`MOST_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
+    /// [`MAX_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
     #[must_use]
-    pub fn new(path: &Path, now: &Frame, by_angles: bool) -> Self {
+    pub fn new(path: &Path, now: &RigidFrame, by_angles: bool) -> Self {
         let now_angles = angles_of(now.rotation);
-        let form = Form::new(path, now);
+        let form = PathGeometry::new(path, now);
         let from_angles = path.from.angles_or(now_angles);
-        let none = Lag {
+        let none = OffsetDecay {
             position: DVec3::ZERO,
             rotation: DQuat::IDENTITY,
             secs: 0.0,
@@ -314,7 +314,7 @@ impl Curve {
             let (from, to) = (curve.from_angles, curve.to_angles);
             let tilt = tilt_of(from).angle_between(tilt_of(to));
             let turn = (to[0] - from[0]).abs() + tilt;
-            let least_secs = EASED_PEAK * turn / MOST_TURN_RAD_PER_S;
+            let least_secs = EASED_PEAK * turn / MAX_TURN_RAD_PER_S;
             curve.period_secs = curve.period_secs.max(least_secs);
         }
         let (first, last) = (curve.on_form(0.0), curve.on_form(1.0));
@@ -328,18 +328,18 @@ impl Curve {
         } else {
             f64::INFINITY
         };
-        curve.lag = Lag::between(&first, now, f64::INFINITY);
-        curve.seam = Lag::between(&first, &last, most);
+        curve.lag = OffsetDecay::between(&first, now, f64::INFINITY);
+        curve.seam = OffsetDecay::between(&first, &last, most);
         curve
     }
 
     /// Where the curve begins.
     #[must_use]
-    pub fn start(&self) -> Frame {
+    pub fn start(&self) -> RigidFrame {
         self.on_form(0.0)
     }
 
-    fn on_form(&self, share: f64) -> Frame {
+    fn on_form(&self, share: f64) -> RigidFrame {
         let (from, to) = (self.from_angles, self.to_angles);
         let rotation = if self.by_angles {
             // The tilt goes the shortest way: its two angles apart would not.
@@ -350,8 +350,8 @@ impl Curve {
             let (from, to) = (rotation_from(from), rotation_from(to));
             from.slerp(to, share).normalized()
         };
-        Frame {
-            position: self.form.at(share),
+        RigidFrame {
+            position: self.form.position_at(share),
             rotation,
         }
     }
@@ -368,7 +368,7 @@ impl Curve {
 
     /// Where it is some seconds after its beginning.
     #[must_use]
-    pub fn at(&self, secs: f64) -> Frame {
+    pub fn sample(&self, secs: f64) -> RigidFrame {
         let secs = secs.max(0.0);
         let period = self.period_secs;
         if period <= 0.0 {
@@ -394,9 +394,9 @@ impl Curve {
     }
 }
 
-fn cubic(start: DVec3, end: DVec3, across: DVec3, cycles: f64) -> Form {
+fn cubic(start: DVec3, end: DVec3, across: DVec3, cycles: f64) -> PathGeometry {
     let [b, c] = [start.lerp(end, 1.0 / 3.0), start.lerp(end, 2.0 / 3.0)];
-    Form::Cubic([start, b, c, end], across, cycles)
+    PathGeometry::Cubic([start, b, c, end], across, cycles)
 }
 
 /// Time that begins at rest and has caught up after `gather` seconds.

@@ -8,17 +8,17 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::ManipulatorScript;
 use super::head::HeadRig;
-use super::motion::Goal;
+use super::motion::MotionGoal;
 use super::root::RootTrack;
-use super::steady::Steady;
+use super::smoothing::SmoothedPaths;
 use super::track::LimbTrack;
 use crate::kinematics::world_from_bone;
-use crate::limb::chain::{Base, LimbRig, Posed};
+use crate::limb::chain::{LimbBase, LimbRig, PosedLimb};
 use crate::limb::limits::{self, Limit};
 use crate::limb::obstacles::Obstacles;
 use crate::limb::solve::Solutions;
 use crate::limb::{ARM_BONES, ArmRig};
-use crate::limb::{Frame, Joints, Limb, Sex};
+use crate::limb::{Joints, Limb, RigidFrame, Sex};
 
 /// The rigs of a figure, and what each of its limbs does when.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub struct Manipulators {
     pub(super) tracks: [LimbTrack; 5],
     pub(super) root: RootTrack,
     /// Joints that lead the limbs where their targets would make them snap.
-    pub(super) steady: [Steady; 5],
+    pub(super) steady: [SmoothedPaths; 5],
 }
 
 impl Manipulators {
@@ -73,7 +73,7 @@ impl Manipulators {
     /// it never moves.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
-        self.root.at(time_secs)
+        self.root.sample(time_secs)
     }
 
     /// Whether the script cuts a limb to other joints after a time, up to another one, seconds.
@@ -84,13 +84,13 @@ impl Manipulators {
     }
 
     /// What a limb is to do at a time, and how far it is under control; none where it is not.
-    pub(super) fn goal(&self, limb: Limb, time_secs: f64) -> Option<(Goal, f64)> {
+    pub(super) fn goal(&self, limb: Limb, time_secs: f64) -> Option<(MotionGoal, f64)> {
         let track = &self.tracks[limb.index()];
         let weight = track.weight(time_secs);
         if weight <= 0.0 {
             return None;
         }
-        let figure_from_world = match self.root.at(time_secs) {
+        let figure_from_world = match self.root.sample(time_secs) {
             Some(moved) => moved.inverse(),
             None => DAffine3::IDENTITY,
         };
@@ -104,7 +104,7 @@ impl Manipulators {
         skeleton: &Skeleton,
         time_secs: f64,
         pose: &mut Pose,
-    ) -> [Option<Frame>; 4] {
+    ) -> [Option<RigidFrame>; 4] {
         self.first_limbs(self.limbs.len(), skeleton, time_secs, pose)
     }
 
@@ -115,14 +115,14 @@ impl Manipulators {
         skeleton: &Skeleton,
         time_secs: f64,
         pose: &mut Pose,
-    ) -> [Option<Frame>; 4] {
+    ) -> [Option<RigidFrame>; 4] {
         let mut targets = [None; 4];
         let limbs = Limb::ALL.into_iter().take(count.min(self.limbs.len()));
         for (index, limb) in limbs.enumerate() {
             let Some((goal, weight)) = self.goal(limb, time_secs) else {
                 continue;
             };
-            let met = self.meet_at(limb, &goal, time_secs, skeleton, pose);
+            let met = self.solve_at(limb, &goal, time_secs, skeleton, pose);
             if let Some(target) = targets.get_mut(index) {
                 *target = Some(met.target);
             }
@@ -136,17 +136,23 @@ impl Manipulators {
         let Some((goal, weight)) = self.goal(Limb::Head, time_secs) else {
             return;
         };
-        let met = self.meet_at(Limb::Head, &goal, time_secs, skeleton, pose);
+        let met = self.solve_at(Limb::Head, &goal, time_secs, skeleton, pose);
         self.place(Limb::Head, &met, weight, pose);
     }
 
     /// A target brought within reach, its orientation kept.
-    pub(super) fn projected(&self, limb: Limb, frame: &Frame, base: &Base, limited: f64) -> Frame {
+    pub(super) fn projected(
+        &self,
+        limb: Limb,
+        frame: &RigidFrame,
+        base: &LimbBase,
+        limited: f64,
+    ) -> RigidFrame {
         let Some(rig) = self.limbs.get(limb.index()) else {
-            return self.head.held(frame, base, limited);
+            return self.head.clamp_target(frame, base, limited);
         };
         let (near, _) = rig.projected(frame.position - base.origin, limited);
-        Frame {
+        RigidFrame {
             position: base.origin + near,
             ..*frame
         }
@@ -155,8 +161,8 @@ impl Manipulators {
     pub(super) fn solutions(
         &self,
         limb: Limb,
-        target: &Frame,
-        base: &Base,
+        target: &RigidFrame,
+        base: &LimbBase,
         swivel_rad: f64,
     ) -> Solutions {
         match self.limbs.get(limb.index()) {
@@ -177,7 +183,7 @@ impl Manipulators {
     }
 
     /// Where a limb's base is on its trunk, an arm's with the scapula turned so.
-    pub(super) fn base(&self, limb: Limb, trunk: &DAffine3, scapula: Option<DQuat>) -> Base {
+    pub(super) fn base(&self, limb: Limb, trunk: &DAffine3, scapula: Option<DQuat>) -> LimbBase {
         match (self.limbs.get(limb.index()), self.arms.get(limb.index())) {
             (Some(rig), Some(arm)) => {
                 let scapula = scapula.unwrap_or(DQuat::IDENTITY);
@@ -189,10 +195,10 @@ impl Manipulators {
     }
 
     /// Joints a share of the way to being within their limits.
-    pub(super) fn keep(&self, limb: Limb, share: f64, joints: &Joints) -> Joints {
+    pub(super) fn clamp_joints(&self, limb: Limb, share: f64, joints: &Joints) -> Joints {
         match self.limbs.get(limb.index()) {
-            Some(rig) => rig.keep(share, joints),
-            None => limits::keep(self.head.limits(), share, joints),
+            Some(rig) => rig.clamp_joints(share, joints),
+            None => limits::clamp_joints(self.head.limits(), share, joints),
         }
     }
 
@@ -203,7 +209,7 @@ impl Manipulators {
         }
     }
 
-    pub(super) fn posed(&self, limb: Limb, joints: &Joints, base: &Base) -> Posed {
+    pub(super) fn posed(&self, limb: Limb, joints: &Joints, base: &LimbBase) -> PosedLimb {
         match self.limbs.get(limb.index()) {
             Some(rig) => rig.posed(joints, base),
             None => self.head.posed(joints, base),

@@ -3,46 +3,46 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
-use super::Move;
-use super::path::Curve;
-use crate::limb::Frame;
+use super::RootMotion;
+use super::path::TimedPath;
+use crate::limb::RigidFrame;
 
 /// The figure's motions in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RootTrack {
-    moves: Vec<(f64, Curve)>,
+    moves: Vec<(f64, TimedPath)>,
 }
 
 /// Where a figure stands of which nothing is said.
-const HOME: Frame = Frame {
+const HOME: RigidFrame = RigidFrame {
     position: DVec3::ZERO,
     rotation: DQuat::IDENTITY,
 };
 
 impl RootTrack {
-    pub(super) fn new(moves: &[Move]) -> Self {
-        let finite = |m: &&Move| m.time_secs.is_finite();
-        let mut order: Vec<&Move> = moves.iter().filter(finite).collect();
+    pub(super) fn new(moves: &[RootMotion]) -> Self {
+        let finite = |m: &&RootMotion| m.time_secs.is_finite();
+        let mut order: Vec<&RootMotion> = moves.iter().filter(finite).collect();
         sort_by_number(&mut order, |m| m.time_secs);
         let mut track = Self::default();
         for m in order {
             // Before its first motion the figure already stands where that begins.
             let now = if track.moves.is_empty() {
-                Curve::new(&m.path, &HOME, true).start()
+                TimedPath::new(&m.path, &HOME, true).start()
             } else {
                 track.frame(m.time_secs)
             };
             track
                 .moves
-                .push((m.time_secs, Curve::new(&m.path, &now, true)));
+                .push((m.time_secs, TimedPath::new(&m.path, &now, true)));
         }
         track
     }
 
-    fn frame(&self, time_secs: f64) -> Frame {
+    fn frame(&self, time_secs: f64) -> RigidFrame {
         let begun = self.moves.partition_point(|(at, _)| *at <= time_secs);
         match self.moves.get(begun.saturating_sub(1)) {
-            Some((at, curve)) => curve.at(time_secs - at),
+            Some((at, curve)) => curve.sample(time_secs - at),
             None => HOME,
         }
     }
@@ -56,7 +56,7 @@ impl RootTrack {
     }
 
     /// World from figure axes; none where the figure never moves.
-    pub(super) fn at(&self, time_secs: f64) -> Option<DAffine3> {
+    pub(super) fn sample(&self, time_secs: f64) -> Option<DAffine3> {
         (!self.moves.is_empty()).then(|| {
             let frame = self.frame(time_secs);
             DAffine3::from_rotation_translation(frame.rotation, frame.position)

@@ -2,10 +2,10 @@
 //! joints where their targets would make them snap ([`super::steady`]).
 
 use super::aim::FORCED;
-use super::meet::Met;
 use super::perform::Manipulators;
-use super::scene::Scene;
-use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
+use super::scene::CommandContext;
+use super::smoothing::{EVEN_HZ, Interval, MAX_RAD_PER_S, Sample, lerp_joints, nearest};
+use super::solve::LimbSolution;
 use crate::limb::ARM_BONES;
 use crate::limb::chain::END;
 use crate::limb::{Joints, Limb};
@@ -13,11 +13,11 @@ use crate::limb::{Joints, Limb};
 /// How joints catch up with a target after a snap: a share of the remaining way in a second, not
 /// faster and not slower than this. Designed: as a quick movement that ends softly.
 const CATCH_UP_HZ: f64 = 6.0;
-const FASTEST_RAD_PER_S: f64 = 10.0;
-const SLOWEST_RAD_PER_S: f64 = 2.0;
+const MAX_SPEED_RAD_PER_S: f64 = 10.0;
+const MIN_SPEED_RAD_PER_S: f64 = 2.0;
 /// Mean speed between even times from which it is looked at as a snap: in between it may be
 /// some more.
-const SNAP_RAD_PER_S: f64 = 0.7 * MOST_RAD_PER_S;
+const SNAP_RAD_PER_S: f64 = 0.7 * MAX_RAD_PER_S;
 /// Flexion of elbow or knee below which they may stretch and bend between even times, radians:
 /// near the reach a small way of the end is a large one of theirs.
 const STRETCHED_RAD: f64 = 0.4;
@@ -27,10 +27,10 @@ const STILL_RAD: f64 = 0.003;
 const UNSEEN_RAD: f64 = 0.02;
 /// The shortest time in which a snap is looked for, seconds, and how often it is doubled to an
 /// even step.
-const LEAST_SECS: f64 = 1.0 / 480.0;
+const MIN_SECS: f64 = 1.0 / 480.0;
 const HALVINGS: u32 = 4;
 /// Turn of both halves of a time that hide no snap, whatever part of them is at once, radians.
-const HARMLESS_RAD: f64 = SNAP_RAD_PER_S * LEAST_SECS;
+const HARMLESS_RAD: f64 = SNAP_RAD_PER_S * MIN_SECS;
 /// Times that a step by the joints is shortened to its bones' speed.
 const SHORTENINGS: usize = 4;
 /// Joints this near to those of the target have caught up, radians.
@@ -42,14 +42,14 @@ const PAUSE_SECS: f64 = 0.5;
 /// Time for which a loop is followed, seconds.
 const LOOP_SECS: f64 = 60.0;
 /// Times farther than this from the story's beginning are ignored, seconds.
-const FARTHEST_SECS: f64 = 1e9;
+const MAX_TIME_SECS: f64 = 1e9;
 /// Even times followed in one performance at most, 20 minutes of motion: what comes after
 /// them follows the targets alone, so that no script takes time without bound.
-const MOST_STEPS: u32 = 36_000;
+const MAX_STEPS: u32 = 36_000;
 
 /// The state of one limb while it is followed.
 #[derive(Clone, Copy, Debug, Default)]
-struct Followed {
+struct ScannedLimb {
     /// Joints of the target at the last even time.
     target: Option<Joints>,
     /// Whether the joints have not caught up with the target.
@@ -61,7 +61,7 @@ struct Followed {
 /// The state of following.
 #[derive(Debug)]
 pub(super) struct Scan {
-    limbs: [Followed; 5],
+    limbs: [ScannedLimb; 5],
     /// From when on each limb's motion is over, seconds.
     rests_from: [f64; 5],
     /// From when on everything is, seconds.
@@ -96,8 +96,8 @@ impl Scan {
     }
 
     /// A limb is cut to other joints: it need not catch up with anything.
-    pub(super) fn cut(&mut self, limb: Limb) {
-        self.limbs[limb.index()] = Followed::default();
+    pub(super) fn reset(&mut self, limb: Limb) {
+        self.limbs[limb.index()] = ScannedLimb::default();
     }
 
     /// The figure begins to move, and all limbs with it.
@@ -118,9 +118,9 @@ fn followed_secs(secs: f64) -> f64 {
 
 impl Manipulators {
     /// Begins to follow, shortly before a time.
-    pub(super) fn wake(&mut self, scan: &mut Scan, time_secs: f64, scene: &Scene<'_>) {
-        let is_far = time_secs.abs() > FARTHEST_SECS;
-        if scan.next.is_some() || scan.steps >= MOST_STEPS || is_far {
+    pub(super) fn wake(&mut self, scan: &mut Scan, time_secs: f64, scene: &CommandContext<'_>) {
+        let is_far = time_secs.abs() > MAX_TIME_SECS;
+        if scan.next.is_some() || scan.steps >= MAX_STEPS || is_far {
             return;
         }
         let at = (time_secs * EVEN_HZ).floor() as i64;
@@ -136,8 +136,8 @@ impl Manipulators {
                 let Some((goal, weight)) = self.goal(limb, secs) else {
                     continue;
                 };
-                let met = self.meet_at(limb, &goal, secs, scene.skeleton, &pose);
-                let lead = self.steady[limb.index()].at(secs, self.limbs.get(limb.index()));
+                let met = self.solve_at(limb, &goal, secs, scene.skeleton, &pose);
+                let lead = self.steady[limb.index()].sample(secs, self.limbs.get(limb.index()));
                 let leads = lead.map_or([false; 2], |lead| {
                     let forced = met.forced_by();
                     [0, 1].map(|i| lead.weights[i] > 0.0 || forced[i] > 0.0)
@@ -151,7 +151,7 @@ impl Manipulators {
         }
         for (limb, samples) in Limb::ALL.into_iter().zip(samples) {
             if samples.len() == 4 {
-                self.steady[limb.index()].stretches.push(Stretch {
+                self.steady[limb.index()].stretches.push(Interval {
                     from: at - 1,
                     first: at - 3,
                     samples,
@@ -164,7 +164,7 @@ impl Manipulators {
     }
 
     /// Follows a limb from where the figure has it, before a command takes it on.
-    pub(super) fn take(&mut self, scan: &Scan, limb: Limb, scene: &Scene<'_>) {
+    pub(super) fn begin_scan(&mut self, scan: &Scan, limb: Limb, scene: &CommandContext<'_>) {
         let i = limb.index();
         let Some(next) = scan.next else {
             return;
@@ -172,14 +172,14 @@ impl Manipulators {
         let open = self.steady[i].stretches.last_mut();
         if let Some(open) = open.filter(|s| s.next() == next) {
             // Where joints lead, the command begins with them.
-            open.lead_on();
+            open.follow();
             return;
         }
         let samples = (next - 3..next).map(|even| Sample {
-            joints: self.alone_at(limb, even as f64 / EVEN_HZ, scene),
+            joints: self.undisturbed_at(limb, even as f64 / EVEN_HZ, scene),
             leads: [false; 2],
         });
-        let stretch = Stretch {
+        let stretch = Interval {
             from: next - 1,
             first: next - 3,
             samples: samples.collect(),
@@ -191,7 +191,12 @@ impl Manipulators {
     }
 
     /// Follows up to a time.
-    pub(super) fn follow_to(&mut self, scan: &mut Scan, time_secs: f64, scene: &Scene<'_>) {
+    pub(super) fn follow_to(
+        &mut self,
+        scan: &mut Scan,
+        time_secs: f64,
+        scene: &CommandContext<'_>,
+    ) {
         while let Some(even) = scan.next {
             let secs = even as f64 / EVEN_HZ;
             if secs > time_secs {
@@ -200,7 +205,7 @@ impl Manipulators {
             let is_behind = scan.limbs.iter().any(|limb| limb.is_behind);
             let over = secs - scan.busy_until;
             let waits = over < PAUSE_SECS || is_behind && over < AFTER_SECS;
-            if !waits && time_secs - secs > PAUSE_SECS || scan.steps >= MOST_STEPS {
+            if !waits && time_secs - secs > PAUSE_SECS || scan.steps >= MAX_STEPS {
                 scan.next = None;
                 for (i, steady) in self.steady.iter_mut().enumerate() {
                     let Some(last) = steady.stretches.last_mut() else {
@@ -223,17 +228,17 @@ impl Manipulators {
         }
     }
 
-    fn follow_at(&mut self, scan: &mut Scan, even: i64, scene: &Scene<'_>) {
+    fn follow_at(&mut self, scan: &mut Scan, even: i64, scene: &CommandContext<'_>) {
         let secs = even as f64 / EVEN_HZ;
         let mut pose = scene.idle(secs);
         self.lean(scene.skeleton, secs, &mut pose);
         for limb in Limb::ALL {
             let i = limb.index();
             let Some((goal, weight)) = self.goal(limb, secs) else {
-                scan.limbs[i] = Followed::default();
+                scan.limbs[i] = ScannedLimb::default();
                 continue;
             };
-            let mut met = self.meet_alone(limb, &goal, secs, scene.skeleton, &pose);
+            let mut met = self.solve_static(limb, &goal, secs, scene.skeleton, &pose);
             let rests = secs >= scan.rests_from[i];
             scan.limbs[i].rests = rests;
             met.joints = self.step(limb, even, &mut scan.limbs[i], &met, scene);
@@ -247,9 +252,9 @@ impl Manipulators {
         &mut self,
         limb: Limb,
         even: i64,
-        followed: &mut Followed,
-        met: &Met,
-        scene: &Scene<'_>,
+        followed: &mut ScannedLimb,
+        met: &LimbSolution,
+        scene: &CommandContext<'_>,
     ) -> Joints {
         let i = limb.index();
         let target = &met.joints;
@@ -261,12 +266,12 @@ impl Manipulators {
             // The limb comes under control where it is.
             self.steady[i]
                 .stretches
-                .push(Stretch::new(even, even, *target));
+                .push(Interval::new(even, even, *target));
             followed.target = Some(*target);
             return *target;
         };
         let before = followed.target.unwrap_or(last);
-        let turned = self.way(limb, &before, target);
+        let turned = self.rotation_distance(limb, &before, target);
         let was = followed.is_behind;
         let mut snaps = self.snaps(limb, even, [&before, target], turned, scene);
         followed.target = Some(*target);
@@ -279,12 +284,14 @@ impl Manipulators {
             joints[END].copy_from_slice(&last[END]);
         }
         // What a resting limb has held it does not let go of at once either.
-        snaps |= !stays && !was && self.way(limb, &last, &joints) > SNAP_RAD_PER_S / EVEN_HZ;
+        snaps |= !stays
+            && !was
+            && self.rotation_distance(limb, &last, &joints) > SNAP_RAD_PER_S / EVEN_HZ;
         if (was || snaps) && !stays {
             let limited = self.tracks[i].limited(even as f64 / EVEN_HZ) >= 0.5;
             let along = if snaps { 0.0 } else { turned * EVEN_HZ };
             let open = self.steady[i].stretches.last_mut();
-            let waited = open.and_then(|stretch| stretch.wait(self.limbs.get(i)));
+            let waited = open.and_then(|stretch| stretch.delay_snap(self.limbs.get(i)));
             let (last, waits) = waited.unwrap_or((last, false));
             joints = if waits {
                 last
@@ -320,20 +327,20 @@ impl Manipulators {
             None if limited => *target,
             rig => nearest(target, last, rig),
         };
-        let left = self.way(limb, last, &to);
-        let own = (CATCH_UP_HZ * left).clamp(SLOWEST_RAD_PER_S, FASTEST_RAD_PER_S);
+        let left = self.rotation_distance(limb, last, &to);
+        let own = (CATCH_UP_HZ * left).clamp(MIN_SPEED_RAD_PER_S, MAX_SPEED_RAD_PER_S);
         let most = (own + along_rad_per_s).min(SNAP_RAD_PER_S) / EVEN_HZ;
         if left <= most {
             return to;
         }
         // Bones may turn farther by their joints than the shortest way.
         let mut share = most / left;
-        let mut joints = toward(last, &to, share, limited);
+        let mut joints = lerp_joints(last, &to, share, limited);
         for _ in 0..SHORTENINGS {
-            let turned = self.way(limb, last, &joints);
+            let turned = self.rotation_distance(limb, last, &joints);
             if turned > most {
                 share *= most / turned;
-                joints = toward(last, &to, share, limited);
+                joints = lerp_joints(last, &to, share, limited);
             }
         }
         joints
@@ -346,7 +353,7 @@ impl Manipulators {
         even: i64,
         ends: [&Joints; 2],
         turned: f64,
-        scene: &Scene<'_>,
+        scene: &CommandContext<'_>,
     ) -> bool {
         let is_stretched = limb != Limb::Head && ends[0][2].min(ends[1][2]) < STRETCHED_RAD;
         if turned > SNAP_RAD_PER_S / EVEN_HZ {
@@ -354,20 +361,20 @@ impl Manipulators {
         }
         let still = if is_stretched { STILL_RAD } else { UNSEEN_RAD };
         turned > still
-            && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
+            && self.jumps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
     }
 
     /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
     /// 480th of a second that follow a time.
-    fn snaps_between(
+    fn jumps_between(
         &self,
         limb: Limb,
         [a, b]: [&Joints; 2],
         from_secs: f64,
         halvings: u32,
-        scene: &Scene<'_>,
+        scene: &CommandContext<'_>,
     ) -> bool {
-        let half_secs = f64::from(1_u32 << halvings) * 0.5 * LEAST_SECS;
+        let half_secs = f64::from(1_u32 << halvings) * 0.5 * MIN_SECS;
         let turned = self.turned(limb, a, b);
         if turned > SNAP_RAD_PER_S * 2.0 * half_secs {
             return true;
@@ -376,25 +383,25 @@ impl Manipulators {
         if halvings == 0 {
             return false;
         }
-        let middle = self.alone_at(limb, middle_secs, scene);
+        let middle = self.undisturbed_at(limb, middle_secs, scene);
         // What turns little in one half may have turned back there, if it turns in the other.
         let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
         halves.into_iter().any(|turned| turned > HARMLESS_RAD)
             && [(a, &middle, from_secs), (&middle, b, middle_secs)]
                 .into_iter()
                 .any(|(a, b, from_secs)| {
-                    self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
+                    self.jumps_between(limb, [a, b], from_secs, halvings - 1, scene)
                 })
     }
 
     /// The joints of a limb's target alone at a time, or those that it has without one.
-    fn alone_at(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Joints {
+    fn undisturbed_at(&self, limb: Limb, time_secs: f64, scene: &CommandContext<'_>) -> Joints {
         let mut pose = scene.idle(time_secs);
         self.lean(scene.skeleton, time_secs, &mut pose);
         self.first_limbs(limb.index(), scene.skeleton, time_secs, &mut pose);
         match self.goal(limb, time_secs) {
             Some((goal, _)) => {
-                let met = self.meet_alone(limb, &goal, time_secs, scene.skeleton, &pose);
+                let met = self.solve_static(limb, &goal, time_secs, scene.skeleton, &pose);
                 met.joints
             }
             None => {
@@ -407,13 +414,13 @@ impl Manipulators {
     }
 
     /// How far the bones of a limb turn on their way by the joints to others, radians.
-    fn way(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
+    fn rotation_distance(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
         const PARTS: u32 = 4;
         let to = nearest(to, from, self.limbs.get(limb.index()));
         let mut at = *from;
         let mut sum = 0.0;
         for part in 1..=PARTS {
-            let next = toward(from, &to, f64::from(part) / f64::from(PARTS), true);
+            let next = lerp_joints(from, &to, f64::from(part) / f64::from(PARTS), true);
             sum += self.turned(limb, &at, &next);
             at = next;
         }

@@ -4,18 +4,18 @@ use raconteur_body::{Pose, Skeleton};
 
 /// The figure at one moment.
 #[derive(Clone, Copy)]
-pub(super) struct Moment<'a> {
+pub(super) struct FigureState<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) pose: &'a Pose,
 }
 
 /// What commands are resolved with.
-pub(super) struct Scene<'a> {
+pub(super) struct CommandContext<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) idle: &'a dyn Fn(f64, &mut Pose),
 }
 
-impl Scene<'_> {
+impl CommandContext<'_> {
     pub(super) fn idle(&self, time_secs: f64) -> Pose {
         let mut pose = Pose::zero();
         (self.idle)(time_secs, &mut pose);

@@ -4,10 +4,10 @@
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat};
 
-use super::motion::{Goal, LimbMotion, Mend, MotionKind, SETTLE_SECS};
+use super::motion::{JointCorrection, LimbMotion, MotionGoal, MotionKind, SETTLE_SECS};
 use crate::limb::Joints;
 use crate::limb::solve::AT_EASE;
-use crate::limb::swivel::Preference;
+use crate::limb::swivel::JointPreference;
 
 /// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
 /// brake.
@@ -18,7 +18,7 @@ const RELEASE_SECS: f64 = 0.5;
 const SET_IN_SECS: f64 = 0.4;
 /// A course from a time on.
 #[derive(Clone, Copy, Debug)]
-struct Segment {
+struct TrackSegment {
     start_secs: f64,
     /// Which course.
     course: usize,
@@ -28,7 +28,7 @@ struct Segment {
     brakes: bool,
 }
 
-impl Segment {
+impl TrackSegment {
     /// The time of its course at a time, seconds.
     fn run(&self, time_secs: f64) -> f64 {
         let since = time_secs - self.start_secs;
@@ -53,7 +53,7 @@ struct Switch {
 }
 
 impl Switch {
-    fn at(&self, time_secs: f64, secs: f64) -> f64 {
+    fn weight_at(&self, time_secs: f64, secs: f64) -> f64 {
         let to = f64::from(u8::from(self.on));
         lerp(
             self.before,
@@ -73,7 +73,7 @@ fn last(switches: &[Switch], time_secs: f64) -> Option<&Switch> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct LimbTrack {
     motions: Vec<LimbMotion>,
-    segments: Vec<Segment>,
+    segments: Vec<TrackSegment>,
     control: Vec<Switch>,
     limits: Vec<Switch>,
     /// Joint angles that are preferred from a time on; none: those at ease.
@@ -98,8 +98,8 @@ impl LimbTrack {
         match last(&self.control, time_secs) {
             None => 0.0,
             Some(s) if s.on && !self.sets_in => 1.0,
-            Some(s) if s.on => s.at(time_secs, SET_IN_SECS),
-            Some(s) => s.at(time_secs, RELEASE_SECS),
+            Some(s) if s.on => s.weight_at(time_secs, SET_IN_SECS),
+            Some(s) => s.weight_at(time_secs, RELEASE_SECS),
         }
     }
 
@@ -107,14 +107,14 @@ impl LimbTrack {
     pub(super) fn set_in(&self, time_secs: f64) -> f64 {
         match last(&self.control, time_secs) {
             None => 0.0,
-            Some(s) if s.on => s.at(time_secs, SET_IN_SECS),
+            Some(s) if s.on => s.weight_at(time_secs, SET_IN_SECS),
             Some(_) => 1.0,
         }
     }
 
     /// How much joint limits count, 0 to 1.
     pub(super) fn limited(&self, time_secs: f64) -> f64 {
-        last(&self.limits, time_secs).map_or(1.0, |s| s.at(time_secs, SET_IN_SECS))
+        last(&self.limits, time_secs).map_or(1.0, |s| s.weight_at(time_secs, SET_IN_SECS))
     }
 
     /// Whether a motion is in control, or the limb was given back.
@@ -153,11 +153,11 @@ impl LimbTrack {
 
     /// What joints still are off at a time from where they were at the beginning of their
     /// course; none once that is made up for.
-    pub(super) fn mend(&self, time_secs: f64) -> Option<Mend> {
+    pub(super) fn correct_start(&self, time_secs: f64) -> Option<JointCorrection> {
         let segment = self.segment(time_secs)?;
         let mend = &self.motions[segment.course].mend;
         let left = 1.0 - minimum_jerk(segment.run(time_secs) / SETTLE_SECS);
-        (left > 0.0).then(|| Mend {
+        (left > 0.0).then(|| JointCorrection {
             joints: mend.joints.map(|off| left * off),
             upper: DQuat::IDENTITY.slerp(mend.upper, left),
         })
@@ -171,7 +171,7 @@ impl LimbTrack {
     }
 
     /// Lets the last course begin with its joints off by so much.
-    pub(super) fn mend_last(&mut self, off: Mend) {
+    pub(super) fn correct_last(&mut self, off: JointCorrection) {
         if let Some(course) = self.motions.last_mut() {
             course.mend = off;
         }
@@ -199,15 +199,15 @@ impl LimbTrack {
 
     /// The preference at a time; elbow or knee take their new way as slowly as after a
     /// change of motion.
-    pub(super) fn preference(&self, time_secs: f64) -> Preference {
+    pub(super) fn preference(&self, time_secs: f64) -> JointPreference {
         let said = self.preferred.partition_point(|(t, _)| *t <= time_secs);
         let nth = |i: Option<usize>| i.and_then(|i| self.preferred.get(i));
         let Some((since, now)) = nth(said.checked_sub(1)) else {
-            return Preference::default();
+            return JointPreference::default();
         };
         let before = nth(said.checked_sub(2)).and_then(|(_, joints)| *joints);
         let share = minimum_jerk((time_secs - since) / SETTLE_SECS);
-        Preference([(before, 1.0 - share), (*now, share)])
+        JointPreference([(before, 1.0 - share), (*now, share)])
     }
 
     /// Whether limits were last turned on.
@@ -216,14 +216,14 @@ impl LimbTrack {
     }
 
     /// The segment that is on at a time.
-    fn segment(&self, time_secs: f64) -> Option<Segment> {
+    fn segment(&self, time_secs: f64) -> Option<TrackSegment> {
         let begun = self.segments.partition_point(|s| s.start_secs <= time_secs);
         self.segments.get(begun.checked_sub(1)?).copied()
     }
 
     /// Begins a course at a time, not before that of the last one.
     pub(super) fn begin(&mut self, time_secs: f64, course: LimbMotion) {
-        self.segments.push(Segment {
+        self.segments.push(TrackSegment {
             start_secs: time_secs,
             course: self.motions.len(),
             from_secs: 0.0,
@@ -235,7 +235,7 @@ impl LimbTrack {
     /// Stops the motion that is on at a time; what has stopped stays.
     pub(super) fn brake(&mut self, time_secs: f64) {
         if let Some(on) = self.segment(time_secs).filter(|s| !s.brakes) {
-            self.segments.push(Segment {
+            self.segments.push(TrackSegment {
                 start_secs: time_secs,
                 course: on.course,
                 from_secs: time_secs - on.start_secs,
@@ -265,7 +265,7 @@ impl LimbTrack {
 
     /// What the limb is to do at a time; `figure_from_world` at that time. None before the
     /// first motion.
-    pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<Goal> {
+    pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<MotionGoal> {
         let segment = self.segment(time_secs)?;
         let course = &self.motions[segment.course];
         Some(course.goal(segment.run(time_secs), figure_from_world))

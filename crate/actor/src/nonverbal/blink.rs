@@ -18,7 +18,7 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::noise;
 
-use super::heard::Heard;
+use super::speech_features::SpeechFeatures;
 use crate::idle::stream;
 
 /// Closing phase, seconds (*paper*).
@@ -29,7 +29,7 @@ pub const CLOSED_SECS: f64 = 0.02;
 /// doi:10.1098/rsif.2013.0227).
 pub const OPENING_SECS: f64 = 0.225;
 /// Time between two blinks at most while one speaks, but for a phone, seconds (*paper*: F&H).
-pub const MOST_APART_SECS: f64 = 4.8;
+pub const MAX_APART_SECS: f64 = 4.8;
 /// Length of a stretch, seconds. With the doublets that makes 22 blinks a minute of talk.
 const STRETCH_SECS: f64 = 2.95;
 /// Time between two blinks at least, doublets aside, seconds. Designed: a flutter is another
@@ -100,7 +100,7 @@ pub(super) struct Blinks {
 
 /// Random values of a stretch.
 #[derive(Clone, Copy)]
-enum Lot {
+enum RandomDraw {
     Place,
     Rest,
     Partial,
@@ -110,7 +110,7 @@ enum Lot {
 
 impl Blinks {
     /// `rate` is a multiple of the natural frequency.
-    pub(super) fn new(heard: &Heard, rate: f64, seed: u64) -> Self {
+    pub(super) fn new(heard: &SpeechFeatures, rate: f64, seed: u64) -> Self {
         let mut blinks = Self {
             planned: Vec::new(),
             stretch_secs: STRETCH_SECS / rate,
@@ -118,7 +118,7 @@ impl Blinks {
         };
         let mut begun = 0;
         for boundary in &heard.boundaries {
-            let stretch = blinks.stretch_of(*boundary);
+            let stretch = blinks.interval_index(*boundary);
             let is_known = blinks
                 .planned
                 .last()
@@ -127,7 +127,7 @@ impl Blinks {
                 while heard
                     .pauses
                     .get(begun)
-                    .is_some_and(|p| blinks.stretch_of(p.start_secs) < stretch)
+                    .is_some_and(|p| blinks.interval_index(p.start_secs) < stretch)
                 {
                     begun += 1;
                 }
@@ -138,11 +138,11 @@ impl Blinks {
         blinks
     }
 
-    fn stretch_of(&self, time_secs: f64) -> i64 {
+    fn interval_index(&self, time_secs: f64) -> i64 {
         (time_secs / self.stretch_secs).floor() as i64
     }
 
-    fn lot(&self, what: Lot, stretch: i64) -> f64 {
+    fn random_draw(&self, what: RandomDraw, stretch: i64) -> f64 {
         let seed = self.seed.wrapping_add(0x9e37 * what as u64);
         noise::unit(seed, stream::BLINK, stretch)
     }
@@ -152,7 +152,7 @@ impl Blinks {
         if self.stretch_secs.is_infinite() {
             return 0.0;
         }
-        let stretch = self.stretch_of(time_secs);
+        let stretch = self.interval_index(time_secs);
         let [before, now] = [stretch.wrapping_sub(1), stretch].map(|stretch| {
             let blink = self.blink(stretch);
             blink.map_or(0.0, |blink| blink.closure(time_secs))
@@ -165,7 +165,7 @@ impl Blinks {
         let next = self.planned.partition_point(|(s, _)| *s < stretch);
         match self.planned.get(next) {
             Some((planned, blink)) if *planned == stretch => Some(*blink),
-            _ => (self.lot(Lot::Rest, stretch) < AT_REST).then(|| {
+            _ => (self.random_draw(RandomDraw::Rest, stretch) < AT_REST).then(|| {
                 let start = self.at_random(stretch);
                 let closed = start + CLOSING_SECS;
                 self.of_phases(stretch, start, closed)
@@ -175,30 +175,31 @@ impl Blinks {
 
     /// When the blink of a stretch begins that nothing asks for.
     fn at_random(&self, stretch: i64) -> f64 {
-        (stretch as f64 + 0.1 + 0.6 * self.lot(Lot::Place, stretch)) * self.stretch_secs
+        (stretch as f64 + 0.1 + 0.6 * self.random_draw(RandomDraw::Place, stretch))
+            * self.stretch_secs
     }
 
     fn of_phases(&self, stretch: i64, start: f64, closed: f64) -> Blink {
         let opening = closed + CLOSED_SECS;
         let [least, most] = PARTIAL_WAY;
-        let is_partial = self.lot(Lot::Partial, stretch) < PARTIAL;
+        let is_partial = self.random_draw(RandomDraw::Partial, stretch) < PARTIAL;
         Blink {
             phases: [start, closed, opening, opening + OPENING_SECS],
             depth: if is_partial {
-                least + (most - least) * self.lot(Lot::Depth, stretch)
+                least + (most - least) * self.random_draw(RandomDraw::Depth, stretch)
             } else {
                 1.0
             },
-            is_double: self.lot(Lot::Double, stretch) < DOUBLETS,
+            is_double: self.random_draw(RandomDraw::Double, stretch) < DOUBLETS,
         }
     }
 
     /// The blink of a stretch with speech, the first pause of which is `first`.
-    fn plan(&self, stretch: i64, heard: &Heard, first: usize) -> Blink {
+    fn plan(&self, stretch: i64, heard: &SpeechFeatures, first: usize) -> Blink {
         let at = |share: f64| (stretch as f64 + share) * self.stretch_secs;
         let before = self.blink(stretch.wrapping_sub(1));
         let free_secs = before.map_or(f64::NEG_INFINITY, |b| b.end_secs() + APART_SECS);
-        let dry_secs = before.map_or(f64::INFINITY, |b| b.phases[0] + MOST_APART_SECS);
+        let dry_secs = before.map_or(f64::INFINITY, |b| b.phases[0] + MAX_APART_SECS);
         let (from, to) = (at(0.04).max(free_secs), at(0.96).min(dry_secs));
         let mut best: Option<(f64, f64)> = None;
         for pause in heard.pauses[first..]
@@ -236,8 +237,8 @@ mod tests {
     use super::*;
     use raconteur_speech::TimedUtterance;
 
-    fn plan(speech: &[TimedUtterance]) -> (Heard, Blinks) {
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 1);
+    fn plan(speech: &[TimedUtterance]) -> (SpeechFeatures, Blinks) {
+        let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 1);
         let blinks = Blinks::new(&heard, 1.0, 1);
         (heard, blinks)
     }
@@ -284,7 +285,7 @@ mod tests {
     #[test]
     fn lids_fall_fast_and_rise_slowly_and_half_of_them_all_the_way() {
         let (_, spoken) = plan(&hour(5));
-        let silent = Blinks::new(&Heard::default(), 1.0, 3);
+        let silent = Blinks::new(&SpeechFeatures::default(), 1.0, 3);
         for blinks in [&spoken, &silent] {
             let (mut partial, mut double, mut count) = (0, 0, 0);
             for blink in (0..1000).filter_map(|stretch| blinks.blink(stretch)) {
@@ -315,15 +316,18 @@ mod tests {
             assert!(after.phases[0] - before.end_secs() > 0.3, "{pair:?}");
             // But for the way to the nearest phone boundary.
             let apart = after.phases[0] - before.phases[0];
-            assert!(next > one + 1 || apart < MOST_APART_SECS + 0.3, "{pair:?}");
+            assert!(next > one + 1 || apart < MAX_APART_SECS + 0.3, "{pair:?}");
         }
-        assert_eq!(Blinks::new(&Heard::default(), 0.0, 3).closure(1.0), 0.0);
+        assert_eq!(
+            Blinks::new(&SpeechFeatures::default(), 0.0, 3).closure(1.0),
+            0.0
+        );
     }
 
     #[test]
     fn one_who_is_silent_blinks_less_than_one_who_talks() {
         // 17 a minute (Bentivoglio et al. 1997), within a tenth.
-        let silent = Blinks::new(&Heard::default(), 1.0, 3);
+        let silent = Blinks::new(&SpeechFeatures::default(), 1.0, 3);
         let shut = |i: i32| silent.closure(f64::from(i) * 0.01) > 0.3;
         let count = (1..360_000).filter(|i| shut(*i) && !shut(i - 1)).count();
         println!("{count} in an hour of silence");

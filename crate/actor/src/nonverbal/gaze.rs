@@ -11,8 +11,8 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{noise, ops};
 
 use super::Manner;
-use super::heard::{Break, Heard};
-use super::think::Thought;
+use super::speech_features::{BoundaryKind, SpeechFeatures};
+use super::think::ThinkingPause;
 use super::track::Track;
 use crate::idle::stream;
 
@@ -39,11 +39,11 @@ const PERSISTENCE: f64 = 1.0 / 3.0;
 /// By how much a glance too many lowers the share of the next. Designed.
 const CORRECTION: f64 = 0.15;
 /// Between two demands the eyes go aside in this time or not at all, seconds.
-const LEAST_GAP_SECS: f64 = 0.12;
+const MIN_GAP_SECS: f64 = 0.12;
 /// Time for a small movement, seconds.
 const STEP_SECS: f64 = 0.05;
 /// Small movements between two demands at most; more are in no pause of a turn.
-const MOST_ROVES: usize = 6;
+const MAX_ROVES: usize = 6;
 /// A question begins with a look of this time at least, seconds. Designed.
 const ASKING_SECS: f64 = 0.3;
 /// How long before a turn the speaker looks away, and until when after, seconds. Designed.
@@ -60,7 +60,7 @@ const THINKING_SLOWER: f64 = 1.8;
 
 /// What a demand is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Want {
+enum GazePurpose {
     /// Look at the listener.
     Listener,
     /// Do not; the eyes are aside when it begins.
@@ -75,10 +75,10 @@ enum Want {
 
 /// Where to look over a span of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Demand {
+struct GazeDemand {
     start_secs: f64,
     end_secs: f64,
-    want: Want,
+    want: GazePurpose,
     /// Of two at a time the higher one counts.
     rank: u8,
 }
@@ -94,9 +94,14 @@ pub(super) struct Gaze {
 
 impl Gaze {
     /// Plans the gaze of all turns.
-    pub(super) fn new(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> Self {
+    pub(super) fn new(
+        heard: &SpeechFeatures,
+        thoughts: &[ThinkingPause],
+        manner: &Manner,
+        seed: u64,
+    ) -> Self {
         let demands = resolved(demands(heard, thoughts, manner, seed));
-        let mut way = Way {
+        let mut way = GazePlan {
             gaze: Self::default(),
             at: [0.0; 2],
             seed,
@@ -105,14 +110,14 @@ impl Gaze {
         };
         let mut free_secs = f64::NEG_INFINITY;
         for (i, demand) in demands.iter().enumerate() {
-            way.meet(demand, free_secs);
+            way.satisfy(demand, free_secs);
             free_secs = demand.end_secs;
             // Back before a long silence, in which others decide.
             let silent_secs = demands
                 .get(i + 1)
                 .map_or(f64::INFINITY, |d| d.start_secs - free_secs);
             if silent_secs > AFTER_TURN_SECS {
-                way.look(free_secs, [0.0; 2], 0.0, 1.0);
+                way.shift_gaze(free_secs, [0.0; 2], 0.0, 1.0);
             }
         }
         way.gaze
@@ -120,10 +125,15 @@ impl Gaze {
 }
 
 /// Everything that is demanded, by time.
-fn demands(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> Vec<Demand> {
+fn demands(
+    heard: &SpeechFeatures,
+    thoughts: &[ThinkingPause],
+    manner: &Manner,
+    seed: u64,
+) -> Vec<GazeDemand> {
     let mut all = Vec::new();
-    let mut demand = |span: [f64; 2], want: Want, rank: u8| {
-        all.push(Demand {
+    let mut demand = |span: [f64; 2], want: GazePurpose, rank: u8| {
+        all.push(GazeDemand {
             start_secs: span[0],
             end_secs: span[1],
             want,
@@ -137,7 +147,7 @@ fn demands(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> V
         .iter()
         .map(|s| (s.start_secs, s.end_secs, true));
     let pauses = heard.pauses.iter().filter_map(|p| {
-        let part = matches!(p.parts, Break::Phrases | Break::Sentences);
+        let part = matches!(p.parts, BoundaryKind::Phrases | BoundaryKind::Sentences);
         part.then_some((p.start_secs, p.end_secs, false))
     });
     let mut moments: Vec<(f64, f64, bool)> = accents.chain(pauses).collect();
@@ -147,54 +157,66 @@ fn demands(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> V
         let chance = noise::unit(seed, stream::GLANCE, i as i64);
         if heard.question_at(start).is_some() {
             (looks, free_secs) = (true, end);
-            demand([start, end], Want::Listener, 2);
+            demand([start, end], GazePurpose::Listener, 2);
         } else if is_accent {
             let same = if looks { PERSISTENCE } else { 0.0 };
             let share = manner.accent_glances * (1.0 - PERSISTENCE) + same - CORRECTION * excess;
-            looks = chance < share || looks && start - free_secs < LEAST_GAP_SECS;
+            looks = chance < share || looks && start - free_secs < MIN_GAP_SECS;
             excess += f64::from(u8::from(looks)) - manner.accent_glances;
             excess = excess.clamp(-5.0, 5.0);
-            let want = if looks { Want::Listener } else { Want::Aside };
+            let want = if looks {
+                GazePurpose::Listener
+            } else {
+                GazePurpose::Aside
+            };
             free_secs = end;
             demand([start, end], want, 2);
         } else {
             looks = chance < manner.pause_glances;
             let want = if looks {
-                Want::Listener
+                GazePurpose::Listener
             } else {
-                Want::AsideNow
+                GazePurpose::AsideNow
             };
             // Time to go aside before the next word.
-            free_secs = end - LEAST_GAP_SECS.min(0.4 * (end - start));
+            free_secs = end - MIN_GAP_SECS.min(0.4 * (end - start));
             demand([start, free_secs], want, 2);
         }
     }
     for thought in thoughts {
         demand(
             [thought.start_secs, thought.end_secs],
-            Want::Place(thought.place),
+            GazePurpose::Place(thought.place),
             3,
         );
     }
     for question in &heard.questions {
         let (start, end) = (question.start_secs, question.end_secs);
         let last_word = question.last_word_secs[0].max(start + ASKING_SECS);
-        demand([start, start + ASKING_SECS], Want::Listener, 4);
-        demand([last_word, end], Want::Listener, 4);
+        demand([start, start + ASKING_SECS], GazePurpose::Listener, 4);
+        demand([last_word, end], GazePurpose::Listener, 4);
     }
     for [start, last_word, end] in &heard.turns {
-        demand([start - TURN_SECS[0], start + TURN_SECS[1]], Want::Away, 1);
-        demand([*last_word, end + AFTER_TURN_SECS], Want::Listener, 4);
+        demand(
+            [start - TURN_SECS[0], start + TURN_SECS[1]],
+            GazePurpose::Away,
+            1,
+        );
+        demand(
+            [*last_word, end + AFTER_TURN_SECS],
+            GazePurpose::Listener,
+            4,
+        );
     }
     sort_by_number(&mut all, |d| d.start_secs);
     all
 }
 
 /// Demands that do not overlap: of two at a time the one of higher rank, else the earlier.
-fn resolved(all: Vec<Demand>) -> Vec<Demand> {
+fn resolved(all: Vec<GazeDemand>) -> Vec<GazeDemand> {
     /// Less than this of a demand is none, seconds.
-    const LEAST_SECS: f64 = 0.02;
-    let mut kept: Vec<Demand> = Vec::with_capacity(all.len());
+    const MIN_SECS: f64 = 0.02;
+    let mut kept: Vec<GazeDemand> = Vec::with_capacity(all.len());
     for mut demand in all {
         while let Some(last) = kept.last_mut() {
             if last.end_secs <= demand.start_secs {
@@ -205,12 +227,12 @@ fn resolved(all: Vec<Demand>) -> Vec<Demand> {
                 break;
             }
             last.end_secs = demand.start_secs;
-            if last.end_secs - last.start_secs >= LEAST_SECS {
+            if last.end_secs - last.start_secs >= MIN_SECS {
                 break;
             }
             kept.pop();
         }
-        if demand.end_secs - demand.start_secs >= LEAST_SECS {
+        if demand.end_secs - demand.start_secs >= MIN_SECS {
             kept.push(demand);
         }
     }
@@ -218,7 +240,7 @@ fn resolved(all: Vec<Demand>) -> Vec<Demand> {
 }
 
 /// The gaze while it is planned.
-struct Way {
+struct GazePlan {
     gaze: Gaze,
     /// Where the eyes are.
     at: [f64; 2],
@@ -227,19 +249,19 @@ struct Way {
     amount: f64,
 }
 
-impl Way {
+impl GazePlan {
     fn unit(&mut self) -> f64 {
         self.count += 1;
         noise::unit(self.seed, stream::GAZE, self.count)
     }
 
     /// Brings the eyes to where a demand wants them. They are free to move from a time on.
-    fn meet(&mut self, demand: &Demand, free_secs: f64) {
+    fn satisfy(&mut self, demand: &GazeDemand, free_secs: f64) {
         let start = demand.start_secs;
         let gap_secs = start - free_secs;
         // Before a turn one listens.
-        if demand.want != Want::Away {
-            self.rove(free_secs, start - LEAST_GAP_SECS);
+        if demand.want != GazePurpose::Away {
+            self.rove(free_secs, start - MIN_GAP_SECS);
         }
         let is_away = self.is_away();
         // A random moment before the demand, early enough to be there when it begins.
@@ -248,36 +270,36 @@ impl Way {
             (room_secs >= 0.0).then(|| start - lead_secs - way.unit() * room_secs)
         };
         match demand.want {
-            Want::Listener if is_away => {
+            GazePurpose::Listener if is_away => {
                 let to = self.on_face();
-                self.look(start, to, 0.0, 1.0);
+                self.shift_gaze(start, to, 0.0, 1.0);
             }
-            Want::Listener => {
+            GazePurpose::Listener => {
                 if let Some(from) = early(self, STEP_SECS) {
                     let to = self.on_face();
-                    self.look(from, to, 0.0, 1.0);
+                    self.shift_gaze(from, to, 0.0, 1.0);
                 }
             }
-            Want::Aside => {
-                if let Some(from) = early(self, LEAST_GAP_SECS)
+            GazePurpose::Aside => {
+                if let Some(from) = early(self, MIN_GAP_SECS)
                     && !is_away
                 {
                     let to = self.aside(false);
-                    self.look(from, to, HEAD_ASIDE, 1.0);
+                    self.shift_gaze(from, to, HEAD_ASIDE, 1.0);
                 }
             }
-            Want::AsideNow => {
+            GazePurpose::AsideNow => {
                 let to = self.aside(is_away);
-                self.look(start, to, HEAD_ASIDE, 1.0);
+                self.shift_gaze(start, to, HEAD_ASIDE, 1.0);
             }
-            Want::Away => {
+            GazePurpose::Away => {
                 let side = if self.unit() < 0.5 { -1.0 } else { 1.0 };
                 let to = [side * (0.2 + 0.1 * self.unit()), 0.05 + 0.07 * self.unit()];
                 let to = to.map(|a| a * self.amount);
-                self.look(start, to, HEAD_AWAY, 1.0);
+                self.shift_gaze(start, to, HEAD_AWAY, 1.0);
             }
-            Want::Place(to) => {
-                self.look(
+            GazePurpose::Place(to) => {
+                self.shift_gaze(
                     start,
                     to.map(|a| a * self.amount),
                     HEAD_AWAY,
@@ -291,17 +313,17 @@ impl Way {
     /// over the face, or from place to place aside.
     fn rove(&mut self, from_secs: f64, to_secs: f64) {
         let mut at_secs = from_secs;
-        for _ in 0..MOST_ROVES {
+        for _ in 0..MAX_ROVES {
             at_secs += 0.08 + 0.6 * self.unit();
             if at_secs >= to_secs - STEP_SECS || !at_secs.is_finite() {
                 return;
             }
             if self.is_away() {
                 let to = self.aside(true);
-                self.look(at_secs, to, HEAD_ASIDE, 1.0);
+                self.shift_gaze(at_secs, to, HEAD_ASIDE, 1.0);
             } else {
                 let to = self.on_face();
-                self.look(at_secs, to, 0.0, 1.0);
+                self.shift_gaze(at_secs, to, 0.0, 1.0);
             }
         }
     }
@@ -311,16 +333,16 @@ impl Way {
     }
 
     /// Moves eyes and head.
-    fn look(&mut self, from_secs: f64, to: [f64; 2], head_share: f64, slower: f64) {
+    fn shift_gaze(&mut self, from_secs: f64, to: [f64; 2], head_share: f64, slower: f64) {
         // After the movement before.
         let from_secs = from_secs.max(self.gaze.eyes[0].end_secs());
         let way = ops::hypot(to[0] - self.at[0], to[1] - self.at[1]);
         let secs = slower * (SACCADE_SECS[0] + SACCADE_SECS[1] * way);
         for (track, to) in self.gaze.eyes.iter_mut().zip(to) {
-            track.go(from_secs, secs, to);
+            track.move_to(from_secs, secs, to);
         }
         for (track, to) in self.gaze.head.iter_mut().zip(to) {
-            track.go(from_secs + 0.04, slower * HEAD_SECS, head_share * to);
+            track.move_to(from_secs + 0.04, slower * HEAD_SECS, head_share * to);
         }
         self.at = to;
     }

@@ -24,14 +24,14 @@ const CHANGE_SECS: f64 = 0.25;
 
 /// The gaze between turns.
 #[derive(Clone, Debug)]
-pub(super) struct Listening {
+pub(super) struct ListenerGaze {
     /// Spans in which the speaker's own plan rules, by time.
     turns: Vec<[f64; 2]>,
     seed: u64,
     amount: f64,
 }
 
-impl Listening {
+impl ListenerGaze {
     pub(super) fn new(turns: Vec<[f64; 2]>, amount: f64, seed: u64) -> Self {
         Self {
             turns,
@@ -41,7 +41,7 @@ impl Listening {
     }
 
     /// How far the gaze is from the other at a time: yaw (left) and pitch (down), radians.
-    pub(super) fn away(&self, time_secs: f64) -> [f64; 2] {
+    pub(super) fn aversion(&self, time_secs: f64) -> [f64; 2] {
         let far_secs = self.to_turn(time_secs, time_secs);
         if far_secs <= 0.0 {
             return [0.0; 2];
@@ -100,9 +100,9 @@ mod tests {
 
     #[test]
     fn a_listener_looks_at_the_other_and_aside_as_people_do() {
-        let listening = Listening::new(Vec::new(), 1.0, 5);
+        let listening = ListenerGaze::new(Vec::new(), 1.0, 5);
         let is_aside = |i: i32| {
-            let [yaw, pitch] = listening.away(f64::from(i) * 0.01);
+            let [yaw, pitch] = listening.aversion(f64::from(i) * 0.01);
             ops::hypot(yaw, pitch) > 0.05
         };
         let share = (0..360_000).filter(|i| is_aside(*i)).count() as f64 / 360_000.0;
@@ -111,11 +111,11 @@ mod tests {
 
     #[test]
     fn who_is_about_to_speak_looks_aside_no_more() {
-        let listening = Listening::new(vec![[10.0, 20.0], [30.0, 40.0]], 1.0, 5);
-        assert!((100..=200).all(|i| listening.away(f64::from(i) * 0.1) == [0.0; 2]));
+        let listening = ListenerGaze::new(vec![[10.0, 20.0], [30.0, 40.0]], 1.0, 5);
+        assert!((100..=200).all(|i| listening.aversion(f64::from(i) * 0.1) == [0.0; 2]));
         for i in 0..50_000 {
             let t = f64::from(i) * 0.001;
-            let [a, b] = [listening.away(t), listening.away(t + 0.001)];
+            let [a, b] = [listening.aversion(t), listening.aversion(t + 0.001)];
             assert!(ops::hypot(a[0] - b[0], a[1] - b[1]) < 0.012, "{t}");
         }
     }

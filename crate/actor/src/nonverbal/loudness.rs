@@ -10,7 +10,7 @@ use crate::articulation::ORDINARY_LOUDNESS;
 
 /// From the quietest to the loudest at least, decibels, so that even speech is not blown up
 /// to whispers and shouts. Designed.
-const LEAST_RANGE_DB: f64 = 12.0;
+const MIN_RANGE_DB: f64 = 12.0;
 /// Peaks this far below the loudest are noise and breath, decibels. Designed.
 const SPEECH_DB: f64 = 35.0;
 
@@ -33,8 +33,8 @@ pub(super) fn track(utterances: &[&TimedUtterance]) -> Track {
     let mean = peaks.iter().map(|p| p.1).sum::<f64>() / peaks.len().max(1) as f64;
     let least = peaks
         .iter()
-        .fold(mean - LEAST_RANGE_DB / 2.0, |least, p| least.min(p.1));
-    let most = most.max(mean + LEAST_RANGE_DB / 2.0);
+        .fold(mean - MIN_RANGE_DB / 2.0, |least, p| least.min(p.1));
+    let most = most.max(mean + MIN_RANGE_DB / 2.0);
     let mut track = Track::default();
     for (at_secs, db) in peaks {
         let quiet = ORDINARY_LOUDNESS * ramp(least, mean, db);
@@ -72,9 +72,17 @@ mod tests {
             }),
         };
         let track = track(&[&u]);
-        assert!((track.at(2.75) - 1.0).abs() < 0.02, "{}", track.at(2.75));
-        assert!((track.at(2.15) - 0.25).abs() < 0.1, "{}", track.at(2.15));
-        assert!((0..400).all(|i| (0.0..=1.0).contains(&track.at(f64::from(i) * 0.01))));
-        assert_eq!(super::track(&[]).at(3.0), ORDINARY_LOUDNESS);
+        assert!(
+            (track.sample(2.75) - 1.0).abs() < 0.02,
+            "{}",
+            track.sample(2.75)
+        );
+        assert!(
+            (track.sample(2.15) - 0.25).abs() < 0.1,
+            "{}",
+            track.sample(2.15)
+        );
+        assert!((0..400).all(|i| (0.0..=1.0).contains(&track.sample(f64::from(i) * 0.01))));
+        assert_eq!(super::track(&[]).sample(3.0), ORDINARY_LOUDNESS);
     }
 }

@@ -2,7 +2,7 @@
 
 /// What the plan of expressions is made from (F&H sections 4.2 and 4.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Way {
+pub enum PlanBasis {
     /// From the sound: fundamental frequency and pauses (section 4.2). An utterance of
     /// which no frequency is known goes the other way.
     #[default]
@@ -16,7 +16,7 @@ pub enum Way {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
     /// What the plan is made from.
-    pub way: Way,
+    pub way: PlanBasis,
     /// How far the head is raised and tilted, 0 to 1: at 1 a highest pitch raises it by
     /// [`HEAD_RAISE_RAD`](super::HEAD_RAISE_RAD).
     pub head: f64,
@@ -58,7 +58,7 @@ pub struct Manner {
 impl Default for Manner {
     fn default() -> Self {
         Self {
-            way: Way::Audio,
+            way: PlanBasis::Audio,
             head: 1.0,
             tilt_share: 0.75,
             brows: 1.0,

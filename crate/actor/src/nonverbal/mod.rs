@@ -12,12 +12,12 @@ mod blink;
 mod contour;
 mod extreme;
 mod gaze;
-mod heard;
 mod listen;
 mod loudness;
 mod manner;
 mod pitch;
 mod raise;
+mod speech_features;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -30,19 +30,19 @@ use raconteur_speech::TimedUtterance;
 
 use blink::Blinks;
 use gaze::Gaze;
-use heard::Heard;
-use listen::Listening;
+use listen::ListenerGaze;
 use raise::Raises;
+use speech_features::SpeechFeatures;
 use track::Track;
 
-pub use blink::{CLOSED_SECS, CLOSING_SECS, MOST_APART_SECS, OPENING_SECS};
+pub use blink::{CLOSED_SECS, CLOSING_SECS, MAX_APART_SECS, OPENING_SECS};
 pub use gaze::AT_LISTENER_RAD;
-pub use manner::{Manner, Way};
+pub use manner::{Manner, PlanBasis};
 pub use raise::HEAD_RAISE_RAD;
 
 /// Times beyond this are none, seconds: thirty years, of which a double still tells
 /// microseconds.
-const LATEST_SECS: f64 = 1e9;
+const MAX_TIME_SECS: f64 = 1e9;
 /// Contraction of the frontalis in thought, and of corrugator and procerus. Designed.
 const THOUGHT_BROWS: f64 = 0.5;
 const FROWN: [f64; 2] = [0.45, 0.25];
@@ -57,7 +57,7 @@ const AROUND_TURN_SECS: [f64; 2] = [0.6, 1.5];
 
 /// Where the gaze is, against one straight at the listener.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Away {
+pub struct GazeAversion {
     /// The eyes in all: yaw (left) and pitch (down), radians.
     pub eyes: [f64; 2],
     /// The head's part in it.
@@ -73,7 +73,7 @@ pub struct NonVerbal {
     lick: Track,
     loudness: Track,
     gaze: Gaze,
-    listening: Listening,
+    listening: ListenerGaze,
     blinks: Blinks,
 }
 
@@ -83,16 +83,16 @@ impl NonVerbal {
     #[must_use]
     pub fn new(speech: &[TimedUtterance], seed: u64, manner: &Manner) -> Self {
         let manner = manner.in_range();
-        let fits = |u: &&TimedUtterance| u.start_secs.abs() < LATEST_SECS;
+        let fits = |u: &&TimedUtterance| u.start_secs.abs() < MAX_TIME_SECS;
         let mut utterances: Vec<&TimedUtterance> = speech.iter().filter(fits).collect();
         sort_by_number(&mut utterances, |u| u.start_secs);
-        let heard = Heard::new(&utterances, &manner, seed);
+        let heard = SpeechFeatures::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);
         // The text does not say how loud it is spoken; the mouth needs to know.
         let unknown = loudness::track(&[]);
         let by_sound = match manner.way {
-            Way::Audio => &loudness,
-            Way::Text => &unknown,
+            PlanBasis::Audio => &loudness,
+            PlanBasis::Text => &unknown,
         };
         let thoughts = think::thoughts(&heard, &manner, seed);
         let [before, after] = AROUND_TURN_SECS;
@@ -105,7 +105,7 @@ impl NonVerbal {
             thought: think::brows(&thoughts),
             lick: think::licks(&heard, &thoughts, &manner, seed),
             gaze: Gaze::new(&heard, &thoughts, &manner, seed),
-            listening: Listening::new(turns.collect(), manner.gaze, seed),
+            listening: ListenerGaze::new(turns.collect(), manner.gaze, seed),
             blinks: Blinks::new(&heard, manner.blinks, seed),
             loudness,
         }
@@ -117,12 +117,12 @@ impl NonVerbal {
         use Muscle as M;
         let time_secs = possible(time_secs);
         let mut add = |muscle: M, contraction: f64| face.contraction[muscle.index()] += contraction;
-        let thought = liveliness * self.thought.at(time_secs);
+        let thought = liveliness * self.thought.sample(time_secs);
         let [left, right] = self
             .raises
             .brows
             .each_ref()
-            .map(|brow| (liveliness * brow.at(time_secs)).max(THOUGHT_BROWS * thought));
+            .map(|brow| (liveliness * brow.sample(time_secs)).max(THOUGHT_BROWS * thought));
         add(M::FrontalisLateralLeft, left);
         add(M::FrontalisLateralRight, right);
         add(M::FrontalisMedialLeft, MEDIAL * left);
@@ -140,7 +140,7 @@ impl NonVerbal {
     /// How far the lips are being moistened at a time, 0 to 1.
     #[must_use]
     pub fn lick(&self, time_secs: f64) -> f64 {
-        self.lick.at(possible(time_secs))
+        self.lick.sample(possible(time_secs))
     }
 
     /// How far a blink closes the lids at a time, 0 to 1.
@@ -155,20 +155,20 @@ impl NonVerbal {
     #[must_use]
     pub fn head(&self, time_secs: f64, liveliness: f64) -> [f64; 3] {
         let time_secs = possible(time_secs);
-        let raise = (liveliness * self.raises.head.at(time_secs)).min(HEAD_RAISE_RAD);
-        let tilt = liveliness * self.raises.tilt.at(time_secs);
-        let thought = liveliness * self.thought.at(time_secs).abs();
+        let raise = (liveliness * self.raises.head.sample(time_secs)).min(HEAD_RAISE_RAD);
+        let tilt = liveliness * self.raises.tilt.sample(time_secs);
+        let thought = liveliness * self.thought.sample(time_secs).abs();
         [-raise, 0.5 * tilt, tilt - THOUGHT_TILT_RAD * thought]
     }
 
     /// Where the gaze is at a time.
     #[must_use]
-    pub fn gaze(&self, time_secs: f64) -> Away {
+    pub fn gaze(&self, time_secs: f64) -> GazeAversion {
         let time_secs = possible(time_secs);
         let [eyes, head] = [&self.gaze.eyes, &self.gaze.head]
-            .map(|tracks| tracks.each_ref().map(|track| track.at(time_secs)));
-        let other = self.listening.away(time_secs);
-        Away {
+            .map(|tracks| tracks.each_ref().map(|track| track.sample(time_secs)));
+        let other = self.listening.aversion(time_secs);
+        GazeAversion {
             eyes: [eyes[0] + other[0], eyes[1] + other[1]],
             head,
         }
@@ -179,13 +179,13 @@ impl NonVerbal {
     /// nothing is known of it.
     #[must_use]
     pub fn loudness(&self, time_secs: f64) -> f64 {
-        self.loudness.at(possible(time_secs))
+        self.loudness.sample(possible(time_secs))
     }
 }
 
 /// A time that can be, or 0.
 fn possible(time_secs: f64) -> f64 {
-    if time_secs.abs() < LATEST_SECS {
+    if time_secs.abs() < MAX_TIME_SECS {
         time_secs
     } else {
         0.0

@@ -10,14 +10,14 @@ use super::contour::{Extremum, approximate, between_turning_points, extrema};
 use super::extreme::Extreme;
 
 /// Fewer voiced frames than this are no melody.
-const FEWEST_FRAMES: usize = 10;
+const MIN_FRAMES: usize = 10;
 /// A voice counts as moving within at least this range, semitones, so that a monotonous
 /// speaker nods little. Designed.
-const LEAST_RANGE: f64 = 6.0;
+const MIN_RANGE: f64 = 6.0;
 /// Length of a syllable that is only known by its pitch, seconds. Designed.
 const SYLLABLE_SECS: f64 = 0.2;
 /// The least height of a maximum, as a share of the range: it has stood out already.
-const LEAST_HEIGHT: f64 = 0.15;
+const MIN_HEIGHT: f64 = 0.15;
 
 /// Adds the pitch extrema of an utterance that stand out by a threshold (semitones): maxima
 /// by their height in the speaker's range, minima with none. False where too little of the
@@ -51,7 +51,7 @@ pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Ext
     // One alone is a voice that does not move.
     if prominent.len() > 1 {
         out.extend(prominent.iter().map(|(extremum, pitch)| {
-            let height = ((pitch - low) / (high - low)).clamp(LEAST_HEIGHT, 1.0);
+            let height = ((pitch - low) / (high - low)).clamp(MIN_HEIGHT, 1.0);
             Extreme {
                 at_secs: timed.story_secs(extremum.frame as f64 * FRAME_SECS),
                 height: if extremum.is_max { height } else { 0.0 },
@@ -111,7 +111,7 @@ fn bridged(f0: &[u8]) -> Option<Vec<f64>> {
         last = Some(pitch);
     }
     frames.resize(f0.len(), last.unwrap_or_default());
-    (voiced >= FEWEST_FRAMES).then_some(frames)
+    (voiced >= MIN_FRAMES).then_some(frames)
 }
 
 /// The pitches under which a tenth and above which a twentieth of the voiced frames lie: a
@@ -132,7 +132,7 @@ fn range(f0: &[u8]) -> [f64; 2] {
         semitones_of_code(code.unwrap_or_default() as u8).unwrap_or_default()
     };
     let low = quantile(0.1);
-    [low, quantile(0.95).max(low + LEAST_RANGE)]
+    [low, quantile(0.95).max(low + MIN_RANGE)]
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use raconteur_base::noise;
 
 use super::Manner;
 use super::extreme::Extreme;
-use super::heard::{Break, Heard};
+use super::speech_features::{BoundaryKind, SpeechFeatures};
 use super::track::Track;
 use crate::idle::stream;
 
@@ -24,9 +24,9 @@ const RIGHT_BROW: f64 = 0.4;
 /// Height of a raise that marks a question. Designed.
 const QUESTION: f64 = 0.85;
 /// Time between two keys at least, seconds: 3° in it are a quick nod. Designed.
-const LEAST_SECS: f64 = 0.16;
+const MIN_SECS: f64 = 0.16;
 /// A movement takes this time at most, seconds, however far apart the extrema are. Designed.
-const MOST_SECS: f64 = 0.8;
+const MAX_SECS: f64 = 0.8;
 /// Time in which head and brows come down when nothing more is said, seconds. Designed.
 const DOWN_SECS: f64 = 0.35;
 
@@ -43,7 +43,12 @@ pub(super) struct Raises {
 
 impl Raises {
     /// From the melody of speech.
-    pub(super) fn new(heard: &Heard, loudness: &Track, manner: &Manner, seed: u64) -> Self {
+    pub(super) fn new(
+        heard: &SpeechFeatures,
+        loudness: &Track,
+        manner: &Manner,
+        seed: u64,
+    ) -> Self {
         let mut raises = Self::default();
         for (i, extreme) in keys(heard).iter().enumerate() {
             let Extreme {
@@ -53,7 +58,7 @@ impl Raises {
             } = *extreme;
             let r = |k: u64| noise::unit(seed, stream::RAISE + k, i as i64);
             let is_up = height > 0.0;
-            let loud = loudness.at(at_secs);
+            let loud = loudness.sample(at_secs);
             let head = manner.head * lerp(1.0, loud, manner.head_by_loudness);
             push(&mut raises.head, at_secs, HEAD_RAISE_RAD * height * head);
             // The same side for a while, or the head would bob.
@@ -85,26 +90,29 @@ impl Raises {
 /// Adds a key; a movement from a key long before begins later.
 fn push(track: &mut Track, at_secs: f64, value: f64) {
     let last = track.last();
-    if track.end_secs() < at_secs - MOST_SECS {
-        track.push(at_secs - MOST_SECS, last);
+    if track.end_secs() < at_secs - MAX_SECS {
+        track.push(at_secs - MAX_SECS, last);
     }
     track.push(at_secs, value);
 }
 
 /// The extrema as they are shown: at phone boundaries, those of questions in place of what
 /// the pitch does there, with a way down behind each utterance.
-fn keys(heard: &Heard) -> Vec<Extreme> {
+fn keys(heard: &SpeechFeatures) -> Vec<Extreme> {
     let extremes = &heard.extremes;
     let mut all: Vec<Extreme> = Vec::with_capacity(extremes.len() + 4 * heard.questions.len());
     let in_question = |at_secs: f64| {
         let after = heard
             .questions
-            .partition_point(|q| q.last_word_secs[0] - LEAST_SECS <= at_secs);
+            .partition_point(|q| q.last_word_secs[0] - MIN_SECS <= at_secs);
         let before = after.checked_sub(1).map(|i| &heard.questions[i]);
-        before.is_some_and(|q| at_secs < q.end_secs + DOWN_SECS + LEAST_SECS)
+        before.is_some_and(|q| at_secs < q.end_secs + DOWN_SECS + MIN_SECS)
     };
     // Nothing stays up when a sentence is over.
-    let pauses = heard.pauses.iter().filter(|p| p.parts >= Break::Sentences);
+    let pauses = heard
+        .pauses
+        .iter()
+        .filter(|p| p.parts >= BoundaryKind::Sentences);
     let ends = pauses.map(|p| p.end_secs.min(p.start_secs + DOWN_SECS));
     let ends = ends.chain(heard.turns.iter().map(|turn| turn[2] + DOWN_SECS));
     let ends = ends.map(|at_secs| Extreme {
@@ -116,13 +124,13 @@ fn keys(heard: &Heard) -> Vec<Extreme> {
     all.extend(pitch.filter(|e| !in_question(e.at_secs)));
     for q in &heard.questions {
         let [start, end] = q.last_word_secs;
-        let up_secs = (start + 0.35).min(end).max(start + LEAST_SECS);
+        let up_secs = (start + 0.35).min(end).max(start + MIN_SECS);
         let key = |at_secs: f64, height: f64| Extreme {
             at_secs,
             height,
             is_question: true,
         };
-        let held_secs = q.end_secs.max(up_secs + LEAST_SECS);
+        let held_secs = q.end_secs.max(up_secs + MIN_SECS);
         all.extend([
             key(start, 0.0),
             key(up_secs, QUESTION),
@@ -136,7 +144,7 @@ fn keys(heard: &Heard) -> Vec<Extreme> {
         extreme.at_secs = heard.snapped(extreme.at_secs);
         // Of two that are too near to each other the higher one stays.
         match shown.last_mut() {
-            Some(last) if extreme.at_secs < last.at_secs + LEAST_SECS => {
+            Some(last) if extreme.at_secs < last.at_secs + MIN_SECS => {
                 if extreme.height > last.height && !last.is_question {
                     let at_secs = last.at_secs;
                     *last = Extreme { at_secs, ..extreme };
@@ -150,26 +158,26 @@ fn keys(heard: &Heard) -> Vec<Extreme> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Way;
+    use super::super::PlanBasis;
     use super::super::tests::speech::{hour, shipped};
     use super::*;
 
     #[test]
     fn head_and_brows_turn_on_phone_boundaries() {
         for (speech, way) in [
-            (hour(8), Way::Audio),
-            (hour(8), Way::Text),
-            (shipped(), Way::Audio),
+            (hour(8), PlanBasis::Audio),
+            (hour(8), PlanBasis::Text),
+            (shipped(), PlanBasis::Audio),
         ] {
             let manner = Manner {
                 way,
                 ..Manner::default()
             };
-            let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &manner, 1);
+            let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &manner, 1);
             let keys = keys(&heard);
             assert!(keys.len() > speech.len());
             for pair in keys.windows(2) {
-                assert!(pair[1].at_secs - pair[0].at_secs >= LEAST_SECS - 1e-9);
+                assert!(pair[1].at_secs - pair[0].at_secs >= MIN_SECS - 1e-9);
             }
             let on = |key: &&Extreme| {
                 let boundaries = &heard.boundaries;
@@ -197,7 +205,7 @@ mod tests {
             height,
             is_question: false,
         };
-        let heard = Heard {
+        let heard = SpeechFeatures {
             boundaries: vec![1.0, 1.5, 2.04, 2.6, 9.0],
             extremes: vec![
                 key(1.05, 0.0),
@@ -206,14 +214,14 @@ mod tests {
                 key(2.07, 0.4),
                 key(9.0, 0.5),
             ],
-            ..Heard::default()
+            ..SpeechFeatures::default()
         };
         let manner = Manner {
             head_by_loudness: 0.0,
             ..Manner::default()
         };
         let raises = Raises::new(&heard, &Track::default(), &manner, 4);
-        let head = |t: f64| raises.head.at(t) / HEAD_RAISE_RAD;
+        let head = |t: f64| raises.head.sample(t) / HEAD_RAISE_RAD;
         assert_eq!(head(1.0), 0.0);
         assert!((head(1.5) - 1.0).abs() < 1e-12);
         // Two at one boundary: the higher one counts. A far target is approached late.

@@ -4,7 +4,7 @@
 use raconteur_base::noise;
 
 use super::Manner;
-use super::heard::{Break, Heard};
+use super::speech_features::{BoundaryKind, SpeechFeatures};
 use super::track::Track;
 use crate::idle::stream;
 
@@ -19,7 +19,7 @@ const SLOWER: f64 = 1.8;
 
 /// A pause in which the speaker thinks or looks for a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Thought {
+pub(super) struct ThinkingPause {
     pub(super) start_secs: f64,
     pub(super) end_secs: f64,
     /// Where the eyes are: yaw (left) and pitch (down), radians.
@@ -27,12 +27,13 @@ pub(super) struct Thought {
 }
 
 /// The thoughts of a story, by time.
-pub(super) fn thoughts(heard: &Heard, manner: &Manner, seed: u64) -> Vec<Thought> {
+pub(super) fn thoughts(heard: &SpeechFeatures, manner: &Manner, seed: u64) -> Vec<ThinkingPause> {
     let mut thoughts = Vec::new();
     for (i, pause) in heard.pauses.iter().enumerate() {
         let r = |k: u64| noise::unit(seed, stream::THINK + k, i as i64);
         let length_secs = pause.end_secs - pause.start_secs;
-        let is_inside = pause.parts < Break::Sentences && length_secs >= manner.thinking_secs;
+        let is_inside =
+            pause.parts < BoundaryKind::Sentences && length_secs >= manner.thinking_secs;
         let is_asked = heard.question_at(pause.start_secs).is_some();
         if !(is_inside || pause.is_filled) || is_asked || r(0) >= manner.thinking_share {
             continue;
@@ -44,7 +45,7 @@ pub(super) fn thoughts(heard: &Heard, manner: &Manner, seed: u64) -> Vec<Thought
         } else {
             -0.21
         };
-        thoughts.push(Thought {
+        thoughts.push(ThinkingPause {
             start_secs: pause.start_secs,
             end_secs: pause.end_secs,
             place: [-0.07 - 0.07 * r(2), pitch * (0.85 + 0.3 * r(3))],
@@ -54,19 +55,24 @@ pub(super) fn thoughts(heard: &Heard, manner: &Manner, seed: u64) -> Vec<Thought
 }
 
 /// How the brows show thoughts: 1 raised, −1 drawn together.
-pub(super) fn brows(thoughts: &[Thought]) -> Track {
+pub(super) fn brows(thoughts: &[ThinkingPause]) -> Track {
     let mut brows = Track::default();
     for thought in thoughts {
         let length_secs = BROW_SECS.min(0.5 * (thought.end_secs - thought.start_secs));
         let to = if thought.place[1] < 0.0 { 1.0 } else { -1.0 };
-        brows.go(thought.start_secs, length_secs, to);
-        brows.go(thought.end_secs - length_secs, length_secs, 0.0);
+        brows.move_to(thought.start_secs, length_secs, to);
+        brows.move_to(thought.end_secs - length_secs, length_secs, 0.0);
     }
     brows
 }
 
 /// How far the tongue moistens the lips, 0 to 1: in the first long pause after each interval.
-pub(super) fn licks(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> Track {
+pub(super) fn licks(
+    heard: &SpeechFeatures,
+    thoughts: &[ThinkingPause],
+    manner: &Manner,
+    seed: u64,
+) -> Track {
     let mut licks = Track::default();
     let mut next_secs = f64::NEG_INFINITY;
     for (i, pause) in heard.pauses.iter().enumerate() {
@@ -101,25 +107,25 @@ pub(super) fn licks(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: 
 
 #[cfg(test)]
 mod tests {
-    use super::super::heard::Pause;
+    use super::super::speech_features::Pause;
     use super::*;
 
     #[test]
     fn who_looks_for_a_word_shows_it_and_moistens_the_lips_slowly() {
-        let pause = |start_secs: f64, secs: f64, parts: Break, is_filled: bool| Pause {
+        let pause = |start_secs: f64, secs: f64, parts: BoundaryKind, is_filled: bool| Pause {
             start_secs,
             end_secs: start_secs + secs,
             parts,
             is_filled,
         };
-        let heard = Heard {
+        let heard = SpeechFeatures {
             pauses: vec![
-                pause(1.0, 0.3, Break::Words, false),
-                pause(2.0, 1.0, Break::Words, false),
-                pause(5.0, 1.0, Break::Sentences, false),
-                pause(9.0, 0.4, Break::Phrases, true),
+                pause(1.0, 0.3, BoundaryKind::Words, false),
+                pause(2.0, 1.0, BoundaryKind::Words, false),
+                pause(5.0, 1.0, BoundaryKind::Sentences, false),
+                pause(9.0, 0.4, BoundaryKind::Phrases, true),
             ],
-            ..Heard::default()
+            ..SpeechFeatures::default()
         };
         let manner = Manner {
             frown_share: 1.0,
@@ -130,7 +136,7 @@ mod tests {
         assert_eq!(starts, [2.0, 9.0]);
         let brows = brows(&thoughts);
         assert_eq!(
-            [1.9, 2.5, 3.1, 9.2].map(|t| brows.at(t)),
+            [1.9, 2.5, 3.1, 9.2].map(|t| brows.sample(t)),
             [0.0, -1.0, 0.0, -1.0]
         );
         let manner = Manner {
@@ -140,7 +146,7 @@ mod tests {
         let lengths = |from: f64| {
             let all = (0..20).map(|seed| {
                 let licks = licks(&heard, &thoughts, &manner, seed);
-                let out = |i: &i32| licks.at(from + f64::from(*i) * 0.001) > 0.0;
+                let out = |i: &i32| licks.sample(from + f64::from(*i) * 0.001) > 0.0;
                 (0..1000).filter(out).count()
             });
             all.collect::<Vec<_>>()

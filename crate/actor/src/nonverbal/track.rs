@@ -18,7 +18,7 @@ pub(super) struct Track {
 
 impl Track {
     /// The value at a time; 0 of a track without keys. O(log n).
-    pub(super) fn at(&self, time_secs: f64) -> f64 {
+    pub(super) fn sample(&self, time_secs: f64) -> f64 {
         let next = self.keys.partition_point(|k| k.at_secs <= time_secs);
         let before = next.checked_sub(1).map(|i| self.keys[i]);
         match (before, self.keys.get(next)) {
@@ -51,7 +51,7 @@ impl Track {
 
     /// Moves from the last value to another within a time, as soon as the move before is
     /// over. One that would come later than by its own length gives the move before its aim.
-    pub(super) fn go(&mut self, from_secs: f64, length_secs: f64, value: f64) {
+    pub(super) fn move_to(&mut self, from_secs: f64, length_secs: f64, value: f64) {
         let begun = self.end_secs();
         if begun > from_secs + length_secs {
             if let Some(last) = self.keys.last_mut() {
@@ -72,26 +72,26 @@ mod tests {
     #[test]
     fn values_hold_outside_and_step_smoothly_between() {
         let mut track = Track::default();
-        assert_eq!(track.at(1.0), 0.0);
+        assert_eq!(track.sample(1.0), 0.0);
         track.push(1.0, 2.0);
         track.push(1.0, 9.0);
         track.push(f64::NAN, 9.0);
         track.push(2.0, 4.0);
         assert_eq!(
-            [0.0, 1.0, 1.5, 2.0, 9.0].map(|t| track.at(t)),
+            [0.0, 1.0, 1.5, 2.0, 9.0].map(|t| track.sample(t)),
             [2.0, 2.0, 3.0, 4.0, 4.0]
         );
-        assert!(track.at(1.01) - 2.0 < 1e-3);
+        assert!(track.sample(1.01) - 2.0 < 1e-3);
     }
 
     #[test]
     fn a_move_waits_for_the_one_before_or_replaces_its_aim() {
         let mut track = Track::default();
-        track.go(0.0, 1.0, 1.0);
-        track.go(0.5, 1.0, 0.5);
-        assert_eq!([0.0, 1.0, 2.0].map(|t| track.at(t)), [0.0, 1.0, 0.5]);
-        track.go(0.6, 1.0, 0.7);
-        assert_eq!(track.at(2.0), 0.7);
+        track.move_to(0.0, 1.0, 1.0);
+        track.move_to(0.5, 1.0, 0.5);
+        assert_eq!([0.0, 1.0, 2.0].map(|t| track.sample(t)), [0.0, 1.0, 0.5]);
+        track.move_to(0.6, 1.0, 0.7);
+        assert_eq!(track.sample(2.0), 0.7);
         assert_eq!(track.end_secs(), 2.0);
     }
 }

@@ -23,11 +23,11 @@ use super::name::Parameter;
 use crate::members::{Members, items};
 
 /// The longest text that is read, bytes.
-const MOST_BYTES: usize = 1 << 20;
+const MAX_BYTES: usize = 1 << 20;
 /// The longest animation, seconds.
-const LONGEST_SECS: f64 = 3600.0;
+const MAX_SECS: f64 = 3600.0;
 /// Most keys of a track.
-const MOST_KEYS: usize = 1 << 14;
+const MAX_KEYS: usize = 1 << 14;
 
 /// An animation of control parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,7 +39,7 @@ pub struct ParameterClip {
 /// What a text says of the whole; what has another type says nothing.
 #[derive(Default, Deserialize)]
 #[serde(default)]
-struct Text {
+struct ClipHeader {
     parameters: Option<Members>,
     seconds: Value,
     times: Value,
@@ -59,13 +59,14 @@ impl ParameterClip {
     /// # Errors
     /// A sentence that says what is wrong, and with which parameter.
     pub fn read(text: &str) -> Result<Self, String> {
-        if text.len() > MOST_BYTES {
+        if text.len() > MAX_BYTES {
             return Err("it is larger than 1 MB".to_owned());
         }
-        let root: Text = serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
+        let root: ClipHeader =
+            serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
         let parameters = root.parameters.as_ref().ok_or("it has no parameters")?;
         let seconds = root.seconds.as_f64().unwrap_or(-1.0);
-        if !(0.0..=LONGEST_SECS).contains(&seconds) {
+        if !(0.0..=MAX_SECS).contains(&seconds) {
             return Err("its seconds are not between 0 and an hour".to_owned());
         }
         let mut clip = Self {
@@ -103,7 +104,7 @@ impl ParameterClip {
     pub(super) fn value(&self, place: usize, secs: f64) -> f64 {
         self.tracks
             .get(place)
-            .map_or(0.0, |(_, keys)| keys.at(secs))
+            .map_or(0.0, |(_, keys)| keys.sample(secs))
     }
 }
 
@@ -118,7 +119,7 @@ impl Keys {
         let times = numbers(if own.is_null() { times } else { own });
         let values = numbers(&track["values"]);
         let rising = times.windows(2).all(|w| w[1] > w[0]);
-        if times.is_empty() || times.len() > MOST_KEYS || !rising {
+        if times.is_empty() || times.len() > MAX_KEYS || !rising {
             return Err("the times do not rise".to_owned());
         }
         if times[0] < 0.0 || times[times.len() - 1] > end_secs {
@@ -143,7 +144,7 @@ impl Keys {
         })
     }
 
-    fn at(&self, secs: f64) -> f64 {
+    fn sample(&self, secs: f64) -> f64 {
         let Some(i) = last_at_or_before(&self.times, secs) else {
             return self.values.first().copied().unwrap_or(0.0);
         };
@@ -213,7 +214,7 @@ mod tests {
             let told = ParameterClip::read(&text).expect_err(&text);
             assert!(told.contains(why), "{told}");
         }
-        let long = " ".repeat(MOST_BYTES + 1);
+        let long = " ".repeat(MAX_BYTES + 1);
         assert!(ParameterClip::read(&long).is_err());
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_base::curve::{lerp, smooth};
 
 use super::clip::ParameterClip;
-use super::script::Style;
+use super::script::PlaybackStyle;
 
 /// How long a value that is set takes to come, and an animation to take over, seconds.
 /// Designed: a step looks immediate, and no muscle jumps.
@@ -15,7 +15,7 @@ pub const STEP_SECS: f64 = 0.04;
 
 /// What a parameter does from some time on.
 #[derive(Clone, Debug)]
-pub(super) enum Change {
+pub(super) enum ParameterChange {
     /// Eases to a value in [`SET_SECS`] and keeps it.
     Ease(f64),
     /// Goes straight to a value in this time, seconds, and keeps it.
@@ -24,7 +24,7 @@ pub(super) enum Change {
     Clip {
         clip: Arc<ParameterClip>,
         place: usize,
-        style: Style,
+        style: PlaybackStyle,
         gain: f64,
     },
 }
@@ -37,7 +37,7 @@ pub struct Curve {
     starts: Vec<f64>,
     /// The value that each begins with.
     values: Vec<f64>,
-    changes: Vec<Change>,
+    changes: Vec<ParameterChange>,
     /// The least value; the greatest is 1.
     least: f64,
 }
@@ -52,8 +52,8 @@ impl Curve {
 
     /// Lets the parameter do something from a time on; whatever else it was to do from then
     /// on is forgotten.
-    pub(super) fn push(&mut self, start_secs: f64, course: Change) {
-        let value = self.at(start_secs);
+    pub(super) fn push(&mut self, start_secs: f64, course: ParameterChange) {
+        let value = self.sample(start_secs);
         while self.starts.pop_if(|s| *s >= start_secs).is_some() {
             self.values.pop();
             self.changes.pop();
@@ -65,34 +65,34 @@ impl Curve {
 
     /// Leads it straight through values, each to be reached at its time; a value takes at
     /// least [`STEP_SECS`] to change.
-    pub(super) fn lead(&mut self, start_secs: f64, keys: &[(f64, f64)]) {
+    pub(super) fn append_keys(&mut self, start_secs: f64, keys: &[(f64, f64)]) {
         let mut now = start_secs;
         for (at, value) in keys {
-            let from = self.at(now);
+            let from = self.sample(now);
             let least = if (from - value).abs() > 1e-9 {
                 STEP_SECS
             } else {
                 0.0
             };
             let end = at.max(now + least);
-            self.push(now, Change::Line(*value, end - now));
+            self.push(now, ParameterChange::Line(*value, end - now));
             now = end;
         }
     }
 
     /// The value at a time. O(log n), no allocation.
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> f64 {
+    pub fn sample(&self, time_secs: f64) -> f64 {
         let Some(i) = raconteur_base::curve::last_at_or_before(&self.starts, time_secs) else {
             return 0.0;
         };
         let (since, from) = (time_secs - self.starts[i], self.values[i]);
         let eased = smooth(since / SET_SECS);
         let value = match &self.changes[i] {
-            Change::Ease(to) => lerp(from, *to, eased),
-            Change::Line(to, secs) if since < *secs => lerp(from, *to, since / secs),
-            Change::Line(to, _) => *to,
-            Change::Clip {
+            ParameterChange::Ease(to) => lerp(from, *to, eased),
+            ParameterChange::Line(to, secs) if since < *secs => lerp(from, *to, since / secs),
+            ParameterChange::Line(to, _) => *to,
+            ParameterChange::Clip {
                 clip,
                 place,
                 style,
@@ -118,8 +118,8 @@ mod tests {
     #[test]
     fn what_comes_later_takes_over_from_where_the_value_is() {
         let mut curve = Curve::new(0.0);
-        curve.lead(1.0, &[(2.0, 1.0), (4.0, 0.0)]);
-        curve.push(3.0, Change::Ease(0.8));
+        curve.append_keys(1.0, &[(2.0, 1.0), (4.0, 0.0)]);
+        curve.push(3.0, ParameterChange::Ease(0.8));
         for (t, value) in [
             (0.0, 0.0),
             (1.5, 0.5),
@@ -130,29 +130,33 @@ mod tests {
             (3.2, 0.8),
             (9.0, 0.8),
         ] {
-            assert!((curve.at(t) - value).abs() < 1e-12, "{t}: {}", curve.at(t));
+            assert!(
+                (curve.sample(t) - value).abs() < 1e-12,
+                "{t}: {}",
+                curve.sample(t)
+            );
         }
     }
 
     #[test]
     fn steps_take_a_frame_and_the_phase_after_them_ends_when_it_should() {
         let mut curve = Curve::new(0.0);
-        curve.lead(1.0, &[(1.0, 1.0), (1.5, 0.5), (1.5, 0.5), (1.5, 0.0)]);
-        assert!((curve.at(1.0 + STEP_SECS) - 1.0).abs() < 1e-12);
-        assert!((curve.at(1.5) - 0.5).abs() < 1e-12);
-        assert!(curve.at(1.5 + STEP_SECS).abs() < 1e-12);
+        curve.append_keys(1.0, &[(1.0, 1.0), (1.5, 0.5), (1.5, 0.5), (1.5, 0.0)]);
+        assert!((curve.sample(1.0 + STEP_SECS) - 1.0).abs() < 1e-12);
+        assert!((curve.sample(1.5) - 0.5).abs() < 1e-12);
+        assert!(curve.sample(1.5 + STEP_SECS).abs() < 1e-12);
     }
 
     #[test]
     fn values_stay_in_their_range() {
         let mut curve = Curve::new(0.0);
-        curve.push(0.0, Change::Ease(7.0));
-        curve.push(1.0, Change::Ease(-7.0));
+        curve.push(0.0, ParameterChange::Ease(7.0));
+        curve.push(1.0, ParameterChange::Ease(-7.0));
         for i in 0..200 {
-            assert!((0.0..=1.0).contains(&curve.at(f64::from(i) * 0.01)));
+            assert!((0.0..=1.0).contains(&curve.sample(f64::from(i) * 0.01)));
         }
         let mut both = Curve::new(-1.0);
-        both.push(0.0, Change::Ease(-0.5));
-        assert_eq!(both.at(1.0), -0.5);
+        both.push(0.0, ParameterChange::Ease(-0.5));
+        assert_eq!(both.sample(1.0), -0.5);
     }
 }

@@ -2,15 +2,15 @@
 //! visemes and emotions; set, led through phases, or animated.
 
 mod clip;
+mod control;
 mod curve;
-mod dial;
 mod name;
 mod script;
 mod track;
 
 pub use clip::ParameterClip;
+pub use control::{DIALS, FaceControl};
 pub use curve::{Curve, SET_SECS, STEP_SECS};
-pub use dial::{DIALS, Dial};
-pub use name::{Asks, Parameter, VISEMES};
-pub use script::{Adsr, ParameterCommand, ParameterScript, Style};
+pub use name::{Parameter, ParameterTarget, VISEMES};
+pub use script::{Adsr, ParameterCommand, ParameterScript, PlaybackStyle};
 pub use track::ParameterTrack;

@@ -4,7 +4,7 @@ use raconteur_body::face::MUSCLES;
 use raconteur_speech::emotion::WORDS;
 use raconteur_speech::phones::{self, PhoneTargets};
 
-use super::dial::{DIALS, Dial};
+use super::control::{DIALS, FaceControl};
 
 /// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it, by
 /// the name of its row in [`phones`].
@@ -49,9 +49,9 @@ pub struct Parameter(u8);
 
 /// What a parameter asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Asks {
+pub enum ParameterTarget {
     /// A muscle, or a direct parameter of the face.
-    Dial(Dial),
+    Dial(FaceControl),
     /// The mouth of a phone.
     Viseme(&'static PhoneTargets),
     /// An emotion, by its word in [`WORDS`].
@@ -78,18 +78,18 @@ impl Parameter {
         if own.eq_ignore_ascii_case(name) {
             return true;
         }
-        match self.asks() {
-            Asks::Dial(_) => {
+        match self.target() {
+            ParameterTarget::Dial(_) => {
                 let begins = own
                     .get(..name.len())
                     .is_some_and(|begin| begin.eq_ignore_ascii_case(name));
                 begins && is_of_parts(&own[name.len()..])
             }
-            Asks::Viseme(_) => {
+            ParameterTarget::Viseme(_) => {
                 let rest = name.get(6..).filter(|rest| rest.eq_ignore_ascii_case(own));
                 rest.is_some() && name[..6].eq_ignore_ascii_case("viseme")
             }
-            Asks::Emotion(_) => false,
+            ParameterTarget::Emotion(_) => false,
         }
     }
 
@@ -107,7 +107,7 @@ impl Parameter {
     #[must_use]
     pub fn name(self) -> &'static str {
         let index = self.index();
-        if let Some(dial) = Dial::at(index) {
+        if let Some(dial) = FaceControl::from_index(index) {
             return dial.name();
         }
         let index = index - DIALS;
@@ -119,26 +119,26 @@ impl Parameter {
 
     /// What it asks for.
     #[must_use]
-    pub fn asks(self) -> Asks {
+    pub fn target(self) -> ParameterTarget {
         let index = self.index();
-        if let Some(dial) = Dial::at(index) {
-            return Asks::Dial(dial);
+        if let Some(dial) = FaceControl::from_index(index) {
+            return ParameterTarget::Dial(dial);
         }
         let index = index - DIALS;
         match index.checked_sub(VISEMES.len()) {
             None => {
                 let phone = phones::by_name(VISEMES[index].1);
-                Asks::Viseme(phone.unwrap_or(phones::PhoneRow::SILENCE.targets()))
+                ParameterTarget::Viseme(phone.unwrap_or(phones::PhoneRow::SILENCE.targets()))
             }
-            Some(word) => Asks::Emotion(WORDS[word].0),
+            Some(word) => ParameterTarget::Emotion(WORDS[word].0),
         }
     }
 
     /// The least value that it takes; the greatest is 1.
     #[must_use]
-    pub fn least(self) -> f64 {
-        let dial = Dial::at(self.index());
-        if dial.is_some_and(Dial::is_signed) {
+    pub fn min_value(self) -> f64 {
+        let dial = FaceControl::from_index(self.index());
+        if dial.is_some_and(FaceControl::is_signed) {
             -1.0
         } else {
             0.0
@@ -210,14 +210,20 @@ mod tests {
     fn visemes_are_those_of_their_phones_and_emotions_those_of_the_table() {
         for (name, _) in VISEMES {
             let parameter = Parameter::named(name).next().expect("a viseme");
-            let Asks::Viseme(targets) = parameter.asks() else {
+            let ParameterTarget::Viseme(targets) = parameter.target() else {
                 panic!("{name}")
             };
             assert_eq!(targets.viseme, name);
         }
-        let fear = Parameter::named("FEAR").next().expect("a word").asks();
-        assert_eq!(fear, Asks::Emotion("fear"));
-        assert_eq!(Parameter::named("Blush").next().expect("one").least(), -1.0);
-        assert_eq!(Parameter::named("Jaw").next().expect("one").least(), 0.0);
+        let fear = Parameter::named("FEAR").next().expect("a word").target();
+        assert_eq!(fear, ParameterTarget::Emotion("fear"));
+        assert_eq!(
+            Parameter::named("Blush").next().expect("one").min_value(),
+            -1.0
+        );
+        assert_eq!(
+            Parameter::named("Jaw").next().expect("one").min_value(),
+            0.0
+        );
     }
 }

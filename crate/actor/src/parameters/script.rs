@@ -4,7 +4,7 @@ use super::name::Parameter;
 
 /// In which direction an animation plays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
+pub enum PlaybackStyle {
     /// From its begin to its end.
     #[default]
     Forward,
@@ -16,7 +16,7 @@ pub enum Style {
     ReversePingPong,
 }
 
-impl Style {
+impl PlaybackStyle {
     /// Where in an animation of so many seconds one is, so many seconds after it began to
     /// play; it stays where it ends.
     #[must_use]
@@ -77,7 +77,7 @@ pub enum ParameterCommand {
         /// Its name in the library.
         animation: String,
         /// In which direction.
-        style: Style,
+        style: PlaybackStyle,
         /// By what its values are multiplied.
         gain: f64,
     },
@@ -97,11 +97,14 @@ mod tests {
 
     #[test]
     fn styles_lead_through_an_animation() {
-        let at = |style: Style| [-1.0, 0.5, 2.0, 3.5, 9.0].map(|t| style.place(t, 2.0));
-        assert_eq!(at(Style::Forward), [0.0, 0.5, 2.0, 2.0, 2.0]);
-        assert_eq!(at(Style::Reverse), [2.0, 1.5, 0.0, 0.0, 0.0]);
-        assert_eq!(at(Style::PingPong), [0.0, 0.5, 2.0, 0.5, 0.0]);
-        assert_eq!(at(Style::ReversePingPong), [2.0, 1.5, 0.0, 1.5, 2.0]);
-        assert_eq!(Style::PingPong.place(3.0, 0.0), 0.0);
+        let at = |style: PlaybackStyle| [-1.0, 0.5, 2.0, 3.5, 9.0].map(|t| style.place(t, 2.0));
+        assert_eq!(at(PlaybackStyle::Forward), [0.0, 0.5, 2.0, 2.0, 2.0]);
+        assert_eq!(at(PlaybackStyle::Reverse), [2.0, 1.5, 0.0, 0.0, 0.0]);
+        assert_eq!(at(PlaybackStyle::PingPong), [0.0, 0.5, 2.0, 0.5, 0.0]);
+        assert_eq!(
+            at(PlaybackStyle::ReversePingPong),
+            [2.0, 1.5, 0.0, 1.5, 2.0]
+        );
+        assert_eq!(PlaybackStyle::PingPong.place(3.0, 0.0), 0.0);
     }
 }

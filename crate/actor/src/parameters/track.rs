@@ -7,9 +7,9 @@ use raconteur_body::face::FaceControls;
 use raconteur_speech::phones::PhoneTargets;
 
 use super::clip::ParameterClip;
-use super::curve::{Change, Curve};
-use super::dial::Dial;
-use super::name::{Asks, Parameter};
+use super::control::FaceControl;
+use super::curve::{Curve, ParameterChange};
+use super::name::{Parameter, ParameterTarget};
 use super::script::{ParameterCommand, ParameterScript};
 use crate::lips::MouthTargets;
 
@@ -17,7 +17,7 @@ use crate::lips::MouthTargets;
 /// O(log n) for each parameter that is used, and without allocation.
 #[derive(Clone, Debug, Default)]
 pub struct ParameterTrack {
-    dials: Vec<(Dial, Curve)>,
+    dials: Vec<(FaceControl, Curve)>,
     visemes: Vec<(&'static PhoneTargets, Curve)>,
     emotions: Vec<(&'static str, Curve)>,
 }
@@ -38,7 +38,7 @@ impl ParameterTrack {
         sort_by_number(&mut commands, |(time_secs, _)| *time_secs);
         let mut curves: Vec<Option<Curve>> = vec![None; Parameter::COUNT];
         let mut curve = |parameter: Parameter, act: &dyn Fn(&mut Curve)| {
-            let new = || Curve::new(parameter.least());
+            let new = || Curve::new(parameter.min_value());
             act(curves[parameter.index()].get_or_insert_with(new));
         };
         for (time_secs, command) in commands {
@@ -46,11 +46,11 @@ impl ParameterTrack {
             match command {
                 ParameterCommand::Set(parameter, value) => {
                     let value = number(*value);
-                    curve(*parameter, &|c| c.push(start, Change::Ease(value)));
+                    curve(*parameter, &|c| c.push(start, ParameterChange::Ease(value)));
                 }
                 ParameterCommand::Lead(parameter, adsr) => {
                     let keys = adsr.keys().map(|(at, value)| (start + at, number(value)));
-                    curve(*parameter, &|c| c.lead(start, &keys));
+                    curve(*parameter, &|c| c.append_keys(start, &keys));
                 }
                 ParameterCommand::Play {
                     animation,
@@ -61,7 +61,7 @@ impl ParameterTrack {
                         continue;
                     };
                     for (place, parameter) in clip.parameters() {
-                        let course = || Change::Clip {
+                        let course = || ParameterChange::Clip {
                             clip: Arc::clone(&clip),
                             place,
                             style: *style,
@@ -75,10 +75,10 @@ impl ParameterTrack {
         let mut track = Self::default();
         for (parameter, curve) in Parameter::all().zip(curves) {
             let Some(curve) = curve else { continue };
-            match parameter.asks() {
-                Asks::Dial(dial) => track.dials.push((dial, curve)),
-                Asks::Viseme(targets) => track.visemes.push((targets, curve)),
-                Asks::Emotion(word) => track.emotions.push((word, curve)),
+            match parameter.target() {
+                ParameterTarget::Dial(dial) => track.dials.push((dial, curve)),
+                ParameterTarget::Viseme(targets) => track.visemes.push((targets, curve)),
+                ParameterTarget::Emotion(word) => track.emotions.push((word, curve)),
             }
         }
         track
@@ -87,7 +87,7 @@ impl ParameterTrack {
     /// Adds the values of muscles and direct parameters at a time.
     pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
         for (dial, curve) in &self.dials {
-            dial.add(curve.at(time_secs), controls);
+            dial.add(curve.sample(time_secs), controls);
         }
     }
 
@@ -96,7 +96,7 @@ impl ParameterTrack {
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> [f64; 2] {
         self.dials.iter().fold([0.0; 2], |[yaw, pitch], (dial, c)| {
-            let [more_yaw, more_pitch] = dial.gaze_rad(c.at(time_secs));
+            let [more_yaw, more_pitch] = dial.gaze_rad(c.sample(time_secs));
             [yaw + more_yaw, pitch + more_pitch]
         })
     }
@@ -108,7 +108,7 @@ impl ParameterTrack {
         let mut mouth = MouthTargets::default();
         let mut sum = 0.0;
         for (targets, curve) in &self.visemes {
-            let (weight, one) = (curve.at(time_secs), MouthTargets::of(targets));
+            let (weight, one) = (curve.sample(time_secs), MouthTargets::from_phone(targets));
             sum += weight;
             for (channel, more) in mouth.channels.iter_mut().zip(one.channels) {
                 *channel += weight * more;
@@ -138,7 +138,7 @@ fn number(value: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::script::{Adsr, Style};
+    use super::super::script::{Adsr, PlaybackStyle};
     use super::*;
     use raconteur_body::face::Muscle;
     use raconteur_speech::phones::Channel;
@@ -248,15 +248,31 @@ mod tests {
             gain,
         };
         for (style, gain, table) in [
-            (Style::Forward, 1.0, [(0.5, 0.5), (1.0, 1.0), (3.0, 1.0)]),
-            (Style::Reverse, 1.0, [(0.5, 0.5), (1.0, 0.0), (3.0, 0.0)]),
-            (Style::PingPong, 0.5, [(0.5, 0.25), (1.0, 0.5), (1.5, 0.25)]),
             (
-                Style::ReversePingPong,
+                PlaybackStyle::Forward,
+                1.0,
+                [(0.5, 0.5), (1.0, 1.0), (3.0, 1.0)],
+            ),
+            (
+                PlaybackStyle::Reverse,
+                1.0,
+                [(0.5, 0.5), (1.0, 0.0), (3.0, 0.0)],
+            ),
+            (
+                PlaybackStyle::PingPong,
+                0.5,
+                [(0.5, 0.25), (1.0, 0.5), (1.5, 0.25)],
+            ),
+            (
+                PlaybackStyle::ReversePingPong,
                 1.0,
                 [(0.5, 0.5), (1.0, 0.0), (1.75, 0.75)],
             ),
-            (Style::Forward, 4.0, [(0.2, 0.8), (0.5, 1.0), (3.0, 1.0)]),
+            (
+                PlaybackStyle::Forward,
+                4.0,
+                [(0.2, 0.8), (0.5, 1.0), (3.0, 1.0)],
+            ),
         ] {
             let script = ParameterScript {
                 commands: vec![(5.0, play(style, gain))],

@@ -59,7 +59,7 @@ pub(super) type Sum = &'static [(&'static str, f64)];
 
 /// An opening of the mouth reaches the actor's widest vowel (0.245 rad of jaw) with the whole
 /// of a viseme.
-const WIDEST: f64 = JAW_OPEN_RAD / 0.245;
+const MAX_OPENING: f64 = JAW_OPEN_RAD / 0.245;
 /// What closes the lips again over that viseme.
 const UNWIDEN: f64 = -MOUTH_CLOSE_RAD / 0.245;
 /// What closes the lips over ARKit's jaw, whose `mouthClose` goes with `jawOpen`.
@@ -72,7 +72,7 @@ pub(super) const OVER_JAW: f64 = MOUTH_CLOSE_RAD / JAW_OPEN_RAD;
 pub(super) const RECIPES: [(&str, &[Sum], Region); 52] = [
     (
         "jawOpen",
-        &[&[("aa", WIDEST)], &[("mouthOpen", WIDEST)]],
+        &[&[("aa", MAX_OPENING)], &[("mouthOpen", MAX_OPENING)]],
         Region::Everywhere,
     ),
     ("jawForward", &[], Region::Everywhere),

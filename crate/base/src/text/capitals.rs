@@ -6,7 +6,7 @@ use super::word::Word;
 
 /// What the words around capitals tell about them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Around {
+pub enum CapitalContext {
     /// Nothing: the words beside it are written in small letters.
     Nothing,
     /// Ordinary words in capitals are beside it: somebody shouts.
@@ -16,7 +16,7 @@ pub enum Around {
 }
 
 /// Runs of capitals are looked at so far, in words.
-const FARTHEST: usize = 8;
+const MAX_DISTANCE_WORDS: usize = 8;
 
 /// Consonants with which words begin, besides single ones (English, German and Portuguese).
 const ONSETS: &str = "bl br ch chr cl cr dr dw fl fr gh gl gn gr kl kn kr lh nh ph phl phr pl pn pr \
@@ -72,13 +72,13 @@ pub fn is_capitals(word: &str) -> bool {
 /// Whether capitals are letters, called by their names, rather than a word: by lists of both,
 /// otherwise by their shape and by what is around.
 #[must_use]
-pub fn is_acronym(word: &str, around: Around, language: Language) -> bool {
+pub fn is_acronym(word: &str, around: CapitalContext, language: Language) -> bool {
     if !is_capitals(word) {
         return false;
     }
     let own = language as usize;
     if has(UNCLEAR[own], word) {
-        return around == Around::Name;
+        return around == CapitalContext::Name;
     }
     if has(LETTERS[own], word) {
         return true;
@@ -87,7 +87,7 @@ pub fn is_acronym(word: &str, around: Around, language: Language) -> bool {
         return false;
     }
     let is_short = word.chars().count() < 4;
-    is_short && around != Around::Shouting || !is_pronounceable(word)
+    is_short && around != CapitalContext::Shouting || !is_pronounceable(word)
 }
 
 /// Whether a word in capitals is said louder: an ordinary word among words in small letters.
@@ -101,7 +101,7 @@ pub fn is_stressed(words: &[Word<'_>], at: usize, language: Option<Language>) ->
     };
     let around = around(words, at, language);
     is_capitals(word)
-        && around != Around::Shouting
+        && around != CapitalContext::Shouting
         && super::roman::value(word).is_none()
         && !has(NAMES, word)
         && !is_acronym(word, around, language)
@@ -110,19 +110,21 @@ pub fn is_stressed(words: &[Word<'_>], at: usize, language: Option<Language>) ->
 /// What the words around the one at `at` tell about its capitals. Nothing beyond a sign of
 /// punctuation is looked at, so that a text tells the same however it is cut at those.
 #[must_use]
-pub fn around(words: &[Word<'_>], at: usize, language: Language) -> Around {
+pub fn around(words: &[Word<'_>], at: usize, language: Language) -> CapitalContext {
     let Some(word) = words.get(at) else {
-        return Around::Nothing;
+        return CapitalContext::Nothing;
     };
     let previous = before(words, at).map_or("", |at| words[at].core.as_str());
     let next = after(words, at).map_or("", |at| words[at].core.as_str());
     if has(UNCLEAR[language as usize], &word.core) && is_named(&word.core, previous, next, language)
     {
-        return Around::Name;
+        return CapitalContext::Name;
     }
     let shouts = |at: usize| {
         let core = words[at].core.as_str();
-        is_capitals(core) && !is_acronym(core, Around::Nothing, language) && !has(NAMES, core)
+        is_capitals(core)
+            && !is_acronym(core, CapitalContext::Nothing, language)
+            && !has(NAMES, core)
             || core.contains(['\'', '\u{2019}', '-'])
                 && !core.contains(char::is_lowercase)
                 && core.chars().count() > 3
@@ -131,22 +133,22 @@ pub fn around(words: &[Word<'_>], at: usize, language: Language) -> Around {
     // A run of capitals, single letters and numbers.
     let runs = |at: &usize| !words[*at].core.contains(char::is_lowercase);
     while let Some(next) = before(words, left).filter(runs)
-        && at - next <= FARTHEST
+        && at - next <= MAX_DISTANCE_WORDS
     {
         left = next;
         if shouts(left) {
-            return Around::Shouting;
+            return CapitalContext::Shouting;
         }
     }
     while let Some(next) = after(words, right).filter(runs)
-        && next - at <= FARTHEST
+        && next - at <= MAX_DISTANCE_WORDS
     {
         right = next;
         if shouts(right) {
-            return Around::Shouting;
+            return CapitalContext::Shouting;
         }
     }
-    Around::Nothing
+    CapitalContext::Nothing
 }
 
 /// The word before the one at `at`, where nothing parts the two.

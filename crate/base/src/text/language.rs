@@ -15,7 +15,7 @@ pub enum Language {
 impl Language {
     /// Decided by the primary subtag of a BCP 47 tag (RFC 5646).
     #[must_use]
-    pub fn of(tag: &str) -> Option<Self> {
+    pub fn from_tag(tag: &str) -> Option<Self> {
         let primary = tag.split(['-', '_']).next().unwrap_or_default();
         match primary.to_ascii_lowercase().as_str() {
             "en" => Some(Self::English),

@@ -67,7 +67,7 @@ impl Script {
     /// or one that is a word by itself. None for digits, signs, single letters as in formulas, and
     /// mixtures with Latin letters.
     #[must_use]
-    pub fn of(word: &str) -> Option<Self> {
+    pub fn from_word(word: &str) -> Option<Self> {
         let mut letters = word.chars().filter(|c| c.is_alphabetic());
         let mut script = of_letter(letters.next()?)?;
         let mut count = 1;
@@ -157,7 +157,7 @@ mod tests {
             ("ﬁne", Some(Latin)),
             ("ＦＵＬＬ", Some(Latin)),
         ] {
-            assert_eq!(Script::of(word), script, "{word}");
+            assert_eq!(Script::from_word(word), script, "{word}");
         }
         for (at, row) in SCRIPTS.iter().enumerate() {
             assert_eq!(row.0 as usize, at);

@@ -87,7 +87,7 @@ fn german_stop_ends(words: &[Word<'_>], at: usize) -> bool {
 
 /// What a word says that is the last so far of a text that is still coming.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SoFar {
+pub enum PendingEnd {
     /// A sentence ends, whatever follows; a small letter aside.
     Ends,
     /// None ends.
@@ -98,16 +98,16 @@ pub enum SoFar {
 
 /// Whether a sentence ends after the last of `words`, of a text that goes on.
 #[must_use]
-pub fn so_far(words: &[Word<'_>], language: Option<Language>) -> SoFar {
+pub fn pending_end(words: &[Word<'_>], language: Option<Language>) -> PendingEnd {
     let Some(last) = words.last() else {
-        return SoFar::GoesOn;
+        return PendingEnd::GoesOn;
     };
     if !last.end.contains(['.', '!', '?']) {
-        return SoFar::GoesOn;
+        return PendingEnd::GoesOn;
     }
     // Half of an abbreviation in two words is this short.
     if last.dotted() && !last.core.is_empty() && last.core.len() <= 2 {
-        return SoFar::Open;
+        return PendingEnd::Open;
     }
     let starter = language.map_or("The", |language| language.pick(["The", "Die", "O"]));
     // A beginning, a name, a number, a month, a numeral.
@@ -117,9 +117,9 @@ pub fn so_far(words: &[Word<'_>], language: Option<Language>) -> SoFar {
         ends_after(&all, words.len() - 1, language)
     });
     match (ends.contains(&true), ends.contains(&false)) {
-        (true, true) => SoFar::Open,
-        (true, false) => SoFar::Ends,
-        (false, _) => SoFar::GoesOn,
+        (true, true) => PendingEnd::Open,
+        (true, false) => PendingEnd::Ends,
+        (false, _) => PendingEnd::GoesOn,
     }
 }
 
@@ -137,7 +137,7 @@ mod tests {
                 }
                 last.push_str(&word.raw);
             }
-            if ends_after(&words, at, Language::of(language)) && at + 1 < words.len() {
+            if ends_after(&words, at, Language::from_tag(language)) && at + 1 < words.len() {
                 all.push(String::new());
             }
         }
@@ -187,17 +187,17 @@ mod tests {
     fn what_comes_piece_by_piece_waits_where_the_next_word_decides() {
         let of = |text: &str| {
             let words: Vec<Word<'_>> = text.split_whitespace().map(Word::parse).collect();
-            so_far(&words, Some(Language::English))
+            pending_end(&words, Some(Language::English))
         };
         for (text, expected) in [
-            ("The cat sat.", SoFar::Ends),
-            ("Really?!", SoFar::Ends),
-            ("Well…", SoFar::Ends),
-            ("said Dr.", SoFar::Open),
-            ("at 5 p.m.", SoFar::Open),
-            ("in the U.S.", SoFar::Open),
-            ("by e.g.", SoFar::GoesOn),
-            ("the cat", SoFar::GoesOn),
+            ("The cat sat.", PendingEnd::Ends),
+            ("Really?!", PendingEnd::Ends),
+            ("Well…", PendingEnd::Ends),
+            ("said Dr.", PendingEnd::Open),
+            ("at 5 p.m.", PendingEnd::Open),
+            ("in the U.S.", PendingEnd::Open),
+            ("by e.g.", PendingEnd::GoesOn),
+            ("the cat", PendingEnd::GoesOn),
         ] {
             assert_eq!(of(text), expected, "{text}");
         }

@@ -53,7 +53,7 @@ pub fn attach(word: &mut String, sign: &str) {
 
 /// Words as they are shown, each with the signs that belong to it.
 #[derive(Debug, Default)]
-pub struct Shown {
+pub struct DisplayedWords {
     words: Vec<String>,
     /// Since the last word.
     signs: Vec<String>,
@@ -61,7 +61,7 @@ pub struct Shown {
     is_parted: bool,
 }
 
-impl Shown {
+impl DisplayedWords {
     /// A word follows.
     pub fn word(&mut self, text: &str) {
         let kept = self.settle(Some(text));
@@ -80,12 +80,12 @@ impl Shown {
     }
 
     /// So many of the last signs were an emoticon, which is not shown.
-    pub fn take_back(&mut self, signs: usize) {
+    pub fn remove_last(&mut self, signs: usize) {
         self.signs.truncate(self.signs.len().saturating_sub(signs));
     }
 
     /// A pause, a recording or the end of a division follows.
-    pub fn part(&mut self) {
+    pub fn separate(&mut self) {
         if !self.words.is_empty() && !self.is_parted {
             self.settle(None);
             self.is_parted = true;
@@ -124,10 +124,10 @@ mod tests {
     use super::*;
 
     fn shown(text: &str) -> Vec<String> {
-        let mut shown = Shown::default();
+        let mut shown = DisplayedWords::default();
         for token in text.split(' ') {
             match token {
-                "|" => shown.part(),
+                "|" => shown.separate(),
                 _ if token.contains(char::is_alphanumeric) => shown.word(token),
                 _ => shown.sign(token),
             }

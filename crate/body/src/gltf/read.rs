@@ -17,7 +17,7 @@ use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 use crate::face::Tissue;
 use crate::face::file::TissueError;
 use crate::figure::{Figure, Image};
-use crate::skeleton::{Bone, FacePlaces, Skeleton};
+use crate::skeleton::{Bone, FaceJoints, Skeleton};
 use accessor::Source;
 use document::Document;
 use mesh::{read_primitive, read_skin};
@@ -241,7 +241,7 @@ fn skeleton(root: &Document<'_>, world: &[DAffine3]) -> Result<Skeleton, ReadErr
         };
         node_named(root, name).map_or(skull, |n| world[n].translation)
     };
-    let face = FacePlaces {
+    let face = FaceJoints {
         eye_centres: Side::BOTH.map(eye),
     };
     // A file without the stature gets one from the height of the skull's joint (0.888 of

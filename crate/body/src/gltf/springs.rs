@@ -6,13 +6,13 @@ use raconteur_base::DVec3;
 use serde_json::{Value, json};
 
 use super::fields::{index, indices, items, numbers};
-use crate::springs::{Chain, Collider, Link, Springs, place};
+use crate::springs::{Chain, Collider, SpringLink, Springs, place};
 
 /// The extension's name.
 pub(super) const EXTENSION: &str = "VRMC_springBone";
 /// What a file may have; more is left out.
-const MOST_JOINTS: usize = 128;
-const MOST_COLLIDERS: usize = 128;
+const MAX_JOINTS: usize = 128;
+const MAX_COLLIDERS: usize = 128;
 
 /// The springs of a document, whose joints are numbers of nodes. A node belongs to one chain
 /// alone: a chain that would share one, or that has a number that is none, does not swing.
@@ -20,20 +20,20 @@ pub(super) fn read(root: &Value) -> Springs {
     let of = &root["extensions"][EXTENSION];
     let read: Vec<Option<Collider>> = items(of, "colliders")
         .iter()
-        .take(MOST_COLLIDERS)
+        .take(MAX_COLLIDERS)
         .map(collider)
         .collect();
     let groups = items(of, "colliderGroups");
     let mut taken = Vec::new();
     let mut chains = Vec::new();
     for spring in items(of, "springs") {
-        let links: Option<Vec<Link>> = items(spring, "joints").iter().map(link).collect();
+        let links: Option<Vec<SpringLink>> = items(spring, "joints").iter().map(link).collect();
         let Some(links) = links.filter(|l| l.len() > 1) else {
             continue;
         };
         let nodes: Vec<usize> = links.iter().map(|l| l.joint).collect();
         let is_new = |i: usize| !taken.contains(&nodes[i]) && !nodes[..i].contains(&nodes[i]);
-        if taken.len() + nodes.len() > MOST_JOINTS || !(0..nodes.len()).all(is_new) {
+        if taken.len() + nodes.len() > MAX_JOINTS || !(0..nodes.len()).all(is_new) {
             continue;
         }
         taken.extend(nodes);
@@ -63,9 +63,9 @@ fn vector(value: &Value, key: &str, absent: DVec3) -> Option<DVec3> {
     v.is_finite().then_some(v)
 }
 
-fn link(value: &Value) -> Option<Link> {
+fn link(value: &Value) -> Option<SpringLink> {
     let direction = vector(value, "gravityDir", DVec3::NEG_Y)?;
-    Some(Link {
+    Some(SpringLink {
         joint: index(value, "node")?,
         stiffness: number(value, "stiffness", 1.0)?.clamp(0.0, 10.0),
         gravity: direction.clamp_length_max(1.0)
@@ -162,7 +162,7 @@ mod tests {
 
     /// A chain of four links that meets both of two colliders, a sphere and a capsule.
     fn springs() -> Springs {
-        let link = |joint| Link {
+        let link = |joint| SpringLink {
             joint,
             stiffness: 0.35,
             gravity: DVec3::NEG_Y * 0.12,

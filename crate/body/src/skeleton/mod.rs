@@ -39,7 +39,7 @@ pub struct Skeleton {
 
 /// Where the helpers stand.
 #[derive(Clone, Copy, Debug)]
-pub struct FacePlaces {
+pub struct FaceJoints {
     /// Centres of the eyeballs in the bind pose, world, left and right.
     pub eye_centres: [DVec3; 2],
 }
@@ -102,7 +102,7 @@ impl Skeleton {
     pub fn from_bind(
         positions_in_world: &[DVec3; Bone::COUNT],
         bind_rotations: &[DQuat; Bone::COUNT],
-        face: FacePlaces,
+        face: FaceJoints,
         stature_m: f64,
     ) -> Self {
         let zero = zero_frames();
@@ -163,7 +163,7 @@ impl Skeleton {
     /// eyes; theirs are set at the skull's usual place.
     #[must_use]
     pub fn example() -> Self {
-        let face = FacePlaces {
+        let face = FaceJoints {
             eye_centres: [
                 DVec3::new(0.031, 1.80, 0.08),
                 DVec3::new(-0.031, 1.80, 0.08),
@@ -243,7 +243,7 @@ impl Skeleton {
     #[must_use]
     pub fn stretched_m(&self, bone: Bone, distance_m: f64) -> f64 {
         let slack = if bone == Bone::Chin {
-            Jaw::MOST_SLIDE_M
+            Jaw::MAX_SLIDE_M
         } else {
             0.0
         };

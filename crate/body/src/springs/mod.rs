@@ -23,16 +23,16 @@ const PUSHES: usize = 3;
 /// Cosine of the farthest that a link turns from its direction at rest, whatever those above it do:
 /// 17°. Designed: hair that stands off farther looks as if it blew in a wind, and goes through
 /// colliders in quick motion.
-const MOST_SWING_COS: f64 = 0.956;
+const MAX_SWING_COS: f64 = 0.956;
 /// And of the farthest that colliders push it: 30°. A raised shoulder may not press hair into the
 /// face.
-const MOST_PUSH_COS: f64 = 0.866;
+const MAX_PUSH_COS: f64 = 0.866;
 /// A joint that moves farther in one step has been put elsewhere, metres.
 const LEAP_M: f64 = 0.3;
 
 /// A joint of a chain, and how its end behaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Link {
+pub struct SpringLink {
     /// Index of the joint in the skeleton.
     pub joint: usize,
     /// Force towards the place at rest, metres a second for each step.
@@ -49,7 +49,7 @@ pub struct Link {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chain {
     /// From the root.
-    pub links: Vec<Link>,
+    pub links: Vec<SpringLink>,
     /// Indices into [`Springs::colliders`].
     pub colliders: Vec<usize>,
 }
@@ -76,7 +76,7 @@ pub struct Springs {
 
 /// Where the ends are: one for each link but the last of each chain, world, metres.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Swing {
+pub struct SpringState {
     now: Vec<DVec3>,
     before: Vec<DVec3>,
     /// Room for the ends of a step and for the colliders' middle lines.
@@ -84,16 +84,16 @@ pub struct Swing {
     lines: Vec<[DVec3; 2]>,
 }
 
-impl Swing {
+impl SpringState {
     /// Where an end was a share of a step before the last one that was made.
-    fn at(&self, end: usize, share: f64) -> DVec3 {
+    fn position_at(&self, end: usize, share: f64) -> DVec3 {
         self.before[end].lerp(self.now[end], share)
     }
 }
 
 /// A joint whose end is to be placed.
-struct Hung<'a> {
-    link: &'a Link,
+struct HangingJoint<'a> {
+    link: &'a SpringLink,
     /// Index of the end.
     end: usize,
     /// World, metres.
@@ -113,14 +113,14 @@ impl Springs {
 
     /// A swing with room for all ends, to be hung at rest.
     #[must_use]
-    pub fn swing(&self) -> Swing {
+    pub fn swing(&self) -> SpringState {
         let ends: usize = self
             .chains
             .iter()
             .map(|c| c.links.len().saturating_sub(1))
             .sum();
         let now = vec![DVec3::ZERO; ends];
-        Swing {
+        SpringState {
             before: now.clone(),
             next: now.clone(),
             now,
@@ -129,7 +129,7 @@ impl Springs {
     }
 
     /// Hangs everything at rest in a solved posture.
-    pub fn rest(&self, world: &[DAffine3], swing: &mut Swing) {
+    pub fn rest(&self, world: &[DAffine3], swing: &mut SpringState) {
         swing.now.clear();
         for chain in &self.chains {
             let ends = chain.links.iter().skip(1);
@@ -140,7 +140,7 @@ impl Springs {
 
     /// One step of 1 / [`STEPS_PER_S`] to a solved posture, whose chains are turned accordingly.
     /// `swing` has been at rest once.
-    pub fn step(&self, skeleton: &Skeleton, world: &mut [DAffine3], swing: &mut Swing) {
+    pub fn step(&self, skeleton: &Skeleton, world: &mut [DAffine3], swing: &mut SpringState) {
         let mut next = core::mem::take(&mut swing.next);
         let mut lines = core::mem::take(&mut swing.lines);
         self.place(skeleton, world, &mut lines, &mut next, &|hung| {
@@ -150,7 +150,7 @@ impl Springs {
             if rest.distance(now) > LEAP_M || speed.length() > LEAP_M {
                 return rest;
             }
-            let Link {
+            let SpringLink {
                 stiffness,
                 gravity,
                 drag,
@@ -170,16 +170,16 @@ impl Springs {
         &self,
         skeleton: &Skeleton,
         world: &mut [DAffine3],
-        swing: &mut Swing,
+        swing: &mut SpringState,
         share: f64,
-        other: Option<(&Swing, f64, f64)>,
+        other: Option<(&SpringState, f64, f64)>,
     ) {
         let mut next = core::mem::take(&mut swing.next);
         let mut lines = core::mem::take(&mut swing.lines);
         self.place(skeleton, world, &mut lines, &mut next, &|hung| {
-            let own = swing.at(hung.end, share);
+            let own = swing.position_at(hung.end, share);
             other.map_or(own, |(other, share, way)| {
-                own.lerp(other.at(hung.end, share), way)
+                own.lerp(other.position_at(hung.end, share), way)
             })
         });
         swing.next = next;
@@ -194,7 +194,7 @@ impl Springs {
         world: &mut [DAffine3],
         lines: &mut Vec<[DVec3; 2]>,
         ends: &mut Vec<DVec3>,
-        wanted: &dyn Fn(&Hung<'_>) -> DVec3,
+        wanted: &dyn Fn(&HangingJoint<'_>) -> DVec3,
     ) {
         let line = |c: &Collider| c.ends.map(|e| world[c.joint].transform_point3(e));
         lines.clear();
@@ -215,7 +215,7 @@ impl Springs {
                 let unturned = still.map_or(frame, |above: DAffine3| above * local);
                 still = Some(unturned);
                 let end_in_joint = joints[pair[1].joint].translation_in_parent;
-                let hung = Hung {
+                let hung = HangingJoint {
                     link,
                     end: ends.len(),
                     joint: frame.translation,
@@ -237,13 +237,14 @@ impl Springs {
         &self,
         chain: &Chain,
         lines: &[[DVec3; 2]],
-        hung: &Hung<'_>,
+        hung: &HangingJoint<'_>,
         wanted: DVec3,
     ) -> DVec3 {
         let length = hung.arm.length();
         let held =
             |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
-        let mut end = hung.joint + within(hung.still, wanted - hung.joint, MOST_SWING_COS) * length;
+        let mut end =
+            hung.joint + clamp_direction(hung.still, wanted - hung.joint, MAX_SWING_COS) * length;
         for _ in 0..PUSHES {
             let before = end;
             for &c in &chain.colliders {
@@ -260,12 +261,12 @@ impl Springs {
                 break;
             }
         }
-        hung.joint + within(hung.still, end - hung.joint, MOST_PUSH_COS) * length
+        hung.joint + clamp_direction(hung.still, end - hung.joint, MAX_PUSH_COS) * length
     }
 }
 
 /// The direction of `to`, as far as the cosine of its angle to an arm is not less.
-fn within(arm: DVec3, to: DVec3, least: f64) -> DVec3 {
+fn clamp_direction(arm: DVec3, to: DVec3, least: f64) -> DVec3 {
     let rest = arm.normalize_or_zero();
     let to = to.normalize_or(rest);
     let cosine = to.dot(rest);

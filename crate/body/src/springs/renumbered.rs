@@ -1,15 +1,15 @@
 //! The same springs on a skeleton that numbers its joints otherwise.
 
-use super::{Chain, Collider, Link, Springs};
+use super::{Chain, Collider, SpringLink, Springs};
 
 impl Springs {
     /// With joints by other numbers. A chain that loses a joint does not swing; a collider that
     /// does keeps nothing out.
     #[must_use]
     pub fn renumbered(&self, joint: &dyn Fn(usize) -> Option<usize>) -> Self {
-        let link = |l: &Link| {
+        let link = |l: &SpringLink| {
             let joint = joint(l.joint)?;
-            Some(Link { joint, ..*l })
+            Some(SpringLink { joint, ..*l })
         };
         let read: Vec<Option<Collider>> = self
             .colliders
@@ -20,7 +20,7 @@ impl Springs {
             })
             .collect();
         let chain = |chain: &Chain| {
-            let links: Option<Vec<Link>> = chain.links.iter().map(link).collect();
+            let links: Option<Vec<SpringLink>> = chain.links.iter().map(link).collect();
             Some(Chain {
                 links: links?,
                 colliders: chain

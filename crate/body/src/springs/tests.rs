@@ -18,7 +18,7 @@ fn hung(gravity: f64) -> (Skeleton, Springs) {
         let local = DAffine3::from_translation(turn.transpose() * (at - parent.1));
         let joint = skeleton.hang(format!("hair_0_{l}"), parent.0, local, Drive::Spring(0, l));
         parent = (joint, at);
-        links.push(Link {
+        links.push(SpringLink {
             joint,
             stiffness: 0.35,
             gravity: DVec3::NEG_Y * gravity,
@@ -126,8 +126,8 @@ fn links_turn_no_farther_than_they_may() {
             most = most.min(ops::cos(turned));
         }
     }
-    assert!(most > MOST_PUSH_COS - 1e-9, "{most}");
-    assert!(most < MOST_SWING_COS, "{most}");
+    assert!(most > MAX_PUSH_COS - 1e-9, "{most}");
+    assert!(most < MAX_SWING_COS, "{most}");
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn between_steps_ends_go_straight_and_one_swing_takes_over_from_another() {
     let mut other = springs.swing();
     springs.rest(&posture(&skeleton, 40, 600), &mut other);
     let world = posture(&skeleton, 40, 600);
-    let shown = |swing: &mut Swing, share: f64, other: Option<(&Swing, f64, f64)>| {
+    let shown = |swing: &mut SpringState, share: f64, other: Option<(&SpringState, f64, f64)>| {
         let mut world = world.clone();
         springs.show(&skeleton, &mut world, swing, share, other);
         ends(&springs, &world)[3]

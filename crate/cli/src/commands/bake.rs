@@ -18,7 +18,7 @@ use raconteur_voice::files::{input, inside};
 
 use crate::{Format, Outcome, assets, report, terminal};
 use raconteur_voice::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
-use raconteur_voice::bake::program::Missing;
+use raconteur_voice::bake::program::MissingPrograms;
 use raconteur_voice::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 
 /// Make or refresh the speech bundles of stories.
@@ -123,12 +123,12 @@ impl Bake {
                 );
                 writeln!(terminal::err(), "{}", printable(&told))?;
             }
-            self.tell_of_engines(&name, &baked, &bake_options.cast)?;
+            self.report_engines(&name, &baked, &bake_options.cast)?;
             if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
                 worst = Outcome::Errors;
             }
             match self.format {
-                Format::Text => self.tell(&name, &baked)?,
+                Format::Text => self.report(&name, &baked)?,
                 Format::Json => reports.push(in_json(&name, &baked)),
             }
         }
@@ -175,12 +175,12 @@ impl Bake {
             None => inside::find(folder, "lexicon.txt")?,
         };
         path.map_or(Ok(String::new()), |path| {
-            input::text(&path, input::LONGEST_TEXT).context("the lexicon")
+            input::text(&path, input::MAX_TEXT_BYTES).context("the lexicon")
         })
     }
 
     /// What another engine than the default one means, or that none could be queried.
-    fn tell_of_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
+    fn report_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
         let mut err = terminal::err();
         if let Some(missing) = &baked.compared_without {
             writeln!(
@@ -205,7 +205,7 @@ impl Bake {
         Ok(())
     }
 
-    fn tell(&self, name: &str, baked: &BakeReport) -> Result<()> {
+    fn report(&self, name: &str, baked: &BakeReport) -> Result<()> {
         let mut out = terminal::out();
         if self.check {
             for text in &baked.synthesised {
@@ -256,7 +256,7 @@ pub(super) fn list(
     format: Format,
 ) -> Result<Outcome> {
     let mut rows = Vec::new();
-    let mut missing = Missing::default();
+    let mut missing = MissingPrograms::default();
     let asked = ENGINES
         .into_iter()
         .filter(|e| engine.is_none_or(|engine| engine == *e));
@@ -265,8 +265,8 @@ pub(super) fn list(
         match Cast::voices_of(name, options) {
             Ok(voices) => rows.extend(voices.into_iter().map(|v| (name, v))),
             // Servers and recordings are only there for those who ask for them.
-            Err(error) if engine.is_some() || error.is::<Missing>() => {
-                missing.add(&Missing::of(&error));
+            Err(error) if engine.is_some() || error.is::<MissingPrograms>() => {
+                missing.add(&MissingPrograms::from_error(&error));
             }
             Err(_) => {}
         }
@@ -308,7 +308,7 @@ fn bake_with_bar(script: &Script, folder: &Path, options: &BakeOptions) -> Resul
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?;
     let bar = ProgressBar::new(0).with_style(style);
     let baked = bake::bake(
-        &raconteur_voice::said(&script.document),
+        &raconteur_voice::speech_requests(&script.document),
         folder,
         options,
         &assets::find,

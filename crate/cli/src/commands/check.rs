@@ -12,7 +12,7 @@ use crate::report;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome, terminal};
 use raconteur_voice::bake::{SoundFile, Store};
-use raconteur_voice::files::disk::Real;
+use raconteur_voice::files::disk::SystemDisk;
 use raconteur_voice::files::inside;
 
 /// Report problems in stories.
@@ -74,8 +74,8 @@ fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
         let message = format!("the voice is not read: {error:#}");
         return vec![Diagnostic::error("voice::outside", Span::new(0, 0), message).hint(hint)];
     }
-    let store = Store::open(voice, &Real);
-    let said = raconteur_voice::said(&document);
+    let store = Store::open(voice, &SystemDisk);
+    let said = raconteur_voice::speech_requests(&document);
     let wrong = said
         .iter()
         .filter(|said| store.sound(said.key) == Some(SoundFile::Wrong));

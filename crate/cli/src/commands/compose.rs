@@ -10,7 +10,7 @@ use crate::compose::{self, Score};
 use raconteur_voice::files::input;
 
 use crate::{Outcome, terminal};
-use raconteur_voice::bake::program::{FFMPEG, Missing, OPUSENC, Program};
+use raconteur_voice::bake::program::{FFMPEG, MissingPrograms, OPUSENC, Program};
 
 /// Play a score on the built-in synthesiser.
 #[derive(Args)]
@@ -33,8 +33,8 @@ impl Compose {
                 _ => None,
             })
             .collect();
-        Missing::among(&programs).none()?;
-        let text = input::text(&self.score, input::LONGEST_TEXT).context("the score")?;
+        MissingPrograms::not_found(&programs).into_result()?;
+        let text = input::text(&self.score, input::MAX_TEXT_BYTES).context("the score")?;
         let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
         let music = compose::play(&score).with_context(|| self.score.display().to_string())?;
         let mut out = terminal::out();

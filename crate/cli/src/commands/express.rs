@@ -14,7 +14,7 @@ use raconteur_stage::{Frame, SetKind};
 
 use crate::commands::render::{parse_set, parse_size};
 use crate::picture::{self, write_png};
-use crate::sheet::Board;
+use crate::sheet::ContactSheet;
 use crate::soundtrack::Soundtrack;
 use crate::story::find_figure;
 use crate::{Outcome, film};
@@ -39,11 +39,11 @@ const SETTLED_SECS: f64 = 5.0;
 #[derive(Args)]
 pub(crate) struct Express {
     #[command(subcommand)]
-    what: What,
+    what: ExpressAction,
 }
 
 #[derive(Subcommand)]
-enum What {
+enum ExpressAction {
     /// Make a film of each emotion: by default the eight clips of the third study of GEVH.
     Clips(Clips),
     /// Draw all emotions in one pose by the face, by each channel alone, and by all together.
@@ -61,7 +61,7 @@ enum Channel {
 const CHANNELS: [Channel; 3] = [Channel::Camera, Channel::Light, Channel::Music];
 
 #[derive(Args)]
-struct Shown {
+struct SheetRow {
     /// Potential of the emotions, 0 to 10.
     #[arg(long, default_value_t = 5.0)]
     potential: f64,
@@ -82,7 +82,7 @@ struct Clips {
     #[arg(default_values = STUDY, value_parser = parse_emotion)]
     emotions: Vec<String>,
     #[command(flatten)]
-    shown: Shown,
+    shown: SheetRow,
     /// A channel that stays as it is; may be given several times.
     #[arg(long, value_enum)]
     without: Vec<Channel>,
@@ -103,7 +103,7 @@ struct Sheet {
     #[arg(short, long)]
     output: PathBuf,
     #[command(flatten)]
-    shown: Shown,
+    shown: SheetRow,
     /// Height of each tile, pixels.
     #[arg(long, default_value_t = 150)]
     height: u32,
@@ -117,7 +117,7 @@ fn parse_emotion(name: &str) -> Result<String, String> {
     Err(format!("one of {}", names.join(", ")))
 }
 
-impl Shown {
+impl SheetRow {
     /// A player of a script that elicits an emotion for so long and lets some channels express it.
     fn player(&self, emotion: &str, by: &[Channel], secs: f64) -> Result<Player> {
         let on = |channel: Channel| by.contains(&channel);
@@ -160,8 +160,8 @@ impl Express {
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
         )?;
         match &self.what {
-            What::Clips(clips) => clips.run(&mut headless)?,
-            What::Sheet(sheet) => sheet.run(&mut headless)?,
+            ExpressAction::Clips(clips) => clips.run(&mut headless)?,
+            ExpressAction::Sheet(sheet) => sheet.run(&mut headless)?,
         }
         Ok(Outcome::Fine)
     }
@@ -189,7 +189,7 @@ impl Clips {
                 picture::set_figure(headless, player.figure())?;
             }
             // The script lies nowhere; all its music is the library's.
-            let soundtrack = Soundtrack::of(&player, Path::new(""), 0.0, length);
+            let soundtrack = Soundtrack::collect(&player, Path::new(""), 0.0, length);
             let path = self.output.join(format!("{emotion}.mp4"));
             let mut sink = film::Sink::open(&path, self.size, self.fps, length, &soundtrack)?;
             for n in 0..count {
@@ -219,7 +219,7 @@ impl Sheet {
         let aspects = vec![ASPECT; columns.len() * EMOTIONS.len()];
         // Three emotions a row.
         let across = 3 * columns.len() as u32;
-        let mut board = Board::new(
+        let mut board = ContactSheet::new(
             &aspects,
             height,
             None,
@@ -245,7 +245,7 @@ impl Sheet {
                     }
                 };
                 let pixels = headless.render_rgba(&shown, width, height)?;
-                board.lay(&pixels, &format!("{}: {name}", emotion.name))?;
+                board.place_tile(&pixels, &format!("{}: {name}", emotion.name))?;
                 bar.inc(1);
             }
         }

@@ -12,7 +12,7 @@ pub(crate) mod new;
 pub(crate) mod pose;
 pub(crate) mod render;
 pub(crate) mod serve;
+pub(crate) mod story_check;
 pub(crate) mod sweep;
-pub(crate) mod telling;
 pub(crate) mod timeline;
 pub(crate) mod voice;

@@ -87,16 +87,16 @@ fn parse_quality(name: &str) -> Result<Quality, String> {
 }
 
 /// Largest side of a picture, pixels; what every adapter can draw.
-const LARGEST_SIDE: u32 = 8192;
+const MAX_SIDE_PX: u32 = 8192;
 
 pub(crate) fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let (w, h) = text
         .split_once('x')
         .ok_or("write WIDTHxHEIGHT, for example 1280x720")?;
     let side = |s: &str| match s.parse::<u32>() {
-        Ok(n) if (1..=LARGEST_SIDE).contains(&n) => Ok(n),
+        Ok(n) if (1..=MAX_SIDE_PX).contains(&n) => Ok(n),
         _ => Err(format!(
-            "{s} is not a number of pixels from 1 to {LARGEST_SIDE}"
+            "{s} is not a number of pixels from 1 to {MAX_SIDE_PX}"
         )),
     };
     Ok((side(w)?, side(h)?))
@@ -164,7 +164,7 @@ impl Render {
         let bar = ProgressBar::new(count).with_style(ProgressStyle::with_template(
             "{bar:30} {pos}/{len} frames, {eta} left",
         )?);
-        let soundtrack = Soundtrack::of(player, &files.script, self.at, length);
+        let soundtrack = Soundtrack::collect(player, &files.script, self.at, length);
         let mut sink = film::Sink::open(path, self.size, self.fps, length, &soundtrack)?;
         for n in 0..count {
             let time = self.at + n as f64 / f64::from(self.fps);

@@ -9,7 +9,7 @@ use clap::Args;
 use raconteur_player::{Options, Player, StoryInput};
 use raconteur_stage::Shot;
 
-use crate::serve::{Clock, Ways, run};
+use crate::serve::{Clock, Transports, run};
 use crate::story::{StoryFiles, USUAL_FIGURE, find_figure};
 use crate::{Outcome, report};
 
@@ -17,8 +17,8 @@ use crate::{Outcome, report};
 const USUAL_PORT: u16 = 7373;
 
 /// The range of `--idle`, seconds.
-const LEAST_IDLE_SECS: f64 = 1.0;
-const MOST_IDLE_SECS: f64 = 86_400.0;
+const MIN_IDLE_SECS: f64 = 1.0;
+const MAX_IDLE_SECS: f64 = 86_400.0;
 
 /// Perform what minds send, and tell them what happens as JSON lines.
 ///
@@ -66,9 +66,9 @@ impl Serve {
         if !(self.speed.is_finite() && self.speed > 0.0) {
             bail!("--speed takes a positive number, not {}", self.speed);
         }
-        if !(LEAST_IDLE_SECS..=MOST_IDLE_SECS).contains(&self.idle) {
+        if !(MIN_IDLE_SECS..=MAX_IDLE_SECS).contains(&self.idle) {
             bail!(
-                "--idle takes {LEAST_IDLE_SECS} to {MOST_IDLE_SECS} seconds, not {}",
+                "--idle takes {MIN_IDLE_SECS} to {MAX_IDLE_SECS} seconds, not {}",
                 self.idle
             );
         }
@@ -79,7 +79,7 @@ impl Serve {
         let player = self.player()?;
         let no_way = self.port.is_none() && self.tcp.is_none() && !self.stdin;
         let at = |port| SocketAddr::new(self.listen, port);
-        let ways = Ways {
+        let ways = Transports {
             websocket: self.port.or(no_way.then_some(USUAL_PORT)).map(at),
             tcp: self.tcp.map(at),
             stdin: self.stdin,

@@ -53,7 +53,7 @@ fn is_first(iteration: &u32) -> bool {
 }
 
 #[derive(Serialize)]
-struct Whole<'a> {
+struct TimelineReport<'a> {
     duration: f64,
     lead_in: f64,
     /// How much of the lead-in the hands need, seconds.
@@ -75,7 +75,7 @@ impl Timeline {
         let index = LineIndex::new(&files.text);
         let timeline = &script.timeline;
         let late = script.late_strokes();
-        let whole = Whole {
+        let whole = TimelineReport {
             duration: timeline.duration_secs,
             lead_in: timeline.lead_in_secs,
             waits: script.waits_secs,

@@ -20,11 +20,11 @@ use raconteur_voice::bake::{Cast, picture};
 #[derive(Args)]
 pub(crate) struct Voice {
     #[command(subcommand)]
-    what: What,
+    what: VoiceAction,
 }
 
 #[derive(Subcommand)]
-enum What {
+enum VoiceAction {
     /// List the voices of an engine, or of all that are installed.
     List(List),
     /// Measure what markup and emotions do to a voice; fail when a setting misses its target.
@@ -72,7 +72,7 @@ impl Ssml {
     fn run(&self) -> Result<Outcome> {
         let files = StoryFiles::read(&self.story)?;
         let mut out = terminal::out();
-        for said in raconteur_voice::said(&files.script().document) {
+        for said in raconteur_voice::speech_requests(&files.script().document) {
             let content = match said.source {
                 Source::Content(content) => content,
                 Source::Sable(text) => sable::read(&text).map_err(|p| anyhow!("{p}"))?.0,
@@ -86,7 +86,7 @@ impl Ssml {
 
 /// Whose voice.
 #[derive(Args)]
-struct Who {
+struct VoiceChoice {
     /// The speech engine; without it, kokoro or the first that is installed.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
@@ -99,7 +99,7 @@ struct Who {
     server: String,
 }
 
-impl Who {
+impl VoiceChoice {
     fn cast(&self) -> Result<Cast> {
         let cast = Cast::new(
             self.engine.as_deref(),
@@ -109,7 +109,7 @@ impl Who {
                 recordings: None,
             },
         )?;
-        cast.missing().none()?;
+        cast.missing().into_result()?;
         Ok(cast)
     }
 }
@@ -117,7 +117,7 @@ impl Who {
 #[derive(Args)]
 struct Measure {
     #[command(flatten)]
-    who: Who,
+    who: VoiceChoice,
     /// Measure one setting of each kind instead of all.
     #[arg(long)]
     sample: bool,
@@ -129,7 +129,7 @@ struct Measure {
 #[derive(Args)]
 struct Picture {
     #[command(flatten)]
-    who: Who,
+    who: VoiceChoice,
     /// What it says; SABLE's markup is understood.
     text: String,
     /// The SVG file.
@@ -140,10 +140,10 @@ struct Picture {
 impl Voice {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.what {
-            What::List(list) => list.run(),
-            What::Measure(measure) => measure.run(),
-            What::Picture(picture) => picture.run(),
-            What::Ssml(ssml) => ssml.run(),
+            VoiceAction::List(list) => list.run(),
+            VoiceAction::Measure(measure) => measure.run(),
+            VoiceAction::Picture(picture) => picture.run(),
+            VoiceAction::Ssml(ssml) => ssml.run(),
         }
     }
 }

@@ -73,7 +73,7 @@ impl Instrument {
 }
 
 /// How loud a held note is: attack and release are straight, both in seconds.
-fn held(t: f64, length: f64, attack: f64, release: f64) -> f64 {
+fn envelope(t: f64, length: f64, attack: f64, release: f64) -> f64 {
     let up = (t / attack).min(1.0);
     let down = 1.0 - ((t - length) / release).clamp(0.0, 1.0);
     // A square sounds rounder than a straight line.
@@ -148,7 +148,7 @@ fn ensemble(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Ensemble) {
         let open = (t / how.opening).min(1.0);
         let multiple = how.cutoff[0] + (how.cutoff[1] - how.cutoff[0]) * open;
         let cutoff_hz = (multiple * pitch_hz + 120.0).min(9000.0);
-        let gain = level * held(t, length, how.attack, how.release);
+        let gain = level * envelope(t, length, how.attack, how.release);
         [0, 1].map(|c| gain * filters[c].low(sum[c], cutoff_hz, 0.8))
     });
 }
@@ -245,7 +245,7 @@ fn string(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Plucked) {
 }
 
 /// Frequency modulation: a carrier, a modulator, and a second pair for the stroke.
-struct Modulated {
+struct FrequencyModulation {
     /// Frequency of the modulator, multiple of the carrier's.
     ratio: f64,
     /// How strongly it modulates at the stroke and later, radians.
@@ -258,7 +258,7 @@ struct Modulated {
     level: f64,
 }
 
-const PIANO: Modulated = Modulated {
+const PIANO: FrequencyModulation = FrequencyModulation {
     ratio: 1.0,
     index: [1.9, 0.35],
     decay: 0.75,
@@ -266,7 +266,7 @@ const PIANO: Modulated = Modulated {
     tine: (14.0, 0.055),
     level: 0.26,
 };
-const BELL: Modulated = Modulated {
+const BELL: FrequencyModulation = FrequencyModulation {
     ratio: 3.5,
     index: [2.2, 0.25],
     decay: 1.15,
@@ -275,7 +275,7 @@ const BELL: Modulated = Modulated {
     level: 0.17,
 };
 
-fn modulated(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Modulated) {
+fn modulated(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &FrequencyModulation) {
     let pitch_hz = frequency_hz(note.pitch);
     let level = how.level * note.velocity;
     let length = note.length_secs;
@@ -340,7 +340,8 @@ fn flute(note: &Note, noise: &mut Noise, out: &mut Stereo) {
             + 0.03 * sine(4.0 * phase);
         let puff = 0.05 + 0.25 * libm::exp(-22.0 * t);
         let air = puff * breath.band(noise.signed(), (2.0 * pitch_hz).min(6000.0), 1.4);
-        let gain = level * held(t, length, 0.07, 0.22) * (1.0 + 0.1 * swing * sine(5.1 * t + 0.2));
+        let gain =
+            level * envelope(t, length, 0.07, 0.22) * (1.0 + 0.1 * swing * sine(5.1 * t + 0.2));
         [gain * (tone + air), gain * (tone + 0.9 * air)]
     });
 }

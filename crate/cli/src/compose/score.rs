@@ -11,9 +11,9 @@ use super::instrument::Instrument;
 use super::note::Note;
 
 /// The longest piece without its tail, seconds.
-const LONGEST_SECS: f64 = 1200.0;
+const MAX_SECS: f64 = 1200.0;
 /// The most notes and cells in a piece; a cell that holds notes counts for each.
-const MOST_WORK: usize = 1_000_000;
+const MAX_WORK: usize = 1_000_000;
 
 /// A piece as it is written.
 #[derive(Deserialize)]
@@ -132,8 +132,8 @@ impl Score {
         }
         let length = score.length_secs();
         ensure!(
-            length <= LONGEST_SECS,
-            "the piece is {length} s long; {LONGEST_SECS} is the limit"
+            length <= MAX_SECS,
+            "the piece is {length} s long; {MAX_SECS} is the limit"
         );
         Ok(score)
     }
@@ -208,8 +208,8 @@ impl Score {
                         // Cells and notes that are held cost time, too.
                         work += 1 + held_before + (part.notes.len() - notes_before);
                         ensure!(
-                            work <= MOST_WORK,
-                            "pattern {name}: more than {MOST_WORK} notes and cells"
+                            work <= MAX_WORK,
+                            "pattern {name}: more than {MAX_WORK} notes and cells"
                         );
                     }
                 }
@@ -338,7 +338,7 @@ impl Cell<'_> {
 ///
 /// # Panics
 /// Where it does not hold.
-pub fn holds(text: &str) {
+pub fn assert_valid(text: &str) {
     let Ok((score, parts)) = Score::read(text).and_then(|s| s.parts().map(|p| (s, p))) else {
         return;
     };
@@ -372,7 +372,7 @@ mod tests {
             for entry in std::fs::read_dir(root.join(folder)).expect("a folder of scores") {
                 let path = entry.expect("an entry").path();
                 if path.extension().is_none_or(|e| e == "json") {
-                    holds(&std::fs::read_to_string(path).expect("a score"));
+                    assert_valid(&std::fs::read_to_string(path).expect("a score"));
                     texts += 1;
                 }
             }

@@ -141,7 +141,7 @@ impl Framer {
 ///
 /// # Panics
 /// Where it does not hold.
-pub fn holds(bytes: &[u8]) {
+pub fn assert_valid(bytes: &[u8]) {
     const LIMIT: usize = 64;
     let fragments = |packet: usize| {
         let mut framer = Framer::new(LIMIT);
@@ -170,15 +170,15 @@ mod tests {
             std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/saved/serve_framing");
         for entry in std::fs::read_dir(folder).expect("a folder of streams") {
             let bytes = std::fs::read(entry.expect("an entry").path()).expect("a stream");
-            holds(&bytes);
-            super::super::greeting::holds(&bytes);
+            assert_valid(&bytes);
+            super::super::greeting::assert_valid(&bytes);
         }
     }
 
     proptest! {
         #[test]
         fn streams_of_markup_hold_together(bytes in "([<>/!?'\"a\n\r -]|<!--|-->|<!\\[CDATA\\[|\\]\\]>){0,80}") {
-            holds(bytes.as_bytes());
+            assert_valid(bytes.as_bytes());
         }
     }
 

@@ -7,7 +7,7 @@
 /// What the line begins with: the program and the version of what follows.
 const OPENING: &str = "raconteur 1 ";
 /// The longest line, bytes.
-const LONGEST: usize = 1024;
+const MAX_GREETING_BYTES: usize = 1024;
 /// How requests of HTTP begin.
 const METHODS: [&str; 10] = [
     "GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH ", "PRI ",
@@ -51,7 +51,7 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
                 .and_then(|t| str::from_utf8(t).ok());
             token.map_or(Greeting::Other, Greeting::Told)
         }
-        None if bytes.len() >= LONGEST => Greeting::Other,
+        None if bytes.len() >= MAX_GREETING_BYTES => Greeting::Other,
         None => Greeting::Begun,
     }
 }
@@ -61,10 +61,10 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
 ///
 /// # Panics
 /// Where it does not hold.
-pub fn holds(bytes: &[u8]) {
-    for n in 0..=bytes.len().min(LONGEST) {
+pub fn assert_valid(bytes: &[u8]) {
+    for n in 0..=bytes.len().min(MAX_GREETING_BYTES) {
         match read(&bytes[..n]) {
-            Greeting::Begun => assert!(n < LONGEST),
+            Greeting::Begun => assert!(n < MAX_GREETING_BYTES),
             Greeting::Told(token) => {
                 assert!(bytes.starts_with(line(token).as_bytes()));
                 return;
@@ -108,8 +108,11 @@ mod tests {
             assert_eq!(told(other), Some(Greeting::Other), "{other:?}");
         }
         assert_eq!(told("POST / HTTP/1.1\r\n"), Some(Greeting::Http));
-        let long = format!("raconteur 1 {}", "x".repeat(LONGEST));
-        assert_eq!(found(long.as_bytes()), Some((Greeting::Other, LONGEST)));
+        let long = format!("raconteur 1 {}", "x".repeat(MAX_GREETING_BYTES));
+        assert_eq!(
+            found(long.as_bytes()),
+            Some((Greeting::Other, MAX_GREETING_BYTES))
+        );
     }
 
     proptest! {
@@ -124,7 +127,7 @@ mod tests {
 
         #[test]
         fn every_stream_is_decided_in_bounded_bytes(
-            stream in prop::collection::vec(any::<u8>(), LONGEST..LONGEST + 8)
+            stream in prop::collection::vec(any::<u8>(), MAX_GREETING_BYTES..MAX_GREETING_BYTES + 8)
         ) {
             prop_assert!(found(&stream).is_some());
         }

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::lobby::Lobby;
+use super::pending::PendingConnections;
 use crate::terminal;
 
 /// Fragments of one mind that wait to be performed; a mind that sends more is not read.
@@ -16,7 +16,7 @@ const WAITING: usize = 16;
 /// Lines that wait to be sent to one mind; one that does not read them misses the rest.
 const UNREAD: usize = 1024;
 /// Minds connected at once.
-const MOST_MINDS: usize = 32;
+const MAX_MINDS: usize = 32;
 /// How often a connection looks for lines to send while it waits for fragments.
 pub(crate) const TURN: Duration = Duration::from_millis(20);
 /// A mind that has not greeted by then, or takes longer to read a line, is gone.
@@ -40,7 +40,7 @@ enum Outbox {
 }
 
 /// What a connection holds of the performer.
-pub(crate) struct Link {
+pub(crate) struct MindLink {
     inbox: SyncSender<String>,
     outbox: Receiver<Line>,
     /// A fragment for which there was no room yet.
@@ -49,14 +49,14 @@ pub(crate) struct Link {
 
 /// Where connections come in.
 #[derive(Clone)]
-pub(crate) struct Door {
+pub(crate) struct ConnectionSender {
     token: Arc<str>,
     /// Whether every WebSocket must say the token, too: those of this machine as well.
     pub(crate) guarded: bool,
     /// A mind that is silent for so long is gone.
     pub(crate) idle: Duration,
     /// Where connections wait before they come in.
-    pub(crate) lobby: Lobby,
+    pub(crate) lobby: PendingConnections,
     arrivals: SyncSender<Mind>,
     connected: Arc<AtomicUsize>,
 }
@@ -71,23 +71,23 @@ impl Drop for ConnectionSlot {
 }
 
 /// The connection's other side is gone.
-pub(crate) struct Gone;
+pub(crate) struct Disconnected;
 
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-enum Note {
+enum MindMessage {
     Lost { count: u64 },
 }
 
-impl Door {
+impl ConnectionSender {
     /// A door, and where those who came through it are found.
     pub(crate) fn new(token: &str, guarded: bool, idle: Duration) -> (Self, Receiver<Mind>) {
-        let (arrivals, arrived) = sync_channel(MOST_MINDS);
+        let (arrivals, arrived) = sync_channel(MAX_MINDS);
         let door = Self {
             token: token.into(),
             guarded,
             idle,
-            lobby: Lobby::default(),
+            lobby: PendingConnections::default(),
             arrivals,
             connected: Arc::default(),
         };
@@ -98,7 +98,7 @@ impl Door {
     pub(crate) fn place(&self) -> Option<ConnectionSlot> {
         let before = self.connected.fetch_add(1, Ordering::Relaxed);
         let place = ConnectionSlot(Arc::clone(&self.connected));
-        (before < MOST_MINDS).then_some(place)
+        (before < MAX_MINDS).then_some(place)
     }
 
     /// Whether a token opens the door. The time that this takes tells nothing but lengths.
@@ -109,12 +109,12 @@ impl Door {
     }
 
     /// Brings a mind in.
-    pub(crate) fn enter(&self) -> Result<Link, Gone> {
+    pub(crate) fn enter(&self) -> Result<MindLink, Disconnected> {
         let (inbox, fragments) = sync_channel(WAITING);
         let (lines, outbox) = sync_channel(UNREAD);
         let mind = Mind::new(fragments, Outbox::Connection(lines));
-        self.arrivals.send(mind).map_err(|_| Gone)?;
-        Ok(Link {
+        self.arrivals.send(mind).map_err(|_| Disconnected)?;
+        Ok(MindLink {
             inbox,
             outbox,
             held: None,
@@ -122,10 +122,10 @@ impl Door {
     }
 
     /// Brings in the mind at the standard input; what it sends goes into the sender.
-    pub(crate) fn enter_by_input(&self) -> Result<SyncSender<String>, Gone> {
+    pub(crate) fn enter_by_input(&self) -> Result<SyncSender<String>, Disconnected> {
         let (inbox, fragments) = sync_channel(WAITING);
         let mind = Mind::new(fragments, Outbox::StandardOutput);
-        self.arrivals.send(mind).map_err(|_| Gone)?;
+        self.arrivals.send(mind).map_err(|_| Disconnected)?;
         Ok(inbox)
     }
 }
@@ -141,17 +141,17 @@ impl Mind {
     }
 
     /// The next fragment, if there is one; `Gone` when there will be none.
-    pub(crate) fn next(&self) -> Result<Option<String>, Gone> {
+    pub(crate) fn next(&self) -> Result<Option<String>, Disconnected> {
         match self.inbox.try_recv() {
             Ok(fragment) => Ok(Some(fragment)),
             Err(TryRecvError::Empty) => Ok(None),
-            Err(TryRecvError::Disconnected) => Err(Gone),
+            Err(TryRecvError::Disconnected) => Err(Disconnected),
         }
     }
 
     /// Waits for the next fragment.
-    pub(crate) fn wait(&self) -> Result<String, Gone> {
-        self.inbox.recv().map_err(|_| Gone)
+    pub(crate) fn next_fragment(&self) -> Result<String, Disconnected> {
+        self.inbox.recv().map_err(|_| Disconnected)
     }
 
     /// Whether it is the one at the standard input.
@@ -160,7 +160,7 @@ impl Mind {
     }
 
     /// Tells a line. Never waits for a connection: what a mind does not read is counted.
-    pub(crate) fn tell(&mut self, line: &Line) -> io::Result<()> {
+    pub(crate) fn send_line(&mut self, line: &Line) -> io::Result<()> {
         let lines = match &self.outbox {
             Outbox::StandardOutput => {
                 let mut out = terminal::out();
@@ -170,7 +170,7 @@ impl Mind {
             Outbox::Connection(lines) => lines,
         };
         if self.lost > 0 {
-            let note = serde_json::to_string(&Note::Lost { count: self.lost })?;
+            let note = serde_json::to_string(&MindMessage::Lost { count: self.lost })?;
             if lines.try_send(note.into()).is_ok() {
                 self.lost = 0;
             }
@@ -183,36 +183,36 @@ impl Mind {
     }
 }
 
-impl Link {
+impl MindLink {
     /// A line to send, if there is one.
-    pub(crate) fn line(&self) -> Result<Option<Line>, Gone> {
+    pub(crate) fn line(&self) -> Result<Option<Line>, Disconnected> {
         match self.outbox.try_recv() {
             Ok(line) => Ok(Some(line)),
             Err(TryRecvError::Empty) => Ok(None),
-            Err(TryRecvError::Disconnected) => Err(Gone),
+            Err(TryRecvError::Disconnected) => Err(Disconnected),
         }
     }
 
     /// Whether the mind may be read. While it may not, its connection fills up and slows it.
-    pub(crate) fn is_free(&mut self) -> Result<bool, Gone> {
+    pub(crate) fn is_free(&mut self) -> Result<bool, Disconnected> {
         match self.held.take() {
             None => Ok(true),
             Some(fragment) => {
-                self.give(fragment)?;
+                self.forward(fragment)?;
                 Ok(self.held.is_none())
             }
         }
     }
 
     /// Hands a fragment on, now or when there is room.
-    pub(crate) fn give(&mut self, fragment: String) -> Result<(), Gone> {
+    pub(crate) fn forward(&mut self, fragment: String) -> Result<(), Disconnected> {
         match self.inbox.try_send(fragment) {
             Ok(()) => Ok(()),
             Err(TrySendError::Full(fragment)) => {
                 self.held = Some(fragment);
                 Ok(())
             }
-            Err(TrySendError::Disconnected(_)) => Err(Gone),
+            Err(TrySendError::Disconnected(_)) => Err(Disconnected),
         }
     }
 }

@@ -6,9 +6,9 @@
 
 pub mod framing;
 pub mod greeting;
-mod lobby;
+mod heartbeat;
 mod mind;
-mod pulse;
+mod pending;
 mod tcp;
 mod websocket;
 
@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 
 use crate::terminal;
 use framing::Framer;
-use mind::{Door, Gone, Line, Mind};
+use mind::{ConnectionSender, Disconnected, Line, Mind};
 
 /// Between two looks at the clock and at what has come.
 const STEP: Duration = Duration::from_millis(10);
@@ -34,7 +34,7 @@ const STEP: Duration = Duration::from_millis(10);
 const AT_ONCE: usize = 4;
 
 /// Which way minds may come.
-pub(crate) struct Ways {
+pub(crate) struct Transports {
     /// Where WebSockets are taken.
     pub(crate) websocket: Option<SocketAddr>,
     /// Where plain connections are taken.
@@ -62,7 +62,7 @@ pub(crate) enum Clock {
 /// The first message to a mind.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename = "hello", rename_all = "camelCase")]
-struct Hello<'a> {
+struct Greeting<'a> {
     version: u32,
     time_secs: f64,
     /// When the script ends, story time, seconds.
@@ -73,19 +73,19 @@ struct Hello<'a> {
 }
 
 /// Performs until the standard input has ended, where it is the only way in; else for ever.
-pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
+pub(crate) fn run(mut player: Player, ways: &Transports, clock: Clock) -> Result<()> {
     let token = ways.token.clone().map_or_else(token, Ok)?;
     let open_to_others = ways.websocket.is_some_and(|at| !at.ip().is_loopback());
     let guarded = ways.token.is_some() || open_to_others;
-    let (door, arrivals) = Door::new(&token, guarded, ways.idle);
+    let (door, arrivals) = ConnectionSender::new(&token, guarded, ways.idle);
     if let Some(address) = ways.websocket {
         let at = listen(address, &door, |stream, door| {
             // A connection that breaks is the mind's affair.
             let _ = websocket::serve(stream, door);
         })?;
-        terminal::tell(format_args!("raconteur: WebSocket at ws://{at}/"));
+        terminal::report(format_args!("raconteur: WebSocket at ws://{at}/"));
         if open_to_others && ways.token.is_none() {
-            terminal::tell(format_args!(
+            terminal::report(format_args!(
                 "raconteur: it takes those who add ?token={token}"
             ));
         }
@@ -94,8 +94,8 @@ pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
         let at = listen(address, &door, |stream, door| {
             let _ = tcp::serve(stream, door);
         })?;
-        terminal::tell(format_args!("raconteur: TCP at {at}"));
-        terminal::tell(format_args!(
+        terminal::report(format_args!("raconteur: TCP at {at}"));
+        terminal::report(format_args!(
             "raconteur: its first line is: {}",
             greeting::line(&token)
         ));
@@ -104,7 +104,7 @@ pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
         read_input(&door);
     }
     player.set_open_ended(true);
-    let mut stage = Stage {
+    let mut stage = LiveSession {
         player,
         arrivals,
         minds: Vec::new(),
@@ -129,8 +129,8 @@ fn token() -> Result<String> {
 /// Takes connections in threads of their own; the address, with the port that was chosen.
 fn listen(
     address: SocketAddr,
-    door: &Door,
-    serve: impl Fn(TcpStream, &Door) + Copy + Send + 'static,
+    door: &ConnectionSender,
+    serve: impl Fn(TcpStream, &ConnectionSender) + Copy + Send + 'static,
 ) -> Result<SocketAddr> {
     let listener =
         TcpListener::bind(address).with_context(|| format!("cannot listen at {address}"))?;
@@ -154,7 +154,7 @@ fn listen(
 }
 
 /// Reads the standard input in a thread, as slowly as it is performed.
-fn read_input(door: &Door) {
+fn read_input(door: &ConnectionSender) {
     let Ok(inbox) = door.enter_by_input() else {
         return;
     };
@@ -166,7 +166,7 @@ fn read_input(door: &Door) {
             let read = match input.read(&mut bytes) {
                 Ok(0) => break,
                 Ok(n) => n,
-                Err(e) if tcp::waits(&e) => continue,
+                Err(e) if tcp::would_block(&e) => continue,
                 Err(_) => break,
             };
             for fragment in framer.push(&bytes[..read]) {
@@ -183,19 +183,19 @@ fn read_input(door: &Door) {
 }
 
 /// The performance and those who take part.
-struct Stage {
+struct LiveSession {
     player: Player,
     arrivals: Receiver<Mind>,
     minds: Vec<Mind>,
     minds_begun: u32,
 }
 
-impl Stage {
+impl LiveSession {
     fn in_real_time(&mut self, speed: f64, alone: bool) -> Result<()> {
         let since = Instant::now();
         loop {
             let now_secs = since.elapsed().as_secs_f64() * speed;
-            self.welcome(now_secs)?;
+            self.greet(now_secs)?;
             let mut input_ended = false;
             let mut gone = Vec::new();
             for i in 0..self.minds.len() {
@@ -207,7 +207,7 @@ impl Stage {
                     match mind.next() {
                         Ok(Some(fragment)) => self.perform(i, &fragment, now_secs)?,
                         Ok(None) => break,
-                        Err(Gone) => {
+                        Err(Disconnected) => {
                             // Who listens at the standard output still does.
                             if mind.is_at_input() {
                                 input_ended = true;
@@ -236,14 +236,14 @@ impl Stage {
     /// Story time passes with the lines `@SECONDS` of the standard input, and ends with it.
     fn by_input(&mut self) -> Result<()> {
         let mut now_secs = 0.0;
-        self.welcome(now_secs)?;
+        self.greet(now_secs)?;
         self.pass(now_secs)?;
         loop {
-            self.welcome(now_secs)?;
+            self.greet(now_secs)?;
             let Some(i) = self.minds.iter().position(Mind::is_at_input) else {
                 return Ok(());
             };
-            let Ok(fragment) = self.minds[i].wait() else {
+            let Ok(fragment) = self.minds[i].next_fragment() else {
                 return Ok(());
             };
             match fragment.strip_prefix('@').map(str::parse) {
@@ -256,12 +256,12 @@ impl Stage {
         }
     }
 
-    fn welcome(&mut self, now_secs: f64) -> Result<()> {
+    fn greet(&mut self, now_secs: f64) -> Result<()> {
         while let Ok(mut mind) = self.arrivals.try_recv() {
             self.minds_begun = self.minds_begun.wrapping_add(1);
             mind.id = self.minds_begun;
             let marks = &self.player.timeline().marks;
-            mind.tell(&line(&Hello {
+            mind.send_line(&line(&Greeting {
                 version: 1,
                 time_secs: now_secs,
                 end_secs: self.player.duration_secs(),
@@ -281,7 +281,7 @@ impl Stage {
         let mind = &mut self.minds[mind];
         let performed = self.player.perform(mind.id, fragment, now_secs);
         for event in performed.events(fragment, now_secs) {
-            mind.tell(&line(&event)?)?;
+            mind.send_line(&line(&event)?)?;
         }
         Ok(())
     }
@@ -292,7 +292,7 @@ impl Stage {
         for event in self.player.drain_events() {
             let line = line::<Event>(&event)?;
             for mind in &mut self.minds {
-                mind.tell(&line)?;
+                mind.send_line(&line)?;
             }
         }
         Ok(())

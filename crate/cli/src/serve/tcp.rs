@@ -9,9 +9,9 @@ use raconteur_player::live::limits;
 
 use super::framing::Framer;
 use super::greeting::{self, Greeting};
-use super::lobby::Timed;
-use super::mind::{Door, Gone, Link, PATIENCE, TURN};
-use super::pulse::{Beat, Pulse};
+use super::heartbeat::{Heartbeat, HeartbeatAction};
+use super::mind::{ConnectionSender, Disconnected, MindLink, PATIENCE, TURN};
+use super::pending::DeadlineStream;
 
 /// What a wrong greeting is answered.
 const REFUSED: &str = r#"{"kind":"failed","code":"serve::token","message":"the first line must be: raconteur 1 TOKEN"}
@@ -29,11 +29,11 @@ const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"nothing c
 "#;
 
 /// Serves one connection until it ends.
-pub(crate) fn serve(stream: TcpStream, door: &Door) -> io::Result<()> {
+pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()> {
     let stay = door.lobby.enter(&stream)?;
     stream.set_write_timeout(Some(PATIENCE))?;
     stream.set_nodelay(true)?;
-    let mut wire = Timed::new(stream, PATIENCE);
+    let mut wire = DeadlineStream::new(stream, PATIENCE);
     let refusal = match greet(&mut wire, door) {
         Ok(()) => None,
         Err(Refusal::Silent(error)) => return Err(error),
@@ -50,7 +50,7 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> io::Result<()> {
     wire.settle(TURN)?;
     let ended = match door.enter() {
         Ok(link) => talk(&mut wire, link, door),
-        Err(Gone) => Ok(()),
+        Err(Disconnected) => Ok(()),
     };
     drop(place);
     ended
@@ -65,7 +65,7 @@ enum Refusal {
 }
 
 /// Waits for the greeting, byte by byte so that nothing after it is taken.
-fn greet(wire: &mut Timed, door: &Door) -> Result<(), Refusal> {
+fn greet(wire: &mut DeadlineStream, door: &ConnectionSender) -> Result<(), Refusal> {
     let mut bytes = Vec::new();
     let mut byte = [0];
     loop {
@@ -73,7 +73,7 @@ fn greet(wire: &mut Timed, door: &Door) -> Result<(), Refusal> {
             Ok(0) => return Err(Refusal::Silent(ErrorKind::UnexpectedEof.into())),
             Ok(_) => bytes.push(byte[0]),
             Err(e) if e.kind() == ErrorKind::Interrupted => continue,
-            Err(e) if waits(&e) => return Err(Refusal::Told(REFUSED)),
+            Err(e) if would_block(&e) => return Err(Refusal::Told(REFUSED)),
             Err(e) => return Err(Refusal::Silent(e)),
         }
         match greeting::read(&bytes) {
@@ -85,31 +85,31 @@ fn greet(wire: &mut Timed, door: &Door) -> Result<(), Refusal> {
     }
 }
 
-fn talk(wire: &mut Timed, mut link: Link, door: &Door) -> io::Result<()> {
+fn talk(wire: &mut DeadlineStream, mut link: MindLink, door: &ConnectionSender) -> io::Result<()> {
     let mut framer = Framer::new(limits::FRAGMENT_BYTES);
     let mut read: VecDeque<String> = VecDeque::new();
     let mut bytes = [0; 4096];
     let mut ended = false;
-    let mut pulse = Pulse::new(door.idle, Instant::now());
+    let mut pulse = Heartbeat::new(door.idle, Instant::now());
     loop {
         loop {
             match link.line() {
                 Ok(Some(line)) => wire.write_all(format!("{line}\n").as_bytes())?,
                 Ok(None) => break,
-                Err(Gone) => return Ok(()),
+                Err(Disconnected) => return Ok(()),
             }
         }
         match link.is_free() {
-            Err(Gone) => return Ok(()),
+            Err(Disconnected) => return Ok(()),
             Ok(false) => {
                 // Not to be read is not to be silent.
-                pulse.heard(Instant::now());
+                pulse.record_activity(Instant::now());
                 std::thread::sleep(TURN);
                 continue;
             }
             Ok(true) => match read.pop_front() {
                 Some(fragment) => {
-                    if link.give(fragment).is_err() {
+                    if link.forward(fragment).is_err() {
                         return Ok(());
                     }
                     continue;
@@ -121,24 +121,24 @@ fn talk(wire: &mut Timed, mut link: Link, door: &Door) -> io::Result<()> {
                         read.extend(framer.finish());
                     }
                     Ok(n) => {
-                        pulse.heard(Instant::now());
+                        pulse.record_activity(Instant::now());
                         read.extend(framer.push(&bytes[..n]));
                     }
-                    Err(e) if waits(&e) => {}
+                    Err(e) if would_block(&e) => {}
                     Err(e) => return Err(e),
                 },
             },
         }
         match pulse.beat(Instant::now()) {
-            Beat::Steady => {}
-            Beat::Ask => wire.write_all(PING.as_bytes())?,
-            Beat::Dead => return wire.write_all(IDLE.as_bytes()),
+            HeartbeatAction::Steady => {}
+            HeartbeatAction::Ask => wire.write_all(PING.as_bytes())?,
+            HeartbeatAction::Dead => return wire.write_all(IDLE.as_bytes()),
         }
     }
 }
 
 /// Whether a read found nothing yet, rather than failed.
-pub(crate) fn waits(error: &io::Error) -> bool {
+pub(crate) fn would_block(error: &io::Error) -> bool {
     matches!(
         error.kind(),
         ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted

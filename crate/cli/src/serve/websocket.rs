@@ -11,22 +11,22 @@ use tungstenite::protocol::frame::coding::CloseCode;
 use tungstenite::protocol::{CloseFrame, WebSocketConfig};
 use tungstenite::{Bytes, Error, Message, Utf8Bytes, WebSocket, accept_hdr_with_config};
 
-use super::lobby::Timed;
-use super::mind::{Door, Gone, Link, PATIENCE, TURN};
-use super::pulse::{Beat, Pulse};
-use super::tcp::waits;
+use super::heartbeat::{Heartbeat, HeartbeatAction};
+use super::mind::{ConnectionSender, Disconnected, MindLink, PATIENCE, TURN};
+use super::pending::DeadlineStream;
+use super::tcp::would_block;
 
 /// A longer message ends the connection; those between are refused one by one.
-const LONGEST_MESSAGE: usize = 4 * limits::FRAGMENT_BYTES;
+const MAX_MESSAGE_LENGTH: usize = 4 * limits::FRAGMENT_BYTES;
 
 /// Serves one connection until it ends.
-pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
+pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> Result<(), Error> {
     let stay = door.lobby.enter(&stream)?;
     stream.set_write_timeout(Some(PATIENCE))?;
     stream.set_nodelay(true)?;
     let config = WebSocketConfig::default()
-        .max_message_size(Some(LONGEST_MESSAGE))
-        .max_frame_size(Some(LONGEST_MESSAGE));
+        .max_message_size(Some(MAX_MESSAGE_LENGTH))
+        .max_frame_size(Some(MAX_MESSAGE_LENGTH));
     #[allow(
         clippy::result_large_err,
         reason = "the library asks for this kind of answer"
@@ -39,7 +39,7 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
             Err(refusal)
         }
     };
-    let wire = Timed::new(stream, PATIENCE);
+    let wire = DeadlineStream::new(stream, PATIENCE);
     // Those who are refused have had their answer.
     let Ok(mut socket) = accept_hdr_with_config(wire, greet, Some(config)) else {
         return Ok(());
@@ -80,8 +80,8 @@ impl End {
     }
 }
 
-impl From<Gone> for End {
-    fn from(_: Gone) -> Self {
+impl From<Disconnected> for End {
+    fn from(_: Disconnected) -> Self {
         Self::with(CloseCode::Away, "the performance is over")
     }
 }
@@ -98,8 +98,12 @@ impl From<Error> for End {
     }
 }
 
-fn talk(socket: &mut WebSocket<Timed>, mut link: Link, door: &Door) -> Result<(), End> {
-    let mut pulse = Pulse::new(door.idle, Instant::now());
+fn talk(
+    socket: &mut WebSocket<DeadlineStream>,
+    mut link: MindLink,
+    door: &ConnectionSender,
+) -> Result<(), End> {
+    let mut pulse = Heartbeat::new(door.idle, Instant::now());
     loop {
         while let Some(line) = link.line()? {
             socket.write(Message::text(&*line))?;
@@ -107,29 +111,29 @@ fn talk(socket: &mut WebSocket<Timed>, mut link: Link, door: &Door) -> Result<()
         socket.flush()?;
         if !link.is_free()? {
             // Not to be read is not to be silent.
-            pulse.heard(Instant::now());
+            pulse.record_activity(Instant::now());
             std::thread::sleep(TURN);
             continue;
         }
         match socket.read() {
             Ok(message) => {
-                pulse.heard(Instant::now());
+                pulse.record_activity(Instant::now());
                 match message {
-                    Message::Text(text) => link.give(text.to_string())?,
+                    Message::Text(text) => link.forward(text.to_string())?,
                     Message::Binary(bytes) => {
-                        link.give(String::from_utf8_lossy(&bytes).into_owned())?;
+                        link.forward(String::from_utf8_lossy(&bytes).into_owned())?;
                     }
                     // The library has answered.
                     _ => {}
                 }
             }
-            Err(Error::Io(e)) if waits(&e) => {}
+            Err(Error::Io(e)) if would_block(&e) => {}
             Err(error) => return Err(error.into()),
         }
         match pulse.beat(Instant::now()) {
-            Beat::Steady => {}
-            Beat::Ask => socket.write(Message::Ping(Bytes::new()))?,
-            Beat::Dead => return Err(End::with(CloseCode::Away, "no answer to pings")),
+            HeartbeatAction::Steady => {}
+            HeartbeatAction::Ask => socket.write(Message::Ping(Bytes::new()))?,
+            HeartbeatAction::Dead => return Err(End::with(CloseCode::Away, "no answer to pings")),
         }
     }
 }
@@ -137,7 +141,7 @@ fn talk(socket: &mut WebSocket<Timed>, mut link: Link, door: &Door) -> Result<()
 /// Whether a request may come in, or why not. Browsers let any page connect to any address,
 /// the loopback one included, but say which page: without the token only local pages and
 /// programs may, and those only where the door is not guarded.
-fn admit(request: &Request, door: &Door) -> Result<(), &'static str> {
+fn admit(request: &Request, door: &ConnectionSender) -> Result<(), &'static str> {
     let headers = request.headers();
     let in_query = request
         .uri()

@@ -2,7 +2,7 @@
 
 use raconteur_actor::Affect;
 use raconteur_actor::articulation::hold_closures;
-use raconteur_actor::emotion::{Mixture, Signs};
+use raconteur_actor::emotion::{EmotionSigns, ExpressionWeights};
 use raconteur_actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
 use raconteur_base::curve::smooth;
 use raconteur_base::{DQuat, DVec3};
@@ -25,14 +25,14 @@ const FRIENDLY: (&str, f64) = ("joy", 2.0);
 
 impl<'a> Maker<'a> {
     /// Someone who feels what a word names.
-    fn felt(&self, word: &str, potential: f64) -> Posture<'a> {
+    fn with_emotion(&self, word: &str, potential: f64) -> Posture<'a> {
         let affect = Affect::named(word).unwrap_or_default();
         let share = potential / PLAIN_POTENTIAL;
         let mut controls = FaceControls::default();
-        let mut mixture = Mixture::felt(affect);
+        let mut mixture = ExpressionWeights::perceived_weights(affect);
         mixture.scale(share);
         mixture.expression().add(&mut controls);
-        let signs = Signs::felt(affect).scaled(share);
+        let signs = EmotionSigns::from_affect(affect).scaled(share);
         controls.blush = signs.blush;
         hold_closures(&mut controls);
         let mut posture = self.standing();
@@ -51,7 +51,7 @@ impl<'a> Maker<'a> {
         let one = |word: &str, potential: f64| {
             self.head(
                 &format!("{word} {potential:.0}"),
-                self.felt(word, potential),
+                self.with_emotion(word, potential),
             )
         };
         let words = WORDS.map(|(word, _)| one(word, PLAIN_POTENTIAL));
@@ -62,7 +62,7 @@ impl<'a> Maker<'a> {
     /// Head and shoulders, friendly.
     pub(super) fn portrait(&self) -> Tile {
         let (word, potential) = FRIENDLY;
-        self.tile("portrait", 1.0, self.felt(word, potential), |at| {
+        self.tile("portrait", 1.0, self.with_emotion(word, potential), |at| {
             let d = at.pupils_m();
             before(middle_of_head(at) - 0.3 * d * DVec3::Y, 2.6 * d, 0.0, 0.0)
         })

@@ -39,5 +39,5 @@ pub(crate) fn named(name: &str) -> Option<Lighting> {
 
 /// A grey room.
 pub(crate) fn room() -> Set {
-    Set::of(SetKind::Studio)
+    Set::from_kind(SetKind::Studio)
 }

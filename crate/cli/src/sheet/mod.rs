@@ -19,7 +19,7 @@ use raconteur_stage::{Frame, Lighting, Set};
 
 use picture::{Layout, Picture};
 pub(crate) use pose::PoseName;
-pub(crate) use posture::Posed;
+pub(crate) use posture::PosedFigure;
 use tile::Style;
 pub(crate) use tile::Tile;
 
@@ -85,7 +85,7 @@ pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Ve
     SheetPart::value_variants()
         .iter()
         .filter(|&&part| part != SheetPart::All && wanted(part))
-        .flat_map(|&part| tile::of(figure, part, light))
+        .flat_map(|&part| tile::tiles(figure, part, light))
         .collect()
 }
 
@@ -100,7 +100,7 @@ pub(crate) fn draw(
     drawn: impl Fn(),
 ) -> Result<Picture> {
     let aspects: Vec<f64> = tiles.iter().map(|t| t.aspect).collect();
-    let mut board = Board::new(&aspects, height, grid, COLUMNS);
+    let mut board = ContactSheet::new(&aspects, height, grid, COLUMNS);
     for tile in tiles {
         board.put(figure, tile, headless)?;
         drawn();
@@ -112,7 +112,7 @@ pub(crate) fn draw(
 const FULL: &str = "more tiles than the sheet has places for";
 
 /// A sheet that tiles are put on one after another.
-pub(crate) struct Board {
+pub(crate) struct ContactSheet {
     picture: Picture,
     layout: Layout,
     widths: Vec<u32>,
@@ -121,7 +121,7 @@ pub(crate) struct Board {
     next: usize,
 }
 
-impl Board {
+impl ContactSheet {
     /// For tiles of these widths over height, `grid` to a row without captions or gaps where it is
     /// given, otherwise about `columns`.
     pub(crate) fn new(aspects: &[f64], height: u32, grid: Option<u32>, columns: u32) -> Self {
@@ -165,11 +165,11 @@ impl Board {
             Style::Wire => wire::draw(figure, &tile.posed, &tile.camera, size),
             Style::Silhouette => silhouette(headless, &mut frame, size)?,
         };
-        self.lay(&pixels, &tile.caption)
+        self.place_tile(&pixels, &tile.caption)
     }
 
     /// Lays the picture of the next tile down, of the size that it has.
-    pub(crate) fn lay(&mut self, pixels: &[u8], caption: &str) -> Result<()> {
+    pub(crate) fn place_tile(&mut self, pixels: &[u8], caption: &str) -> Result<()> {
         let places = self
             .layout
             .places
@@ -178,7 +178,7 @@ impl Board {
         let (&place, &width) = places.context(FULL)?;
         self.next += 1;
         let size = (width, self.height);
-        self.picture.lay(place, size, pixels);
+        self.picture.place_tile(place, size, pixels);
         if self.has_captions {
             self.picture.write_under(place, size, caption);
         }

@@ -83,7 +83,7 @@ impl Picture {
     }
 
     /// Lays a tile down.
-    pub(crate) fn lay(&mut self, (x, y): (u32, u32), (width, _): (u32, u32), tile: &[u8]) {
+    pub(crate) fn place_tile(&mut self, (x, y): (u32, u32), (width, _): (u32, u32), tile: &[u8]) {
         let bytes = 4 * width as usize;
         for (row, line) in tile.chunks_exact(bytes).enumerate() {
             let at = 4 * ((y as usize + row) * self.width as usize + x as usize);

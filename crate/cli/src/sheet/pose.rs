@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use raconteur_base::{DQuat, Side, ops};
 use raconteur_body::{Bone, Figure, HandShape};
 
-use super::posture::{Posed, Posture};
+use super::posture::{PosedFigure, Posture};
 
 /// A pose that a figure is shown in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -78,9 +78,9 @@ impl PoseName {
     }
 
     /// The pose, solved.
-    pub(crate) fn posed(self, figure: &Figure) -> Posed {
+    pub(crate) fn posed(self, figure: &Figure) -> PosedFigure {
         if self == Self::Bind {
-            return Posed {
+            return PosedFigure {
                 world_from_joint: figure.inverse_bind.iter().map(|m| m.inverse()).collect(),
                 morph_weights: vec![0.0; figure.morph_names.len()],
                 tissue: Vec::new(),

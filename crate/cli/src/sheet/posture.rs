@@ -14,7 +14,7 @@ pub(crate) struct Posture<'a> {
 }
 
 /// A pose ready to be drawn.
-pub(crate) struct Posed {
+pub(crate) struct PosedFigure {
     /// World from joint.
     pub(crate) world_from_joint: Vec<DAffine3>,
     /// One for each of the figure's morphs.
@@ -104,7 +104,7 @@ impl<'a> Posture<'a> {
     }
 
     /// Solves the joints.
-    pub(crate) fn posed(mut self) -> Posed {
+    pub(crate) fn posed(mut self) -> PosedFigure {
         let mut morph_weights = vec![0.0; self.figure.morph_names.len()];
         let rig = FaceRig::new(self.figure);
         rig.write(&self.face, [0.0; 2], &mut self.pose, &mut morph_weights);
@@ -119,7 +119,7 @@ impl<'a> Posture<'a> {
         self.figure
             .skeleton
             .solve(&self.pose, &mut world_from_joint);
-        Posed {
+        PosedFigure {
             world_from_joint,
             morph_weights,
             tissue,

@@ -12,8 +12,8 @@ use raconteur_stage::{Camera, Lighting};
 use raconteur_tissue::{FaceControls, Muscle};
 
 use super::pose::{FIST, PoseName};
-use super::posture::{Posed, Posture};
-use super::view::{Places, before};
+use super::posture::{PosedFigure, Posture};
+use super::view::{FigurePoints, before};
 use super::{FaceView, SheetPart, light};
 
 /// Hand shapes by number.
@@ -40,7 +40,7 @@ pub(crate) struct Tile {
     /// Width over height.
     pub(crate) aspect: f64,
     /// How the figure stands.
-    pub(crate) posed: Posed,
+    pub(crate) posed: PosedFigure,
     /// Where it is seen from.
     pub(crate) camera: Camera,
     /// What lights it.
@@ -56,7 +56,7 @@ pub(super) struct Maker<'a> {
 }
 
 /// The tiles of a part.
-pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Tile> {
+pub(super) fn tiles(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Tile> {
     let maker = Maker { figure, lighting };
     match part {
         SheetPart::All => Vec::new(),
@@ -103,10 +103,10 @@ impl<'a> Maker<'a> {
         caption: &str,
         aspect: f64,
         posture: Posture<'_>,
-        camera: impl Fn(&Places<'_>) -> Camera,
+        camera: impl Fn(&FigurePoints<'_>) -> Camera,
     ) -> Tile {
         let posed = posture.posed();
-        let camera = camera(&Places::new(self.figure, &posed.world_from_joint));
+        let camera = camera(&FigurePoints::new(self.figure, &posed.world_from_joint));
         Tile {
             caption: caption.to_owned(),
             aspect,
@@ -373,7 +373,11 @@ impl<'a> Maker<'a> {
             .map(|&(viseme, phone)| {
                 let mut controls = FaceControls::default();
                 if let Some(row) = phones::by_name(phone) {
-                    articulate(&MouthTargets::of(row), ORDINARY_LOUDNESS, &mut controls);
+                    articulate(
+                        &MouthTargets::from_phone(row),
+                        ORDINARY_LOUDNESS,
+                        &mut controls,
+                    );
                 }
                 hold_closures(&mut controls);
                 self.lips(viseme, controls)
@@ -406,7 +410,7 @@ fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
     controls
 }
 
-pub(super) fn middle_of_head(at: &Places<'_>) -> DVec3 {
+pub(super) fn middle_of_head(at: &FigurePoints<'_>) -> DVec3 {
     let eyes = at.between_eyes();
     // Turned heads keep their ears in the picture: half way back to the neck.
     DVec3::new(0.5 * eyes.x, eyes.y - 0.45 * at.pupils_m(), 0.5 * eyes.z)

@@ -5,7 +5,7 @@ use raconteur_body::{Bone, Drive, Figure};
 use raconteur_stage::Camera;
 
 /// Places of a posed figure, world, metres.
-pub(crate) struct Places<'a> {
+pub(crate) struct FigurePoints<'a> {
     figure: &'a Figure,
     world_from_joint: &'a [DAffine3],
 }
@@ -14,7 +14,7 @@ pub(crate) struct Places<'a> {
 /// 62 mm of 1.7 m.
 const PUPILS_OF_STATURE: f64 = 0.0365;
 
-impl<'a> Places<'a> {
+impl<'a> FigurePoints<'a> {
     pub(crate) fn new(figure: &'a Figure, world_from_joint: &'a [DAffine3]) -> Self {
         Self {
             figure,

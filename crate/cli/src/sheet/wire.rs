@@ -4,7 +4,7 @@ use raconteur_base::{DVec3, ops};
 use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::Camera;
 
-use super::posture::Posed;
+use super::posture::PosedFigure;
 use crate::skinning::{skin, world_from_bind};
 
 /// Samples a pixel on each side.
@@ -131,7 +131,12 @@ impl Canvas {
 }
 
 /// Draws skin, clothes and the layers under them; hair and lashes would hide the head.
-pub(super) fn draw(figure: &Figure, posed: &Posed, camera: &Camera, size: (u32, u32)) -> Vec<u8> {
+pub(super) fn draw(
+    figure: &Figure,
+    posed: &PosedFigure,
+    camera: &Camera,
+    size: (u32, u32),
+) -> Vec<u8> {
     let size = (size.0 as usize * FINER, size.1 as usize * FINER);
     let view = View::new(camera, size);
     let mut canvas = Canvas {

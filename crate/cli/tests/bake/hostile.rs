@@ -3,11 +3,11 @@
 use std::fs;
 use std::os::unix::fs::symlink;
 
-use crate::workshop::{Workshop, said, wave};
+use crate::workshop::{BakeFixture, stderr_of, wave};
 
 /// Bakes a story that plays a recording; fails when it does and gives what was said.
-fn refused(workshop: &Workshop, clause: &str) -> String {
-    workshop.tell(clause);
+fn refused(workshop: &BakeFixture, clause: &str) -> String {
+    workshop.write_story(clause);
     // Both spoken texts and those that are only compared.
     for more in [&["--check"][..], &[]] {
         let out = workshop.bake("1.0", more).output().unwrap();
@@ -18,19 +18,19 @@ fn refused(workshop: &Workshop, clause: &str) -> String {
     assert!(!workshop.path("story/voice/speech.json").exists());
     let log = fs::read_to_string(workshop.path("log")).unwrap_or_default();
     assert!(!log.contains("secret"), "{log}");
-    said(&out)
+    stderr_of(&out)
 }
 
 const PLAYS: &str = "<voice-text time='1'><audio src='a.wav'/></voice-text>";
 
 #[test]
 fn a_recording_is_read_as_what_it_is_and_nothing_else() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     wave(&workshop.path("story/a.wav"), 300);
-    workshop.tell(PLAYS);
+    workshop.write_story(PLAYS);
     fs::remove_file(workshop.path("takes/01.wav")).unwrap();
     let out = workshop.bake("1.0", &[]).output().unwrap();
-    assert!(out.status.success(), "{}", said(&out));
+    assert!(out.status.success(), "{}", stderr_of(&out));
     let log = fs::read_to_string(workshop.path("log")).unwrap();
     let first = log.lines().next().unwrap();
     assert!(
@@ -41,7 +41,7 @@ fn a_recording_is_read_as_what_it_is_and_nothing_else() {
 
 #[test]
 fn playlists_are_refused_before_any_program_sees_them() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     wave(&workshop.path("secret.wav"), 300);
     for list in [
         "#EXTM3U\n#EXTINF:1,\n../secret.wav\n",
@@ -54,7 +54,7 @@ fn playlists_are_refused_before_any_program_sees_them() {
         let told = refused(&workshop, PLAYS);
         assert!(told.contains("is a playlist"), "{told}");
     }
-    assert_eq!(workshop.begun(), 0, "no program was asked");
+    assert_eq!(workshop.encoder_starts(), 0, "no program was asked");
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn links_that_lead_out_of_the_story_are_refused() {
             "<voice-text time='1'>Me too</voice-text>",
         ),
     ] {
-        let workshop = Workshop::new();
+        let workshop = BakeFixture::new();
         wave(&workshop.path("secret.wav"), 300);
         fs::write(workshop.path("secret.txt"), "secret words").unwrap();
         fs::create_dir(workshop.path("elsewhere")).unwrap();
@@ -103,7 +103,7 @@ fn links_that_lead_out_of_the_story_are_refused() {
 
 #[test]
 fn devices_are_refused() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     symlink("/dev/zero", workshop.path("story/a.wav")).unwrap();
     let told = refused(&workshop, PLAYS);
     assert!(told.contains("leads out"), "{told}");

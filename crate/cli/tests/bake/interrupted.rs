@@ -4,12 +4,12 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use crate::workshop::{UTTERANCES, Workshop, said, wave};
+use crate::workshop::{BakeFixture, UTTERANCES, stderr_of, wave};
 
 /// Encoders that run in a bake.
 const STEPS: usize = 2 * UTTERANCES;
 
-fn whole(workshop: &Workshop) -> String {
+fn whole(workshop: &BakeFixture) -> String {
     let pace = workshop.pace_of_bundle();
     for other in ["1.0", "1.5"] {
         assert_eq!(workshop.is_up_to_date(other), other == pace, "{other}");
@@ -21,7 +21,7 @@ fn whole(workshop: &Workshop) -> String {
 fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
     for step in 0..=STEPS + 1 {
         let signal = ["-INT", "-KILL"][step % 2];
-        let workshop = Workshop::new();
+        let workshop = BakeFixture::new();
         assert!(workshop.bake("1.0", &[]).status().unwrap().success());
         assert_eq!(whole(&workshop), "1.0");
         fs::remove_file(workshop.path("log")).unwrap();
@@ -49,7 +49,7 @@ fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
 
 #[test]
 fn a_second_bake_is_told_to_wait() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     // The first cannot end while the gate is closed.
     fs::write(workshop.path("gate"), "").unwrap();
     let mut child = workshop.bake("1.0", &[]).spawn().unwrap();
@@ -57,7 +57,7 @@ fn a_second_bake_is_told_to_wait() {
     let second = workshop.bake("1.5", &[]).output().unwrap();
     assert!(!second.status.success());
     let told = format!("process {} is baking this story", child.id());
-    assert!(said(&second).contains(&told), "{}", said(&second));
+    assert!(stderr_of(&second).contains(&told), "{}", stderr_of(&second));
     fs::remove_file(workshop.path("gate")).unwrap();
     assert!(child.wait().unwrap().success());
     whole(&workshop);
@@ -65,7 +65,7 @@ fn a_second_bake_is_told_to_wait() {
 
 #[test]
 fn several_bakes_at_once_leave_a_whole_bundle() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     for _ in 0..3 {
         let bakes: Vec<_> = ["1.0", "1.5", "1.0", "1.5"]
             .into_iter()
@@ -77,7 +77,11 @@ fn several_bakes_at_once_leave_a_whole_bundle() {
             .collect();
         assert!(ended.iter().any(|out| out.status.success()));
         for out in ended.iter().filter(|out| !out.status.success()) {
-            assert!(said(out).contains("is baking this story"), "{}", said(out));
+            assert!(
+                stderr_of(out).contains("is baking this story"),
+                "{}",
+                stderr_of(out)
+            );
         }
         whole(&workshop);
         assert_eq!(workshop.names().len(), STEPS + 1, "{:?}", workshop.names());
@@ -86,7 +90,7 @@ fn several_bakes_at_once_leave_a_whole_bundle() {
 
 #[test]
 fn a_changed_sound_is_found_and_made_anew() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     let sounds = workshop.names();
     // What the earlier fault left behind: the sound of another bake under the same name.
@@ -99,13 +103,13 @@ fn a_changed_sound_is_found_and_made_anew() {
         assert!(!workshop.is_up_to_date("1.0"));
         let out = workshop.command(&["check", "story"]).output().unwrap();
         assert!(
-            !out.status.success() && said(&out).contains("wrong-sound"),
+            !out.status.success() && stderr_of(&out).contains("wrong-sound"),
             "{}",
-            said(&out)
+            stderr_of(&out)
         );
-        let before = workshop.begun();
+        let before = workshop.encoder_starts();
         assert!(workshop.bake("1.0", &[]).status().unwrap().success());
-        assert_eq!(workshop.begun(), before + 2, "one utterance alone");
+        assert_eq!(workshop.encoder_starts(), before + 2, "one utterance alone");
         assert_eq!(whole(&workshop), "1.0");
         assert_eq!(workshop.names(), sounds);
     }
@@ -113,7 +117,7 @@ fn a_changed_sound_is_found_and_made_anew() {
 
 #[test]
 fn an_up_to_date_story_is_not_touched() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     let voice = workshop.path("story/voice");
     let times = || {
@@ -132,14 +136,14 @@ fn an_up_to_date_story_is_not_touched() {
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     assert_eq!(times(), before);
     // A story that falls silent loses its bundle.
-    workshop.tell("<null time='1'/>");
+    workshop.write_story("<null time='1'/>");
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     assert!(!voice.exists());
 }
 
 #[test]
 fn many_wrong_sounds_are_thinned_as_other_problems_are() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     let mut clauses = String::new();
     for i in 1..=30 {
         wave(&workshop.path(&format!("takes/{i:02}.wav")), 20 + i);
@@ -150,16 +154,16 @@ fn many_wrong_sounds_are_thinned_as_other_problems_are() {
         let text = format!("Me too {}", "x".repeat(i as usize));
         clauses += &format!("<voice-text time='{i}'>{text}</voice-text>");
     }
-    workshop.tell(&clauses);
+    workshop.write_story(&clauses);
     let out = workshop.bake("1.0", &[]).output().unwrap();
-    assert!(out.status.success(), "{}", said(&out));
+    assert!(out.status.success(), "{}", stderr_of(&out));
     for name in workshop.names() {
         if name.ends_with(".opus") {
             fs::remove_file(workshop.path("story/voice").join(name)).unwrap();
         }
     }
     let out = workshop.command(&["check", "story"]).output().unwrap();
-    let told = said(&out);
+    let told = stderr_of(&out);
     assert_eq!(
         told.matches("error[voice::wrong-sound]").count(),
         20,

@@ -4,11 +4,11 @@ use std::os::unix::fs::symlink;
 use std::path::PathBuf;
 use std::{env, fs};
 
-use crate::workshop::{UTTERANCES, Workshop, said};
+use crate::workshop::{BakeFixture, UTTERANCES, stderr_of};
 
 #[test]
 fn all_missing_programs_are_named_in_one_line() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     let nothing = workshop.path("nothing");
     for (engine, named, packages) in [
         ("recordings", vec!["ffmpeg", "opusenc"], "ffmpeg opus-tools"),
@@ -26,7 +26,7 @@ fn all_missing_programs_are_named_in_one_line() {
         let arguments = ["bake", "story", "--recordings", "takes", "--engine", engine];
         let mut bake = workshop.command(&arguments);
         let out = bake.env("PATH", &nothing).output().unwrap();
-        let told = said(&out);
+        let told = stderr_of(&out);
         assert!(!out.status.success());
         let list = format!("this needs {}, which", named.join(", "));
         assert!(told.contains(&list), "{told}");
@@ -41,8 +41,8 @@ fn all_missing_programs_are_named_in_one_line() {
 
 #[test]
 fn voices_of_the_script_are_named_with_the_others() {
-    let workshop = Workshop::new();
-    workshop.tell(
+    let workshop = BakeFixture::new();
+    workshop.write_story(
         "<voice-change time='0' voice='flite:rms'/><voice-text time='1'>One.</voice-text>\
          <voice-change time='2' voice='marytts:x'/><voice-text time='3'>Two.</voice-text>",
     );
@@ -56,7 +56,7 @@ fn voices_of_the_script_are_named_with_the_others() {
     ];
     let mut bake = workshop.command(&arguments);
     let out = bake.env("PATH", workshop.path("nothing")).output().unwrap();
-    let told = said(&out);
+    let told = stderr_of(&out);
     assert!(
         told.contains("this needs festival, ffmpeg, flite, opusenc, which"),
         "{told}"
@@ -75,7 +75,7 @@ fn installed(name: &str) -> PathBuf {
 
 #[test]
 fn without_festival_another_installed_engine_speaks() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     // An engine, what the encoders need, and no festival.
     let programs = workshop.path("bin");
     for name in ["flite", "cat", "sleep"] {
@@ -87,7 +87,7 @@ fn without_festival_another_installed_engine_speaks() {
         command.env("PATH", &programs).output().unwrap()
     };
     let out = bake(&[]);
-    let told = said(&out);
+    let told = stderr_of(&out);
     assert!(out.status.success(), "{told}");
     assert!(
         told.contains("spoken by ") && told.contains("as kokoro and festival are not here: "),
@@ -102,21 +102,29 @@ fn without_festival_another_installed_engine_speaks() {
     // One that somebody chose is not replaced.
     let out = bake(&["--engine", "festival", "--pace", "1.5"]);
     assert!(!out.status.success());
-    assert!(said(&out).contains("this needs festival"), "{}", said(&out));
+    assert!(
+        stderr_of(&out).contains("this needs festival"),
+        "{}",
+        stderr_of(&out)
+    );
 }
 
 #[test]
 fn voices_can_be_listed_without_any_engine() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     for more in [&[][..], &["--engine", "flite"], &["--engine", "festival"]] {
         let arguments = [&["bake", "--list-voices", "--format", "json"][..], more].concat();
         let mut list = workshop.command(&arguments);
         let out = list.env("PATH", workshop.path("nothing")).output().unwrap();
-        assert!(out.status.success(), "{}", said(&out));
+        assert!(out.status.success(), "{}", stderr_of(&out));
         assert!(out.stdout.starts_with(b"["));
         if !more.is_empty() {
             assert_eq!(out.stdout, b"[]\n");
-            assert!(said(&out).contains("apt-get install"), "{}", said(&out));
+            assert!(
+                stderr_of(&out).contains("apt-get install"),
+                "{}",
+                stderr_of(&out)
+            );
         }
     }
 }
@@ -135,7 +143,7 @@ fn stories(folder: &std::path::Path, found: &mut Vec<PathBuf>) {
 
 #[test]
 fn shipped_stories_are_up_to_date_without_engines() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     let mut found = Vec::new();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
     stories(&folder, &mut found);
@@ -148,7 +156,12 @@ fn shipped_stories_are_up_to_date_without_engines() {
                 .arg(&story)
                 .output()
                 .unwrap();
-            assert!(out.status.success(), "{}: {}", story.display(), said(&out));
+            assert!(
+                out.status.success(),
+                "{}: {}",
+                story.display(),
+                stderr_of(&out)
+            );
         }
     }
 }

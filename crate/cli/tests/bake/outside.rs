@@ -6,7 +6,7 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use crate::workshop::{Workshop, said, wave};
+use crate::workshop::{BakeFixture, stderr_of, wave};
 
 /// Each attribute and text that names a file, with `FILE` for its path without the ending.
 const NAMES: [(&str, &str); 9] = [
@@ -46,7 +46,7 @@ const NAMES: [(&str, &str); 9] = [
 ];
 
 /// What stands outside, of every kind that is asked for.
-fn secrets(workshop: &Workshop) {
+fn secrets(workshop: &BakeFixture) {
     let outside = workshop.path("outside");
     for inner in ["", "figures", "animations", "music", "voice"] {
         let folder = outside.join(inner);
@@ -70,7 +70,7 @@ fn secrets(workshop: &Workshop) {
 /// The files that a command in a folder says it has opened, without links. Those of a scratch
 /// folder are gone.
 fn opened(folder: &Path, out: &Output) -> Vec<PathBuf> {
-    let told = said(out);
+    let told = stderr_of(out);
     let lines = told.lines().filter_map(|line| line.strip_prefix("opened "));
     let paths = lines.map(|path| folder.join(path));
     paths
@@ -79,7 +79,7 @@ fn opened(folder: &Path, out: &Output) -> Vec<PathBuf> {
 }
 
 /// Runs every command that reads a story; fails where one opens what it may not.
-fn holds(workshop: &Workshop, what: &str) {
+fn assert_contained(workshop: &BakeFixture, what: &str) {
     let root = fs::canonicalize(workshop.path("")).unwrap();
     let allowed = |path: &Path| {
         ["story", "takes", "tmp"]
@@ -104,16 +104,20 @@ fn holds(workshop: &Workshop, what: &str) {
             .unwrap();
         let files = opened(&root, &out);
         let script = root.join("story/story.eml");
-        assert!(files.contains(&script), "{what}: {}", said(&out));
+        assert!(files.contains(&script), "{what}: {}", stderr_of(&out));
         for path in &files {
             assert!(allowed(path), "{what}: opened {}", path.display());
         }
-        let printed = format!("{}{}", String::from_utf8_lossy(&out.stdout), said(&out));
+        let printed = format!(
+            "{}{}",
+            String::from_utf8_lossy(&out.stdout),
+            stderr_of(&out)
+        );
         assert!(!printed.contains("secret"), "{what}: {printed}");
     }
 }
 
-fn tell(workshop: &Workshop, head: &str, clause: &str) {
+fn write_story(workshop: &BakeFixture, head: &str, clause: &str) {
     let text = format!(
         "<eml xmlns:r='urn:raconteur:eml:1'><head>{head}</head><body>{clause}\
          <voice-text time='1'>Me too</voice-text></body></eml>"
@@ -123,7 +127,7 @@ fn tell(workshop: &Workshop, head: &str, clause: &str) {
 
 #[test]
 fn no_attribute_reaches_out_of_the_folder_at_any_level() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     secrets(&workshop);
     // A file that is a link, a folder that is one, and one below a folder of the story.
     fs::create_dir_all(workshop.path("story/deep/deeper")).unwrap();
@@ -143,22 +147,22 @@ fn no_attribute_reaches_out_of_the_folder_at_any_level() {
             "again/a",
             "../outside/a",
         ] {
-            tell(&workshop, "", &clause.replace("FILE", path));
-            holds(&workshop, &format!("{clause} with {path}"));
+            write_story(&workshop, "", &clause.replace("FILE", path));
+            assert_contained(&workshop, &format!("{clause} with {path}"));
         }
         let path = workshop.path("outside/a");
-        tell(
+        write_story(
             &workshop,
             "",
             &clause.replace("FILE", &path.to_string_lossy()),
         );
-        holds(&workshop, &format!("{clause} with {}", path.display()));
+        assert_contained(&workshop, &format!("{clause} with {}", path.display()));
     }
 }
 
 #[test]
 fn no_figure_reaches_out_of_the_folder() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     secrets(&workshop);
     symlink("../outside", workshop.path("story/away")).unwrap();
     symlink("../outside/a.glb", workshop.path("story/link.glb")).unwrap();
@@ -169,8 +173,8 @@ fn no_figure_reaches_out_of_the_folder() {
         "../../outside/a",
         "away/a",
     ] {
-        tell(&workshop, &format!("<r:performer figure='{figure}'/>"), "");
-        holds(&workshop, figure);
+        write_story(&workshop, &format!("<r:performer figure='{figure}'/>"), "");
+        assert_contained(&workshop, figure);
     }
 }
 
@@ -192,7 +196,7 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
         ("voice", String::new()),
         ("lexicon.txt", String::new()),
     ] {
-        let workshop = Workshop::new();
+        let workshop = BakeFixture::new();
         secrets(&workshop);
         let target = if link.contains('.') {
             "outside/lexicon.txt"
@@ -202,8 +206,8 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
         symlink(workshop.path(target), workshop.path("story").join(link)).unwrap();
         // Nor is one beside it.
         symlink("outside", workshop.path("assets")).unwrap();
-        tell(&workshop, "", &clause);
-        holds(&workshop, &format!("{link}: {clause}"));
+        write_story(&workshop, "", &clause);
+        assert_contained(&workshop, &format!("{link}: {clause}"));
         // Nor where the story is the working folder.
         let mut inside = workshop.command(&[
             "bake",
@@ -221,7 +225,7 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
                 .iter()
                 .all(|path| !path.starts_with(&outside)),
             "{link}: {}",
-            said(&out)
+            stderr_of(&out)
         );
         assert!(!workshop.path("outside/voice/speech.json").exists());
         assert_eq!(
@@ -233,7 +237,7 @@ fn no_folder_of_a_story_is_taken_for_the_library() {
 
 #[test]
 fn sounds_of_a_bundle_stay_in_it() {
-    let workshop = Workshop::new();
+    let workshop = BakeFixture::new();
     secrets(&workshop);
     assert!(workshop.bake("1.0", &[]).status().unwrap().success());
     let speech = workshop.path("story/voice/speech.json");
@@ -257,7 +261,7 @@ fn sounds_of_a_bundle_stay_in_it() {
                 .iter()
                 .all(|p| !p.starts_with(&outside)),
             "{}",
-            said(&out)
+            stderr_of(&out)
         );
     }
 }

@@ -35,7 +35,7 @@ const GRID: &str = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n0
     \"IntervalTier\"\n\"phones\"\n0\n0.5\n5\n0\n0.1\n\"sil\"\n0.1\n0.2\n\"M\"\n0.2\n0.3\n\"IY1\"\n0.3\n0.4\n\"T\"\n0.4\n0.5\n\"UW1\"\n";
 
 /// A folder with everything in it.
-pub(crate) struct Workshop {
+pub(crate) struct BakeFixture {
     folder: tempfile::TempDir,
 }
 
@@ -54,7 +54,7 @@ pub(crate) fn wave(path: &Path, level: i16) {
     writer.finalize().unwrap();
 }
 
-impl Workshop {
+impl BakeFixture {
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path();
@@ -76,7 +76,7 @@ impl Workshop {
             );
         }
         let workshop = Self { folder };
-        workshop.tell(&clauses);
+        workshop.write_story(&clauses);
         workshop
     }
 
@@ -85,7 +85,7 @@ impl Workshop {
     }
 
     /// Writes the story.
-    pub(crate) fn tell(&self, clauses: &str) {
+    pub(crate) fn write_story(&self, clauses: &str) {
         let text = format!("<eml><body>{clauses}</body></eml>");
         fs::write(self.path("story/story.eml"), text).unwrap();
     }
@@ -128,14 +128,14 @@ impl Workshop {
     }
 
     /// How often an encoder has begun.
-    pub(crate) fn begun(&self) -> usize {
+    pub(crate) fn encoder_starts(&self) -> usize {
         let log = fs::read_to_string(self.path("log")).unwrap_or_default();
         log.lines().count()
     }
 
     /// Waits until an encoder has begun so often, or the program has ended.
     pub(crate) fn until_begun(&self, count: usize, child: &mut Child) {
-        while self.begun() < count && child.try_wait().unwrap().is_none() {
+        while self.encoder_starts() < count && child.try_wait().unwrap().is_none() {
             std::thread::sleep(std::time::Duration::from_millis(2));
         }
     }
@@ -193,6 +193,6 @@ impl Workshop {
 }
 
 /// What a command has said on standard error.
-pub(crate) fn said(out: &Output) -> String {
+pub(crate) fn stderr_of(out: &Output) -> String {
     String::from_utf8_lossy(&out.stderr).into_owned()
 }

@@ -45,7 +45,7 @@ record! {
 
 /// What places, angles and velocities of manipulators are at most either way, in their own units:
 /// rounding stays harmless.
-pub const FARTHEST: f64 = 1e5;
+pub const MAX_COORDINATE: f64 = 1e5;
 
 /// The names of the joint attributes.
 pub(crate) const JOINTS: [&str; 6] = ["j1", "j2", "j3", "j4", "j5", "j6"];
@@ -91,7 +91,7 @@ impl ForwardKinematics {
         }
         let angles = self.counted_deg().into_iter().flatten();
         let widest = angles.fold(QUICK_DEG, |most, deg| most.max(deg.abs()));
-        QUICK_SECS * widest.min(FARTHEST) / QUICK_DEG
+        QUICK_SECS * widest.min(MAX_COORDINATE) / QUICK_DEG
     }
 }
 

@@ -79,11 +79,11 @@ fn resolved(value: &str, start: u32, sink: &mut Sink) -> String {
             .unwrap_or(tail.len());
         let here = at + amp;
         let used = if name_len > 0 && tail[name_len..].starts_with(';') {
-            let span = Span::of(here, here + name_len + 2);
+            let span = Span::from_offsets(here, here + name_len + 2);
             out.extend(character(&tail[..name_len], span, sink));
             name_len + 2
         } else {
-            bare_ampersand(Span::of(here, here + 1), sink);
+            bare_ampersand(Span::from_offsets(here, here + 1), sink);
             out.push('&');
             1
         };

@@ -83,7 +83,7 @@ pub(crate) struct Attribute<'a> {
 impl Attribute<'_> {
     /// Where the name is.
     pub(crate) fn name_span(&self) -> Span {
-        Span::of(
+        Span::from_offsets(
             self.name_start as usize,
             self.name_start as usize + self.name.len(),
         )
@@ -91,7 +91,7 @@ impl Attribute<'_> {
 
     /// Where the value is, without its quotes.
     pub(crate) fn value_span(&self) -> Span {
-        Span::of(
+        Span::from_offsets(
             self.value_start as usize,
             self.value_start as usize + self.value.len(),
         )

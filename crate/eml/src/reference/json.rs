@@ -1,6 +1,6 @@
 //! The language as JSON, for the completion and hover of editors.
 
-use super::shown;
+use super::display_name;
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};
 
 /// The language as JSON: `{"namespace", "prefix", "elements": [...], "diagnostics": [...]}`.
@@ -34,11 +34,14 @@ fn element(element: &Element) -> String {
         Content::Text => "text",
         Content::Mixed => "mixed",
     };
-    let children = super::children_of(element).map(|e| shown(e.extension, e.name));
+    let children = super::children_of(element).map(|e| display_name(e.extension, e.name));
     let mut children: Vec<String> = children.collect();
     children.dedup();
     let mut fields = vec![
-        field("name", &string(&shown(element.extension, element.name))),
+        field(
+            "name",
+            &string(&display_name(element.extension, element.name)),
+        ),
         field("doc", &string(element.doc)),
         field("source", &string(element.source)),
     ];
@@ -103,7 +106,10 @@ fn attribute(attribute: &Attribute) -> String {
         Kind::Color => "color",
     };
     let mut fields = vec![
-        field("name", &string(&shown(attribute.extension, attribute.name))),
+        field(
+            "name",
+            &string(&display_name(attribute.extension, attribute.name)),
+        ),
         field("doc", &string(attribute.doc)),
         field("kind", &string(kind)),
     ];

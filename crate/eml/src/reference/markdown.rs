@@ -1,6 +1,6 @@
 //! The reference page.
 
-use super::{children_of, shown};
+use super::{children_of, display_name};
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};
 use std::fmt::Write as _;
 
@@ -38,7 +38,7 @@ pub fn markdown() -> String {
 }
 
 fn section(out: &mut String, element: &Element) {
-    let name = shown(element.extension, element.name);
+    let name = display_name(element.extension, element.name);
     let same = ELEMENTS.iter().filter(|e| e.name == element.name).count();
     match element.parents {
         [parent] if same > 1 => {
@@ -50,7 +50,7 @@ fn section(out: &mut String, element: &Element) {
     }
     let _ = writeln!(out, "{} *{}*\n", element.doc, element.source);
     let children: Vec<String> = children_of(element)
-        .map(|e| shown(e.extension, e.name))
+        .map(|e| display_name(e.extension, e.name))
         .collect();
     let parents = match element.parents {
         [] => "the root".to_owned(),
@@ -123,7 +123,7 @@ fn table<'a>(out: &mut String, attributes: impl Iterator<Item = &'a Attribute>) 
         let _ = writeln!(
             out,
             "| `{}`{aliases} | {value} | {default} | {}{beside}{words} |",
-            shown(attribute.extension, attribute.name),
+            display_name(attribute.extension, attribute.name),
             attribute.doc
         );
     }

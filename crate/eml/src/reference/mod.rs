@@ -24,7 +24,7 @@ fn children_of(parent: &Element) -> impl Iterator<Item = &'static Element> + Clo
 }
 
 /// Its name, with the prefix of our own documents when it is an extension.
-fn shown(extension: bool, name: &str) -> String {
+fn display_name(extension: bool, name: &str) -> String {
     if extension {
         format!("{}:{name}", crate::EXTENSIONS_PREFIX)
     } else {

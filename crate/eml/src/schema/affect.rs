@@ -154,7 +154,7 @@ const FORMS: [(&str, &str); 22] = [
 
 /// What a word that is none of the table's stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Meant {
+pub(super) enum WordMeaning {
     /// A word of the table.
     Word(&'static str),
     /// A place: activation and evaluation.
@@ -162,17 +162,21 @@ pub(super) enum Meant {
 }
 
 /// What a word of emotion stands for that is none of the table's; none for an unknown one.
-pub(super) fn meant(word: &str) -> Option<Meant> {
+pub(super) fn meant(word: &str) -> Option<WordMeaning> {
     let is = |own: &str| own.eq_ignore_ascii_case(word);
     if let Some((_, own)) = FORMS.iter().find(|(form, _)| is(form)) {
-        return Some(Meant::Word(own));
+        return Some(WordMeaning::Word(own));
     }
     let place = WORDS.iter().find(|(words, _)| words.split(' ').any(is));
-    place.map(|(_, place)| Meant::Place(*place))
+    place.map(|(_, place)| WordMeaning::Place(*place))
 }
 
 /// What is told of a word with a place.
-pub(super) fn told(word: &str, [activation, evaluation]: [f64; 2], span: Span) -> Diagnostic {
+pub(super) fn report_place(
+    word: &str,
+    [activation, evaluation]: [f64; 2],
+    span: Span,
+) -> Diagnostic {
     let message = format!(
         "{} is none of the words of emotion; it is felt at its place, activation {activation} and \
          evaluation {evaluation}",

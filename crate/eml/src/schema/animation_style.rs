@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::PlaybackStyle;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says how an animation plays."),
-    decision: super::shown(
+    doc: super::reference_text("Says how an animation plays."),
+    decision: super::reference_text(
         "GEVH has styles that end after a number of iterations but no attribute for the number; it is an extension. Temporary animations leave the stack when they end.",
     ),
-    source: super::shown("GEVH D.3.18"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.18"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' primitive='push' animationSetName='nod'><animation-style playbackStyle='temporaryIterations' r:iterations='2'/></body-deterministic-primitive></body></eml>",
     ),
     most_per_parent: Some(1),

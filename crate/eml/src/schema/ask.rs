@@ -15,14 +15,14 @@ const ALT: Attribute = Attribute::text(
 );
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Asks something: the story rests until it is answered, then performs the answer that fits and goes on.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "What the storyteller says to ask it comes before, in a voice-text; the prompt is what is read. A number and a text that are not graded need no options. Its answers lie one after another in the timeline, a second apart, so that a story may be sought and baked; the player passes over those that do not fit. A film shows them all.",
     ),
-    source: super::shown("Extension"),
-    example: super::shown(
+    source: super::reference_text("Extension"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><voice-text time='0'>Who sang?</voice-text><r:ask time='0' name='who' prompt='Who sang?'><r:option name='frog' text='A frog' right='true'/><r:option name='stone' text='A stone'/><r:answer to='right'><voice-text time='0'>Yes!</voice-text></r:answer><r:answer to='wrong'><voice-text time='0'>Stones do not sing.</voice-text></r:answer></r:ask></seq></body></eml>",
     ),
     extension: true,
@@ -89,12 +89,12 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static OPTION: Element = Element {
-    doc: super::shown("Something that one may answer, or a rule for what one may."),
-    decision: super::shown(
+    doc: super::reference_text("Something that one may answer, or a rule for what one may."),
+    decision: super::reference_text(
         "A text is compared by its letters and digits alone, in small letters and without accents, so that nobody fails by a comma. Of the rules of a number or a text the first one that fits decides.",
     ),
-    source: super::shown("Extension"),
-    example: super::shown(
+    source: super::reference_text("Extension"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:ask time='0' name='q' type='several' prompt='Which are green?'><r:option name='a' text='Frogs' right='true'/><r:option name='b' text='Leaves' right='true'/><r:option name='c' text='Snow'/></r:ask></body></eml>",
     ),
     extension: true,
@@ -130,8 +130,8 @@ pub(super) static OPTION: Element = Element {
 };
 
 pub(super) static ANSWER: Element = Element {
-    doc: super::shown("What is performed after certain answers; plain times count from its start."),
-    source: super::shown("Extension"),
+    doc: super::reference_text("What is performed after certain answers; plain times count from its start."),
+    source: super::reference_text("Extension"),
     example: ELEMENT.example,
     extension: true,
     content: Content::Elements,

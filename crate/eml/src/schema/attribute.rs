@@ -1,6 +1,6 @@
 //! Attributes as entries of the table.
 
-use crate::FARTHEST;
+use crate::MAX_COORDINATE;
 
 /// An attribute of an element.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +15,7 @@ pub struct Attribute {
     pub word_aliases: &'static [(&'static str, &'static str)],
     /// What it may hold beside a word of another attribute of the element: then this counts
     /// instead of `kind`.
-    pub beside: &'static [Beside],
+    pub beside: &'static [ConditionalKind],
     /// What counts when it is left out.
     pub default: Presence,
     /// The unit of its numbers; empty when there is none.
@@ -28,7 +28,7 @@ pub struct Attribute {
 
 /// What an attribute may hold where another one has a certain word.
 #[derive(Clone, Copy, Debug)]
-pub struct Beside {
+pub struct ConditionalKind {
     /// The other attribute, a choice.
     pub attribute: &'static str,
     /// Its word.
@@ -123,7 +123,7 @@ impl Attribute {
             default: Presence::Optional,
             unit: "",
             extension: false,
-            doc: super::shown(doc),
+            doc: super::reference_text(doc),
         }
     }
 
@@ -170,9 +170,9 @@ impl Attribute {
         Self::new(name, Kind::Seconds { most }, doc).unit("s")
     }
 
-    /// A place, an angle or a velocity of a manipulator, within [`FARTHEST`].
+    /// A place, an angle or a velocity of a manipulator, within [`MAX_COORDINATE`].
     pub(super) const fn placed(name: &'static str, doc: &'static str) -> Self {
-        Self::between(name, -FARTHEST, FARTHEST, doc)
+        Self::between(name, -MAX_COORDINATE, MAX_COORDINATE, doc)
     }
 
     pub(super) const fn choice(
@@ -224,7 +224,10 @@ impl Attribute {
         self
     }
 
-    pub(super) const fn beside(mut self, kinds: &'static [Beside]) -> Self {
+    pub(super) const fn with_conditional_kinds(
+        mut self,
+        kinds: &'static [ConditionalKind],
+    ) -> Self {
         self.beside = kinds;
         self
     }

@@ -4,9 +4,9 @@ use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, Voic
 use crate::{Audio, AudioMode, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Plays a recording."),
-    source: super::shown("GEVH D.4.4"),
-    example: super::shown(
+    doc: super::reference_text("Plays a recording."),
+    source: super::reference_text("GEVH D.4.4"),
+    example: super::reference_text(
         "<voice-text time='0'>Listen: <audio src='sounds/bell.ogg'/> did you hear?</voice-text>",
     ),
     attributes: &[

@@ -4,14 +4,14 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Says how tense the story is from here on: a voice tells tense parts faster and with shorter pauses.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "From here on means further down in the document, as with voice-change. Without one, and after one that names no tension, punctuation, paragraphs and direct speech tell it.",
     ),
-    source: super::shown("Extension"),
-    example: super::shown(
+    source: super::reference_text("Extension"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:beat time='0' tension='0.8'/><voice-text time='0'>He ran.</voice-text></body></eml>",
     ),
     extension: true,

@@ -3,9 +3,9 @@
 use super::{Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the clauses of a script. Their times count from its start."),
-    source: super::shown("GEVH D.1.3"),
-    example: super::shown("<eml><body><null time='2'/></body></eml>"),
+    doc: super::reference_text("Holds the clauses of a script. Their times count from its start."),
+    source: super::reference_text("GEVH D.1.3"),
+    example: super::reference_text("<eml><body><null time='2'/></body></eml>"),
     content: Content::Elements,
     most_per_parent: Some(1),
     ..Element::new("body", &["eml"], Role::Structure)

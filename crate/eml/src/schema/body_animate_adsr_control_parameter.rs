@@ -4,12 +4,14 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Leads a control parameter through attack, decay, sustain and release."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "Leads a control parameter through attack, decay, sustain and release.",
+    ),
+    decision: super::reference_text(
         "The course is straight from value to value. The D stands for decay, as the attributes say, not delay, as the text does. The example of GEVH belongs to body-set-control-parameter.",
     ),
-    source: super::shown("GEVH D.3.28"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.28"),
+    example: super::reference_text(
         "<body-animate-ADSR-control-parameter time='0' parameterId='Disgust' attackDurationTime='0.2' attackValue='1' decayDurationTime='0.1' decayValue='0.7' sustainDurationTime='1' releaseDurationTime='0.5'/>",
     ),
     attributes: &[

@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, Style};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Plays an animation of control parameters from the library."),
-    decision: super::shown(
+    doc: super::reference_text("Plays an animation of control parameters from the library."),
+    decision: super::reference_text(
         "GEVH calls value the parameter value, which fits another clause; it is read as a gain. The example belongs to body-set-control-parameter.",
     ),
-    source: super::shown("GEVH D.3.30"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.30"),
+    example: super::reference_text(
         "<body-animate-control-parameter time='5' animationId='blink' style='pingPong'/>",
     ),
     attributes: &[

@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says how one keyframe animation passes into the next."),
-    decision: super::shown(
+    doc: super::reference_text("Says how one keyframe animation passes into the next."),
+    decision: super::reference_text(
         "A cross-fade takes 0.4 s if nothing else is said, and 0.08 s with smooth='false': GEVH means no transition at all, but no joint should jump.",
     ),
-    source: super::shown("GEVH D.3.5"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.5"),
+    example: super::reference_text(
         "<body-configure-deterministic-animation time='0' smooth='true' swapTime='0.5'/>",
     ),
     attributes: &[

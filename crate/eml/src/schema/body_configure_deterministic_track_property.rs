@@ -1,10 +1,10 @@
 //! `body-configure-deterministic-track-property`: speed, weight or switch of tracks.
 
-use super::{Attribute, Beside, Content, Element, Kind};
+use super::{Attribute, ConditionalKind, Content, Element, Kind};
 use crate::{ClauseKind, TrackProperty, Transition};
 
-const fn value(word: &'static str, kind: Kind) -> Beside {
-    Beside {
+const fn value(word: &'static str, kind: Kind) -> ConditionalKind {
+    ConditionalKind {
         attribute: "property",
         word,
         kind,
@@ -12,7 +12,7 @@ const fn value(word: &'static str, kind: Kind) -> Beside {
 }
 
 /// The values of each property; nothing plays faster than a hundred times its pace.
-const VALUES: &[Beside] = &[
+const VALUES: &[ConditionalKind] = &[
     value(
         "speed",
         Kind::Number {
@@ -31,12 +31,12 @@ const VALUES: &[Beside] = &[
 ];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Sets the speed, the weight or the switch of tracks."),
-    decision: super::shown(
+    doc: super::reference_text("Sets the speed, the weight or the switch of tracks."),
+    decision: super::reference_text(
         "The weights of a player's tracks are scaled to a sum of 1 after each change (GEVH 3.2.1).",
     ),
-    source: super::shown("GEVH D.3.6"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.6"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration><sets-configuration><set name='fullBody' type='bodyGroup'><it name='torso'/></set></sets-configuration></body-expression-configuration></head><body><body-configure-deterministic-track-property time='2.5' property='speed' newValue='0.5' duration='0' transition='linear'><tracks><ref name='fullBody'/></tracks></body-configure-deterministic-track-property></body></eml>",
     ),
     content: Content::Elements,
@@ -44,7 +44,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::choice("property", TrackProperty::WORDS, "Which property.").required(),
         Attribute::new("newValue", Kind::NumberOrBool, "Its new value.")
-            .beside(VALUES)
+            .with_conditional_kinds(VALUES)
             .required(),
         Attribute::identifier("player", "The player; the first one when it is left out."),
         Attribute::seconds(

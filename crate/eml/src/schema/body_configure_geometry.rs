@@ -4,9 +4,11 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, FillMode, VisibleMeshes};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Switches what is drawn of the figure. What is left out stays as it is."),
-    source: super::shown("GEVH D.3.4"),
-    example: super::shown(
+    doc: super::reference_text(
+        "Switches what is drawn of the figure. What is left out stays as it is.",
+    ),
+    source: super::reference_text("GEVH D.3.4"),
+    example: super::reference_text(
         "<body-configure-geometry time='0' fillMode='solid' visibleMeshes='bones'/>",
     ),
     attributes: &[

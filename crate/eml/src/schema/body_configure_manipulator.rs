@@ -5,10 +5,10 @@ use super::{Attribute, Context, Element, Fields, Kind};
 use crate::{ClauseKind, ConfigureManipulator, Diagnostic};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Switches a manipulator and its joint limits."),
-    decision: super::shown("The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; what is left out stays as it is. Of several solutions for a target the one that meets it best is taken, then the one with the least variation of joints; preferred joints are the third filter that GEVH 3.3.2.1 names, and go before comfort: they say where elbow or knee point."),
-    source: super::shown("GEVH D.3.19, 3.3.2.1"),
-    example: super::shown("<body-configure-manipulator time='0' manipulator='leftArm' isOn='true' jointLimitsActive='false'/>"),
+    doc: super::reference_text("Switches a manipulator and its joint limits."),
+    decision: super::reference_text("The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; what is left out stays as it is. Of several solutions for a target the one that meets it best is taken, then the one with the least variation of joints; preferred joints are the third filter that GEVH 3.3.2.1 names, and go before comfort: they say where elbow or knee point."),
+    source: super::reference_text("GEVH D.3.19, 3.3.2.1"),
+    example: super::reference_text("<body-configure-manipulator time='0' manipulator='leftArm' isOn='true' jointLimitsActive='false'/>"),
     attributes: &[
         MANIPULATOR,
         Attribute::flag("isOn", "Whether it moves its limb.").aliases(&["is0n"]),

@@ -4,12 +4,14 @@ use super::{Attribute, Content, Element};
 use crate::{ClauseKind, PrimitiveKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Puts an animation on the stack of a player, exchanges or removes it."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "Puts an animation on the stack of a player, exchanges or removes it.",
+    ),
+    decision: super::reference_text(
         "The example writes operation for primitive. Without tracks all tracks are meant, without a style the animation loops.",
     ),
-    source: super::shown("GEVH D.3.17"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.17"),
+    example: super::reference_text(
         "<body-deterministic-primitive time='0.1' primitive='push' animationSetName='stepStance'><animation-style playbackStyle='pingPong'/></body-deterministic-primitive>",
     ),
     content: Content::Elements,

@@ -3,9 +3,9 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the configuration of body expression."),
-    source: super::shown("GEVH D.3.1"),
-    example: super::shown(
+    doc: super::reference_text("Holds the configuration of body expression."),
+    source: super::reference_text("GEVH D.3.1"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>",
     ),
     content: Content::Elements,

@@ -4,12 +4,12 @@ use super::{Attribute, Element, Kind};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Loads an animation of control parameters into the library."),
-    decision: super::shown(
+    doc: super::reference_text("Loads an animation of control parameters into the library."),
+    decision: super::reference_text(
         "The format of the file is not documented; ours is JSON, described in docs/face.md. Paths never leave their folder.",
     ),
-    source: super::shown("GEVH D.3.29"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.29"),
+    example: super::reference_text(
         "<body-load-control-parameter-animation time='5' file='yawn.json' isResourcesRelative='true'/>",
     ),
     attributes: &[

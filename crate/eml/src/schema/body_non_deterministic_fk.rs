@@ -5,12 +5,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Sets the joint angles of a manipulator."),
-    decision: super::shown(
+    doc: super::reference_text("Sets the joint angles of a manipulator."),
+    decision: super::reference_text(
         "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. GEVH gives it no time, for it sets the joints. As nothing should jump it takes half a second, and for an angle beyond 90° as much longer as that is wider, whatever the limb did before; r:smooth='false' has it as GEVH does.",
     ),
-    source: super::shown("GEVH D.3.20"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.20"),
+    example: super::reference_text(
         "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoints='6' j1='90' j2='45' j3='0' j4='0' j5='0' j6='0'/>",
     ),
     attributes: &[

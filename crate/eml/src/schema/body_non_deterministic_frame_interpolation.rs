@@ -5,10 +5,10 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Brings the end of a limb to a target on a straight way."),
-    decision: super::shown("A position is needed; angles are 0 when left out."),
-    source: super::shown("GEVH D.3.22"),
-    example: super::shown(
+    doc: super::reference_text("Brings the end of a limb to a target on a straight way."),
+    decision: super::reference_text("A position is needed; angles are 0 when left out."),
+    source: super::reference_text("GEVH D.3.22"),
+    example: super::reference_text(
         "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     attributes: &[

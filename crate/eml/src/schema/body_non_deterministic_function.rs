@@ -5,12 +5,12 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Moves the end of a limb along a function of time."),
-    decision: super::shown(
+    doc: super::reference_text("Moves the end of a limb along a function of time."),
+    decision: super::reference_text(
         "The arguments are those of vh-move; GEVH lost them in its example. In a loop (isLooping='true') it goes on until the limb is stopped, and counts as one period long; a loop needs a timePeriod above 0, else it ends by itself, which is told. It turns the shortest way from the angles at the start to those at the end. A limb that is not where the function begins hurries there on its way.",
     ),
-    source: super::shown("GEVH D.3.23"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.23"),
+    example: super::reference_text(
         "<body-non-deterministic-function time='0' manipulator='leftArm' functionName='segment' isLooping='false'><function-args><arg name='timePeriod' value='2'/><arg name='endY' value='40'/></function-args></body-non-deterministic-function>",
     ),
     content: Content::Elements,

@@ -5,14 +5,14 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target. Velocities go on until the limb has another command or comes to rest at its limits; one that never does is followed for ten minutes.",
     ),
-    source: super::shown("GEVH D.3.24"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.24"),
+    example: super::reference_text(
         "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     attributes: &[

@@ -5,12 +5,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Brings the end of a limb to a target by interpolating its joints."),
-    decision: super::shown(
+    doc: super::reference_text("Brings the end of a limb to a target by interpolating its joints."),
+    decision: super::reference_text(
         "One of staticTime and staticVelocity is needed; staticTime counts when both are given. A position is needed; angles are 0 when left out. With a velocity the clause counts as having no length, since that depends on the figure.",
     ),
-    source: super::shown("GEVH D.3.21"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.21"),
+    example: super::reference_text(
         "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     one_of: &["staticTime", "staticVelocity"],

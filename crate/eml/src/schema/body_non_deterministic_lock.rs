@@ -5,11 +5,11 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Holds the end of a limb where it is while the rest of the body moves, or lets it go.",
     ),
-    source: super::shown("GEVH D.3.26"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.26"),
+    example: super::reference_text(
         "<body-non-deterministic-lock time='0' manipulator='leftArm' isLock='true'/>",
     ),
     attributes: &[

@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, Manipulator};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Stops a manipulator."),
-    source: super::shown("GEVH D.3.25"),
-    example: super::shown("<body-non-deterministic-stop time='3' manipulator='leftArm'/>"),
+    doc: super::reference_text("Stops a manipulator."),
+    source: super::reference_text("GEVH D.3.25"),
+    example: super::reference_text("<body-non-deterministic-stop time='3' manipulator='leftArm'/>"),
     attributes: &[
         Attribute::choice("manipulator", Manipulator::WORDS, "The limb, or the head.").required(),
     ],

@@ -28,12 +28,12 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
 ];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Adds an animation player."),
-    decision: super::shown(
+    doc: super::reference_text("Adds an animation player."),
+    decision: super::reference_text(
         "There is one player without a name, and it comes first though others were added before. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
     ),
-    source: super::shown("GEVH D.3.11"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.11"),
+    example: super::reference_text(
         "<body-player-add time='0' name='mPlayer' type='multiple' numberOfLayers='2'><bones><bg name='torso'/></bones></body-player-add>",
     ),
     content: Content::Elements,

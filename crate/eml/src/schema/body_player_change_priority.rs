@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the priority of an animation player."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the priority of an animation player."),
+    decision: super::reference_text(
         "The player with the highest priority moves a bone; of equal ones the one added last.",
     ),
-    source: super::shown("GEVH D.3.14"),
-    example: super::shown("<body-player-change-priority time='5' priority='10'/>"),
+    source: super::reference_text("GEVH D.3.14"),
+    example: super::reference_text("<body-player-change-priority time='5' priority='10'/>"),
     attributes: &[
         Attribute::identifier("name", "The player; the first one when it is left out."),
         Attribute::integer(

@@ -4,9 +4,9 @@ use super::Element;
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Removes all animation players."),
-    source: super::shown("GEVH D.3.16"),
-    example: super::shown("<body-player-clear time='15'/>"),
+    doc: super::reference_text("Removes all animation players."),
+    source: super::reference_text("GEVH D.3.16"),
+    example: super::reference_text("<body-player-clear time='15'/>"),
     ..Element::clause("body-player-clear", |_, _, _| Some(ClauseKind::PlayerClear))
 };
 

@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Removes an animation player."),
-    source: super::shown("GEVH D.3.15"),
-    example: super::shown("<body-player-remove time='7'/>"),
+    doc: super::reference_text("Removes an animation player."),
+    source: super::reference_text("GEVH D.3.15"),
+    example: super::reference_text("<body-player-remove time='7'/>"),
     attributes: &[Attribute::identifier(
         "name",
         "The player; the first one when it is left out.",

@@ -5,9 +5,11 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Replaces all animation players by one."),
-    source: super::shown("GEVH D.3.12"),
-    example: super::shown("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
+    doc: super::reference_text("Replaces all animation players by one."),
+    source: super::reference_text("GEVH D.3.12"),
+    example: super::reference_text(
+        "<body-player-set-exclusive time='0' name='alone' type='pose'/>",
+    ),
     content: Content::Elements,
     attributes: ATTRIBUTES,
     ..Element::record("body-player-set-exclusive", || {

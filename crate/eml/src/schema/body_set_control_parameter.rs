@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Sets the value of a control parameter."),
-    source: super::shown("GEVH D.3.27"),
-    example: super::shown(
+    doc: super::reference_text("Sets the value of a control parameter."),
+    source: super::reference_text("GEVH D.3.27"),
+    example: super::reference_text(
         "<body-set-control-parameter time='0' parameterId='Disgust' value='1.0'/>",
     ),
     attributes: &[

@@ -3,10 +3,10 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Refers to one bone."),
-    decision: super::shown("GEVH does not list its attribute; it is name."),
-    source: super::shown("GEVH D.3.13, appendix A"),
-    example: super::shown(
+    doc: super::reference_text("Refers to one bone."),
+    decision: super::reference_text("GEVH does not list its attribute; it is name."),
+    source: super::reference_text("GEVH D.3.13, appendix A"),
+    example: super::reference_text(
         "<body-player-add time='0' name='hand' type='pose'><bones><bone name='r_wrist'/></bones></body-player-add>",
     ),
     attributes: &[Attribute::identifier(

@@ -14,15 +14,15 @@ const LEVELS: [(&str, f64); 4] = [
 ];
 
 /// The longest pause, in milliseconds.
-const LONGEST_MSEC: f64 = 60_000.0;
+const MAX_MSEC: f64 = 60_000.0;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Pauses in spoken text."),
-    decision: super::shown(
+    doc: super::reference_text("Pauses in spoken text."),
+    decision: super::reference_text(
         "The lengths of the levels are designed: GEVH leaves them to the speech engine.",
     ),
-    source: super::shown("GEVH D.4.5"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.5"),
+    example: super::reference_text(
         "<voice-text time='0'>Two roads diverged, <break level='small'/> and sorry I could not travel both.</voice-text>",
     ),
     attributes: &[
@@ -38,7 +38,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::between(
             "msec",
             0.0,
-            LONGEST_MSEC,
+            MAX_MSEC,
             "How long; counts instead of the level.",
         )
         .unit("ms"),

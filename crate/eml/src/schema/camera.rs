@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::{CameraAngle, ClauseKind, Lead, ShotKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Takes a shot."),
-    source: super::shown("Extension; GEVH 3.5.4.1"),
-    decision: super::shown(
+    doc: super::reference_text("Takes a shot."),
+    source: super::reference_text("Extension; GEVH 3.5.4.1"),
+    decision: super::reference_text(
         "Without one, and after by='emotion', the strongest emotion chooses shot and angle by the rules of GEVH 3.5.4.1, unless r:environment says otherwise; where nothing is felt it is the shot of whoever shows the story, which players begin with: storyteller, head to chest (on a phone held upright to the waist) with the eyes on the upper third, that widens slowly where a gesture or a dance needs it. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
     ),
-    example: super::shown(
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>",
     ),
     extension: true,

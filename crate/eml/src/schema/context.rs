@@ -18,10 +18,10 @@ use crate::{Diagnostic, Document, Limits, Span};
 use std::cell::Cell;
 
 /// More attributes than any element has.
-pub(super) const MOST_ATTRIBUTES: usize = 24;
+pub(super) const MAX_ATTRIBUTES: usize = 24;
 
 /// More kinds of children than any element requires.
-pub(super) const MOST_REQUIRED: usize = 4;
+pub(super) const MAX_REQUIRED: usize = 4;
 
 const ABSENT: u16 = u16::MAX;
 
@@ -54,7 +54,7 @@ impl<'t> Context<'t> {
     pub(crate) fn name_span(&self, node: usize) -> Span {
         let node = &self.tree.nodes[node];
         let start = node.span.start as usize + 1;
-        Span::of(start, start + node.text.len())
+        Span::from_offsets(start, start + node.text.len())
     }
 
     /// Calls `visit` with every legal child element of a node, and reports the others,
@@ -151,7 +151,7 @@ impl<'t> Context<'t> {
                 "`{}` may not stand in `{}`; it is dropped",
                 found.name, parent.name
             );
-            let extension = find_extension(found.name).filter(|e| e.may_stand_in(parent.name));
+            let extension = find_extension(found.name).filter(|e| e.is_allowed_in(parent.name));
             let hint = match found.parents {
                 _ if let Some(extension) = extension => unprefixed(extension.name),
                 [] => "it is the root of the document".to_owned(),
@@ -254,7 +254,7 @@ impl<'t> Context<'t> {
             tag: tree.nodes[node].span,
             name: self.name_span(node),
             attributes: tree.attributes_of(node),
-            slots: [ABSENT; MOST_ATTRIBUTES],
+            slots: [ABSENT; MAX_ATTRIBUTES],
             count: element.attributes.len() + timed.len(),
             next: Cell::new(first),
             complete: true,
@@ -413,11 +413,11 @@ impl<'t> Context<'t> {
         let message = format!("text {place} means nothing: {}", quoted(text));
         let diagnostic = Diagnostic::warning(
             "eml::stray-text",
-            Span::of(start, start + text.len()),
+            Span::from_offsets(start, start + text.len()),
             message,
         );
         let hint = find("voice-text")
-            .filter(|voice| voice.may_stand_in(parent.name))
+            .filter(|voice| voice.is_allowed_in(parent.name))
             .map(|_| "spoken text goes into `voice-text`".to_owned());
         self.push_with_hint(diagnostic, hint);
     }

@@ -4,12 +4,12 @@ use super::{Attribute, Content, Context, Element, Fields, Role, VOICE_PARENTS, V
 use crate::{DivKind, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Marks a division of spoken text."),
-    decision: super::shown(
+    doc: super::reference_text("Marks a division of spoken text."),
+    decision: super::reference_text(
         "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest.",
     ),
-    source: super::shown("GEVH D.4.6"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.6"),
+    example: super::reference_text(
         "<voice-text time='0'><div type='sentence'>Two roads diverged in a yellow wood.</div></voice-text>",
     ),
     content: Content::Mixed,

@@ -4,12 +4,12 @@ use super::{Attribute, Content, Element, Role};
 use crate::RunUp;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("The root of a script."),
-    decision: super::shown(
+    doc: super::reference_text("The root of a script."),
+    decision: super::reference_text(
         "A list of clauses without eml and body is read as one, with a warning; what a mind sends during a performance may be such a list. A hand needs up to 0.9 s to come to its first place from rest. The thesis lets a script begin at 0 and says nothing of what it has to wait for (GEVH D.2.1), so the writer chooses what gives way; where nothing is written the script waits, and that is told.",
     ),
-    source: super::shown("GEVH D.1.1, D.2.1, 3.5.2"),
-    example: super::shown("<eml name='a story'><body><null time='2'/></body></eml>"),
+    source: super::reference_text("GEVH D.1.1, D.2.1, 3.5.2"),
+    example: super::reference_text("<eml name='a story'><body><null time='2'/></body></eml>"),
     content: Content::Elements,
     attributes: &[
         Attribute::text("name", "The name of the document."),

@@ -4,10 +4,10 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, EmotionKind, EmotionSpace};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Elicits an emotion, which face, voice and the environment express: camera, light and music."),
-    decision: super::shown("GEVH elicits emotions but has no clause for it. The scale of potentials, which it does not bound, ends at 10. The voice is in it further down in the document until the next one or neutral; 5 is the strength of F&H table 4.4. A dimension that is given takes the place of that of the type; with one, the expression is blended from the place alone. What is not given of a place without a type is 0."),
-    source: super::shown("Extension; GEVH 3.5.4; F&H 4.4"),
-    example: super::shown("<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' type='joy' potential='3'/></body></eml>"),
+    doc: super::reference_text("Elicits an emotion, which face, voice and the environment express: camera, light and music."),
+    decision: super::reference_text("GEVH elicits emotions but has no clause for it. The scale of potentials, which it does not bound, ends at 10. The voice is in it further down in the document until the next one or neutral; 5 is the strength of F&H table 4.4. A dimension that is given takes the place of that of the type; with one, the expression is blended from the place alone. What is not given of a place without a type is 0."),
+    source: super::reference_text("Extension; GEVH 3.5.4; F&H 4.4"),
+    example: super::reference_text("<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' type='joy' potential='3'/></body></eml>"),
     extension: true,
     one_of: &["type", "activation", "evaluation", "power"],
     attributes: &[Attribute::choice("type", EmotionKind::WORDS, "Which one: of the emotions of Ortony, Clore and Collins, of those that F&H name besides, or neutral. Another word of emotion (`jealousy`, `bored`, `curiosity` …) is felt at its place on the disc, which is told."),

@@ -5,9 +5,11 @@ use crate::voice::{MODERATE_EMPHASIS, NO_EMPHASIS};
 use crate::{Level, Markup};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Emphasises spoken text."),
-    source: super::shown("GEVH D.4.7"),
-    example: super::shown("<voice-text time='0'><emph>Two roads</emph> diverged.</voice-text>"),
+    doc: super::reference_text("Emphasises spoken text."),
+    source: super::reference_text("GEVH D.4.7"),
+    example: super::reference_text(
+        "<voice-text time='0'><emph>Two roads</emph> diverged.</voice-text>",
+    ),
     attributes: &[Attribute::level(
         "level",
         &["strong", "moderate", "none", "reduced"],

@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says something else on one speech engine."),
-    source: super::shown("GEVH D.4.8"),
-    example: super::shown(
+    doc: super::reference_text("Says something else on one speech engine."),
+    source: super::reference_text("GEVH D.4.8"),
+    example: super::reference_text(
         "<voice-text time='0'>An example is <engine id='festival' data='our own synthesizer'>the synthesizer</engine>.</voice-text>",
     ),
     attributes: &[

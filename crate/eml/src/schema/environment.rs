@@ -4,14 +4,14 @@ use super::{Attribute, Content, Element, Kind};
 use crate::{Arousal, Fidelity, Scenery, Valence};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Chooses where the story is told, and turns off channels by which the environment expresses emotions.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "All three channels are on. r:camera, r:light and r:music take theirs over until one of them with by='emotion' gives it back.",
     ),
-    source: super::shown("Extension; GEVH 3.5.4"),
-    example: super::shown(
+    source: super::reference_text("Extension; GEVH 3.5.4"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment set='fireside' music='false'/></head><body><null time='1'/></body></eml>",
     ),
     extension: true,
@@ -47,12 +47,14 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static PIECE: Element = Element {
-    doc: super::shown("A piece of music that is played in a mood in place of the library's."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "A piece of music that is played in a mood in place of the library's.",
+    ),
+    decision: super::reference_text(
         "It begins again when it is over. Where there are pieces of a mood for both low and high arousal, each is played in its own.",
     ),
-    source: super::shown("Extension; GEVH 3.5.4.3"),
-    example: super::shown(
+    source: super::reference_text("Extension; GEVH 3.5.4.3"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><head><r:environment><r:piece valence='positive' file='music/reel.opus' bar='1.5'/></r:environment></head><body><null time='1'/></body></eml>",
     ),
     extension: true,

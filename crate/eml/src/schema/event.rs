@@ -4,12 +4,12 @@ use super::{Attribute, Content, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Raises an event. Its character data is passed on with it."),
-    decision: super::shown(
+    doc: super::reference_text("Raises an event. Its character data is passed on with it."),
+    decision: super::reference_text(
         "The table of GEVH says type, its example writes key, which is an alias. The example has no time either: an event right in the body may go without, and starts at 0.",
     ),
-    source: super::shown("GEVH D.1.4"),
-    example: super::shown("<event time='2' type='alarm'>wake up!</event>"),
+    source: super::reference_text("GEVH D.1.4"),
+    example: super::reference_text("<event time='2' type='alarm'>wake up!</event>"),
     content: Content::Text,
     attributes: &[Attribute::text(
         "type",

@@ -3,9 +3,9 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the arguments of a function."),
-    source: super::shown("GEVH D.1.7"),
-    example: super::shown(
+    doc: super::reference_text("Holds the arguments of a function."),
+    source: super::reference_text("GEVH D.1.7"),
+    example: super::reference_text(
         "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>",
     ),
     content: Content::Elements,

@@ -4,10 +4,10 @@ use super::{Attribute, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Turns the gesture model on or off. Off releases the arms."),
-    decision: super::shown("It is printed is0n, with a zero, which is an alias."),
-    source: super::shown("GEVH D.5.1"),
-    example: super::shown("<gesture-is-on time='0' isOn='true'/>"),
+    doc: super::reference_text("Turns the gesture model on or off. Off releases the arms."),
+    decision: super::reference_text("It is printed is0n, with a zero, which is an alias."),
+    source: super::reference_text("GEVH D.5.1"),
+    example: super::reference_text("<gesture-is-on time='0' isOn='true'/>"),
     attributes: &[
         Attribute::flag("isOn", "Whether gestures move the arms and hands.")
             .aliases(&["is0n"])

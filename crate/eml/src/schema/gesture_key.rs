@@ -7,10 +7,10 @@ use crate::record::Field as _;
 use crate::{ClauseKind, GestureKey, Handedness, Phase};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."),
-    decision: super::shown("The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning, and so is one for the left or right hand in a gesture of the dominant or the other hand. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."),
-    source: super::shown("GEVH D.5.2"),
-    example: super::shown("<gesture-key time='0' duration='3' handedness='right'><hand-shapes><key id='24'/></hand-shapes><motion><key x='-7' y='45' z='3'/></motion></gesture-key>"),
+    doc: super::reference_text("Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."),
+    decision: super::reference_text("The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning, and so is one for the left or right hand in a gesture of the dominant or the other hand. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."),
+    source: super::reference_text("GEVH D.5.2"),
+    example: super::reference_text("<gesture-key time='0' duration='3' handedness='right'><hand-shapes><key id='24'/></hand-shapes><motion><key x='-7' y='45' z='3'/></motion></gesture-key>"),
     content: Content::Elements,
     attributes: &[
         Attribute::seconds("duration", "The length of the gesture.").required(),

@@ -8,10 +8,10 @@ use crate::{Diagnostic, ShapeKey, Track};
 const LAST_SHAPE: i64 = 60;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Shapes that a hand takes one after another."),
+    doc: super::reference_text("Shapes that a hand takes one after another."),
 
-    source: super::shown("GEVH D.5.3"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.5.3"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>",
     ),
     content: Content::Elements,
@@ -22,9 +22,9 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: super::shown("A hand shape at a time."),
-    source: super::shown("GEVH D.5.3"),
-    example: super::shown(
+    doc: super::reference_text("A hand shape at a time."),
+    source: super::reference_text("GEVH D.5.3"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>",
     ),
     attributes: &[

@@ -4,9 +4,9 @@ use super::{Content, Context, Element, Role};
 use crate::{Environment, Performer, Set};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds configuration that applies to the whole script."),
-    source: super::shown("GEVH D.1.2"),
-    example: super::shown("<eml><head/><body><null time='2'/></body></eml>"),
+    doc: super::reference_text("Holds configuration that applies to the whole script."),
+    source: super::reference_text("GEVH D.1.2"),
+    example: super::reference_text("<eml><head/><body><null time='2'/></body></eml>"),
     content: Content::Elements,
     most_per_parent: Some(1),
     ..Element::new("head", &["eml"], Role::Structure)

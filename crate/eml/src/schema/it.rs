@@ -3,11 +3,11 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "A member of a set: a body group by its name, or a layer by its name or number.",
     ),
-    source: super::shown("GEVH D.3.3"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.3"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     attributes: &[Attribute::identifier(

@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the language of speech."),
-    source: super::shown("SABLE 1.0 LANGUAGE; not in GEVH"),
-    example: super::shown(
+    doc: super::reference_text("Changes the language of speech."),
+    source: super::reference_text("SABLE 1.0 LANGUAGE; not in GEVH"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>She said <r:language id='pt'>bom dia</r:language>.</voice-text></body></eml>",
     ),
     extension: true,

@@ -4,12 +4,12 @@ use super::{Attribute, Element, Kind};
 use crate::{ClauseKind, Lead};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the colour and brightness of the key light."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the colour and brightness of the key light."),
+    decision: super::reference_text(
         "Without one, and after by='emotion', the strongest emotion lights the stage by table 3.2 and equations 3.1 and 3.2 of GEVH, unless r:environment says otherwise. A change takes at least 0.5 s, so that nothing flashes.",
     ),
-    source: super::shown("Extension; GEVH 3.5.4.2"),
-    example: super::shown(
+    source: super::reference_text("Extension; GEVH 3.5.4.2"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:light time='0' color='#ffff00' brightness='1.2' transition='1'/></body></eml>",
     ),
     extension: true,

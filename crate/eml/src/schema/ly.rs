@@ -3,12 +3,12 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Refers to a layer of a player."),
-    decision: super::shown(
+    doc: super::reference_text("Refers to a layer of a player."),
+    decision: super::reference_text(
         "GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1.",
     ),
-    source: super::shown("GEVH D.3.10"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.10"),
+    example: super::reference_text(
         "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly index='1'/></tracks></body-deterministic-primitive>",
     ),
     one_of: &["name", "index"],

@@ -4,9 +4,9 @@ use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuild
 use crate::TextSegment;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Tells listeners when the next word begins."),
-    source: super::shown("SABLE 1.0 MARKER; not in GEVH"),
-    example: super::shown(
+    doc: super::reference_text("Tells listeners when the next word begins."),
+    source: super::reference_text("SABLE 1.0 MARKER; not in GEVH"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And then <r:marker mark='door'/>it opened.</voice-text></body></eml>",
     ),
     extension: true,

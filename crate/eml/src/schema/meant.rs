@@ -12,7 +12,7 @@ pub(super) fn element_meant(local: &str, extended: bool, parent: &Element) -> Op
         all.filter(move |e| e.extension == extension)
     };
     let fitting = |extension: bool| {
-        let all = of(extension).filter(|e| e.may_stand_in(parent.name));
+        let all = of(extension).filter(|e| e.is_allowed_in(parent.name));
         nearest(local, all.map(|e| e.name))
     };
     let any = |extension: bool| nearest(local, of(extension).map(|e| e.name));

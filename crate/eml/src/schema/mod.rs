@@ -3,7 +3,7 @@
 
 /// A text for people who read about the language. No page shows it, and it would be 12 KB of what a
 /// player downloads (gzip), so the wasm builds are without.
-pub(super) const fn shown(text: &'static str) -> &'static str {
+pub(super) const fn reference_text(text: &'static str) -> &'static str {
     if cfg!(target_arch = "wasm32") {
         ""
     } else {
@@ -100,7 +100,7 @@ mod ways;
 use crate::ClauseKind;
 use crate::clauses::speech::Markup;
 pub(crate) use attribute::MAX_NUMBER;
-pub use attribute::{Attribute, Beside, Kind, Presence};
+pub use attribute::{Attribute, ConditionalKind, Kind, Presence};
 pub(crate) use context::{Context, Fields, Tally};
 #[cfg(test)]
 pub(crate) use emph::number as emphasis;
@@ -205,7 +205,7 @@ impl Element {
         if self.is_clause() { TIMED } else { &[] }
     }
 
-    fn may_stand_in(&self, parent: &str) -> bool {
+    fn is_allowed_in(&self, parent: &str) -> bool {
         self.parents.iter().any(|p| same(p, parent))
     }
 }
@@ -344,11 +344,11 @@ fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
 
 /// The entry of the same name that may stand in `parent`.
 pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'static Element> {
-    if element.may_stand_in(parent) {
+    if element.is_allowed_in(parent) {
         return Some(element);
     }
     let mut variants = lookup::variants(element.name).iter().copied();
-    variants.find(|e| e.extension == element.extension && e.may_stand_in(parent))
+    variants.find(|e| e.extension == element.extension && e.is_allowed_in(parent))
 }
 
 /// Every element, by name.
@@ -450,13 +450,13 @@ mod tests {
             for parent in element.parents {
                 assert!(exists(parent), "{} in {parent}", element.name);
             }
-            assert!(element.required_children.len() <= context::MOST_REQUIRED);
+            assert!(element.required_children.len() <= context::MAX_REQUIRED);
             for child in element.required_children {
                 assert!(exists(child), "{} needs {child}", element.name);
             }
             let attributes: Vec<_> = element.all_attributes().collect();
             assert!(
-                attributes.len() <= context::MOST_ATTRIBUTES,
+                attributes.len() <= context::MAX_ATTRIBUTES,
                 "{}",
                 element.name
             );

@@ -5,12 +5,12 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Coords, MotionKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Positions that a wrist passes one after another."),
-    decision: super::shown(
+    doc: super::reference_text("Positions that a wrist passes one after another."),
+    decision: super::reference_text(
         "The table of GEVH lists id by mistake; the coordinates come from fig. 3.13. The default of coords is not given; speaker is assumed, which puts the example's hand above the head.",
     ),
-    source: super::shown("GEVH D.5.5"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.5.5"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>",
     ),
     content: Content::Elements,
@@ -32,9 +32,9 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: super::shown("A position of the wrist at a time."),
-    source: super::shown("GEVH D.5.5"),
-    example: super::shown(
+    doc: super::reference_text("A position of the wrist at a time."),
+    source: super::reference_text("GEVH D.5.5"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>",
     ),
     attributes: &[

@@ -4,14 +4,14 @@ use super::{Attribute, Element, Kind};
 use crate::{ClauseKind, Lead, Valence};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent.",
     ),
-    source: super::shown("Extension; GEVH 3.5.4.3"),
-    decision: super::shown(
+    source: super::reference_text("Extension; GEVH 3.5.4.3"),
+    decision: super::reference_text(
         "Without one, and after by='emotion', the mood chooses the music of a story in which something is felt, unless r:environment says otherwise. The library has three pieces of each mood: fast where it is good, of medium tempo where neutral, slow where bad. The seed of the performance draws one of each, which stays throughout; arousal adds voices to it. A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
     ),
-    example: super::shown(
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>",
     ),
     extension: true,

@@ -4,9 +4,11 @@ use super::Element;
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Does nothing, but keeps the script or the group running until its time."),
-    source: super::shown("GEVH D.1.5"),
-    example: super::shown("<null time='5'/>"),
+    doc: super::reference_text(
+        "Does nothing, but keeps the script or the group running until its time.",
+    ),
+    source: super::reference_text("GEVH D.1.5"),
+    example: super::reference_text("<null time='5'/>"),
     ..Element::clause("null", |_, _, _| Some(ClauseKind::Null))
 };
 

@@ -5,12 +5,12 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Diagnostic, PalmKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Orientations that a palm takes one after another."),
-    decision: super::shown(
+    doc: super::reference_text("Orientations that a palm takes one after another."),
+    decision: super::reference_text(
         "The table of GEVH lists id by mistake; a, x, y and z come from the examples. At a = 0 the fingers point where the least turn from the hanging arm brings them.",
     ),
-    source: super::shown("GEVH D.5.4"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.5.4"),
+    example: super::reference_text(
         "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>",
     ),
     content: Content::Elements,
@@ -21,11 +21,11 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "A palm orientation at a time: the palm's outward normal and an angle about it.",
     ),
-    source: super::shown("GEVH D.5.4"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.5.4"),
+    example: super::reference_text(
         "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>",
     ),
     attributes: &[

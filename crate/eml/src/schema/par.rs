@@ -5,12 +5,14 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Plays its clauses together. A plain time counts from the start of the par."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "Plays its clauses together. A plain time counts from the start of the par.",
+    ),
+    decision: super::reference_text(
         "GEVH only says that times are relative. An expression that names a moment counts from the start of the script all the same.",
     ),
-    source: super::shown("GEVH D.2.5, D.2.6"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.2.5, D.2.6"),
+    example: super::reference_text(
         "<par time='1' repetitionCount='2'><null time='1'/><null time='3'/></par>",
     ),
     content: Content::Elements,

@@ -4,14 +4,14 @@ use super::{Attribute, Element, Kind};
 use crate::{Expressions, PreferredHand};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Says who performs the script, in what voice and language, and how much the character moves its face and head when it speaks. Whoever shows or bakes the story may choose another figure, voice and language.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "What accompanies speech is made from its sound where the writer says nothing (F&H section 4.2), and an utterance whose pitch is not known from its text (4.3). Amounts are shares of what F&H publish; none, also of zero, changes the lips. Where a figure cannot be had, the one that performs when none is named does.",
     ),
-    source: super::shown("Extension; GEVH 3.1, 3.4; F&H 4.2, 4.3"),
-    example: super::shown(
+    source: super::reference_text("Extension; GEVH 3.1, 3.4; F&H 4.2, 4.3"),
+    example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='papous' expressions='text' brows='0.6'/></head><body><null time='1'/></body></eml>",
     ),
     extension: true,

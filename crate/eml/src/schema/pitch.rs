@@ -18,12 +18,12 @@ const RANGES: &[&str] = &[
 const HERTZ: [f64; 2] = [2.0, 2000.0];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the pitch of speech."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the pitch of speech."),
+    decision: super::reference_text(
         "SABLE's own words for a range, largest to smallest, are accepted too, and its med for middle. Changes in percent multiply those around them. All together change a voice's own by a factor of four at most, and what goes beyond is as much as that.",
     ),
-    source: super::shown("GEVH D.4.9"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.9"),
+    example: super::reference_text(
         "<voice-text time='0'>The penguin, <pitch base='-30%'>which he left at home,</pitch> could not enter.</voice-text>",
     ),
     attributes: &[

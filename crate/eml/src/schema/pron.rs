@@ -4,10 +4,10 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says how text is pronounced."),
-    decision: super::shown("One of ipa and sub is needed."),
-    source: super::shown("GEVH D.4.10"),
-    example: super::shown(
+    doc: super::reference_text("Says how text is pronounced."),
+    decision: super::reference_text("One of ipa and sub is needed."),
+    source: super::reference_text("GEVH D.4.10"),
+    example: super::reference_text(
         "<voice-text time='0'>He <pron sub='lyves'>lives</pron> many <pron ipa='laɪvz'>lives</pron>.</voice-text>",
     ),
     one_of: &["ipa", "sub"],

@@ -5,12 +5,12 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the pace of speech."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the pace of speech."),
+    decision: super::reference_text(
         "Changes in percent multiply those around them. All together change the voice's own pace by a factor of four at most, and what goes beyond is as much as that.",
     ),
-    source: super::shown("GEVH D.4.11"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.11"),
+    example: super::reference_text(
         "<voice-text time='0'>Two roads <rate speed='-40%'>diverged in a yellow wood,</rate></voice-text>",
     ),
     attributes: &[Attribute::level(

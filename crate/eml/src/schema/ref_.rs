@@ -3,9 +3,9 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Refers to a named set."),
-    source: super::shown("GEVH D.3.3, D.3.8"),
-    example: super::shown(
+    doc: super::reference_text("Refers to a named set."),
+    source: super::reference_text("GEVH D.3.3, D.3.8"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     attributes: &[Attribute::identifier("name", "The name of the set.").required()],

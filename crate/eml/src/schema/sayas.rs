@@ -4,10 +4,10 @@ use super::{Attribute, Element};
 use crate::{Markup, SayAsMode, SayAsType};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says what a text is, and so how it is read out."),
-    decision: super::shown("GEVH says that it is SABLE's rate; SAYAS is meant."),
-    source: super::shown("GEVH D.4.12"),
-    example: super::shown(
+    doc: super::reference_text("Says what a text is, and so how it is read out."),
+    decision: super::reference_text("GEVH says that it is SABLE's rate; SAYAS is meant."),
+    source: super::reference_text("GEVH D.4.12"),
+    example: super::reference_text(
         "<voice-text time='0'>A year <sayas mode='date' modetype='YMD'>1998</sayas>, an ordinal <sayas mode='ordinal'>1998</sayas></voice-text>",
     ),
     attributes: &[

@@ -5,14 +5,14 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "GEVH only says that times are relative; they are read as in SMIL. An expression that names a moment counts from the start of the script all the same.",
     ),
-    source: super::shown("GEVH D.2.4, D.2.6"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.2.4, D.2.6"),
+    example: super::reference_text(
         "<seq time='1'><event time='0' type='a'/><event time='1' type='b'/></seq>",
     ),
     content: Content::Elements,

@@ -4,12 +4,14 @@ use super::{Attribute, Content, Element};
 use crate::SetKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Names a set of layers or of body groups, which may hold other sets."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "Names a set of layers or of body groups, which may hold other sets.",
+    ),
+    decision: super::reference_text(
         "A reference to a set that is not defined is a warning and counts as empty, as in the example of GEVH; sets that contain each other are an error. Besides the groups of the example, left_leg and right_leg exist.",
     ),
-    source: super::shown("GEVH D.3.3"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.3"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     content: Content::Elements,

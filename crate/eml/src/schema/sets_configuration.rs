@@ -3,12 +3,12 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the named sets of tracks."),
-    decision: super::shown(
+    doc: super::reference_text("Holds the named sets of tracks."),
+    decision: super::reference_text(
         "The entry of set in GEVH calls it tracks-configuration; that name is accepted as an alias.",
     ),
-    source: super::shown("GEVH D.3.2"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.2"),
+    example: super::reference_text(
         "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     aliases: &["tracks-configuration"],

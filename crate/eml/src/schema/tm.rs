@@ -4,14 +4,14 @@ use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, Voic
 use crate::{Diagnostic, MarkEvent, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown(
+    doc: super::reference_text(
         "Names a moment of the next word, or the end of the speech when no word follows.",
     ),
-    decision: super::shown(
+    decision: super::reference_text(
         "A phone that the word does not have, as in the example of GEVH, is a warning, and the start of the word is used. Of several such phones the first is meant.",
     ),
-    source: super::shown("GEVH D.4.3"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.3"),
+    example: super::reference_text(
         "<voice-text time='1.0'><tm name='t1'/>Hello <tm name='t2' event='onPhone' phone='w'/>world!</voice-text>",
     ),
     attributes: &[

@@ -3,12 +3,12 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Lists tracks: sets, body groups and layers."),
-    decision: super::shown(
+    doc: super::reference_text("Lists tracks: sets, body groups and layers."),
+    decision: super::reference_text(
         "GEVH calls its parent deterministic-track-property; body-configure-deterministic-track-property is meant.",
     ),
-    source: super::shown("GEVH D.3.7"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.3.7"),
+    example: super::reference_text(
         "<body-deterministic-primitive time='0' primitive='pop'><tracks><bg name='torso'/></tracks></body-deterministic-primitive>",
     ),
     content: Content::Elements,

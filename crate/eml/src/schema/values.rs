@@ -6,7 +6,7 @@ mod kinds;
 pub(super) use self::kinds::is_inner_path;
 pub(crate) use self::kinds::parse;
 use self::kinds::{in_range, number};
-use super::affect::{self, Meant};
+use super::affect::{self, WordMeaning};
 use super::attribute::MAX_NUMBER;
 use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::record::Value;
@@ -29,7 +29,7 @@ impl Context<'_> {
         let Some((attribute, written)) = fields.get(name) else {
             return Value::None;
         };
-        let kind = beside(attribute, fields);
+        let kind = conditional_kind(attribute, fields);
         let default = || match attribute.default {
             Presence::Default(text) => parse(kind, text).unwrap_or(Value::None),
             Presence::Required | Presence::Optional => Value::None,
@@ -74,12 +74,12 @@ impl Context<'_> {
         self.placed = None;
         match (parse(attribute.kind, text), affect::meant(text)) {
             (Ok(value), _) => value,
-            (Err(_), Some(Meant::Word(word))) => {
+            (Err(_), Some(WordMeaning::Word(word))) => {
                 self.report_spelling(text, word, span);
                 Value::Word(word)
             }
-            (Err(_), Some(Meant::Place(place))) => {
-                self.sink.push(affect::told(text, place, span));
+            (Err(_), Some(WordMeaning::Place(place))) => {
+                self.sink.push(affect::report_place(text, place, span));
                 self.placed = Some(place);
                 Value::None
             }
@@ -210,7 +210,7 @@ fn is_emotion(fields: &Fields<'_>, name: &str) -> bool {
 }
 
 /// What an attribute may hold beside what else is written.
-fn beside(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
+fn conditional_kind(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
     let has = |other: &str, word: &str| {
         let written = fields.get(other).and_then(|(_, written)| written);
         written.is_some_and(|w| w.value.trim().eq_ignore_ascii_case(word))
@@ -250,7 +250,7 @@ fn part(value: Span, problem: Option<&Problem>) -> Span {
     match problem {
         Some(p) => {
             let start = value.start as usize;
-            Span::of(start + p.start, start + p.end.max(p.start))
+            Span::from_offsets(start + p.start, start + p.end.max(p.start))
         }
         None => value,
     }

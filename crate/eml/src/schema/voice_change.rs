@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the voice of what is spoken from now on."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the voice of what is spoken from now on."),
+    decision: super::reference_text(
         "From now on means further down in the document, as one reads it, whatever the times are: what a voice says decides when clauses are, and so cannot depend on it.",
     ),
-    source: super::shown("GEVH D.4.15"),
-    example: super::shown("<voice-change time='1' voice='don_diphone'/>"),
+    source: super::reference_text("GEVH D.4.15"),
+    example: super::reference_text("<voice-change time='1' voice='don_diphone'/>"),
     attributes: &[Attribute::identifier("voice", "The voice's name.").required()],
     ..Element::record("voice-change", || {
         ClauseKind::VoiceChange(Default::default())

@@ -4,10 +4,10 @@ use super::{Attribute, Content, Context, Element, Fields};
 use crate::{ClauseKind, Diagnostic, UtteranceKind, VoiceOperation, VoiceSay};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
-    decision: super::shown("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
-    source: super::shown("GEVH D.4.2, D.4.14"),
-    example: super::shown("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
+    doc: super::reference_text("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
+    decision: super::reference_text("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
+    source: super::reference_text("GEVH D.4.2, D.4.14"),
+    example: super::reference_text("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
     content: Content::Text,
     attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, "What to do: text and file speak, preprocess… only synthesise, asynchronous… speak while what follows goes on.").required(),
 Attribute::choice("type", UtteranceKind::WORDS, "What the content is.").default("text"),
@@ -52,14 +52,14 @@ mod tests {
         };
         assert_eq!(say.operation, VoiceOperation::PreprocessFile);
         assert_eq!(
-            (say.content.as_str(), say.spoken()),
+            (say.content.as_str(), say.spoken_text()),
             ("poetry/lusiadas.txt", None)
         );
         let kind = one("<voice-say time='7' voiceOperation='asynchronousFile'>a.txt</voice-say>");
         let ClauseKind::VoiceSay(say) = kind else {
             panic!("{kind:?}")
         };
-        assert!(!say.is_waited_for() && say.spoken().unwrap().pieces.is_empty());
+        assert!(!say.is_waited_for() && say.spoken_text().unwrap().pieces.is_empty());
     }
     #[test]
     fn text_takes_its_time() {
@@ -67,7 +67,7 @@ mod tests {
         let ClauseKind::VoiceSay(say) = kind else {
             panic!("{kind:?}")
         };
-        assert_eq!(say.spoken().unwrap().plain_text(), "One & two");
+        assert_eq!(say.spoken_text().unwrap().plain_text(), "One & two");
     }
     #[test]
     fn files_and_texts_are_checked() {

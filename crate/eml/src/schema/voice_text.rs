@@ -6,12 +6,14 @@ use crate::voice::NO_EMPHASIS;
 use crate::{ClauseKind, Diagnostic, Markup, Name, TextSegment, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Speaks a text. Markup inside shapes how, and names moments of words."),
-    decision: super::shown(
+    doc: super::reference_text(
+        "Speaks a text. Markup inside shapes how, and names moments of words.",
+    ),
+    decision: super::reference_text(
         "Names of elements and values are in lower case, where SABLE writes capitals; other cases are accepted with a warning.",
     ),
-    source: super::shown("GEVH D.4.1"),
-    example: super::shown("<voice-text time='1.0'>Hello world!</voice-text>"),
+    source: super::reference_text("GEVH D.4.1"),
+    example: super::reference_text("<voice-text time='1.0'>Hello world!</voice-text>"),
     content: Content::Mixed,
     ..Element::clause("voice-text", build)
 };

@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Changes the volume of speech."),
-    decision: super::shown(
+    doc: super::reference_text("Changes the volume of speech."),
+    decision: super::reference_text(
         "The example writes discreteLevel. GEVH says that it is SABLE's rate; VOLUME is meant. Changes in percent multiply those around them; all together are four times the voice's own at most.",
     ),
-    source: super::shown("GEVH D.4.13"),
-    example: super::shown(
+    source: super::reference_text("GEVH D.4.13"),
+    example: super::reference_text(
         "<voice-text time='0'>Two roads <volume level='quiet'>diverged in a yellow wood</volume>.</voice-text>",
     ),
     attributes: &[Attribute::level(

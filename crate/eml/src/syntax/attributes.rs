@@ -50,7 +50,7 @@ pub(super) fn scan<'a>(
             return stray(element, start + i, sink);
         }
         let name = &raw[name_start..i];
-        let name_span = Span::of(start + name_start, start + i);
+        let name_span = Span::from_offsets(start + name_start, start + i);
         i = skip_space(bytes, i);
         if name.is_empty() || bytes.get(i) != Some(&b'=') {
             if name.is_empty() {
@@ -66,10 +66,12 @@ pub(super) fn scan<'a>(
             Err(next) => return unclosed(element, start, quote, next, sink),
         };
         match value.marks {
-            Marks::Quotes => {}
-            Marks::Backticks => unquoted(Span::of(start + quote, start + value.past), sink),
-            Marks::None => unquoted(
-                name_span.to(Span::of(start + quote, start + value.past)),
+            ValueQuotes::Quotes => {}
+            ValueQuotes::Backticks => {
+                unquoted(Span::from_offsets(start + quote, start + value.past), sink)
+            }
+            ValueQuotes::None => unquoted(
+                name_span.to(Span::from_offsets(start + quote, start + value.past)),
                 sink,
             ),
         }
@@ -99,7 +101,7 @@ pub(super) fn scan<'a>(
                 name,
                 value: &raw[value.from..value.to],
                 name_start: name_span.start,
-                value_start: Span::of(start + value.from, 0).start,
+                value_start: Span::from_offsets(start + value.from, 0).start,
                 is_plain: value.is_plain,
             });
             initials |= initial;
@@ -108,7 +110,7 @@ pub(super) fn scan<'a>(
 }
 
 /// What stands around a value.
-enum Marks {
+enum ValueQuotes {
     Quotes,
     Backticks,
     None,
@@ -120,7 +122,7 @@ struct Value {
     to: usize,
     /// Where the tag goes on.
     past: usize,
-    marks: Marks,
+    marks: ValueQuotes,
     /// There is no reference in it.
     is_plain: bool,
 }
@@ -133,7 +135,7 @@ fn value(bytes: &[u8], at: usize) -> Result<Value, Option<usize>> {
             from: at,
             to: end,
             past: end,
-            marks: Marks::None,
+            marks: ValueQuotes::None,
             is_plain: !bytes[at..end].contains(&b'&'),
         });
     };
@@ -152,9 +154,9 @@ fn value(bytes: &[u8], at: usize) -> Result<Value, Option<usize>> {
         to: end,
         past: end + 1,
         marks: if q == b'`' {
-            Marks::Backticks
+            ValueQuotes::Backticks
         } else {
-            Marks::Quotes
+            ValueQuotes::Quotes
         },
         is_plain,
     })
@@ -204,7 +206,7 @@ fn stray(element: &str, at: usize, sink: &mut Sink) -> Outcome {
     sink.push(
         Diagnostic::error(
             "eml::malformed-tag",
-            Span::of(at, at + 1),
+            Span::from_offsets(at, at + 1),
             format!(
                 "`<` inside the tag of {}, which is dropped",
                 quoted(element)
@@ -219,7 +221,7 @@ fn nameless(what: &str, at: usize, sink: &mut Sink) {
     sink.push(
         Diagnostic::error(
             "eml::malformed-attribute",
-            Span::of(at, at + what.len()),
+            Span::from_offsets(at, at + what.len()),
             format!("expected an attribute, found {}", quoted(what.trim_end())),
         )
         .hint("an attribute is written name='value'"),
@@ -236,7 +238,7 @@ fn unclosed(
     sink.push(
         Diagnostic::error(
             "eml::malformed-tag",
-            Span::of(start + quote, start + quote + 1),
+            Span::from_offsets(start + quote, start + quote + 1),
             format!(
                 "the quote that opens here is not closed before the next `<`; {} is dropped",
                 quoted(element)

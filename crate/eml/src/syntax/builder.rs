@@ -16,10 +16,10 @@ use quick_xml::errors::{Error, SyntaxError};
 use quick_xml::events::Event;
 
 /// Bounds the memory of the tree: about 150 MB at worst.
-const MOST_NODES: usize = 2_000_000;
+const MAX_NODES: usize = 2_000_000;
 
 /// How deep recursion over the tree may go, whatever the limits say.
-const DEEPEST: usize = 256;
+const MAX_DEPTH: usize = 256;
 
 /// Takes an element of the body as soon as it is complete: a node of the tree.
 pub(crate) type Take<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
@@ -88,7 +88,7 @@ impl<'a> Events<'a> {
     }
 
     /// The byte after the last event.
-    fn at(&self) -> usize {
+    fn offset(&self) -> usize {
         self.position(self.reader.buffer_position())
     }
 }
@@ -111,7 +111,7 @@ impl<'a> Builder<'a, '_, '_> {
         while let Some(restart) = self.read_from(start) {
             let again = restart.reached.saturating_sub(restart.at);
             if again > self.reread_budget {
-                let span = Span::of(restart.at, restart.at + 1);
+                let span = Span::from_offsets(restart.at, restart.at + 1);
                 self.error(
                     "eml::malformed",
                     span,
@@ -130,10 +130,10 @@ impl<'a> Builder<'a, '_, '_> {
     fn read_from(&mut self, base: usize) -> Option<Restart> {
         let (mut events, mut at) = self.events(base);
         while at < self.source.len() {
-            if self.tree.nodes.len() >= MOST_NODES {
+            if self.tree.nodes.len() >= MAX_NODES {
                 self.error(
                     "eml::too-large",
-                    Span::of(at, at + 1),
+                    Span::from_offsets(at, at + 1),
                     "too many elements; reading stops here",
                 );
                 return None;
@@ -169,7 +169,7 @@ impl<'a> Builder<'a, '_, '_> {
     ) -> Result<usize, Option<Restart>> {
         let source = self.source;
         let event = events.reader.read_event();
-        let end = events.at();
+        let end = events.offset();
         match event {
             Ok(Event::Start(tag)) => {
                 let raw = &source[start + 1..end - 1];
@@ -190,7 +190,7 @@ impl<'a> Builder<'a, '_, '_> {
             Ok(Event::Text(_)) => self.text(start, end),
             Ok(Event::CData(_)) => self.text(start + 9, end - 3),
             Ok(Event::GeneralRef(_)) => {
-                let span = Span::of(start, end);
+                let span = Span::from_offsets(start, end);
                 let name = &source[start + 1..end - 1];
                 if let Some(c) = character(name, span, self.sink) {
                     self.push(NodeKind::Reference(c), &source[start..end], span);
@@ -226,7 +226,7 @@ impl<'a> Builder<'a, '_, '_> {
             at,
             reached: self.source.len(),
         });
-        let span = Span::of(at, at + 1);
+        let span = Span::from_offsets(at, at + 1);
         match error {
             Error::Syntax(SyntaxError::UnclosedComment) => {
                 self.error(
@@ -279,7 +279,7 @@ impl<'a> Builder<'a, '_, '_> {
         let text = &self.source[start..end];
         if text.starts_with('&') {
             // The reader hands a reference without its `;` over as text.
-            bare_ampersand(Span::of(start, start + 1), self.sink);
+            bare_ampersand(Span::from_offsets(start, start + 1), self.sink);
         }
         if self.keeps_space() || !text.bytes().all(|b| b.is_ascii_whitespace()) {
             self.push_text(start, end);
@@ -289,7 +289,7 @@ impl<'a> Builder<'a, '_, '_> {
     fn push_text(&mut self, start: usize, end: usize) {
         if self.skipped_depth == 0 {
             let text = &self.source[start..end];
-            self.push(NodeKind::Text, text, Span::of(start, end));
+            self.push(NodeKind::Text, text, Span::from_offsets(start, end));
         }
     }
 
@@ -306,14 +306,14 @@ impl<'a> Builder<'a, '_, '_> {
     }
 
     fn push(&mut self, kind: NodeKind<&'static Element>, text: &'a str, span: Span) -> u32 {
-        let index = Span::of(self.tree.nodes.len(), 0).start;
+        let index = Span::from_offsets(self.tree.nodes.len(), 0).start;
         self.tree.nodes.push(Node {
             kind,
             text,
             span,
             end: span.end,
             subtree_end: index + 1,
-            first_attribute: Span::of(self.tree.attributes.len(), 0).start,
+            first_attribute: Span::from_offsets(self.tree.attributes.len(), 0).start,
             attribute_count: 0,
         });
         index
@@ -321,7 +321,7 @@ impl<'a> Builder<'a, '_, '_> {
 
     /// Reports a tag without its `>` at byte `start`.
     fn not_closed(&mut self, name: &str, start: usize) {
-        let span = Span::of(start, start + 1 + name.len());
+        let span = Span::from_offsets(start, start + 1 + name.len());
         let message = format!("the tag of {} is not closed; it is dropped", quoted(name));
         self.error("eml::malformed-tag", span, message);
     }
@@ -330,7 +330,7 @@ impl<'a> Builder<'a, '_, '_> {
         self.sink.push(
             Diagnostic::error(
                 "eml::doctype",
-                Span::of(start, end),
+                Span::from_offsets(start, end),
                 "EML has no document type; the declaration is ignored",
             )
             .hint("nothing outside the story is read, so entities cannot be declared"),

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// A stretch of the timeline between two cuts.
 #[derive(Default)]
-struct Stretch {
+struct Interval {
     /// The first clause that starts in it and does something.
     first: Option<ClauseId>,
     /// A question in it is asked on every way through it.
@@ -22,7 +22,7 @@ struct Stretch {
     always: bool,
 }
 
-impl Stretch {
+impl Interval {
     /// The stretches that may come next; one past the last is the end.
     fn next(&self, here: usize) -> impl Iterator<Item = usize> + use<> {
         let to = self.goto.and_then(|(_, to)| to);
@@ -81,8 +81,8 @@ pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
     }
 }
 
-fn stretches(document: &Document, timeline: &Timeline) -> Vec<Stretch> {
-    let mut all = vec![Stretch::default()];
+fn stretches(document: &Document, timeline: &Timeline) -> Vec<Interval> {
+    let mut all = vec![Interval::default()];
     let mut parts: BTreeMap<&str, usize> = BTreeMap::new();
     // Whether what is in a clause may be passed over. Containers stand before what they hold.
     let mut optional = vec![false; timeline.clauses.len()];
@@ -97,7 +97,7 @@ fn stretches(document: &Document, timeline: &Timeline) -> Vec<Stretch> {
         optional[at] =
             within || is_drawn || matches!(kind, ClauseKind::If(_) | ClauseKind::Answer(_));
         if let ClauseKind::Part(part) = kind {
-            all.push(Stretch::default());
+            all.push(Interval::default());
             parts.entry(&part.heading.name).or_insert(all.len() - 1);
         }
         let last = all.len() - 1;
@@ -109,7 +109,7 @@ fn stretches(document: &Document, timeline: &Timeline) -> Vec<Stretch> {
         if let ClauseKind::Goto(_) = kind {
             stretch.goto = Some((timed.clause, None));
             stretch.always = !within;
-            all.push(Stretch::default());
+            all.push(Interval::default());
         }
     }
     for stretch in &mut all {
@@ -135,7 +135,7 @@ fn spread(count: usize, from: &[usize], next: impl Fn(usize) -> Vec<usize>) -> V
 }
 
 /// The gotos of rings without a question, and of ways from which none leads to the end.
-fn endless(stretches: &[Stretch], reached: &[bool]) -> Vec<ClauseId> {
+fn endless(stretches: &[Interval], reached: &[bool]) -> Vec<ClauseId> {
     let mut before = vec![Vec::new(); stretches.len() + 1];
     for (at, stretch) in stretches.iter().enumerate() {
         for to in stretch.next(at) {
@@ -144,7 +144,7 @@ fn endless(stretches: &[Stretch], reached: &[bool]) -> Vec<ClauseId> {
     }
     let ends = spread(stretches.len(), &[stretches.len()], |at| before[at].clone());
     let round = rings(stretches, reached);
-    let leads_round = |(at, stretch): (usize, &Stretch)| {
+    let leads_round = |(at, stretch): (usize, &Interval)| {
         let (id, to) = stretch.goto?;
         let back = to.is_some_and(|to| to <= at);
         (reached[at] && back && (round[at] || !ends[at])).then_some(id)
@@ -158,7 +158,7 @@ fn endless(stretches: &[Stretch], reached: &[bool]) -> Vec<ClauseId> {
 
 /// Stretches whose goto closes a ring of stretches that do not wait: depth first, with a stack
 /// of its own.
-fn rings(stretches: &[Stretch], reached: &[bool]) -> Vec<bool> {
+fn rings(stretches: &[Interval], reached: &[bool]) -> Vec<bool> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {
         New,

@@ -86,7 +86,7 @@ impl Timeline {
         timeline.voices = found.voices;
         flow::check(document, &timeline, &mut sink);
         if found.asynchronous {
-            timeline.hear_out();
+            timeline.with_heard_ends();
         }
         Resolved {
             timeline,
@@ -95,7 +95,7 @@ impl Timeline {
     }
 
     /// Goes on until what nothing waits for has been heard to its end.
-    fn hear_out(&mut self) {
+    fn with_heard_ends(&mut self) {
         for timed in &self.clauses {
             let said = self.voices.get(&timed.clause);
             let end_secs = timed.start_secs + said.map_or(0.0, |v| v.duration_secs);

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 
 /// A named moment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment {
+pub(super) struct NamedTime {
     /// The clause that it belongs to.
     pub(super) clause: ClauseId,
     /// Seconds after the start of that clause.
@@ -20,7 +20,7 @@ pub(super) struct Moment {
 }
 
 /// What a walk over all clauses finds.
-pub(super) struct Found {
+pub(super) struct ClauseIndex {
     /// The times of everything that is spoken.
     pub(super) voices: SortedMap<ClauseId, VoiceTiming>,
     /// Every name.
@@ -36,7 +36,7 @@ pub(super) struct Found {
 /// Every name of a document.
 pub(super) struct Names {
     /// As the document has them.
-    moments: Vec<(Name, Moment)>,
+    moments: Vec<(Name, NamedTime)>,
     /// The moments by name; of several with one name the first.
     order: Vec<Key>,
 }
@@ -61,15 +61,15 @@ impl Names {
         document: &Document,
         durations: &dyn Durations,
         sink: &mut Sink,
-    ) -> Found {
+    ) -> ClauseIndex {
         let mut voices = Vec::new();
         let mut asynchronous = false;
         let mut groups = Vec::new();
         let mut absolute = Vec::new();
-        let mut moments: Vec<(Name, Moment)> = Vec::new();
+        let mut moments: Vec<(Name, NamedTime)> = Vec::new();
         for (id, clause) in document.iter() {
             if let Some(name) = &clause.time_id {
-                let moment = Moment {
+                let moment = NamedTime {
                     clause: id,
                     offset_secs: 0.0,
                     span: clause.tag_span,
@@ -82,7 +82,7 @@ impl Names {
             if clause.kind.group().is_some() {
                 groups.push(id);
             }
-            let Some(text) = clause.kind.spoken() else {
+            let Some(text) = clause.kind.spoken_text() else {
                 continue;
             };
             asynchronous |=
@@ -94,7 +94,7 @@ impl Names {
             }
             // Other clauses speak as well, but only a voice-text has markers.
             text.each_mark(&mut |mark| {
-                let moment = Moment {
+                let moment = NamedTime {
                     clause: id,
                     offset_secs: offset(&mark, &timing, sink),
                     span: mark.span,
@@ -124,7 +124,7 @@ impl Names {
             }
             same
         });
-        Found {
+        ClauseIndex {
             voices: SortedMap::from_sorted(voices),
             names: Self { moments, order },
             groups,
@@ -134,7 +134,7 @@ impl Names {
     }
 
     /// The moment of a name.
-    pub(super) fn find(&self, name: &str) -> Option<&Moment> {
+    pub(super) fn find(&self, name: &str) -> Option<&NamedTime> {
         let prefix = prefix(name);
         let found = self.order.binary_search_by(|key| {
             step(1);
@@ -156,7 +156,7 @@ impl Names {
     }
 
     /// The names with what `value` says of their moments.
-    pub(super) fn map(mut self, value: impl Fn(&Moment) -> Option<f64>) -> SortedMap<Name, f64> {
+    pub(super) fn map(mut self, value: impl Fn(&NamedTime) -> Option<f64>) -> SortedMap<Name, f64> {
         let mut marks = Vec::with_capacity(self.order.len());
         for (_, place) in self.order {
             let (name, moment) = &mut self.moments[place as usize];
@@ -172,17 +172,17 @@ impl Names {
 /// does most stays small.
 #[cold]
 #[inline(never)]
-fn by_name(moments: &[(Name, Moment)], a: Key, b: Key) -> Ordering {
+fn by_name(moments: &[(Name, NamedTime)], a: Key, b: Key) -> Ordering {
     let names = name_at(moments, a).cmp(name_at(moments, b));
     names.then(a.1.cmp(&b.1))
 }
 
 /// The name that a key stands for.
-fn name_at(moments: &[(Name, Moment)], key: Key) -> &str {
+fn name_at(moments: &[(Name, NamedTime)], key: Key) -> &str {
     &moments[key.1 as usize].0
 }
 
-fn report_duplicate(name: &str, moment: &Moment, first: &Moment, sink: &mut Sink) {
+fn report_duplicate(name: &str, moment: &NamedTime, first: &NamedTime, sink: &mut Sink) {
     let message = format!("{} names two moments; the first one counts", quoted(name));
     sink.push(
         Diagnostic::error("eml::duplicate-name", moment.span, message)

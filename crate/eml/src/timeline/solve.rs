@@ -6,7 +6,7 @@
 
 use std::ops::{Index, IndexMut};
 
-use super::names::Found;
+use super::names::ClauseIndex;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::work::step;
@@ -16,13 +16,13 @@ use crate::{
 
 /// Names that are looked at in all to find those that may have been meant: it bounds
 /// the work on a document with many unknown names.
-const MOST_LOOKS: usize = 5_000;
+const MAX_LOOKS: usize = 5_000;
 
 /// Names that a message tells of those that count from each other.
-const LONGEST_CHAIN: usize = 32;
+const MAX_CHAIN: usize = 32;
 
 /// Times beyond this, about 31 years, come from sums that have run away.
-const LATEST_SECS: f64 = 1e9;
+const MAX_TIME_SECS: f64 = 1e9;
 
 /// The solution: each clause's first iteration, not yet delayed.
 pub(super) struct Times {
@@ -100,7 +100,7 @@ impl<T> IndexMut<Unknown> for UnknownMap<T> {
 pub(super) fn solve(
     document: &Document,
     durations: &dyn Durations,
-    found: &Found,
+    found: &ClauseIndex,
     counts: &[u32],
     sink: &mut Sink,
 ) -> Times {
@@ -179,11 +179,11 @@ struct Solver<'d, 's> {
 impl Solver<'_, '_> {
     fn look_up_names(
         &mut self,
-        Found {
+        ClauseIndex {
             names, absolute, ..
-        }: &Found,
+        }: &ClauseIndex,
     ) {
-        let mut looks = MOST_LOOKS;
+        let mut looks = MAX_LOOKS;
         for &id in absolute {
             let clause = self.document.clause(id);
             // Each name takes bytes of a source of fewer than 2³².
@@ -358,7 +358,7 @@ impl Solver<'_, '_> {
                     message,
                 ));
             }
-        } else if secs.abs() > LATEST_SECS {
+        } else if secs.abs() > MAX_TIME_SECS {
             let message = format!("the time comes to {secs:.0} s; the clause is left out");
             self.sink.push(Diagnostic::error(
                 "eml::bad-time",
@@ -418,7 +418,7 @@ impl Solver<'_, '_> {
             }
         };
         // Of a cycle of thousands of names the message lists the first.
-        let mut chain: Vec<String> = faulty.iter().take(LONGEST_CHAIN).map(label).collect();
+        let mut chain: Vec<String> = faulty.iter().take(MAX_CHAIN).map(label).collect();
         if faulty.len() > chain.len() {
             chain.push("…".to_owned());
         }
@@ -432,7 +432,7 @@ impl Solver<'_, '_> {
             format!("these times wait for each other: {}", chain.join(" -> "))
         };
         let mut diagnostic = Diagnostic::error("eml::time-cycle", clause.start.span, message);
-        for &other in faulty.iter().take(LONGEST_CHAIN).skip(1) {
+        for &other in faulty.iter().take(MAX_CHAIN).skip(1) {
             let clause = self.document.clause(other);
             diagnostic = diagnostic.related(clause.start.span, format!("{} waits", label(&other)));
         }
@@ -455,7 +455,7 @@ impl Solver<'_, '_> {
                 steps.push(quoted(&clause.start.names[place].name));
                 break;
             }
-            if steps.len() == LONGEST_CHAIN {
+            if steps.len() == MAX_CHAIN {
                 steps.push("…".to_owned());
                 break;
             }

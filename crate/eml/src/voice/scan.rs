@@ -45,7 +45,7 @@ impl VoiceText {
                             }
                             let first = span.start as usize;
                             let span = if verbatim {
-                                Span::of(first + start, first + at)
+                                Span::from_offsets(first + start, first + at)
                             } else {
                                 *span
                             };
@@ -70,7 +70,7 @@ impl VoiceText {
                 | TextSegment::DivStart { .. }
                 | TextSegment::DivEnd => {
                     token.finish(&mut words, visit)?;
-                    token.spaced.part();
+                    token.spaced.separate();
                     visit(Item::Gap)?;
                 }
                 TextSegment::Marker { .. } | TextSegment::Start { .. } | TextSegment::End => {}
@@ -214,7 +214,7 @@ impl<'v> Token<'v> {
     fn hand_on(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
         // No emoticon holds more than one letter.
         if self.letters > 1 {
-            self.spaced.part();
+            self.spaced.separate();
         } else {
             let mut spaced = core::mem::take(&mut self.spaced);
             let sign = match emoticon::whole(self.text()) {

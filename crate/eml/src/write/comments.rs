@@ -21,7 +21,7 @@ pub(super) struct Comments<'s> {
 }
 
 /// The comments of a text without slips; up to the first slip otherwise.
-pub(super) fn of(source: &str) -> Comments<'_> {
+pub(super) fn collect_comments(source: &str) -> Comments<'_> {
     let mut found = Comments::default();
     let mut reader = Reader::from_str(source);
     let (mut depth, mut rooted) = (0_usize, false);

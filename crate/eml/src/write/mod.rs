@@ -48,7 +48,7 @@ pub fn write(document: &Document) -> String {
 /// that text: each before the clause that it stood before or in.
 #[must_use]
 pub fn write_with_comments(document: &Document, source: &str) -> String {
-    let found = comments::of(source);
+    let found = comments::collect_comments(source);
     Writer::new(document, found.inside).write(&found.before, &found.after)
 }
 
@@ -114,17 +114,17 @@ impl<'d> Writer<'d> {
         if !self.document.sets.is_empty() {
             let mut sets = Tag::new("sets-configuration");
             for set in &self.document.sets {
-                sets.children.push(Tag::of(&mut set.clone()));
+                sets.children.push(Tag::from_record(&mut set.clone()));
             }
             let mut configuration = Tag::new("body-expression-configuration");
             configuration.children.push(sets);
             children.push(configuration);
         }
         if let Some(performer) = &self.document.performer {
-            children.push(Tag::of(&mut performer.clone()));
+            children.push(Tag::from_record(&mut performer.clone()));
         }
         if let Some(environment) = &self.document.environment {
-            children.push(Tag::of(&mut environment.clone()));
+            children.push(Tag::from_record(&mut environment.clone()));
         }
         if !children.is_empty() {
             let mut head = Tag::new("head");
@@ -220,7 +220,7 @@ impl<'d> Writer<'d> {
 fn clause_tag(clause: &Clause) -> Tag {
     let mut kind = clause.kind.clone();
     let mut tag = match kind.record() {
-        Some(record) => Tag::of(record),
+        Some(record) => Tag::from_record(record),
         None => {
             let mut tag = Tag::new(clause.kind.name());
             match &clause.kind {

@@ -36,7 +36,7 @@ impl Tag {
     }
 
     /// The tag of a record with all that is in it.
-    pub(super) fn of(record: &mut dyn Record) -> Self {
+    pub(super) fn from_record(record: &mut dyn Record) -> Self {
         let mut tag = Self::new(record.element());
         record.visit(&mut tag);
         tag
@@ -205,8 +205,8 @@ impl Visit for Tag {
 
     fn children(&mut self, list: &mut dyn List) {
         let mut index = 0;
-        while let Some(child) = list.at(index) {
-            let tag = Tag::of(child);
+        while let Some(child) = list.item_mut(index) {
+            let tag = Tag::from_record(child);
             self.extended |= tag.extended;
             self.children.push(tag);
             index += 1;

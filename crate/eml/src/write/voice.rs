@@ -25,11 +25,15 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
                 continue;
             }
             TextSegment::Break { .. } => (Tag::new("break"), false),
-            TextSegment::Audio { audio, .. } => (Tag::of(&mut audio.as_ref().clone()), false),
+            TextSegment::Audio { audio, .. } => {
+                (Tag::from_record(&mut audio.as_ref().clone()), false)
+            }
             TextSegment::Marker { .. } => (Tag::new("marker"), false),
             TextSegment::Mark { .. } => (Tag::new("tm"), false),
             TextSegment::DivStart { .. } => (Tag::new("div"), true),
-            TextSegment::Start { markup, .. } => (Tag::of(markup.as_ref().clone().record()), true),
+            TextSegment::Start { markup, .. } => {
+                (Tag::from_record(markup.as_ref().clone().record()), true)
+            }
         };
         match piece {
             TextSegment::Break { msec, boundary, .. } => {

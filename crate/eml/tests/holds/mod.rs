@@ -9,13 +9,13 @@ use raconteur_eml::{
 /// A script.
 pub(crate) fn document(source: &[u8]) {
     let parsed = parse_bytes(source, &Limits::default());
-    holds(source, &parsed);
+    assert_invariants(source, &parsed);
 }
 
 /// What a mind sends.
 pub(crate) fn fragment(source: &[u8]) {
     if let Ok(text) = std::str::from_utf8(source) {
-        holds(source, &parse_fragment(text));
+        assert_invariants(source, &parse_fragment(text));
     }
 }
 
@@ -31,11 +31,11 @@ pub(crate) fn time(source: &[u8]) {
          <gesture-key time='{text}' duration='2'><hand-shapes><key time='{text}' id='1'/>\
          </hand-shapes></gesture-key></seq></body></eml>"
     );
-    holds(script.as_bytes(), &parse(&script));
+    assert_invariants(script.as_bytes(), &parse(&script));
 }
 
 /// Resolves what was read and checks what must hold for any input.
-fn holds(source: &[u8], parsed: &Parsed) {
+fn assert_invariants(source: &[u8], parsed: &Parsed) {
     let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
     let text = String::from_utf8_lossy(source);
     let lines = LineIndex::new(&text);

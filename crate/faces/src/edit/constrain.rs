@@ -55,7 +55,7 @@ impl Editor {
     /// When an attribute is none, or one of those that are kept says what the attribute does.
     pub fn change_alone(&self, part: Part, name: &str, kept: &[&str]) -> Result<Change, FaceError> {
         if self.named(part, name)?.feature.is_some() {
-            return self.attribute_change(part, name, &Region::whole());
+            return self.attribute_change(part, name, &Region::whole_head());
         }
         let before = self.average();
         let region = self.region(&[], None)?;

@@ -31,7 +31,7 @@ const INSIDE: f64 = 0.92;
 const OUTSIDE_COSTS: [f64; 6] = [1e3, 1e4, 1e5, 1e6, 1e7, 1e8];
 
 /// What each mode makes in some segments, one column for a mode, of one standard deviation each.
-struct Within {
+struct SegmentModes {
     images: Mat<f64>,
     /// Products of what lies outside of the segments.
     outside: Mat<f64>,
@@ -67,7 +67,7 @@ impl Editor {
         &self,
         segments: &[String],
         half: Option<Half>,
-    ) -> Result<Within, FaceError> {
+    ) -> Result<SegmentModes, FaceError> {
         let names: Vec<&str> = segments.iter().map(String::as_str).collect();
         let region = self.region(&names, half)?;
         let space = &self.model().shape;
@@ -89,7 +89,7 @@ impl Editor {
             });
             part.transpose() * &part
         };
-        Ok(Within {
+        Ok(SegmentModes {
             outside: products(false),
             inside: products(true),
             images,
@@ -122,7 +122,7 @@ impl Editor {
         &self,
         measure: &FeatureMeasure,
         index: usize,
-        within: &Within,
+        within: &SegmentModes,
         effects: &[Vec<f64>],
     ) -> Result<Feature, FaceError> {
         let modes = self.model().shape.dimensions();

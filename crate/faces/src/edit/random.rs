@@ -5,7 +5,7 @@
 use raconteur_base::noise;
 
 use super::{Editor, Face, TEXTURE_STREAM};
-use crate::person::Personal;
+use crate::person::PersonRecord;
 use crate::space::FaceSpace;
 
 /// A sum of faces can be none, however it is straightened; then another is drawn, at most so often.
@@ -13,7 +13,7 @@ const TURNS: u64 = 8;
 /// Tells the seeds of turns apart.
 const TURN_STREAM: u64 = 0x9e37_79b9_7f4a_7c15;
 /// A random face is not farther from the average along a mode, standard deviations.
-const MOST_DEVIATIONS: f64 = 3.0;
+const MAX_DEVIATIONS: f64 = 3.0;
 /// So many of the faces of a database are like a person.
 const ALIKE: usize = 24;
 /// Of so many of them a random face is mixed.
@@ -27,7 +27,7 @@ const SHARE: f64 = 0.25;
 const SPREAD: f64 = 1.05;
 
 /// How unlike two people are.
-fn unlike(a: &Personal, b: &Personal) -> f64 {
+fn unlike(a: &PersonRecord, b: &PersonRecord) -> f64 {
     let square = |x: f64| x * x;
     let ancestry: f64 = (0..3)
         .map(|i| square((a.ancestry[i] - b.ancestry[i]) / SHARE))
@@ -61,7 +61,7 @@ impl Editor {
     fn random_at(&self, seed: u64, turn: u64) -> Face {
         let textures = self.model.texture.as_ref();
         if let Some(mixture) = self.mixture(seed, turn) {
-            let mixed = |all: &[Vec<f64>]| mixture.of(all);
+            let mixed = |all: &[Vec<f64>]| mixture.coefficients(all);
             let texture = textures.map_or_else(Vec::new, |t| mixed(&t.examples));
             return self.face(&mixed(&self.model.examples), &texture);
         }
@@ -122,7 +122,7 @@ struct Mixture {
 }
 
 impl Mixture {
-    fn of(&self, all: &[Vec<f64>]) -> Vec<f64> {
+    fn coefficients(&self, all: &[Vec<f64>]) -> Vec<f64> {
         let faces: Vec<&Vec<f64>> = self.alike.iter().filter_map(|&i| all.get(i)).collect();
         let length = faces.first().map_or(0, |face| face.len());
         let count = faces.len().max(1) as f64;
@@ -143,7 +143,7 @@ fn drawn(space: &FaceSpace, seed: u64) -> Vec<f64> {
     let one = |(mode, deviation): (u64, &f64)| {
         // The sum of twelve: a bell of deviation 1.
         let sum: f64 = (0..12).map(|k| noise::unit(seed, mode, k)).sum();
-        deviation * (sum - 6.0).clamp(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+        deviation * (sum - 6.0).clamp(-MAX_DEVIATIONS, MAX_DEVIATIONS)
     };
     deviations.map(one).collect()
 }

@@ -39,7 +39,7 @@ const LOOK_KINDS: [(&str, &str); 3] = [
 impl Region {
     /// The whole head.
     #[must_use]
-    pub fn whole() -> Self {
+    pub fn whole_head() -> Self {
         Self {
             mask: None,
             is_of_segments: false,
@@ -108,7 +108,7 @@ impl Editor {
     /// When a segment is none.
     pub fn region(&self, names: &[&str], half: Option<Half>) -> Result<Region, FaceError> {
         if names.is_empty() && half.is_none() {
-            return Ok(Region::whole());
+            return Ok(Region::whole_head());
         }
         let mask = self.marked(names, half)?;
         let own = (0u32..).zip(&mask).filter(|(_, share)| **share > 0.0);
@@ -187,7 +187,7 @@ impl Editor {
         let chosen = (0..).zip(own.iter().zip(places));
         let chosen = chosen.filter(|(_, (share, place))| **share > 0.0 && is_on(place[0]));
         let [sum, count] = chosen.fold([0.0; 2], |[sum, count], (v, _)| {
-            [sum + mask.at(v), count + 1.0]
+            [sum + mask.weight(v), count + 1.0]
         });
         sum / f64::max(count, 1.0)
     }

@@ -3,8 +3,8 @@
 use raconteur_base::{noise, ops};
 
 use super::*;
+use crate::age_model::AgeModel;
 use crate::attribute::Attribute;
-use crate::life::Life;
 use crate::pack::{Follower, LookNumber, TextureModel};
 use crate::sample::labelled;
 use crate::segment::{Half, Segment, Segments};
@@ -104,7 +104,7 @@ pub(crate) fn editor() -> Editor {
             weight: 1.0,
         }],
         attributes: learned(&space, &textures),
-        life: Life::default(),
+        life: AgeModel::default(),
         figures: vec![("sofia".to_owned(), looks[3].clone())],
         examples: looks,
         space,
@@ -116,7 +116,7 @@ pub(crate) fn editor() -> Editor {
         triangles: triangles.collect(),
         segments: Segments::new(segments, VERTICES).expect("a hierarchy"),
         attributes: learned(&shape, &shapes),
-        life: Life::default(),
+        life: AgeModel::default(),
         people: Vec::new(),
         landmarks: Vec::new(),
         examples,
@@ -138,7 +138,7 @@ fn one_more_of_an_attribute_is_one_more_of_its_value() {
         let mut face = editor.example(7).expect("a face");
         for name in ["attribute 0", "attribute 2"] {
             let before = editor.value(&face, part, name).expect("an attribute");
-            let change = editor.attribute_change(part, name, &Region::whole());
+            let change = editor.attribute_change(part, name, &Region::whole_head());
             face.add(&change.expect("an attribute"), 0.4);
             let after = editor.value(&face, part, name).expect("an attribute");
             assert!((after - before - 0.4).abs() < 1e-9, "{part:?} {name}");
@@ -215,7 +215,7 @@ fn halves_are_apart_and_a_move_is_one() {
         scale: [1.0; 3],
         way_m: [0.0; 3],
     };
-    editor.transform(&mut turned, &round, &Region::whole());
+    editor.transform(&mut turned, &round, &Region::whole_head());
     assert!(farthest(&turned.shape, &before.shape, 0..VERTICES) < 1e-12);
 }
 
@@ -224,7 +224,7 @@ fn caricature_and_detail_are_of_one_part() {
     let editor = editor();
     let before = editor.example(9).expect("a face");
     let mut face = before.clone();
-    editor.caricature(&mut face, Part::Shape, 1.5, &Region::whole());
+    editor.caricature(&mut face, Part::Shape, 1.5, &Region::whole_head());
     let [own, more] = [&before, &face].map(|f| editor.coefficients(f, Part::Shape).expect("ours"));
     for (a, b) in own.iter().zip(&more) {
         assert!((b - 1.5 * a).abs() < 1e-9);
@@ -249,12 +249,12 @@ fn constraints_hold_in_segments_through_random_edits() {
     };
     let all = [
         held("attribute 0", 0.5, &nose),
-        held("attribute 1", -0.2, &Region::whole()),
+        held("attribute 1", -0.2, &Region::whole_head()),
     ];
     let mut face = editor.example(2).expect("a face");
     for edit in 0..100 {
         let name = format!("attribute {}", edit % 3);
-        let change = editor.attribute_change(Part::Shape, &name, &Region::whole());
+        let change = editor.attribute_change(Part::Shape, &name, &Region::whole_head());
         face.add(&change.expect("an attribute"), noise::signed(8, 1, edit));
         editor.constrain(&mut face, &all).expect("they agree");
         for constraint in &all {
@@ -281,7 +281,7 @@ fn constraints_change_a_face_as_little_as_can_be_in_deviations() {
             part: Part::Shape,
             name: format!("attribute {k}"),
             value,
-            region: Region::whole(),
+            region: Region::whole_head(),
         };
         (0..3).map(one).collect()
     };

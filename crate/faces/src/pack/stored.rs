@@ -4,12 +4,13 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    FaceModel, Follower, LookNumber, MOST_BYTES, MOST_MODES, NamedAttribute, Personal, TextureModel,
+    FaceModel, Follower, LookNumber, MAX_BYTES, MAX_MODES, NamedAttribute, PersonRecord,
+    TextureModel,
 };
+use crate::age_model::AgeModel;
 use crate::attribute::Attribute;
 use crate::error::FaceError;
 use crate::feature::Feature;
-use crate::life::Life;
 use crate::segment::{Half, Segment, Segments};
 use crate::space::FaceSpace;
 
@@ -130,7 +131,7 @@ fn write<T: Serialize>(format: &[u8; 8], stored: &T) -> Result<Vec<u8>, FaceErro
 }
 
 fn read<T: DeserializeOwned>(bytes: &[u8], format: &[u8; 8]) -> Result<T, FaceError> {
-    if bytes.len() > MOST_BYTES {
+    if bytes.len() > MAX_BYTES {
         return Err(bad("it is larger than any pack"));
     }
     let Some(rest) = bytes.strip_prefix(format) else {
@@ -146,21 +147,25 @@ fn read<T: DeserializeOwned>(bytes: &[u8], format: &[u8; 8]) -> Result<T, FaceEr
 }
 
 pub(super) fn shape(model: &FaceModel) -> Result<Vec<u8>, FaceError> {
-    let person = |p: &Personal| {
+    let person = |p: &PersonRecord| {
         let [a, b, c] = p.ancestry;
         [p.sex, p.age_years, a, b, c].map(|x| x as f32)
     };
     write(
         SHAPE,
         &StoredShape {
-            space: StoredSpace::of(&model.shape, FINEST_SHAPE),
-            cage: StoredFollower::of(&model.cage),
-            organs: StoredFollower::of(&model.organs),
+            space: StoredSpace::from_space(&model.shape, FINEST_SHAPE),
+            cage: StoredFollower::from_follower(&model.cage),
+            organs: StoredFollower::from_follower(&model.organs),
             reference: single(&model.reference),
             triangles: model.triangles.clone(),
             segments: model.segments.all().to_vec(),
             landmarks: model.landmarks.clone(),
-            attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
+            attributes: model
+                .attributes
+                .iter()
+                .map(StoredAttribute::from_attribute)
+                .collect(),
             life: model.life.effects.iter().map(|e| single(e)).collect(),
             examples: of_database(&model.shape, &model.examples),
             people: model.people.iter().map(person).collect(),
@@ -174,9 +179,13 @@ pub(super) fn texture(model: &TextureModel) -> Result<Vec<u8>, FaceError> {
     write(
         TEXTURE,
         &StoredTexture {
-            space: StoredSpace::of(&model.space, FINEST_TEXTURE),
+            space: StoredSpace::from_space(&model.space, FINEST_TEXTURE),
             looks: model.looks.iter().map(look).collect(),
-            attributes: model.attributes.iter().map(StoredAttribute::of).collect(),
+            attributes: model
+                .attributes
+                .iter()
+                .map(StoredAttribute::from_attribute)
+                .collect(),
             life: model.life.effects.iter().map(|e| single(e)).collect(),
             examples: of_database(&model.space, &model.examples),
             figures: model.figures.iter().map(figure).collect(),
@@ -246,7 +255,7 @@ fn orthonormalize(rows: &mut [Vec<f64>]) {
 }
 
 impl StoredSpace {
-    fn of(space: &FaceSpace, finest: f64) -> Self {
+    fn from_space(space: &FaceSpace, finest: f64) -> Self {
         let modes = (0..space.dimensions()).map(|i| space.mode(i));
         // A step of 1 leaves nothing of a mode whose length is 1; deviations next to nothing lead beyond.
         let finest = space.deviations().iter().map(|d| (finest / d).min(1.0));
@@ -261,7 +270,7 @@ impl StoredSpace {
 
     fn read(self) -> Option<FaceSpace> {
         let count = self.deviations.len();
-        if count > MOST_MODES || count != self.steps.len() {
+        if count > MAX_MODES || count != self.steps.len() {
             return None;
         }
         let mut modes = unstepped(&self.steps, &self.modes, self.mean.len())?;
@@ -275,7 +284,7 @@ impl StoredSpace {
 }
 
 impl StoredFollower {
-    fn of(follower: &Follower) -> Self {
+    fn from_follower(follower: &Follower) -> Self {
         let effects = follower.effects.iter().map(Vec::as_slice);
         let (steps, effects) = stepped(effects.zip(core::iter::repeat(0.0)));
         Self {
@@ -297,7 +306,7 @@ impl StoredFollower {
 }
 
 impl StoredAttribute {
-    fn of(named: &NamedAttribute) -> Self {
+    fn from_attribute(named: &NamedAttribute) -> Self {
         let [low, high] = named.terms.clone();
         Self {
             group: named.group.clone(),
@@ -306,7 +315,7 @@ impl StoredAttribute {
             high,
             derived: named.derived.clone(),
             direction: single(named.attribute.direction()),
-            feature: named.feature.as_ref().map(StoredFeature::of),
+            feature: named.feature.as_ref().map(StoredFeature::from_feature),
         }
     }
 
@@ -337,7 +346,7 @@ impl StoredAttribute {
 }
 
 impl StoredFeature {
-    fn of(feature: &Feature) -> Self {
+    fn from_feature(feature: &Feature) -> Self {
         let gradient = feature.gradient.iter();
         Self {
             segments: feature.segments.clone(),
@@ -370,9 +379,9 @@ impl StoredFeature {
 }
 
 /// How so many coefficients go with years.
-fn life(stored: &[Vec<f32>], modes: usize) -> Option<Life> {
+fn life(stored: &[Vec<f32>], modes: usize) -> Option<AgeModel> {
     let effects = stored.iter().map(|effect| double(effect)).collect();
-    Some(Life { effects }).filter(|life| life.fits(modes))
+    Some(AgeModel { effects }).filter(|life| life.fits(modes))
 }
 
 /// The attributes of a space.
@@ -391,7 +400,7 @@ impl StoredShape {
         let person = |p: &[f32; 5]| {
             let [sex, age_years, a, b, c] = p.map(f64::from);
             let all = [sex, age_years, a, b, c];
-            all.iter().all(|x| x.is_finite()).then_some(Personal {
+            all.iter().all(|x| x.is_finite()).then_some(PersonRecord {
                 sex,
                 age_years,
                 ancestry: [a, b, c],

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::life::Life;
+use crate::age_model::AgeModel;
 use crate::sample::{examples, labelled};
 use crate::segment::Segment;
 
@@ -19,7 +19,7 @@ fn model() -> FaceModel {
         .collect();
     FaceModel {
         reference: Vec::new(),
-        life: Life::default(),
+        life: AgeModel::default(),
         cage: Follower::learn(&shape, &own, &values),
         organs: Follower::default(),
         people: Vec::new(),
@@ -63,7 +63,7 @@ fn a_pack_holds_its_model_to_a_small_part_of_a_deviation() {
     for (a, b) in pairs {
         assert!((a - b).abs() < 0.01, "{a} {b}");
     }
-    let [a, b] = [&model, &again].map(|m| m.cage.at(face));
+    let [a, b] = [&model, &again].map(|m| m.cage.evaluate(face));
     assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 0.01));
     assert_eq!(again.attributes[0].terms[1], "wide");
     assert_eq!(
@@ -97,7 +97,7 @@ fn what_follows_a_shape_is_told_from_it() {
     let values: Vec<Vec<f64>> = faces.iter().map(|f| vec![f[3] * 2.0 + 0.5]).collect();
     let follower = Follower::learn(&shape, &own, &values);
     for (face, value) in own.iter().zip(&values) {
-        assert!((follower.at(face)[0] - value[0]).abs() < 1e-9);
+        assert!((follower.evaluate(face)[0] - value[0]).abs() < 1e-9);
     }
 }
 

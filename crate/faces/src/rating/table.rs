@@ -8,9 +8,9 @@ use super::{AttributeRatings, Rating};
 /// The columns of the table.
 const COLUMNS: [&str; 4] = ["rater", "face", "attribute", "value"];
 /// Values reach this far to either side.
-const HIGHEST: f64 = 3.0;
+const MAX_RATING: f64 = 3.0;
 /// So much of what is wrong is quoted, characters.
-const LONGEST_QUOTE: usize = 40;
+const MAX_QUOTE_CHARS: usize = 40;
 
 /// What the form says before its table.
 const INSTRUCTIONS: &str = "\
@@ -102,7 +102,7 @@ pub struct Ratings {
 
 impl Ratings {
     /// A table is not longer, lines.
-    pub const MOST_LINES: usize = 100_000;
+    pub const MAX_LINES: usize = 100_000;
 
     /// A table to be filled in: a line for each face and attribute, without rater and value.
     #[must_use]
@@ -126,9 +126,9 @@ impl Ratings {
         // Spreadsheets put a mark of the encoding first.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         for (line, content) in (1..).zip(text.lines()) {
-            if line > Self::MOST_LINES {
+            if line > Self::MAX_LINES {
                 return Err(RatingError::TooLong {
-                    most: Self::MOST_LINES,
+                    most: Self::MAX_LINES,
                 });
             }
             if content.starts_with('#') || content.trim().is_empty() {
@@ -177,7 +177,7 @@ impl Ratings {
         }
         // Text programs make a minus sign of a hyphen.
         let number = value.replace('\u{2212}', "-").parse::<f64>();
-        let Some(number) = number.ok().filter(|v| v.abs() <= HIGHEST) else {
+        let Some(number) = number.ok().filter(|v| v.abs() <= MAX_RATING) else {
             let found = quote(value);
             return Err(RatingError::BadValue { line, found });
         };
@@ -247,14 +247,14 @@ impl Ratings {
 
     /// The ratings of an attribute.
     #[must_use]
-    pub fn of(&self, attribute: &str) -> Option<&AttributeRatings> {
+    pub fn get(&self, attribute: &str) -> Option<&AttributeRatings> {
         self.attributes.get(attribute)
     }
 }
 
 /// What is quoted of a text.
 fn quote(text: &str) -> String {
-    text.chars().take(LONGEST_QUOTE).collect()
+    text.chars().take(MAX_QUOTE_CHARS).collect()
 }
 
 #[cfg(test)]
@@ -281,9 +281,9 @@ mod tests {
         let ratings = Ratings::parse(&filled).expect("a table");
         let found: Vec<&str> = ratings.attributes().map(|(name, _)| name).collect();
         assert_eq!(found, ["friendly"]);
-        let of = ratings.of("friendly").expect("rated");
+        let of = ratings.get("friendly").expect("rated");
         assert_eq!(of.raters["Ann"][&17].value, -1.5);
-        assert_eq!(ratings.of("age as seen"), None);
+        assert_eq!(ratings.get("age as seen"), None);
     }
 
     #[test]
@@ -329,7 +329,7 @@ mod tests {
             "line 4: \"much\" is no number from -3 to 3"
         );
         let long = parse(&format!("a\t{}\tf\t1", "9".repeat(99))).expect_err("no index");
-        let found = "9".repeat(LONGEST_QUOTE);
+        let found = "9".repeat(MAX_QUOTE_CHARS);
         assert_eq!(long, RatingError::BadFace { line: 2, found });
     }
 
@@ -338,7 +338,7 @@ mod tests {
         for (text, line) in [("", 1), ("# nothing\n", 1), ("\n#\n{\"a\": 1}", 3)] {
             assert_eq!(Ratings::parse(text), Err(RatingError::NoHeader { line }));
         }
-        let limit = Ratings::MOST_LINES;
+        let limit = Ratings::MAX_LINES;
         let most = "#\n".repeat(limit - 1);
         assert_eq!(parse(&most), Ok(Ratings::default()));
         let told = parse(&format!("{most}\n"));
@@ -351,7 +351,7 @@ mod tests {
         ratings
             .merge(parse("b\t0\tf\t2\na\t9\tg\t3\n").expect("a table"))
             .expect("other faces");
-        assert_eq!(ratings.of("f").map(|f| f.agreement().raters), Some(2));
+        assert_eq!(ratings.get("f").map(|f| f.agreement().raters), Some(2));
         assert_eq!(ratings.check_faces(10), Ok(()));
         let unknown = RatingError::UnknownFace {
             line: 3,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::gesture::{ArmPlan, HandKey, Phase};
+use raconteur_actor::gesture::{ArmPlan, GesturePhase, HandKey};
 use raconteur_actor::limb::Limb;
 use raconteur_actor::manipulator::{Command, Motion};
 use raconteur_actor::{Actor, EmotionSpan, GestureStroke};
@@ -10,7 +10,7 @@ use raconteur_base::Side;
 use raconteur_speech::Utterance;
 use raconteur_speech::bundle::FRAME_SECS;
 
-use super::{Fragment, Live, Performed, SETTLE_SECS};
+use super::{Fragment, FragmentOutcome, LivePerformance, SETTLE_SECS};
 use crate::lower::cues::{Cue, CueKind, UtteranceCue};
 use crate::lower::plan::ScriptPlan;
 
@@ -21,14 +21,14 @@ const PREPARATION_SECS: f64 = 0.9;
 
 /// Where a performance is interrupted.
 #[derive(Clone, Copy)]
-struct Cut {
+struct Interruption {
     /// Story time, seconds.
     at_secs: f64,
     /// What begins up to this time has been told, and its end has to be; not after the cut.
     told_secs: f64,
 }
 
-impl Cut {
+impl Interruption {
     /// Whether what begins at a time has begun.
     fn has_begun(&self, time_secs: f64) -> bool {
         time_secs < self.at_secs || time_secs <= self.told_secs
@@ -42,18 +42,18 @@ pub(crate) fn is_interrupt(text: &str) -> bool {
     inside.is_some_and(|rest| rest.trim().is_empty())
 }
 
-impl Live {
+impl LivePerformance {
     /// Takes the message `<interrupt/>`, which counts as a fragment of its mind; see
     /// [`Live::interrupt`].
-    pub(crate) fn admit_interrupt(&mut self, mind: u32, now_secs: f64) -> Performed {
+    pub(crate) fn admit_interrupt(&mut self, mind: u32, now_secs: f64) -> FragmentOutcome {
         self.fragments_begun = self.fragments_begun.wrapping_add(1);
         let allowed = self.check_rate(mind, now_secs);
-        Performed {
+        FragmentOutcome {
             fragment: self.fragments_begun,
             first_utterance: self.utterances_begun,
             interrupts: allowed.is_ok(),
             diagnostics: allowed.err().into_iter().collect(),
-            ..Performed::default()
+            ..FragmentOutcome::default()
         }
     }
 
@@ -66,7 +66,7 @@ impl Live {
         story: &ScriptPlan,
         actor: &Actor,
     ) -> bool {
-        let cut = Cut { at_secs, told_secs };
+        let cut = Interruption { at_secs, told_secs };
         let halts = Side::BOTH.map(|side| {
             let own = self.fragments.iter();
             let own = own.flat_map(|f| &f.plan.strokes[side.index()]);
@@ -80,7 +80,7 @@ impl Live {
                 continue;
             }
             last_cut = Some(i);
-            let ends = fragment.plan.cut(&cut, &story.manipulators.commands);
+            let ends = fragment.plan.interrupt(&cut, &story.manipulators.commands);
             if at_secs <= told_secs && !fragment.fresh {
                 self.due.extend(ends);
             }
@@ -105,7 +105,7 @@ impl ScriptPlan {
     /// to manipulators. Gives the cues of the ends; nothing before the cut changes. What was switched
     /// stays: shots, music, parameters, animation players; and the figure walks where it has set out
     /// for.
-    fn cut(&mut self, cut: &Cut, others: &[Command]) -> Vec<Cue> {
+    fn interrupt(&mut self, cut: &Interruption, others: &[Command]) -> Vec<Cue> {
         let at_secs = cut.at_secs;
         self.utterances
             .retain(|u| cut.has_begun(u.timed.start_secs));
@@ -113,7 +113,7 @@ impl ScriptPlan {
             shorten(cue, at_secs);
         }
         for strokes in &mut self.strokes {
-            strokes.iter_mut().for_each(|s| let_go(s, at_secs));
+            strokes.iter_mut().for_each(|s| release(s, at_secs));
             strokes.retain(|s| has_set_in(s, at_secs));
         }
         stop(&mut self.manipulators.commands, others, at_secs);
@@ -131,7 +131,7 @@ impl ScriptPlan {
     }
 
     /// Leaves out the cues after a cut, but for the ends of what has begun: they come now.
-    fn end_cues(&mut self, cut: &Cut) -> Vec<Cue> {
+    fn end_cues(&mut self, cut: &Interruption) -> Vec<Cue> {
         let mut open: Vec<CueKind> = Vec::new();
         let mut ends = Vec::new();
         let mut kept = Vec::with_capacity(self.cues.len());
@@ -190,11 +190,11 @@ fn shorten(cue: &mut UtteranceCue, at_secs: f64) {
     let frames = (secs / FRAME_SECS).ceil() as usize;
     u.f0.truncate(frames);
     u.intensity.truncate(frames);
-    keep_whole(u);
+    retain_whole(u);
 }
 
 /// Leaves out what names words or phones that are not there any more.
-fn keep_whole(u: &mut Utterance) {
+fn retain_whole(u: &mut Utterance) {
     let (words, phones) = (u.words.len(), u.phones.len());
     u.text_starts.truncate(words);
     let whole =
@@ -211,7 +211,7 @@ fn keep_whole(u: &mut Utterance) {
 
 /// Whether anything is left of a stroke; a preparation that the planner sees to is given up.
 fn has_set_in(stroke: &GestureStroke, at_secs: f64) -> bool {
-    let needs_keys = stroke.phase == Phase::Stroke;
+    let needs_keys = stroke.phase == GesturePhase::Stroke;
     stroke.start_secs < at_secs && (!needs_keys || !stroke.keys.is_empty())
 }
 
@@ -245,7 +245,7 @@ fn stop(commands: &mut Vec<Command>, others: &[Command], at_secs: f64) {
 }
 
 /// Leaves out the keys of a stroke that the hand has not come to.
-fn let_go(stroke: &mut GestureStroke, at_secs: f64) {
+fn release(stroke: &mut GestureStroke, at_secs: f64) {
     stroke.keys.retain(|k| k.time_secs < at_secs);
     stroke.end_secs = stroke.end_secs.min(at_secs);
 }
@@ -263,7 +263,7 @@ fn halt<'a>(
         (s.start_secs - PREPARATION_SECS..s.end_secs + PREPARATION_SECS).contains(&at_secs)
     };
     let time_secs = at_secs + HALT_SECS;
-    let hand = plan.at(time_secs);
+    let hand = plan.sample(time_secs);
     if hand.rest_share > 0.99 || !own.any(|s| s.end_secs > at_secs) || story.iter().any(is_led) {
         return None;
     }

@@ -19,7 +19,7 @@ use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::questions::QuestionCue;
-use crate::lower::script::{Script, Sources};
+use crate::lower::script::{Script, TimingSources};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
 pub mod limits {
@@ -50,7 +50,7 @@ const SETTLE_SECS: f64 = 2.0;
 
 /// The outcome of a fragment.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Performed {
+pub struct FragmentOutcome {
     /// Its number, from 1; cues name it.
     pub fragment: u32,
     /// The `name` of its `eml` element, by which a mind may recognise it.
@@ -98,7 +98,7 @@ struct Fragment {
 }
 
 /// How much a mind may still send.
-struct Allowance {
+struct SendBudget {
     mind: u32,
     fragments: f64,
     at_secs: f64,
@@ -116,7 +116,7 @@ pub(crate) struct FragmentText<'a> {
 }
 
 /// The performance that a fragment joins.
-pub(crate) struct Scene<'a> {
+pub(crate) struct LiveContext<'a> {
     pub(crate) cast: &'a Cast,
     pub(crate) library: &'a Library,
     /// The story's script, for its bundle, its named moments and its sets.
@@ -127,12 +127,12 @@ pub(crate) struct Scene<'a> {
 }
 
 /// The live performance: the fragments that have joined the story.
-pub(crate) struct Live {
+pub(crate) struct LivePerformance {
     /// In the order in which they came.
     fragments: Vec<Fragment>,
     fragments_begun: u32,
     utterances_begun: usize,
-    allowances: Vec<Allowance>,
+    allowances: Vec<SendBudget>,
     /// Commands of forgotten fragments that stay in force.
     carried: CarriedCommands,
     /// Cues that are delivered next, whatever their time: clauses that a seek has passed over, and
@@ -140,7 +140,7 @@ pub(crate) struct Live {
     due: Vec<Cue>,
 }
 
-impl Live {
+impl LivePerformance {
     /// `utterances` is how many the story has.
     pub(crate) fn new(utterances: usize) -> Self {
         Self {
@@ -181,7 +181,7 @@ impl Live {
         let mut known = self.allowances.iter();
         known
             .find(|a| a.mind == mind)
-            .is_none_or(|a| a.at(now_secs) >= 1.0)
+            .is_none_or(|a| a.remaining(now_secs) >= 1.0)
     }
 
     /// Takes one fragment from a mind's allowance, if it has one left.
@@ -189,13 +189,13 @@ impl Live {
         let known = self.allowances.iter().position(|a| a.mind == mind);
         let mut allowance = match known {
             Some(i) => self.allowances.remove(i),
-            None => Allowance {
+            None => SendBudget {
                 mind,
                 fragments: limits::BURST,
                 at_secs: now_secs,
             },
         };
-        allowance.fragments = allowance.at(now_secs);
+        allowance.fragments = allowance.remaining(now_secs);
         allowance.at_secs = now_secs;
         let may = allowance.fragments >= 1.0;
         allowance.fragments -= f64::from(u8::from(may));
@@ -208,12 +208,16 @@ impl Live {
     }
 
     /// Takes a fragment into the performance.
-    pub(crate) fn admit(&mut self, incoming: &FragmentText<'_>, scene: &Scene<'_>) -> Performed {
+    pub(crate) fn admit(
+        &mut self,
+        incoming: &FragmentText<'_>,
+        scene: &LiveContext<'_>,
+    ) -> FragmentOutcome {
         self.fragments_begun = self.fragments_begun.wrapping_add(1);
-        let mut performed = Performed {
+        let mut performed = FragmentOutcome {
             fragment: self.fragments_begun,
             first_utterance: self.utterances_begun,
-            ..Performed::default()
+            ..FragmentOutcome::default()
         };
         if let Err(refusal) = self.join(incoming, scene, &mut performed) {
             performed.clauses.clear();
@@ -227,8 +231,8 @@ impl Live {
     fn join(
         &mut self,
         incoming: &FragmentText<'_>,
-        scene: &Scene<'_>,
-        performed: &mut Performed,
+        scene: &LiveContext<'_>,
+        performed: &mut FragmentOutcome,
     ) -> Result<(), Diagnostic> {
         self.check_rate(incoming.mind, incoming.now_secs)?;
         check_length(incoming.text)?;
@@ -236,7 +240,7 @@ impl Live {
         performed.name = parsed.document.name.clone();
         let most = limits::REMEMBERED_CLAUSES as u64 + 1;
         let played = times::played_out(&parsed.document, most) as usize;
-        self.make_room(incoming.text.len(), played, incoming.now_secs)?;
+        self.evict(incoming.text.len(), played, incoming.now_secs)?;
         self.bind(&mut parsed, incoming.base_secs, scene);
         let script = self.timed_script(parsed, incoming.base_secs, scene, performed);
         let lead_in_secs = script.timeline.lead_in_secs - incoming.base_secs;
@@ -285,7 +289,7 @@ impl Live {
 
     /// Resolves the names that a fragment takes from the story and from earlier fragments. The
     /// performer is the story's, and so is the language that is mimed.
-    fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &Scene<'_>) {
+    fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &LiveContext<'_>) {
         let late = times::bind(&mut parsed.document, base_secs, |name| {
             let story = &scene.script.timeline.marks;
             self.mark(name).or_else(|| story.get(name).copied())
@@ -306,11 +310,11 @@ impl Live {
         &self,
         parsed: Parsed,
         base_secs: f64,
-        scene: &Scene<'_>,
-        performed: &mut Performed,
+        scene: &LiveContext<'_>,
+        performed: &mut FragmentOutcome,
     ) -> Script {
         let bundle = &scene.script.bundle;
-        let sources = Sources {
+        let sources = TimingSources {
             bundle: bundle.clone(),
             library: scene.library,
         };
@@ -338,7 +342,7 @@ impl Live {
             RunUp::Snap => {}
         }
         if run_up != RunUp::Delay {
-            diagnostics.extend(script.lead_told());
+            diagnostics.extend(script.report_progress());
         }
         diagnostics.extend(animations::problems(
             &script.document,
@@ -362,7 +366,7 @@ impl Live {
     }
 
     /// Forgets fragments that ended long ago, and as many more ended ones as it takes.
-    fn make_room(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
+    fn evict(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
         let over = |f: &Fragment, secs: f64| f.end_secs + SETTLE_SECS + secs < now_secs;
         while let Some(old) = self
             .fragments
@@ -450,9 +454,9 @@ impl Live {
     }
 }
 
-impl Allowance {
+impl SendBudget {
     /// The remainder at a time. A clock that went back gives nothing.
-    fn at(&self, now_secs: f64) -> f64 {
+    fn remaining(&self, now_secs: f64) -> f64 {
         let since_secs = (now_secs - self.at_secs).max(0.0);
         (self.fragments + since_secs * limits::RATE_HZ).min(limits::BURST)
     }
@@ -471,7 +475,7 @@ fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
     clauses
         .filter(|c| !is_anchor(script.document.clause(c.clause)))
         .map(|timed| LiveClause {
-            clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
+            clause: ClauseRef::from_clause(timed.clause, script.document.clause(timed.clause)),
             start_secs: timed.start_secs,
             end_secs: timed.end_secs,
         })

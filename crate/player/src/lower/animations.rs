@@ -1,8 +1,8 @@
 //! From the clauses of animation players to the actor's commands (GEVH 3.2, D.3.5 to D.3.18).
 
 use raconteur_actor::animation::{
-    BODY_GROUPS, BoneSet, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
-    ProblemKind, Property, TrackRef, Tracks, body_group,
+    BODY_GROUPS, BoneSet, CommandProblemKind, Operation, Playback, PlayerCommand, PlayerKind,
+    PlayerScript, Players, Property, TrackRef, Tracks, body_group,
 };
 use raconteur_body::Bone;
 use raconteur_eml::{
@@ -251,20 +251,22 @@ pub(crate) fn problems(
         let span = spans[problem.command.checked_sub(first)?];
         let message = match problem.kind {
             // Of a whole script the checks of the language report it.
-            ProblemKind::NoPlayer(Some(name)) if !added.contains(&name.as_str()) => {
+            CommandProblemKind::NoPlayer(Some(name)) if !added.contains(&name.as_str()) => {
                 return is_fragment.then(|| unknown_player(&name, &added, span));
             }
-            ProblemKind::NoPlayer(Some(name)) => {
+            CommandProblemKind::NoPlayer(Some(name)) => {
                 format!("there is no animation player `{name}` at this time")
             }
-            ProblemKind::NoPlayer(None) => "there is no animation player at this time".to_owned(),
-            ProblemKind::NoTrack(TrackRef::Group(_)) => {
+            CommandProblemKind::NoPlayer(None) => {
+                "there is no animation player at this time".to_owned()
+            }
+            CommandProblemKind::NoTrack(TrackRef::Group(_)) => {
                 "this player has layers and no body groups".to_owned()
             }
-            ProblemKind::NoTrack(TrackRef::Layer(i)) => {
+            CommandProblemKind::NoTrack(TrackRef::Layer(i)) => {
                 format!("this player has no layer {i}")
             }
-            ProblemKind::NoClip(_) => return None,
+            CommandProblemKind::NoClip(_) => return None,
         };
         Some(Diagnostic::warning("player::no-effect", span, message))
     });

@@ -29,10 +29,10 @@ impl Cast {
     pub(crate) fn new(figure: Arc<Figure>, document: &Document, handedness: Option<Side>) -> Self {
         Self {
             face: FaceRig::new(&figure),
-            units: Units::of(&figure.skeleton),
-            reach: Reach::of(&figure.skeleton),
-            build: Build::of(&figure),
-            hands: Hands::of(document, handedness, figure.dominant_hand),
+            units: Units::from_skeleton(&figure.skeleton),
+            reach: Reach::from_skeleton(&figure.skeleton),
+            build: Build::from_figure(&figure),
+            hands: Hands::from_document(document, handedness, figure.dominant_hand),
             figure,
         }
     }

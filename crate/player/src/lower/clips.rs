@@ -26,7 +26,7 @@ pub(crate) fn spaces(
             else {
                 return None;
             };
-            let clip = library.get(name).filter(|c| c.way() > SMALL_WAY)?;
+            let clip = library.get(name).filter(|c| c.travel() > SMALL_WAY)?;
             let passes = playback.iterations().filter(|_| playback.is_temporary());
             let lasts_secs = passes.map_or(f64::INFINITY, |n| f64::from(n) * clip.duration_secs());
             Some(Gesture {

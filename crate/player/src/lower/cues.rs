@@ -78,7 +78,7 @@ pub struct ClauseRef {
 }
 
 impl ClauseRef {
-    pub(crate) fn of(id: ClauseId, clause: &Clause) -> Self {
+    pub(crate) fn from_clause(id: ClauseId, clause: &Clause) -> Self {
         Self {
             clause: id,
             element: clause.kind.name(),
@@ -114,7 +114,7 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .clauses
         .iter()
         .filter_map(|timed| {
-            let voice = script.document.clause(timed.clause).kind.spoken()?;
+            let voice = script.document.clause(timed.clause).kind.spoken_text()?;
             let timing = script.timeline.voices.get(&timed.clause)?;
             let baked = script.utterance(timed.clause);
             let marked = marked_language(&voice);
@@ -122,7 +122,7 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
             Some(UtteranceCue {
                 timed: TimedUtterance {
                     start_secs: timed.start_secs,
-                    utterance: utterance::of(&voice, timing, baked, mimed),
+                    utterance: utterance::utterance_of(&voice, timing, baked, mimed),
                 },
                 estimated: timing.estimated,
                 language: script.language(timed.clause).or(marked).map(str::to_owned),
@@ -221,7 +221,7 @@ impl RankedCues {
     }
 
     fn add_clause(&mut self, timed: &TimedClause, clause: &Clause) {
-        let named = ClauseRef::of(timed.clause, clause);
+        let named = ClauseRef::from_clause(timed.clause, clause);
         let start = CueKind::ClauseStart(named.clone());
         self.add(Rank::ClauseStart, timed.start_secs, start);
         if let ClauseKind::Event { kind, payload } = &clause.kind {

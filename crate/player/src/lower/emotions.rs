@@ -1,7 +1,6 @@
 //! From emotions of the script and of its utterances to spans of the actor.
 
-use raconteur_actor::emotion::Space;
-use raconteur_actor::{Affect, EmotionSpan};
+use raconteur_actor::{Affect, EmotionSpan, emotion};
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseId, ClauseKind, Emoticon, Emotion, EmotionSpace};
 use raconteur_speech::TimedUtterance;
@@ -10,7 +9,7 @@ use raconteur_speech::emotion::EmotionPoint;
 use raconteur_spoken::{PLAIN_POTENTIAL, place_of, word_of};
 
 use crate::lower::cues::UtteranceCue;
-use crate::lower::felt::FeltSpan;
+use crate::lower::expressed_emotion::ExpressedEmotion;
 use crate::lower::script::Script;
 
 /// How long an emotion takes to come, seconds. Designed: an onset that is felt, not posed.
@@ -25,7 +24,7 @@ const CHANGE_SECS: f64 = 0.8;
 const PAUSE_SECS: f64 = 2.0;
 
 /// An emotion of the script at its time.
-struct Elicited<'s> {
+struct ElicitedEmotion<'s> {
     clause: ClauseId,
     emotion: &'s Emotion,
     start_secs: f64,
@@ -37,7 +36,7 @@ struct Elicited<'s> {
 /// give to speech (F&H section 4.3.5). Emoticons are read from the text, so that they
 /// do the same whether it was baked or not; the markup of files and of SABLE is in their
 /// bundle alone.
-pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpan> {
+pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<ExpressedEmotion> {
     let mut elicited = elicited(script);
     for utterance in utterances {
         let end_secs = utterance.timed.end_secs();
@@ -60,7 +59,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpa
         let Some(affect) = affect(one.emotion) else {
             continue;
         };
-        spans.push(FeltSpan {
+        spans.push(ExpressedEmotion {
             span: EmotionSpan {
                 start_secs: one.start_secs,
                 apex_secs: one.start_secs + ATTACK_SECS,
@@ -75,7 +74,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpa
     starts.extend(utterances.iter().map(|u| u.timed.start_secs));
     sort_by_number(&mut starts, |start| *start);
     for utterance in utterances {
-        let text = script.document.clause(utterance.clause).kind.spoken();
+        let text = script.document.clause(utterance.clause).kind.spoken_text();
         if let Some(text) = text.filter(|text| !text.pieces.is_empty()) {
             let found = text.emoticons().into_iter();
             spans.extend(
@@ -86,14 +85,14 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<FeltSpa
         let elicited = spoken_in(&elicited, utterance).and_then(|i| word_of(elicited[i].emotion));
         let timed = &utterance.timed;
         let emotions = timed.utterance.emotions.iter();
-        spans.extend(emotions.filter_map(|e| spoken(e, timed, elicited).map(plain)));
+        spans.extend(emotions.filter_map(|e| utterance_emotion(e, timed, elicited).map(plain)));
     }
     spans
 }
 
 /// One of speech: the events are as strong as it is felt.
-fn plain(span: EmotionSpan) -> FeltSpan {
-    FeltSpan {
+fn plain(span: EmotionSpan) -> ExpressedEmotion {
+    ExpressedEmotion {
         span,
         potential: span.intensity * PLAIN_POTENTIAL,
     }
@@ -105,8 +104,8 @@ fn affect(emotion: &Emotion) -> Option<Affect> {
         place: place_of(emotion)?,
         word: word_of(emotion),
         space: match emotion.space {
-            EmotionSpace::Sphere => Space::Sphere,
-            EmotionSpace::Disc => Space::Disc,
+            EmotionSpace::Sphere => emotion::EmotionSpace::Sphere,
+            EmotionSpace::Disc => emotion::EmotionSpace::Disc,
         },
     })
 }
@@ -145,7 +144,11 @@ fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<Emot
 /// An emotion that is baked into an utterance. `elicited` is the
 /// word of the one that the script elicits for all of it: that one is baked as there from the
 /// first word on, and is a span of its own already.
-fn spoken(emotion: &Spoken, timed: &TimedUtterance, elicited: Option<&str>) -> Option<EmotionSpan> {
+fn utterance_emotion(
+    emotion: &Spoken,
+    timed: &TimedUtterance,
+    elicited: Option<&str>,
+) -> Option<EmotionSpan> {
     if elicited == Some(&*emotion.name) && emotion.apex_secs <= emotion.start_secs {
         return None;
     }
@@ -161,34 +164,34 @@ fn spoken(emotion: &Spoken, timed: &TimedUtterance, elicited: Option<&str>) -> O
         apex_secs: timed.story_secs(emotion.apex_secs),
         until_secs: timed.story_secs(emotion.apex_secs),
         end_secs: timed.story_secs(emotion.end_secs),
-        affect: named.unwrap_or(Affect::at(place)),
+        affect: named.unwrap_or(Affect::from_point(place)),
         intensity: 1.0,
     })
 }
 
 /// The emotions that a script elicits, `neutral` among them, by their clauses and of one
 /// clause by start.
-fn elicited(script: &Script) -> Vec<Elicited<'_>> {
+fn elicited(script: &Script) -> Vec<ElicitedEmotion<'_>> {
     let clauses = script.timeline.clauses.iter();
     let found = clauses.filter_map(|timed| {
         let ClauseKind::Emotion(emotion) = &script.document.clause(timed.clause).kind else {
             return None;
         };
-        Some(Elicited {
+        Some(ElicitedEmotion {
             clause: timed.clause,
             emotion,
             start_secs: timed.start_secs,
             until_secs: timed.start_secs + ATTACK_SECS + emotion.duration_secs,
         })
     });
-    let mut elicited: Vec<Elicited<'_>> = found.collect();
+    let mut elicited: Vec<ElicitedEmotion<'_>> = found.collect();
     sort_by_number(&mut elicited, |one| one.clause.index() as f64);
     elicited
 }
 
 /// The emotion in which something is said: as for the voice, the last one before it in the
 /// document, as it came last.
-fn spoken_in(elicited: &[Elicited<'_>], utterance: &UtteranceCue) -> Option<usize> {
+fn spoken_in(elicited: &[ElicitedEmotion<'_>], utterance: &UtteranceCue) -> Option<usize> {
     let before = elicited.partition_point(|one| one.clause < utterance.clause);
     let last = elicited[..before].last()?.clause;
     let first = elicited.partition_point(|one| one.clause < last);
@@ -204,14 +207,14 @@ mod tests {
     use crate::lower::cues::utterances;
 
     /// Spans as words with their times in hundredths of a second.
-    fn of(body: &str) -> Vec<(f64, [f64; 4], f64)> {
+    fn lowered_emotions(body: &str) -> Vec<(f64, [f64; 4], f64)> {
         let eml = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&eml, None);
         let spans = spans(&script, &utterances(&script));
         let hundredths = |secs: f64| (100.0 * secs).round();
         spans
             .into_iter()
-            .map(|FeltSpan { span: s, .. }| {
+            .map(|ExpressedEmotion { span: s, .. }| {
                 let times = [s.start_secs, s.apex_secs, s.until_secs, s.end_secs];
                 (
                     s.affect.place.activation,
@@ -225,11 +228,11 @@ mod tests {
     #[test]
     fn an_emotion_comes_stays_and_goes() {
         assert_eq!(
-            of("<r:emotion time='1' type='joy'/>"),
+            lowered_emotions("<r:emotion time='1' type='joy'/>"),
             [(17.3, [100.0, 160.0, 160.0, 560.0], 1.0)]
         );
         assert_eq!(
-            of("<r:emotion time='1' type='fear' duration='3' potential='2.5'/>"),
+            lowered_emotions("<r:emotion time='1' type='fear' duration='3' potential='2.5'/>"),
             [(14.8, [100.0, 160.0, 460.0, 860.0], 0.5)]
         );
     }
@@ -241,7 +244,7 @@ mod tests {
                    <r:emotion time='4' type='anger' duration='9'/>\
                    <r:emotion time='6' type='neutral'/>";
         assert_eq!(
-            of(two),
+            lowered_emotions(two),
             [
                 (17.3, [100.0, 160.0, 400.0, 480.0], 1.0),
                 (30.0, [100.0, 160.0, 260.0, 480.0], 1.0),
@@ -265,7 +268,7 @@ mod tests {
             start_secs: 10.0,
             ..TimedUtterance::default()
         };
-        let span = spoken(&emoticon, &timed, Some("joy")).expect("a span");
+        let span = utterance_emotion(&emoticon, &timed, Some("joy")).expect("a span");
         let times = [
             span.start_secs,
             span.apex_secs,
@@ -278,16 +281,16 @@ mod tests {
             apex_secs: 0.2,
             ..emoticon
         };
-        assert_eq!(spoken(&throughout, &timed, Some("joy")), None);
-        assert!(spoken(&throughout, &timed, Some("fear")).is_some());
-        assert!(spoken(&throughout, &timed, None).is_some());
+        assert_eq!(utterance_emotion(&throughout, &timed, Some("joy")), None);
+        assert!(utterance_emotion(&throughout, &timed, Some("fear")).is_some());
+        assert!(utterance_emotion(&throughout, &timed, None).is_some());
     }
 
     #[test]
     fn it_stays_while_something_is_said_in_it() {
         let body = "<r:emotion time='0' type='joy'/>\
                     <voice-text time='1'>one two three four five six seven</voice-text>";
-        let spans = of(body);
+        let spans = lowered_emotions(body);
         let script = Script::read(
             "<eml><body><voice-text time='1'>one two three four five six seven</voice-text>\
              </body></eml>",
@@ -298,7 +301,7 @@ mod tests {
         // What stands before it in the document is not said in it.
         let before = "<voice-text time='1'>one two three four five six seven</voice-text>\
                       <r:emotion time='0' type='joy'/>";
-        assert_eq!(of(before)[0].1[2], 60.0);
+        assert_eq!(lowered_emotions(before)[0].1[2], 60.0);
     }
 
     /// FNV-1a, 64 bits, as keys of utterances without voice and emotion are made.
@@ -343,7 +346,7 @@ mod tests {
         let until = |secs: f64| words.iter().position(|w| is_at(w.end_secs, secs));
         let found = spans(script, &said).into_iter();
         found
-            .map(|FeltSpan { span: s, .. }| {
+            .map(|ExpressedEmotion { span: s, .. }| {
                 let times = [at(s.start_secs), at(s.apex_secs), until(s.end_secs)];
                 (s.affect.word, times)
             })
@@ -450,7 +453,7 @@ mod tests {
         );
         assert_eq!(
             read("type='pride' space='disc'").map(|a| a.space),
-            Some(Space::Disc)
+            Some(emotion::EmotionSpace::Disc)
         );
         assert_eq!(of(read("type='neutral'")), None);
         assert_eq!(of(read("evaluation='0'")), None);

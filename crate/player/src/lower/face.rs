@@ -1,13 +1,13 @@
 //! From a script's emotions and control parameters to plans of the face.
 
 use raconteur_actor::Manner;
-use raconteur_actor::nonverbal::Way;
+use raconteur_actor::nonverbal::PlanBasis;
 use raconteur_actor::parameters::ParameterCommand;
 use raconteur_eml::{Expressions, Performer};
 
 use crate::lower::cues::UtteranceCue;
-use crate::lower::felt::FeltSpan;
-use crate::lower::needs::Needs;
+use crate::lower::expressed_emotion::ExpressedEmotion;
+use crate::lower::requirements::Requirements;
 use crate::lower::script::Script;
 use crate::lower::{emotions, parameters};
 
@@ -15,7 +15,7 @@ use crate::lower::{emotions, parameters};
 #[derive(Default)]
 pub(crate) struct FacePlan {
     /// Emotions, in any order.
-    pub(crate) emotions: Vec<FeltSpan>,
+    pub(crate) emotions: Vec<ExpressedEmotion>,
     /// Commands to control parameters, by time.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
     /// Names of the animations of control parameters that it needs.
@@ -26,7 +26,9 @@ pub(crate) struct FacePlan {
 
 /// All of a script.
 pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
-    let clips = Needs::of(&script.document).parameter_animations.into_iter();
+    let clips = Requirements::from_document(&script.document)
+        .parameter_animations
+        .into_iter();
     FacePlan {
         emotions: emotions::spans(script, utterances),
         parameters: parameters::commands(&script.document, &script.timeline),
@@ -39,8 +41,8 @@ pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
 pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
     Manner {
         way: match character.expressions {
-            Some(Expressions::Sound) => Way::Audio,
-            Some(Expressions::Text) => Way::Text,
+            Some(Expressions::Sound) => PlanBasis::Audio,
+            Some(Expressions::Text) => PlanBasis::Text,
             None => otherwise.way,
         },
         head: character.head.unwrap_or(otherwise.head),
@@ -83,13 +85,13 @@ mod tests {
             ..Manner::default()
         };
         let expected = Manner {
-            way: Way::Text,
+            way: PlanBasis::Text,
             brows: 0.5,
             ..shown
         };
         assert_eq!(manner(&character, shown), expected);
         let plain = Script::read(&text.replace("expressions='text'", ""), None);
         let character = lower(&plain, &[]).character.expect("a character");
-        assert_eq!(manner(&character, shown).way, Way::Audio);
+        assert_eq!(manner(&character, shown).way, PlanBasis::Audio);
     }
 }

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_actor::gesture::{Phase as ArmPhase, Space as CourseSpace, Transition};
-use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
+use raconteur_actor::gesture::{
+    GesturePhase as ArmPhase, InterpolationSpace as CourseSpace, Transition,
+};
+use raconteur_actor::{GestureStroke, HandKey, TimeSpan, palm};
 use raconteur_base::profile::Profile as Pace;
 use raconteur_base::{DVec3, Side, mirror_vector};
 use raconteur_body::HandShape;
@@ -34,7 +36,7 @@ pub(crate) struct Hands {
 
 impl Hands {
     /// By the choice of who shows the story, else the story's, else the figure's.
-    pub(crate) fn of(document: &Document, shown: Option<Side>, figure: Side) -> Self {
+    pub(crate) fn from_document(document: &Document, shown: Option<Side>, figure: Side) -> Self {
         let performer = document.performer.as_ref();
         let story = performer
             .and_then(|p| p.handedness)
@@ -127,7 +129,7 @@ fn course<K>(track: &Track<K>, key: &Key<K>) -> Transition {
 
 /// Whether a phase leads to its last key: then a lone key lies at its end, where other lone
 /// keys lie at the beginning.
-fn leads(gesture: &GestureKey) -> bool {
+fn leads_to_last_key(gesture: &GestureKey) -> bool {
     matches!(
         gesture.phase,
         Some(Phase::Preparation | Phase::Retraction | Phase::PartialRetraction)
@@ -136,7 +138,7 @@ fn leads(gesture: &GestureKey) -> bool {
 
 /// When a key of a gesture is reached, seconds after its beginning.
 pub(super) fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
-    if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads(gesture) {
+    if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads_to_last_key(gesture) {
         gesture.duration_secs
     } else {
         key.offset_secs
@@ -272,7 +274,7 @@ pub(crate) fn strokes(
 
 /// Strokes that begin no sooner than a time, seconds: what would is as much later, with its keys.
 #[must_use]
-pub(crate) fn no_sooner(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec<GestureStroke> {
+pub(crate) fn not_before(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec<GestureStroke> {
     for stroke in &mut strokes {
         let late_secs = (from_secs - stroke.start_secs).max(0.0);
         if late_secs > 0.0 {
@@ -343,7 +345,7 @@ mod tests {
 
     fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
         let (document, timeline) = resolved(body);
-        let units = Units::of(&raconteur_body::Skeleton::example());
+        let units = Units::from_skeleton(&raconteur_body::Skeleton::example());
         strokes(&document, &timeline, side, &units, RIGHT)
     }
 

@@ -5,14 +5,14 @@ use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, Lead};
 use raconteur_stage::illumination::linear;
-use raconteur_stage::{Feelings, Felt, Illumination};
+use raconteur_stage::{EmotionEnvelope, EmotionTimeline, Illumination};
 
-use crate::lower::lead::{Leader, leaders};
+use crate::lower::control_source::{ControlSource, leaders};
 use crate::lower::script::Script;
 
 /// No change of the light is quicker, seconds. However densely a script writes them, they then
 /// blend into each other below 3 Hz, where nothing flashes (WCAG 2.2, success criterion 2.3.1).
-pub(crate) const SHORTEST_SECS: f64 = 1.0;
+pub(crate) const MIN_SECS: f64 = 1.0;
 /// How long the light of an emotion takes to come and to go, seconds. Designed.
 const MOVE_SECS: f64 = 1.4;
 
@@ -39,7 +39,7 @@ pub(crate) fn lamps(script: &Script) -> Vec<LampCue> {
                 transition_secs: if timed.start_secs <= script.timeline.lead_in_secs {
                     light.transition_secs
                 } else {
-                    light.transition_secs.max(SHORTEST_SECS)
+                    light.transition_secs.max(MIN_SECS)
                 },
                 by: light.by,
                 color: light.color.map(linear),
@@ -52,7 +52,7 @@ pub(crate) fn lamps(script: &Script) -> Vec<LampCue> {
 
 /// The light from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Lit {
+struct LightState {
     start_secs: f64,
     settled_secs: f64,
     light: Illumination,
@@ -69,7 +69,7 @@ pub(crate) struct LightChannel {
 
 impl LightChannel {
     /// The light where nothing is felt.
-    fn own(self) -> Illumination {
+    fn neutral(self) -> Illumination {
         match self.is_strict {
             true => Illumination::strict_default(),
             false => Illumination::default(),
@@ -77,11 +77,11 @@ impl LightChannel {
     }
 
     /// The light of an emotion.
-    fn asked(self, felt: Option<&Felt>) -> Illumination {
+    fn illumination(self, felt: Option<&EmotionEnvelope>) -> Illumination {
         match felt {
-            None => self.own(),
+            None => self.neutral(),
             Some(f) if self.is_strict => Illumination::strictly(f.kind, f.intensity),
-            Some(f) => Illumination::of(f.kind, f.intensity),
+            Some(f) => Illumination::from_emotion(f.kind, f.intensity),
         }
     }
 }
@@ -90,49 +90,55 @@ impl LightChannel {
 #[derive(Default)]
 pub(crate) struct LampSequence {
     own: Illumination,
-    lit: Vec<Lit>,
+    lit: Vec<LightState>,
 }
 
 impl LampSequence {
     /// The lights of a performance.
-    pub(crate) fn new(mut cues: Vec<LampCue>, feelings: &Feelings, channel: LightChannel) -> Self {
+    pub(crate) fn new(
+        mut cues: Vec<LampCue>,
+        feelings: &EmotionTimeline,
+        channel: LightChannel,
+    ) -> Self {
         sort_by_number(&mut cues, |c| c.start_secs);
         let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
-        let same = |a: Option<&Felt>, b: Option<&Felt>| channel.asked(a) == channel.asked(b);
-        let mut now = channel.own();
-        let lit = leaders(&leads, feelings, channel.follows, SHORTEST_SECS, same)
+        let same = |a: Option<&EmotionEnvelope>, b: Option<&EmotionEnvelope>| {
+            channel.illumination(a) == channel.illumination(b)
+        };
+        let mut now = channel.neutral();
+        let lit = leaders(&leads, feelings, channel.follows, MIN_SECS, same)
             .into_iter()
             .map(|(start_secs, leader)| {
                 let transition_secs = match leader {
-                    Leader::Script(i) => {
+                    ControlSource::Script(i) => {
                         let cue = &cues[i];
                         let color = cue.color.unwrap_or(now.color);
                         let brightness = cue.brightness.unwrap_or(now.brightness);
                         now = Illumination {
-                            strict: channel.own().strict,
+                            strict: channel.neutral().strict,
                             ..Illumination::written(color, brightness)
                         };
                         cue.transition_secs
                     }
-                    Leader::Emotion(felt) => {
-                        now = channel.asked(felt.as_ref());
+                    ControlSource::Emotion(felt) => {
+                        now = channel.illumination(felt.as_ref());
                         MOVE_SECS
                     }
                 };
-                Lit {
+                LightState {
                     start_secs,
                     settled_secs: start_secs + transition_secs,
                     light: now,
                 }
             });
         Self {
-            own: channel.own(),
+            own: channel.neutral(),
             lit: lit.collect(),
         }
     }
 
     /// The light at a time.
-    pub(crate) fn at(&self, time_secs: f64) -> Illumination {
+    pub(crate) fn sample(&self, time_secs: f64) -> Illumination {
         let begun = self.lit.partition_point(|l| l.start_secs <= time_secs);
         let begun = &self.lit[..begun];
         let settled = begun.iter().rposition(|l| l.settled_secs <= time_secs);
@@ -161,7 +167,7 @@ mod tests {
         let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&text, None);
         assert_eq!(script.diagnostics, []);
-        LampSequence::new(lamps(&script), &Feelings::default(), FREE)
+        LampSequence::new(lamps(&script), &EmotionTimeline::default(), FREE)
     }
 
     #[test]
@@ -171,10 +177,16 @@ mod tests {
              <r:light time='10' by='emotion'/>",
         );
         let red = [1.0, 0.0, 0.0];
-        assert_eq!((lamps.at(0.0).color, lamps.at(0.0).brightness), (red, 1.0));
-        assert_eq!((lamps.at(6.0).color, lamps.at(6.0).brightness), (red, 0.75));
-        assert_eq!(lamps.at(9.0).brightness, 0.5);
-        assert_eq!(lamps.at(12.0), Illumination::default());
+        assert_eq!(
+            (lamps.sample(0.0).color, lamps.sample(0.0).brightness),
+            (red, 1.0)
+        );
+        assert_eq!(
+            (lamps.sample(6.0).color, lamps.sample(6.0).brightness),
+            (red, 0.75)
+        );
+        assert_eq!(lamps.sample(9.0).brightness, 0.5);
+        assert_eq!(lamps.sample(12.0), Illumination::default());
     }
 
     #[test]
@@ -192,7 +204,7 @@ mod tests {
             let (mut turns, mut least, mut most, mut rises) = (0, 0.0_f64, 2.0_f64, true);
             let mut t = 2.5;
             while t < end_secs {
-                let b = lamps.at(t).brightness;
+                let b = lamps.sample(t).brightness;
                 (least, most) = if rises {
                     (least, b.max(most))
                 } else {

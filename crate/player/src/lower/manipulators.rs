@@ -6,13 +6,15 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_actor::ManipulatorScript;
-use raconteur_actor::limb::{Frame, Limb};
+use raconteur_actor::limb::{Limb, RigidFrame};
 use raconteur_actor::manipulator::path::rotation_from;
-use raconteur_actor::manipulator::{Command, Motion, Move, Pace, Path, Placement, Shape};
+use raconteur_actor::manipulator::{
+    Command, JointSpeed, Motion, Path, PathShape, Placement, RootMotion,
+};
 use raconteur_base::{DVec3, Length, ops};
 use raconteur_eml::{
-    Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,
-    Target, Timeline, nearest, quoted,
+    Arg, ArgValue, ClauseKind, Diagnostic, Document, FunctionArgs, MAX_COORDINATE, Manipulator,
+    Span, Target, Timeline, nearest, quoted,
 };
 use raconteur_stage::{Gesture, TakenSpace};
 
@@ -81,11 +83,11 @@ fn limb(manipulator: Manipulator) -> Limb {
 }
 
 fn bounded(number: f64) -> f64 {
-    number.clamp(-FARTHEST, FARTHEST)
+    number.clamp(-MAX_COORDINATE, MAX_COORDINATE)
 }
 
-fn frame(target: &Target, units: &Units) -> Frame {
-    Frame {
+fn frame(target: &Target, units: &Units) -> RigidFrame {
+    RigidFrame {
         position: units.world_point(target.position.map(bounded)),
         rotation: rotation_from(Units::angles(target.angles_deg.map(bounded))),
     }
@@ -141,26 +143,26 @@ impl Args<'_> {
         }
     }
 
-    fn shape(&self, function: &str, period_secs: f64) -> Option<Shape> {
+    fn shape(&self, function: &str, period_secs: f64) -> Option<PathShape> {
         let metres = self.units.metres();
         let number = |name, default| self.number(name).unwrap_or(default);
         Some(match function {
-            "segment" => Shape::Segment,
+            "segment" => PathShape::Segment,
             "sinusoid" => {
                 let across = self.direction("across").try_normalized();
-                Shape::Sinusoid {
+                PathShape::Sinusoid {
                     across: across.unwrap_or(DVec3::Y) * self.length("amplitude"),
                     cycles: number("cycles", 1.0),
                 }
             }
-            "bezier" => Shape::Bezier {
+            "bezier" => PathShape::Bezier {
                 controls: ["control1", "control2"].map(|c| self.place(c)),
             },
-            "hermite" => Shape::Hermite {
+            "hermite" => PathShape::Hermite {
                 tangents: ["startVelocity", "endVelocity"]
                     .map(|v| self.direction(v) * metres * period_secs),
             },
-            "circle" | "ellipse" | "helix" => Shape::Round {
+            "circle" | "ellipse" | "helix" => PathShape::Round {
                 centre: self.place("center"),
                 normal: self.direction("normal"),
                 radii: if function == "ellipse" {
@@ -172,7 +174,7 @@ impl Args<'_> {
                 turns: number("turns", 1.0),
                 rise: self.length("rise"),
             },
-            "lemniscate" => Shape::Lemniscate {
+            "lemniscate" => PathShape::Lemniscate {
                 centre: self.place("center"),
                 normal: self.direction("normal"),
                 half_width: self.length("radius"),
@@ -188,7 +190,7 @@ impl Args<'_> {
 fn path(function: &str, looping: bool, args: Option<&FunctionArgs>, units: &Units) -> Option<Path> {
     let none = FunctionArgs::default();
     let args = args.unwrap_or(&none);
-    let period_secs = args.period_secs().min(FARTHEST);
+    let period_secs = args.period_secs().min(MAX_COORDINATE);
     let args = Args { args, units };
     Some(Path {
         shape: args.shape(function, period_secs)?,
@@ -221,7 +223,7 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
             let speed = j.static_velocity_rad_per_s.unwrap_or(0.0);
             let pace = j
                 .static_time_secs
-                .map_or(Pace::RadPerSec(speed), Pace::Secs);
+                .map_or(JointSpeed::RadPerSec(speed), JointSpeed::Secs);
             let to = frame(&j.target, units);
             (j.manipulator, Motion::JointInterpolation { to, pace })
         }
@@ -274,7 +276,7 @@ pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) ->
             if let Some(mut path) = path(&m.function, m.is_looping, m.args.as_ref(), units) {
                 upright(&mut path.from);
                 upright(&mut path.to);
-                script.moves.push(Move { time_secs, path });
+                script.moves.push(RootMotion { time_secs, path });
             }
         } else if let Some((manipulator, motion)) = motion(kind, units) {
             script.commands.push(Command {
@@ -439,17 +441,17 @@ fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Opti
     let least = if arg.name == "timePeriod" {
         0.0
     } else {
-        -FARTHEST
+        -MAX_COORDINATE
     };
-    if (least..=FARTHEST).contains(&number) {
+    if (least..=MAX_COORDINATE).contains(&number) {
         return None;
     }
     let message = format!(
         "{name} goes from {} to {}, so {} is as much as {}",
         least,
-        FARTHEST,
+        MAX_COORDINATE,
         number,
-        number.clamp(least, FARTHEST)
+        number.clamp(least, MAX_COORDINATE)
     );
     warning("player::out-of-range", message)
 }

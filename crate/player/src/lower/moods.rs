@@ -3,26 +3,26 @@
 
 use raconteur_eml::{Arousal, Document, Lead};
 use raconteur_stage::emotion::Valence;
-use raconteur_stage::{Feelings, Mood};
+use raconteur_stage::{EmotionTimeline, Mood};
 
-use crate::lower::piece::{MusicClause, Voice};
+use crate::lower::music_stem::{MusicClause, MusicStem};
 use crate::lower::repertoire::Repertoire;
 
 /// No piece that a mood asks for is heard shorter, seconds. Designed.
-const SHORTEST_SECS: f64 = 8.0;
+const MIN_SECS: f64 = 8.0;
 /// How long one takes over from another, seconds, on a bar line. Designed.
 const FADE_SECS: f64 = 2.0;
 /// How loud such music is against its recording: it stays behind the story. Designed.
 const VOLUME: f64 = 0.8;
 /// The mood is looked at so often, seconds, and so many times at most.
 const STEP_SECS: f64 = 0.5;
-const MOST_STEPS: f64 = 20_000.0;
+const MAX_STEPS: f64 = 20_000.0;
 /// How far a mood has to come back before its music ends, of the bound at which it begins. Designed.
 const LETS_GO: f64 = 0.7;
 /// Pieces that a script may bring; there are six moods, and it bounds the work.
-const MOST_OWN: usize = 12;
+const MAX_OWN_PIECES: usize = 12;
 /// A smaller change of a voice's level is not written.
-const LEAST_CHANGE: f64 = 0.03;
+const MIN_CHANGE: f64 = 0.03;
 
 /// The valence of a script's word.
 pub(crate) fn of_script(valence: raconteur_eml::Valence) -> Valence {
@@ -47,7 +47,7 @@ pub(crate) struct OwnPiece {
 pub(crate) fn own_pieces(document: &Document) -> Vec<OwnPiece> {
     let pieces = document.environment.iter().flat_map(|e| &e.pieces);
     pieces
-        .take(MOST_OWN)
+        .take(MAX_OWN_PIECES)
         .map(|piece| OwnPiece {
             valence: of_script(piece.valence),
             is_aroused: piece.arousal.map(|a| a == Arousal::High),
@@ -80,8 +80,8 @@ fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
 
 /// What is led by moods: the feelings, the library's and the author's pieces, and until when there is
 /// anything.
-pub(crate) struct Scoring<'a> {
-    pub(crate) feelings: &'a Feelings,
+pub(crate) struct MoodMusic<'a> {
+    pub(crate) feelings: &'a EmotionTimeline,
     pub(crate) repertoire: Repertoire,
     pub(crate) own: &'a [OwnPiece],
     /// Whether moods lead at first.
@@ -89,10 +89,10 @@ pub(crate) struct Scoring<'a> {
     pub(crate) end_secs: f64,
 }
 
-impl Scoring<'_> {
+impl MoodMusic<'_> {
     /// The music of a performance by time: that of the script, and between what of it leads, that of
     /// the mood. A story in which nothing is felt has none of its own.
-    pub(crate) fn led(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
+    pub(crate) fn music(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
         if self.feelings.all().is_empty() {
             return script
                 .into_iter()
@@ -122,14 +122,14 @@ impl Scoring<'_> {
 
     /// The music of the mood from one time to another.
     fn follow(&self, from_secs: f64, to_secs: f64, led: &mut Vec<MusicClause>) {
-        let step_secs = STEP_SECS.max((to_secs - from_secs) / MOST_STEPS);
+        let step_secs = STEP_SECS.max((to_secs - from_secs) / MAX_STEPS);
         let mut now = tone(&self.feelings.mood(from_secs), None);
         let mut begun_secs = from_secs;
         let mut t = from_secs;
         while t < to_secs {
             t += step_secs;
             let next = tone(&self.feelings.mood(t), Some(now));
-            if self.bar(next) == self.bar(now) || t < begun_secs + SHORTEST_SECS {
+            if self.bar(next) == self.bar(now) || t < begun_secs + MIN_SECS {
                 continue;
             }
             let bar_secs = self.bar(now).1;
@@ -167,7 +167,7 @@ impl Scoring<'_> {
     /// The piece of a tone from one time to another.
     fn clause(&self, tone: Tone, from_secs: f64, to_secs: f64) -> MusicClause {
         let voices = match self.own_piece(tone) {
-            Some(own) => vec![Voice {
+            Some(own) => vec![MusicStem {
                 file: own.file.clone(),
                 library: false,
                 loops: true,
@@ -189,14 +189,14 @@ impl Scoring<'_> {
 
     /// How loud the voices are that arousal adds, from one time to another.
     fn rise(&self, from_secs: f64, to_secs: f64) -> Vec<(f64, f64)> {
-        let step_secs = STEP_SECS.max((to_secs - from_secs) / MOST_STEPS);
+        let step_secs = STEP_SECS.max((to_secs - from_secs) / MAX_STEPS);
         let mut line: Vec<(f64, f64)> = Vec::new();
         let mut t = from_secs;
         while t < to_secs + step_secs {
             let share = self.feelings.mood(t).activity();
             if line
                 .last()
-                .is_none_or(|(_, l)| (l - share).abs() >= LEAST_CHANGE)
+                .is_none_or(|(_, l)| (l - share).abs() >= MIN_CHANGE)
             {
                 // Straight from where it was before, not from long ago.
                 if let Some(&(at, level)) = line.last().filter(|(at, _)| t - at > step_secs) {
@@ -213,7 +213,7 @@ impl Scoring<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_stage::{EmotionType, Felt};
+    use raconteur_stage::{EmotionEnvelope, EmotionType};
 
     const REPERTOIRE: Repertoire = Repertoire::new(3);
 
@@ -221,8 +221,8 @@ mod tests {
         format!("{}.opus", REPERTOIRE.piece(valence).name)
     }
 
-    fn felt(kind: &str, start_secs: f64, potential: f64, activation: f64) -> Felt {
-        Felt {
+    fn felt(kind: &str, start_secs: f64, potential: f64, activation: f64) -> EmotionEnvelope {
+        EmotionEnvelope {
             kind: EmotionType::named(kind).expect(kind),
             potential,
             intensity: potential,
@@ -234,16 +234,20 @@ mod tests {
         }
     }
 
-    fn scored(felt: Vec<Felt>, own: &[OwnPiece], script: Vec<MusicClause>) -> Vec<(f64, String)> {
-        let feelings = Feelings::new(felt);
-        let scoring = Scoring {
+    fn scored(
+        felt: Vec<EmotionEnvelope>,
+        own: &[OwnPiece],
+        script: Vec<MusicClause>,
+    ) -> Vec<(f64, String)> {
+        let feelings = EmotionTimeline::new(felt);
+        let scoring = MoodMusic {
             feelings: &feelings,
             repertoire: REPERTOIRE,
             own,
             follows: true,
             end_secs: 90.0,
         };
-        let led = scoring.led(script).into_iter();
+        let led = scoring.music(script).into_iter();
         led.map(|c| {
             let file = c
                 .voices
@@ -268,7 +272,7 @@ mod tests {
         assert_eq!(names.last(), Some(&""), "it ends with the story");
         for pair in led.windows(2).filter(|p| !p[1].1.is_empty()) {
             let [(a, file), (b, _)] = pair else { continue };
-            assert!(b - a >= SHORTEST_SECS, "{led:?}");
+            assert!(b - a >= MIN_SECS, "{led:?}");
             let valences = [Valence::Negative, Valence::Neutral, Valence::Positive];
             let of_file = valences.into_iter().find(|v| named(*v) == *file);
             let piece = REPERTOIRE.piece(of_file.expect(file));

@@ -8,7 +8,7 @@ use raconteur_eml::ClauseKind;
 
 use crate::lower::cues::UtteranceCue;
 use crate::lower::moods;
-use crate::lower::piece::{MusicClause, Voice};
+use crate::lower::music_stem::{MusicClause, MusicStem};
 use crate::lower::script::Script;
 
 /// Share of the music's level under speech: 8 dB less. Designed: words stay clear
@@ -46,7 +46,7 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
     clauses
         .filter_map(|timed| match &script.document.clause(timed.clause).kind {
             ClauseKind::Music(music) => {
-                let own = music.file.as_ref().map(|file| Voice {
+                let own = music.file.as_ref().map(|file| MusicStem {
                     file: file.clone(),
                     library: false,
                     loops: false,
@@ -104,7 +104,12 @@ pub(crate) fn cues<'a>(
 }
 
 /// A voice of a clause that is over from one time to another, under what is spoken.
-fn cue(clause: &MusicClause, voice: &Voice, over: (f64, f64), spoken: &[(f64, f64)]) -> MusicCue {
+fn cue(
+    clause: &MusicClause,
+    voice: &MusicStem,
+    over: (f64, f64),
+    spoken: &[(f64, f64)],
+) -> MusicCue {
     let fade_in = (clause.start_secs, clause.start_secs + clause.fade_secs);
     let bends = spoken.iter().flat_map(|&(from, to)| {
         let [back, there] = [from - STEP_BACK_SECS, to + RETURN_SECS];

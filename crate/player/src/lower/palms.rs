@@ -14,7 +14,7 @@ use crate::lower::units::Units;
 const SAME_DEG: f64 = 60.0;
 
 /// A palm that is not met.
-struct Missed {
+struct MissedPalm {
     span: Span,
     side: Side,
     off_deg: f64,
@@ -61,7 +61,13 @@ struct Arm<'a> {
 }
 
 impl Arm<'_> {
-    fn missed(&self, gesture: &GestureKey, start_secs: f64, hands: Hands, into: &mut Vec<Missed>) {
+    fn missed(
+        &self,
+        gesture: &GestureKey,
+        start_secs: f64,
+        hands: Hands,
+        into: &mut Vec<MissedPalm>,
+    ) {
         let (side, handedness) = (self.side, gesture.handedness);
         if !handedness.includes(side, hands.dominant) {
             return;
@@ -85,7 +91,7 @@ impl Arm<'_> {
                 if mirrored {
                     (normal, angle_rad) = (mirror_vector(normal), -angle_rad);
                 }
-                into.push(Missed {
+                into.push(MissedPalm {
                     span: key.span,
                     side,
                     off_deg,
@@ -100,7 +106,7 @@ impl Arm<'_> {
     /// radians.
     fn nearest(&self, wanted: DQuat, at_secs: f64) -> (DQuat, f64) {
         let thorax = self.rig.world_from_thorax_zero();
-        let wrist_in_world: DVec3 = self.plan.at(at_secs).wrist;
+        let wrist_in_world: DVec3 = self.plan.sample(at_secs).wrist;
         let goal = ArmGoal {
             wrist_in_world,
             hand_in_world: Some(wanted),
@@ -112,7 +118,7 @@ impl Arm<'_> {
 }
 
 /// One warning a gesture: for the palm that is farthest off.
-fn worst(missed: &[Missed]) -> Option<Diagnostic> {
+fn worst(missed: &[MissedPalm]) -> Option<Diagnostic> {
     let palm = missed
         .iter()
         .max_by(|a, b| a.off_deg.total_cmp(&b.off_deg))?;

@@ -1,12 +1,12 @@
 //! From the clauses of control parameters to the actor's commands (GEVH D.3.27 to D.3.30).
 
-use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand, Style};
+use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand, PlaybackStyle};
 use raconteur_eml::{
     AdsrControlParameter, ClauseKind, Diagnostic, Document, Span, Timeline, nearest, quoted,
 };
 
 /// Most unknown names that are reported.
-const MOST: usize = 100;
+const MAX_REPORTED: usize = 100;
 
 /// A script's commands to control parameters, by time. Unknown names are left out:
 /// [`problems`] reports them.
@@ -56,12 +56,12 @@ fn phases(adsr: &AdsrControlParameter) -> Adsr {
     }
 }
 
-fn style(style: raconteur_eml::Style) -> Style {
+fn style(style: raconteur_eml::Style) -> PlaybackStyle {
     match style {
-        raconteur_eml::Style::Forward => Style::Forward,
-        raconteur_eml::Style::Reverse => Style::Reverse,
-        raconteur_eml::Style::PingPong => Style::PingPong,
-        raconteur_eml::Style::ReversePingPong => Style::ReversePingPong,
+        raconteur_eml::Style::Forward => PlaybackStyle::Forward,
+        raconteur_eml::Style::Reverse => PlaybackStyle::Reverse,
+        raconteur_eml::Style::PingPong => PlaybackStyle::PingPong,
+        raconteur_eml::Style::ReversePingPong => PlaybackStyle::ReversePingPong,
     }
 }
 
@@ -76,10 +76,10 @@ pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
             ClauseKind::AdsrControlParameter(adsr) => (&adsr.parameter, phases(adsr).values),
             _ => continue,
         };
-        let least = Parameter::named(name).map(Parameter::least);
+        let least = Parameter::named(name).map(Parameter::min_value);
         if let Some(least) = least.reduce(f64::min) {
-            problems.extend(beyond(name, &values, least, clause.tag_span));
-        } else if !told.contains(&name) && told.len() < MOST {
+            problems.extend(range_problem(name, &values, least, clause.tag_span));
+        } else if !told.contains(&name) && told.len() < MAX_REPORTED {
             told.push(name);
             problems.push(unknown(name, clause.tag_span));
         }
@@ -87,7 +87,7 @@ pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
     problems
 }
 
-fn beyond(name: &str, values: &[f64], least: f64, span: Span) -> Option<Diagnostic> {
+fn range_problem(name: &str, values: &[f64], least: f64, span: Span) -> Option<Diagnostic> {
     let value = values.iter().find(|v| !(least..=1.0).contains(*v))?;
     let message = format!(
         "{} goes from {least} to 1, so {value} is as much as {}",

@@ -7,19 +7,19 @@ use raconteur_base::Side;
 
 use crate::lower::animations;
 use crate::lower::cast::Cast;
+use crate::lower::control_source::Channels;
 use crate::lower::cues::{self, Cue, UtteranceCue};
 use crate::lower::face::{self, FacePlan};
-use crate::lower::geometry::{self, Switch};
 use crate::lower::gestures;
 use crate::lower::lamps::{self, LampCue};
-use crate::lower::lead::Channels;
 use crate::lower::manipulators;
 use crate::lower::moods::{self, OwnPiece};
 use crate::lower::music;
-use crate::lower::piece::MusicClause;
+use crate::lower::music_stem::MusicClause;
 use crate::lower::repertoire::Repertoire;
 use crate::lower::script::Script;
 use crate::lower::shots::{self, ShotCue};
+use crate::lower::visibility::{self, Switch};
 
 /// The plans of a story, or of a fragment of a live performance.
 pub(crate) struct ScriptPlan {
@@ -68,15 +68,15 @@ impl ScriptPlan {
         Self {
             strokes: Side::BOTH
                 .map(|side| gestures::strokes(document, timeline, side, units, hands))
-                .map(|strokes| gestures::no_sooner(strokes, script.hands_from_secs)),
+                .map(|strokes| gestures::not_before(strokes, script.hands_from_secs)),
             manipulators: manipulators::script(document, timeline, units),
             switches: gestures::switches(document, timeline),
             players: animations::commands(document, timeline).0,
-            geometry: geometry::switches(document, timeline),
+            geometry: visibility::switches(document, timeline),
             face: face::lower(script, &utterances),
             shots: shots::shots(script),
             lamps: lamps::lamps(script),
-            channels: Channels::of(document),
+            channels: Channels::from_document(document),
             music: music::clauses(script),
             pieces: moods::own_pieces(document),
             repertoire: script.repertoire,

@@ -27,7 +27,7 @@ pub(crate) struct Reach {
 
 impl Reach {
     /// Measures a skeleton in its zero pose.
-    pub(crate) fn of(skeleton: &Skeleton) -> Self {
+    pub(crate) fn from_skeleton(skeleton: &Skeleton) -> Self {
         let mut world = Vec::new();
         skeleton.solve(&Pose::zero(), &mut world);
         let at = |bone: Bone| world[bone.index()].translation;

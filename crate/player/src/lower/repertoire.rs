@@ -4,7 +4,7 @@ use raconteur_base::noise;
 use raconteur_eml::Document;
 use raconteur_stage::emotion::Valence;
 
-use crate::lower::piece::Voice;
+use crate::lower::music_stem::MusicStem;
 
 /// What the choice of a piece draws from the seed; others of the performance draw by other numbers.
 const CHOICE: u64 = 0x6d75_7369;
@@ -54,8 +54,8 @@ fn library(valence: Valence) -> &'static [LibraryPiece; 3] {
 
 impl LibraryPiece {
     /// Its voices, those that arousal adds at a level over story time.
-    pub(crate) fn voices(&self, rise: Vec<(f64, f64)>) -> Vec<Voice> {
-        let voice = |ending: &str, share| Voice {
+    pub(crate) fn voices(&self, rise: Vec<(f64, f64)>) -> Vec<MusicStem> {
+        let voice = |ending: &str, share| MusicStem {
             file: format!("{}{ending}.opus", self.name),
             library: true,
             loops: true,
@@ -77,7 +77,7 @@ impl Repertoire {
     }
 
     /// That of a script, which may have a seed of its own; else by that of whoever shows it.
-    pub(crate) fn of(document: &Document, otherwise: u64) -> Self {
+    pub(crate) fn choose(document: &Document, otherwise: u64) -> Self {
         let own = document.environment.as_ref().and_then(|e| e.seed);
         Self::new(own.map_or(otherwise, u64::from))
     }
@@ -117,7 +117,7 @@ mod tests {
             );
             let parsed = raconteur_eml::parse(&text);
             assert_eq!(parsed.diagnostics, []);
-            Repertoire::of(&parsed.document, 5)
+            Repertoire::choose(&parsed.document, 5)
         };
         assert_eq!(drawn(""), Repertoire::new(5));
         assert_eq!(drawn("seed='12'"), Repertoire::new(12));

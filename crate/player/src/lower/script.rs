@@ -10,8 +10,8 @@ use raconteur_eml::{
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Utterance};
 
-use crate::lower::needs::Needs;
 use crate::lower::repertoire::Repertoire;
+use crate::lower::requirements::Requirements;
 use crate::lower::voice::{KnownDurations, Voices};
 use crate::options::{LanguageTag, Options};
 
@@ -50,7 +50,7 @@ pub enum LoadStage {
 }
 
 /// What the times of a script depend on besides its text.
-pub(crate) struct Sources<'a> {
+pub(crate) struct TimingSources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
     pub(crate) library: &'a Library,
 }
@@ -89,13 +89,13 @@ impl Script {
             }
         });
         progress(LoadStage::Story);
-        let sources = Sources {
+        let sources = TimingSources {
             bundle,
             library: &Library::default(),
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
-        script.give_way();
-        let told = script.lead_told();
+        script.yield_to();
+        let told = script.report_progress();
         script.diagnostics.extend(told);
         script
     }
@@ -104,7 +104,7 @@ impl Script {
     /// bundle that could not be read.
     pub(crate) fn resolve(
         parsed: Parsed,
-        Sources { bundle, library }: Sources<'_>,
+        TimingSources { bundle, library }: TimingSources<'_>,
         voice_was_given: bool,
     ) -> Self {
         let Parsed {
@@ -147,12 +147,12 @@ impl Script {
             library,
         };
         self.timeline = Timeline::resolve(&self.document, &durations).timeline;
-        self.give_way();
+        self.yield_to();
     }
 
     /// Lets the script wait for the preparation of its first gesture, or the gesture come late, or
     /// neither, as it says itself.
-    fn give_way(&mut self) {
+    fn yield_to(&mut self) {
         match self.document.run_up.unwrap_or_default() {
             RunUp::Delay => {
                 self.waits_secs = self.run_up_secs();
@@ -176,7 +176,7 @@ impl Script {
     }
 
     /// What is told where hands come otherwise than it is written.
-    pub(crate) fn lead_told(&self) -> Vec<Diagnostic> {
+    pub(crate) fn report_progress(&self) -> Vec<Diagnostic> {
         let tag = |id: ClauseId| self.document.clause(id).tag_span;
         let mut told: Vec<_> = self
             .late_strokes()
@@ -231,13 +231,13 @@ impl Script {
     /// and the player need the texts of.
     #[must_use]
     pub fn needed_animations(&self) -> Vec<String> {
-        let needs = Needs::of(&self.document);
+        let needs = Requirements::from_document(&self.document);
         needs.animations().map(str::to_owned).collect()
     }
 
     /// The baked utterance of a clause, if there is one.
     pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Arc<Utterance>> {
-        self.voices.of(clause, self.bundle.as_deref())
+        self.voices.match_clauses(clause, self.bundle.as_deref())
     }
 
     /// The phone set of what a clause says; Festival's where it was not baked.
@@ -331,7 +331,7 @@ fn missing_speech(
         return Vec::new();
     }
     speaking(document)
-        .filter(|(id, _)| voices.of(*id, bundle).is_none())
+        .filter(|(id, _)| voices.match_clauses(*id, bundle).is_none())
         .map(|(id, span)| match &document.clause(id).kind {
             ClauseKind::VoiceSay(say) if say.is_file() => Diagnostic::warning(
                 "player::not-baked",

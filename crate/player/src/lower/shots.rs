@@ -4,14 +4,14 @@
 use raconteur_base::curve::minimum_jerk;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{CameraAngle, ClauseKind, Lead, ShotKind};
-use raconteur_stage::{Angle, Camera, EmotionType, Feelings, Felt, Shot};
+use raconteur_stage::{Angle, Camera, EmotionEnvelope, EmotionTimeline, EmotionType, Shot};
 
-use crate::lower::lead::{Leader, leaders};
+use crate::lower::control_source::{ControlSource, leaders};
 use crate::lower::script::Script;
 
 /// No shot that an emotion asks for is shorter, seconds. Designed: a picture is read in three to
 /// four seconds.
-pub(crate) const SHORTEST_SECS: f64 = 4.0;
+pub(crate) const MIN_SECS: f64 = 4.0;
 /// How long the camera takes from one such shot to the next, seconds. Designed.
 const MOVE_SECS: f64 = 2.0;
 /// All such shots look at the figure from the front, so that the line of action is never crossed
@@ -61,7 +61,7 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
 
 /// The shot from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Take {
+pub(crate) struct CameraShot {
     pub(crate) start_secs: f64,
     /// When the transition to it ends.
     settled_secs: f64,
@@ -74,13 +74,13 @@ pub(crate) struct Take {
 }
 
 /// What the shots of a performance are made from.
-pub(crate) struct Shooting<'a> {
+pub(crate) struct ShotPlanInput<'a> {
     /// The shot until something is said or felt, at eye height.
     pub(crate) usual: Shot,
     /// What scripts say.
     pub(crate) cues: Vec<ShotCue>,
     /// What is felt.
-    pub(crate) feelings: &'a Feelings,
+    pub(crate) feelings: &'a EmotionTimeline,
     /// Whether emotions lead the camera where no script does.
     pub(crate) follows: bool,
     /// Whether the camera moves, or cuts only.
@@ -89,25 +89,20 @@ pub(crate) struct Shooting<'a> {
 
 /// The shots of a performance by time, of which there is always one.
 pub(crate) struct ShotSequence {
-    first: Take,
-    later: Vec<Take>,
+    first: CameraShot,
+    later: Vec<CameraShot>,
 }
 
 impl ShotSequence {
     /// The shots of a performance.
-    pub(crate) fn new(mut shooting: Shooting<'_>) -> Self {
+    pub(crate) fn new(mut shooting: ShotPlanInput<'_>) -> Self {
         sort_by_number(&mut shooting.cues, |c| c.start_secs);
-        let Shooting { usual, cues, .. } = &shooting;
+        let ShotPlanInput { usual, cues, .. } = &shooting;
         let leads: Vec<(f64, Lead)> = cues.iter().map(|c| (c.start_secs, c.by)).collect();
-        let same = |a: Option<&Felt>, b: Option<&Felt>| asked(a) == asked(b);
-        let taken = leaders(
-            &leads,
-            shooting.feelings,
-            shooting.follows,
-            SHORTEST_SECS,
-            same,
-        );
-        let first = Take {
+        let same =
+            |a: Option<&EmotionEnvelope>, b: Option<&EmotionEnvelope>| shot_for(a) == shot_for(b);
+        let taken = leaders(&leads, shooting.feelings, shooting.follows, MIN_SECS, same);
+        let first = CameraShot {
             start_secs: f64::NEG_INFINITY,
             settled_secs: f64::NEG_INFINITY,
             shot: *usual,
@@ -116,15 +111,15 @@ impl ShotSequence {
             is_written: false,
         };
         let mut now = first;
-        let take = |&(start_secs, leader): &(f64, Leader)| {
+        let take = |&(start_secs, leader): &(f64, ControlSource)| {
             let (transition_secs, shot, angle, is_felt) = match leader {
-                Leader::Script(i) => {
+                ControlSource::Script(i) => {
                     let cue = &cues[i];
                     let (shot, angle) = (cue.shot.unwrap_or(now.shot), cue.angle);
                     (cue.transition_secs, shot, angle.unwrap_or(now.angle), false)
                 }
-                Leader::Emotion(felt) => {
-                    let (shot, angle) = asked(felt.as_ref()).unwrap_or((*usual, Angle::Eye));
+                ControlSource::Emotion(felt) => {
+                    let (shot, angle) = shot_for(felt.as_ref()).unwrap_or((*usual, Angle::Eye));
                     let steps = (nearness(shot) - nearness(now.shot)).abs();
                     let cuts = steps >= CUT_STEPS || !shooting.moves;
                     (
@@ -135,13 +130,13 @@ impl ShotSequence {
                     )
                 }
             };
-            now = Take {
+            now = CameraShot {
                 start_secs,
                 settled_secs: start_secs + transition_secs,
                 shot,
                 angle,
                 is_felt,
-                is_written: matches!(leader, Leader::Script(_)),
+                is_written: matches!(leader, ControlSource::Script(_)),
             };
             now
         };
@@ -152,7 +147,7 @@ impl ShotSequence {
     }
 
     /// The settled shot at a time, and those in transition.
-    fn taken(&self, time_secs: f64) -> (&Take, &[Take]) {
+    fn transition_at(&self, time_secs: f64) -> (&CameraShot, &[CameraShot]) {
         let begun = self.later.partition_point(|v| v.start_secs <= time_secs);
         let begun = &self.later[..begun];
         let settled = begun.iter().rposition(|v| v.settled_secs <= time_secs);
@@ -163,33 +158,33 @@ impl ShotSequence {
     }
 
     /// The shot that is taken, or moved to, at a time.
-    pub(crate) fn at(&self, time_secs: f64) -> &Take {
-        let (base, moving) = self.taken(time_secs);
+    pub(crate) fn sample(&self, time_secs: f64) -> &CameraShot {
+        let (base, moving) = self.transition_at(time_secs);
         moving.last().unwrap_or(base)
     }
 
     /// Every shot after the first, by time.
-    pub(crate) fn later(&self) -> &[Take] {
+    pub(crate) fn later(&self) -> &[CameraShot] {
         &self.later
     }
 
     /// Whether the camera goes from one shot to another at a time.
     pub(crate) fn moves(&self, time_secs: f64) -> bool {
-        !self.taken(time_secs).1.is_empty()
+        !self.transition_at(time_secs).1.is_empty()
     }
 
     /// Whether the shots of a time make room for hands.
     pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
-        let (base, moving) = self.taken(time_secs);
-        let is_close = |v: &Take| nearness(v.shot) > nearness(Shot::Medium) && !v.is_felt;
+        let (base, moving) = self.transition_at(time_secs);
+        let is_close = |v: &CameraShot| nearness(v.shot) > nearness(Shot::Medium) && !v.is_felt;
         !is_close(base) && !moving.iter().any(is_close)
     }
 
     /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
     /// shots than are in transition.
-    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(&Take) -> Camera) -> Camera {
-        let (base, moving) = self.taken(time_secs);
-        let shown = |take: &Take| frame(take).raised(take.angle.elevation_rad());
+    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(&CameraShot) -> Camera) -> Camera {
+        let (base, moving) = self.transition_at(time_secs);
+        let shown = |take: &CameraShot| frame(take).raised(take.angle.elevation_rad());
         moving.iter().fold(shown(base), |camera, take| {
             let way_secs = take.settled_secs - take.start_secs;
             let s = minimum_jerk((time_secs - take.start_secs) / way_secs);
@@ -199,7 +194,7 @@ impl ShotSequence {
 }
 
 /// The shot that an emotion asks for: distance by its potential, angle by its type.
-fn asked(felt: Option<&Felt>) -> Option<(Shot, Angle)> {
+fn shot_for(felt: Option<&EmotionEnvelope>) -> Option<(Shot, Angle)> {
     felt.map(|f| (EmotionType::distance(f.potential), f.kind.angle))
 }
 
@@ -218,26 +213,26 @@ fn nearness(shot: Shot) -> i32 {
 mod tests {
     use super::*;
     use raconteur_base::DVec3;
-    use raconteur_stage::Room;
+    use raconteur_stage::FramingMargin;
 
     fn views(body: &str) -> ShotSequence {
         let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&text, None);
         assert_eq!(script.diagnostics, []);
-        ShotSequence::new(Shooting {
+        ShotSequence::new(ShotPlanInput {
             usual: Shot::Medium,
             cues: shots(&script),
-            feelings: &Feelings::default(),
+            feelings: &EmotionTimeline::default(),
             follows: true,
             moves: true,
         })
     }
 
     fn still(shot: Shot) -> Camera {
-        shot.frame(DVec3::ZERO, 1.7, 1.78, Room::default())
+        shot.frame(DVec3::ZERO, 1.7, 1.78, FramingMargin::default())
     }
 
-    fn shown(take: &Take) -> Camera {
+    fn camera_of(take: &CameraShot) -> Camera {
         still(take.shot)
     }
 
@@ -246,7 +241,7 @@ mod tests {
         let views = views(
             "<r:camera time='2' shot='full'/><r:camera time='4' shot='closeUp' transition='2'/>",
         );
-        let at = |t: f64| views.camera(t, shown);
+        let at = |t: f64| views.camera(t, camera_of);
         assert_eq!(at(1.999), still(Shot::Medium));
         assert_eq!(at(2.0), still(Shot::Full));
         assert_eq!(at(4.0), still(Shot::Full));
@@ -271,8 +266,8 @@ mod tests {
              <r:camera time='3' shot='long'/>",
         );
         let low = |shot: Shot| still(shot).raised(Angle::Low.elevation_rad());
-        assert_eq!(views.camera(2.5, shown), low(Shot::Full));
-        assert_eq!(views.camera(3.5, shown), low(Shot::Long));
+        assert_eq!(views.camera(2.5, camera_of), low(Shot::Full));
+        assert_eq!(views.camera(3.5, camera_of), low(Shot::Long));
     }
 
     #[test]
@@ -281,9 +276,9 @@ mod tests {
             "<r:camera time='0' shot='full' transition='4'/>\
              <r:camera time='2' shot='closeUp' transition='1'/>",
         );
-        let before = views.camera(2.0 - 1e-6, shown);
-        let after = views.camera(2.0 + 1e-6, shown);
+        let before = views.camera(2.0 - 1e-6, camera_of);
+        let after = views.camera(2.0 + 1e-6, camera_of);
         assert!((before.eye_in_world - after.eye_in_world).length() < 1e-4);
-        assert_eq!(views.camera(9.0, shown), still(Shot::Close));
+        assert_eq!(views.camera(9.0, camera_of), still(Shot::Close));
     }
 }

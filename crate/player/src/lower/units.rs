@@ -26,7 +26,7 @@ impl Units {
     /// the example skeleton's hips are higher than anatomy's, and what a script means by a
     /// place is its relation to the arms.
     #[must_use]
-    pub fn of(skeleton: &Skeleton) -> Self {
+    pub fn from_skeleton(skeleton: &Skeleton) -> Self {
         let mut world = Vec::new();
         skeleton.solve(&raconteur_body::Pose::zero(), &mut world);
         let metres_per_unit = skeleton.metres_per_eml_unit();
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn on_the_example_skeleton_the_origin_is_its_sacroiliac() {
         let skeleton = Skeleton::example();
-        let units = Units::of(&skeleton);
+        let units = Units::from_skeleton(&skeleton);
         let d = units.speaker_point([0.0; 3]) - DVec3::new(0.0, 37.82, 0.0) * 0.0254;
         assert!(d.length() < 1e-4, "{d}");
         // GEVH 3.6.1: the greeting hand is above the head and within reach of the arm.

@@ -10,7 +10,7 @@ use crate::lower::spelling::Speller;
 
 /// What a clause says: what was baked for it, with words as the script writes them; without
 /// that, the words at their estimated times, mimed in a language (a BCP 47 tag).
-pub(crate) fn of(
+pub(crate) fn utterance_of(
     text: &VoiceText,
     timing: &VoiceTiming,
     baked: Option<&Arc<Utterance>>,
@@ -64,7 +64,7 @@ fn estimated(text: &VoiceText, timing: &VoiceTiming, language: Option<&str>) -> 
 /// Phones for a text that was not baked, so that lips mime it: each word by its spelling, its
 /// phones at their share of its time.
 fn estimated_phones(words: &[Word], duration_secs: f64, language: Option<&str>) -> Vec<Phone> {
-    let speller = Speller::of(language);
+    let speller = Speller::from_language_tag(language);
     let mut phones = Vec::new();
     let mut push = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| {
         if end_secs > start_secs {

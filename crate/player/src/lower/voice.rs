@@ -51,7 +51,7 @@ impl Voices {
     }
 
     /// The utterance of a clause.
-    pub(crate) fn of<'b>(
+    pub(crate) fn match_clauses<'b>(
         &self,
         clause: ClauseId,
         bundle: Option<&'b Bundle>,
@@ -78,7 +78,7 @@ impl Durations for KnownDurations<'_> {
     }
 
     fn voice(&self, clause: ClauseId, text: &VoiceText) -> VoiceTiming {
-        let Some(utterance) = self.voices.of(clause, self.bundle) else {
+        let Some(utterance) = self.voices.match_clauses(clause, self.bundle) else {
             return EstimatedDurations.voice(clause, text);
         };
         VoiceTiming {

@@ -29,7 +29,7 @@ impl Clock {
     }
 
     /// The time up to which cues have been delivered.
-    pub(crate) fn told_secs(&self) -> f64 {
+    pub(crate) fn reported_secs(&self) -> f64 {
         self.delivered_until_secs
     }
 

@@ -4,7 +4,7 @@
 use raconteur_eml::{Diagnostic, LineIndex, Severity};
 use serde::Serialize;
 
-use crate::live::{LiveClause, Performed};
+use crate::live::{FragmentOutcome, LiveClause};
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 
 /// Something that happens while a story plays.
@@ -260,7 +260,7 @@ impl Event {
     }
 }
 
-impl Performed {
+impl FragmentOutcome {
     /// The events that a fragment causes at once, for its sender. `text` is the fragment, `now_secs` the
     /// story time.
     #[must_use]

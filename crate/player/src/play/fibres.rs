@@ -3,7 +3,7 @@
 
 use raconteur_base::{DAffine3, DVec3, NodeState};
 use raconteur_body::face::{Network, Tissue};
-use raconteur_stage::{Line, Shown};
+use raconteur_stage::{Line, Visibility};
 
 /// Of the springs: cool and thin, so that muscles stand out before them.
 const SPRING: [u8; 4] = [20, 90, 130, 150];
@@ -21,7 +21,7 @@ const MUSCLE_PX: f32 = 2.0;
 /// drawn the edges of the skin, each once or, at a border, not at all: diagonals and what ties
 /// the skin to what lies under it would hide them.
 pub(crate) fn draw(
-    shown: Shown,
+    shown: Visibility,
     (tissue, network): (&Tissue, &Network),
     nodes: &[NodeState],
     world_from_bind: DAffine3,

@@ -1,13 +1,13 @@
 //! Evaluates the plans at a time.
 
+mod actor_builder;
 mod clock;
+mod crossfade;
 pub(crate) mod event;
 mod fibres;
-mod layers;
-mod picture;
 pub(crate) mod player;
-mod rehearsal;
-mod score;
+mod script_set;
 mod segments;
+mod shot_director;
 mod soft;
-mod sway;
+mod swinging_parts;

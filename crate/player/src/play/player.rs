@@ -8,36 +8,36 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Feelings, Frame, Lighting, SetKind, View};
+use raconteur_stage::{EmotionTimeline, Frame, Lighting, SetKind, View};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
+use crate::lower::flow::WayCue;
 use crate::lower::music::MusicCue;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::questions::QuestionCue;
 use crate::lower::repertoire::Repertoire;
 use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
-use crate::lower::ways::WayCue;
 use crate::lower::{animations, palms, reach};
 use crate::options::Options;
+use crate::play::actor_builder::{ActorBuilder, FramingNeeds};
 use crate::play::clock::Clock;
+use crate::play::crossfade::{ActorCrossfade, EvaluatedPose};
 use crate::play::event::Event;
-use crate::play::layers::{Layers, Posed};
-use crate::play::picture::Picture;
-use crate::play::rehearsal::{Needs, Rehearsal};
-use crate::play::score::Score;
+use crate::play::script_set::ScriptSet;
+use crate::play::shot_director::ShotDirector;
 use crate::play::soft::SoftFace;
-use crate::play::sway::Sway;
+use crate::play::swinging_parts::SwingingParts;
 
 mod clips;
+mod idle;
 mod improvise;
 pub(crate) mod readings;
 mod shown;
-mod welcome;
 
 use clips::Animations;
-use welcome::Welcome;
+use idle::IdleBehaviour;
 
 /// The input of a player.
 pub struct StoryInput<'a> {
@@ -52,7 +52,7 @@ pub struct StoryInput<'a> {
 }
 
 /// A player, and what was wrong with its story.
-pub struct Loaded {
+pub struct LoadedPlayer {
     /// Ready to evaluate frames.
     pub player: Player,
     /// Problems of the script; the rest plays.
@@ -77,24 +77,24 @@ pub struct Player {
     options: Options,
     script: Script,
     animations: Animations,
-    score: Score,
+    score: ScriptSet,
     clock: Clock,
     /// What is felt in all of it.
-    feelings: Feelings,
+    feelings: EmotionTimeline,
     /// The lamps that the page chooses; none: those of the story's set.
     lighting: Option<Lighting>,
     /// The place that the page chooses; none: the story's.
     place: Option<SetKind>,
-    picture: Picture,
-    layers: Layers,
+    picture: ShotDirector,
+    layers: ActorCrossfade,
     /// The tissue of the face, if the figure has any.
     soft: Option<SoftFace>,
     /// Its hair, if that swings.
-    sway: Option<Sway>,
+    sway: Option<SwingingParts>,
     /// Room to evaluate other times in.
-    room: Posed,
+    room: EvaluatedPose,
     /// The waiting figure, until the story has taken over.
-    welcome: Option<Box<Welcome>>,
+    welcome: Option<Box<IdleBehaviour>>,
     pose: Pose,
     frame: Frame,
 }
@@ -102,7 +102,7 @@ pub struct Player {
 impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
-    pub fn load(input: StoryInput<'_>) -> Loaded {
+    pub fn load(input: StoryInput<'_>) -> LoadedPlayer {
         Self::load_with_progress(input, &mut |_| ())
     }
 
@@ -111,16 +111,16 @@ impl Player {
     pub fn load_with_progress(
         input: StoryInput<'_>,
         progress: &mut dyn FnMut(LoadStage),
-    ) -> Loaded {
+    ) -> LoadedPlayer {
         let mut script = Script::read_with_progress(input.eml, input.bundle, progress);
         progress(LoadStage::Performance);
         let options = input.options;
         script.page_language = options.language;
-        script.repertoire = Repertoire::of(&script.document, options.seed);
+        script.repertoire = Repertoire::choose(&script.document, options.seed);
         let cast = Cast::new(input.figure, &script.document, options.handedness);
         let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();
-        let (actor, needs) = Rehearsal {
+        let (actor, needs) = ActorBuilder {
             cast: &cast,
             options: &options,
             library: &animations.library,
@@ -134,28 +134,28 @@ impl Player {
         let mut frame = Frame::with_capacity(cast.figure.skeleton.joints().len(), morphs);
         frame.tissue = vec![NodeState::default(); tissue.map_or(0, |t| t.rest.len())];
         let end_secs = script.timeline.duration_secs;
-        let score = Score::new(story);
+        let score = ScriptSet::new(story);
         let feelings = score.feelings(&animations.library, end_secs);
         let player = Self {
             options,
             script,
             animations,
-            picture: Picture::new(&options, &score.story, &feelings),
+            picture: ShotDirector::new(&options, &score.story, &feelings),
             feelings,
             lighting: None,
             place: None,
             score,
             clock: Clock::new(),
-            layers: Layers::new(actor, needs, morphs),
+            layers: ActorCrossfade::new(actor, needs, morphs),
             soft: tissue.map(SoftFace::new),
-            sway: Sway::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
-            room: Posed::new(morphs),
+            sway: SwingingParts::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
+            room: EvaluatedPose::new(morphs),
             welcome: None,
             pose: Pose::zero(),
             frame,
             cast,
         };
-        Loaded {
+        LoadedPlayer {
             player,
             diagnostics,
         }
@@ -240,8 +240,8 @@ impl Player {
 
     /// What is on the ways through the script, in the order in which it is come to.
     #[must_use]
-    pub fn ways(&self) -> Vec<WayCue> {
-        self.script.ways()
+    pub fn flow(&self) -> Vec<WayCue> {
+        self.script.flow_entries()
     }
 
     /// When everything in the script happens.
@@ -277,7 +277,7 @@ impl Player {
 
     /// Takes the speech of fragments that will come: a bundle that begins with the utterances that
     /// are known. Whether it does; otherwise nothing changes.
-    pub fn hear(&mut self, bundle_json: &[u8]) -> bool {
+    pub fn update_bundle(&mut self, bundle_json: &[u8]) -> bool {
         let Ok(bundle) = Bundle::from_json(bundle_json) else {
             return false;
         };
@@ -298,13 +298,13 @@ impl Player {
     }
 
     /// Prepares an actor for all that is known, with no less room than the last one has.
-    fn rehearse(&self) -> (Actor, Needs) {
-        Rehearsal {
+    fn rehearse(&self) -> (Actor, FramingNeeds) {
+        ActorBuilder {
             cast: &self.cast,
             options: &self.options,
             library: &self.animations.library,
             carried: self.score.live.carried(),
-            least_room: self.layers.last_room(),
+            least_room: self.layers.last_margin(),
         }
         .actor(self.score.plans())
     }
@@ -387,7 +387,7 @@ impl Player {
     }
 
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower
-    /// edge, 0 to [`raconteur_stage::MOST_CAPTIONS`].
+    /// edge, 0 to [`raconteur_stage::MAX_CAPTIONS`].
     pub fn set_captions(&mut self, share: f64) {
         self.picture.set_captions(share);
     }

@@ -10,18 +10,18 @@ use core::mem::swap;
 
 /// How time is cut, in a simulation's own steps.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cut {
+pub(crate) struct SegmentGrid {
     /// Steps of a segment.
     pub(crate) segment: i64,
     /// Steps of the warm-up before it.
     pub(crate) warm_up: i64,
     /// When the warm-up is made.
-    pub(crate) pace: Pace,
+    pub(crate) pace: WarmUpPolicy,
 }
 
 /// When the warm-up of the next segment is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pace {
+pub(crate) enum WarmUpPolicy {
     /// Evenly over this one.
     Even,
     /// When its own time comes, so that both stand at one step.
@@ -37,7 +37,7 @@ pub(crate) trait Simulation<S> {
 }
 
 /// A state that has come to a step of a segment.
-struct Run<S> {
+struct SegmentState<S> {
     state: S,
     segment: i64,
     step: i64,
@@ -46,8 +46,8 @@ struct Run<S> {
 /// A segment that no time has.
 const NEVER: i64 = i64::MIN;
 
-impl<S> Run<S> {
-    fn begin(&mut self, cut: Cut, segment: i64, simulation: &mut dyn Simulation<S>) {
+impl<S> SegmentState<S> {
+    fn begin(&mut self, cut: SegmentGrid, segment: i64, simulation: &mut dyn Simulation<S>) {
         self.segment = segment;
         self.step = segment * cut.segment - cut.warm_up;
         simulation.rest(&mut self.state, self.step);
@@ -63,14 +63,14 @@ impl<S> Run<S> {
 
 /// The states of a segment and of the next.
 pub(crate) struct Segments<S> {
-    cut: Cut,
-    now: Run<S>,
-    next: Run<S>,
+    cut: SegmentGrid,
+    now: SegmentState<S>,
+    next: SegmentState<S>,
 }
 
 impl<S: Clone> Segments<S> {
-    pub(crate) fn new(cut: Cut, state: S) -> Self {
-        let run = |state| Run {
+    pub(crate) fn new(cut: SegmentGrid, state: S) -> Self {
+        let run = |state| SegmentState {
             state,
             segment: NEVER,
             step: 0,
@@ -99,7 +99,7 @@ impl<S: Clone> Segments<S> {
     }
 
     /// Brings the state to a step.
-    pub(crate) fn at(&mut self, step: i64, simulation: &mut dyn Simulation<S>) {
+    pub(crate) fn advance_to(&mut self, step: i64, simulation: &mut dyn Simulation<S>) {
         let cut = self.cut;
         let segment = step.div_euclid(cut.segment);
         if self.now.segment != segment && self.next.segment == segment {
@@ -111,8 +111,10 @@ impl<S: Clone> Segments<S> {
         self.now.advance(step, simulation);
         let begins = (segment + 1) * cut.segment - cut.warm_up;
         let ahead = match cut.pace {
-            Pace::Even => begins + (step - segment * cut.segment) * cut.warm_up / cut.segment,
-            Pace::Together => step,
+            WarmUpPolicy::Even => {
+                begins + (step - segment * cut.segment) * cut.warm_up / cut.segment
+            }
+            WarmUpPolicy::Together => step,
         };
         if ahead < begins {
             return;

@@ -2,13 +2,13 @@
 
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 
-use super::segments::{Cut, Pace, Segments, Simulation};
+use super::segments::{SegmentGrid, Segments, Simulation, WarmUpPolicy};
 
 /// 0.8 s and 0.2 s: what came before moves no node by a thousandth of a millimetre any more.
-const CUT: Cut = Cut {
+const CUT: SegmentGrid = SegmentGrid {
     segment: 96,
     warm_up: 24,
-    pace: Pace::Even,
+    pace: WarmUpPolicy::Even,
 };
 
 /// Controls of the face at a time, seconds.
@@ -19,12 +19,12 @@ fn secs(step: i64) -> f64 {
 }
 
 /// The tissue under its controls.
-struct Driven<'a> {
+struct DrivenTissue<'a> {
     tissue: &'a Tissue,
     controls: &'a Controls<'a>,
 }
 
-impl Simulation<Network> for Driven<'_> {
+impl Simulation<Network> for DrivenTissue<'_> {
     fn rest(&mut self, network: &mut Network, step: i64) {
         let (now, earlier) = ((self.controls)(secs(step)), (self.controls)(secs(step - 1)));
         network.reset(self.tissue, &now, &earlier);
@@ -58,7 +58,7 @@ impl SoftFace {
     }
 
     /// Brings the nodes to a time. `nodes` has room for all; allocates nothing.
-    pub(crate) fn at(
+    pub(crate) fn advance_to(
         &mut self,
         tissue: &Tissue,
         time_secs: f64,
@@ -68,7 +68,7 @@ impl SoftFace {
         let exact = time_secs * Network::steps_per_s();
         let step = exact.ceil();
         self.segments
-            .at(step as i64, &mut Driven { tissue, controls });
+            .advance_to(step as i64, &mut DrivenTissue { tissue, controls });
         let share = 1.0 - (step - exact);
         self.segments
             .states_mut()

@@ -7,7 +7,7 @@ use raconteur_body::Figure;
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_speech::phones::Class;
 
-use super::{Check, DEEPEST_FOLD_MM, Folds, RATE_HZ, frames};
+use super::{Check, Folds, MAX_FOLD_DEPTH_MM, RATE_HZ, frames};
 use crate::lower::cues::CueKind;
 use crate::play::player::Player;
 
@@ -26,7 +26,7 @@ const FULL: f64 = 0.999;
 const STILL: f64 = 0.35;
 
 /// A time in which something must hold.
-struct Moment {
+struct CheckedSpan {
     from_secs: f64,
     to_secs: f64,
     closure: Closure,
@@ -41,7 +41,7 @@ enum Closure {
 }
 
 /// Moments of everything that is said, by time.
-fn moments(player: &Player) -> Vec<Moment> {
+fn moments(player: &Player) -> Vec<CheckedSpan> {
     let mut all = Vec::new();
     for cue in player.cues() {
         let &CueKind::Phone { utterance, phone } = &cue.kind else {
@@ -63,7 +63,7 @@ fn moments(player: &Player) -> Vec<Moment> {
             _ => continue,
         };
         if to_secs > from_secs {
-            all.push(Moment {
+            all.push(CheckedSpan {
                 from_secs,
                 to_secs,
                 closure,
@@ -76,7 +76,7 @@ fn moments(player: &Player) -> Vec<Moment> {
 
 /// Checks of one pass over a story.
 pub(super) struct FaceSweep {
-    moments: Vec<Moment>,
+    moments: Vec<CheckedSpan>,
     next: usize,
     bilabial: Check,
     labiodental: Check,
@@ -103,13 +103,13 @@ impl FaceSweep {
             teeth: Check::new("lip-in-teeth", 1.0, "mm"),
             bone: Check::new("skin-in-bone", 1.0, "mm"),
             stretch: Check::new("skin-stretched", 2.5, ""),
-            folded: Check::new("skin-folded", DEEPEST_FOLD_MM, "mm"),
+            folded: Check::new("skin-folded", MAX_FOLD_DEPTH_MM, "mm"),
             folds: Folds::new(player.figure()),
         }
     }
 
     /// Looks at a moment; times rise.
-    pub(super) fn look(
+    pub(super) fn measure(
         &mut self,
         (tissue, network): (&Tissue, &Network),
         controls: &FaceControls,
@@ -148,7 +148,7 @@ impl FaceSweep {
             check.measure(1e3 * f64::from(depth), "face", t);
         }
         self.stretch
-            .measure(f64::from(network.most_stretched()), "face", t);
+            .measure(f64::from(network.most_stretched_edge()), "face", t);
     }
 
     /// Looks for dents in the skin of the figure that the sweep began with, as it is drawn.
@@ -202,7 +202,7 @@ pub(super) fn fast(player: &Player, secs: &RangeInclusive<f64>) -> Vec<Check> {
         let t = i as f64 * FAST / RATE_HZ;
         let controls = player.face_controls(t);
         network.step(tissue, &controls);
-        sweep.look((tissue, &network), &controls, t);
+        sweep.measure((tissue, &network), &controls, t);
     }
     let mut checks = sweep.checks();
     checks.retain(|c| !matches!(c.name, "lids-apart" | "skin-folded"));

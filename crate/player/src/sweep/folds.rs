@@ -6,7 +6,7 @@
 //! and length four times the way `s`, D / 4, for one of 2 `s`, all of it.
 
 use raconteur_base::DVec3;
-use raconteur_body::face::tissue::Course;
+use raconteur_body::face::tissue::FibreCurve;
 use raconteur_body::face::{Muscle, NodeState, Tissue};
 use raconteur_body::{Figure, Mesh};
 
@@ -14,7 +14,7 @@ use raconteur_body::{Figure, Mesh};
 /// 12 mm, folds up to 6 mm wide, with more than half of their depth.
 const WAYS_MM: [f64; 3] = [2.0, 3.0, 4.0];
 /// The deepest that such a fold may be, millimetres on the reference head.
-pub const DEEPEST_FOLD_MM: f64 = 0.4;
+pub const MAX_FOLD_DEPTH_MM: f64 = 0.4;
 /// Frames a second that a sweep looks at.
 pub(super) const RATE_HZ: f64 = 12.0;
 const DIRECTIONS: usize = 8;
@@ -31,12 +31,12 @@ type Across = [Place; 4];
 pub struct Folds {
     /// Index of the mesh.
     mesh: usize,
-    vertices: Vec<Measured>,
+    vertices: Vec<MeasuredFace>,
     displacements: Vec<[f32; 3]>,
 }
 
 #[derive(Clone, Debug)]
-struct Measured {
+struct MeasuredFace {
     vertex: u32,
     normal: [f32; 3],
     across: Vec<Across>,
@@ -58,13 +58,13 @@ impl Folds {
         let tissue = figure.tissue.as_ref()?;
         let bound = |m: &Mesh| m.binding.as_ref().map_or(0, |b| b.vertices.len());
         let (index, mesh) = (figure.meshes.iter().enumerate()).max_by_key(|(_, m)| bound(m))?;
-        let smooth = Smooth::of(tissue)?;
+        let smooth = SmoothRegion::from_tissue(tissue)?;
         let scale = f64::from(tissue.scale) * 1e-3;
-        let surface = Surface::of(mesh);
+        let surface = Surface::from_mesh(mesh);
         let vertices = mesh.binding.as_ref()?.vertices.iter().copied();
         let vertices = vertices
             .filter(|&v| smooth.has(mesh.positions[v as usize]))
-            .map(|v| Measured {
+            .map(|v| MeasuredFace {
                 vertex: v,
                 normal: mesh.normals[v as usize],
                 across: surface.around(v, scale),
@@ -122,7 +122,7 @@ impl Folds {
 /// Where skin is to stay smooth: cheeks, temples, forehead, chin and neck. Lips, lids, nose and
 /// the folds that have names are left out: between the brows, crow's feet, the nasolabial fold
 /// and the creases about the corners of the mouth.
-struct Smooth {
+struct SmoothRegion {
     scale: f64,
     eyes: Vec<DVec3>,
     lips: Vec<DVec3>,
@@ -131,14 +131,14 @@ struct Smooth {
     wings: [DVec3; 2],
 }
 
-impl Smooth {
-    fn of(tissue: &Tissue) -> Option<Self> {
+impl SmoothRegion {
+    fn from_tissue(tissue: &Tissue) -> Option<Self> {
         let at = |p: [f32; 3]| DVec3::from_array(p.map(f64::from));
         let eyes: Vec<DVec3> = tissue
             .fibres
             .iter()
             .filter_map(|f| match f.course {
-                Course::Towards(centre) => Some(at(centre)),
+                FibreCurve::Towards(centre) => Some(at(centre)),
                 _ => None,
             })
             .collect();
@@ -225,7 +225,7 @@ struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    fn of(mesh: &'a Mesh) -> Self {
+    fn from_mesh(mesh: &'a Mesh) -> Self {
         let mut own = vec![Vec::new(); mesh.positions.len()];
         for (i, triangle) in (0u32..).zip(mesh.indices.chunks_exact(3)) {
             for &v in triangle {
@@ -235,7 +235,7 @@ impl<'a> Surface<'a> {
         Self { mesh, own }
     }
 
-    fn at(&self, v: u32) -> DVec3 {
+    fn position(&self, v: u32) -> DVec3 {
         DVec3::from_array(self.mesh.positions[v as usize].map(f64::from))
     }
 
@@ -245,15 +245,15 @@ impl<'a> Surface<'a> {
     }
 
     /// The triangles that hang together with a vertex and are near it.
-    fn near(&self, v: u32, within: f64) -> Vec<[u32; 3]> {
-        let middle = self.at(v);
+    fn connected_triangles(&self, v: u32, within: f64) -> Vec<[u32; 3]> {
+        let middle = self.position(v);
         let (mut open, mut seen) = (vec![v], std::collections::BTreeSet::from([v]));
         let mut all = std::collections::BTreeSet::new();
         while let Some(v) = open.pop() {
             for &i in &self.own[v as usize] {
                 all.insert(i);
                 for w in self.triangle(i) {
-                    if self.at(w).distance(middle) < within && seen.insert(w) {
+                    if self.position(w).distance(middle) < within && seen.insert(w) {
                         open.push(w);
                     }
                 }
@@ -264,17 +264,20 @@ impl<'a> Surface<'a> {
 
     /// What lies on both sides of a vertex, in all directions in which the surface goes on.
     fn around(&self, v: u32, scale: f64) -> Vec<Across> {
-        let middle = self.at(v);
+        let middle = self.position(v);
         let normal = DVec3::from_array(self.mesh.normals[v as usize].map(f64::from));
         let u = normal.any_orthonormal_vector();
         let w = normal.cross(u);
         let flat = |v: u32| {
-            let off = self.at(v) - middle;
+            let off = self.position(v) - middle;
             [off.dot(u), off.dot(w)]
         };
-        let near = self.near(v, AROUND_MM * scale);
+        let near = self.connected_triangles(v, AROUND_MM * scale);
         let near: Vec<_> = near.iter().map(|t| (*t, t.map(flat))).collect();
-        let find = |x: f64, y: f64| near.iter().find_map(|(t, flat)| within(*t, flat, [x, y]));
+        let find = |x: f64, y: f64| {
+            near.iter()
+                .find_map(|(t, flat)| barycentric(*t, flat, [x, y]))
+        };
         let mut all = Vec::new();
         for direction in 0..DIRECTIONS {
             let angle = core::f64::consts::PI * direction as f64 / DIRECTIONS as f64;
@@ -295,7 +298,7 @@ impl<'a> Surface<'a> {
 }
 
 /// The place in a triangle of a plane; `None` outside, or where it is seen from behind.
-fn within(triangle: [u32; 3], [a, b, c]: &[[f64; 2]; 3], p: [f64; 2]) -> Option<Place> {
+fn barycentric(triangle: [u32; 3], [a, b, c]: &[[f64; 2]; 3], p: [f64; 2]) -> Option<Place> {
     let cross = |a: &[f64; 2], b: &[f64; 2], c: &[f64; 2]| {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     };

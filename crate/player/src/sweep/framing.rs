@@ -6,7 +6,7 @@ use raconteur_stage::{BROAD, Camera, Frame};
 
 use super::Check;
 use crate::Player;
-use crate::lower::shots::SHORTEST_SECS;
+use crate::lower::shots::MIN_SECS;
 
 /// Looks a second.
 pub(super) const RATE_HZ: f64 = 15.0;
@@ -17,7 +17,7 @@ const CROWN: f64 = 0.10;
 const CHIN: f64 = 0.065;
 
 /// Where a place lies in a picture: −1 to 1 from left to right and from below to above.
-fn shown(camera: &Camera, aspect: f64, place: DVec3) -> [f64; 2] {
+fn project(camera: &Camera, aspect: f64, place: DVec3) -> [f64; 2] {
     let towards = camera.target_in_world - camera.eye_in_world;
     let forward = towards.normalize_or(DVec3::NEG_Z);
     let right = forward.cross(DVec3::Y).normalize_or(DVec3::X);
@@ -30,18 +30,20 @@ fn shown(camera: &Camera, aspect: f64, place: DVec3) -> [f64; 2] {
 }
 
 fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
-    shown(camera, aspect, place).iter().all(|x| x.abs() <= 1.0)
+    project(camera, aspect, place)
+        .iter()
+        .all(|x| x.abs() <= 1.0)
 }
 
 /// Places of a frame that a picture should hold, world, metres.
-pub(super) struct Places {
+pub(super) struct FramedPoints {
     skull: DVec3,
     /// Wrist, middle fingertip and thumb of the left and of the right hand.
     tips: [[DVec3; 3]; 2],
 }
 
-impl Places {
-    pub(super) fn of(frame: &Frame) -> Self {
+impl FramedPoints {
+    pub(super) fn from_frame(frame: &Frame) -> Self {
         let at = |bone: Bone| frame.world_from_joint[bone.index()].translation;
         let tip = |side| ["wrist", "middle2", "thumb2"].map(|b| at(Bone::on(side, b)));
         Self {
@@ -53,7 +55,7 @@ impl Places {
 
 /// What is seen in pictures of one shape.
 #[derive(Clone, Copy, Default)]
-struct Seen {
+struct VisibleShare {
     /// Looks at a hand in a stroke, and those of them where it is out of the picture.
     strokes: u32,
     out: u32,
@@ -64,7 +66,7 @@ struct Seen {
 /// picture, how far crown and chin come to its edge, the fastest zoom, that of shots that emotions ask
 /// for apart, and what such a shot lacks to the shortest, over a story.
 pub(super) struct Framing {
-    seen: [Seen; ASPECTS.len()],
+    seen: [VisibleShare; ASPECTS.len()],
     face: Check,
     zoom: Check,
     near: Check,
@@ -74,11 +76,11 @@ pub(super) struct Framing {
 impl Framing {
     pub(super) fn new(player: &Player) -> Self {
         let mut short = Check::new("shot-short", 0.001, "s");
-        for (start_secs, length_secs) in player.felt_shots() {
-            short.measure((SHORTEST_SECS - length_secs).max(0.0), "shot", start_secs);
+        for (start_secs, length_secs) in player.emotion_shots() {
+            short.measure((MIN_SECS - length_secs).max(0.0), "shot", start_secs);
         }
         Self {
-            seen: [Seen::default(); ASPECTS.len()],
+            seen: [VisibleShare::default(); ASPECTS.len()],
             face: Check::new("face-cut", 1.0, "of the picture"),
             zoom: Check::new("zoom", 10.0, "%/s"),
             near: Check::new("zoom-felt", 50.0, "%/s"),
@@ -87,12 +89,12 @@ impl Framing {
     }
 
     /// Looks at the frame that the player shows, `RATE_HZ` times a second.
-    pub(super) fn look(&mut self, player: &Player, places: &Places, t: f64) {
+    pub(super) fn measure(&mut self, player: &Player, places: &FramedPoints, t: f64) {
         let stature_m = player.figure().skeleton.stature_m();
         for (seen, aspect) in self.seen.iter_mut().zip(ASPECTS) {
             let camera = player.camera(aspect);
             for y in [CROWN, -CHIN] {
-                let place = shown(&camera, aspect, places.skull + DVec3::Y * (y * stature_m));
+                let place = project(&camera, aspect, places.skull + DVec3::Y * (y * stature_m));
                 self.face
                     .measure(place[0].abs().max(place[1].abs()), "head", t);
             }
@@ -107,7 +109,7 @@ impl Framing {
             if let Some(before) = before.filter(|b| b.eye_in_world == camera.eye_in_world) {
                 let half = |c: &Camera| ops::tan(0.5 * c.fov_y_rad);
                 let rate = ops::ln(half(&camera) / half(&before)).abs() * RATE_HZ;
-                match player.kept_shot(t - 1.0 / RATE_HZ, t) {
+                match player.sustained_shot(t - 1.0 / RATE_HZ, t) {
                     Some(true) => self.near.measure(100.0 * rate, "camera", t),
                     Some(false) => self.zoom.measure(100.0 * rate, "camera", t),
                     // It moves or cuts on purpose.
@@ -119,7 +121,7 @@ impl Framing {
 
     pub(super) fn checks(self) -> Vec<Check> {
         let mut hands = Check::new("hands-out", 2.0, "% of strokes");
-        for Seen { strokes, out, .. } in self.seen {
+        for VisibleShare { strokes, out, .. } in self.seen {
             if strokes > 0 {
                 let share = f64::from(out) / f64::from(strokes);
                 hands.measure(100.0 * share, "hands", 0.0);

@@ -22,7 +22,7 @@ const THROUGH_M: f64 = 0.005;
 
 /// Share of hair that may be through, percent: chains pass round what they meet, but where a raised
 /// shoulder lifts long hair, cards between two chains go under its surface, out of sight.
-const MOST_THROUGH: f64 = 8.0;
+const MAX_THROUGH: f64 = 8.0;
 
 /// A vertex: its mesh in the figure and its number there.
 type Vertex = (usize, usize);
@@ -82,7 +82,7 @@ impl<'a> HairSweep<'a> {
             figure,
             surface: surface.iter().copied().filter(is_seen).collect(),
             hair,
-            check: Check::new("hair-through", MOST_THROUGH, "%"),
+            check: Check::new("hair-through", MAX_THROUGH, "%"),
         })
     }
 
@@ -91,7 +91,7 @@ impl<'a> HairSweep<'a> {
     }
 
     /// Measures a frame.
-    pub(super) fn look(&mut self, world_from_joint: &[DAffine3], t: f64) {
+    pub(super) fn measure(&mut self, world_from_joint: &[DAffine3], t: f64) {
         let binds = world_from_joint.iter().zip(&self.figure.inverse_bind);
         let moved: Vec<DAffine3> = binds.map(|(w, b)| *w * *b).collect();
         let drawn = |&(mesh, i): &Vertex| self.figure.meshes[mesh].skinned(&moved, i);

@@ -23,8 +23,8 @@ use raconteur_body::{Bone, Figure, Skeleton};
 
 use crate::Player;
 use face::FaceSweep;
-pub use folds::{DEEPEST_FOLD_MM, Fold, Folds};
-use framing::{Framing, Places};
+pub use folds::{Fold, Folds, MAX_FOLD_DEPTH_MM};
+use framing::{FramedPoints, Framing};
 use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
 
@@ -89,12 +89,12 @@ impl Check {
 /// What [`sweep`] finds of the picture alone: whether it holds hands and face, how fast it zooms and how
 /// soon it changes.
 #[must_use]
-pub fn look_at_the_picture(player: &mut Player) -> Vec<Check> {
+pub fn check_framing(player: &mut Player) -> Vec<Check> {
     let mut framing = Framing::new(player);
     for i in frames(&(0.0..=player.end_secs()), framing::RATE_HZ) {
         let t = i as f64 / framing::RATE_HZ;
-        let places = Places::of(player.frame(t, 1.0));
-        framing.look(player, &places, t);
+        let places = FramedPoints::from_frame(player.frame(t, 1.0));
+        framing.measure(player, &places, t);
     }
     framing.checks()
 }
@@ -124,17 +124,17 @@ pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Chec
         if is_cut {
             sweep.forget();
         }
-        sweep.look(&frame.world_from_joint, t);
+        sweep.measure(&frame.world_from_joint, t);
         if let Some(hair) = hair.as_mut().filter(|_| every(hair::RATE_HZ, i)) {
-            hair.look(&frame.world_from_joint, t);
+            hair.measure(&frame.world_from_joint, t);
         }
-        let places = Places::of(frame);
+        let places = FramedPoints::from_frame(frame);
         if every(framing::RATE_HZ, i) {
-            framing.look(player, &places, t);
+            framing.measure(player, &places, t);
         }
         if let (Some(face), Some(tissue)) = (&mut face, player.face()) {
             let controls = player.face_controls(t);
-            face.look(tissue, &controls, t);
+            face.measure(tissue, &controls, t);
             if every(folds::RATE_HZ, i) {
                 face.look_for_folds(&figure, &player.last_frame().tissue, t);
             }
@@ -190,8 +190,9 @@ impl Sweep {
                 .collect(),
             body: Body::new(figure),
             hands: Side::BOTH.map(|side| Hand::new(figure, side)),
-            arms: Side::BOTH
-                .map(|side| LimbRig::new(&figure.skeleton, side, true, Sex::of(figure.sex))),
+            arms: Side::BOTH.map(|side| {
+                LimbRig::new(&figure.skeleton, side, true, Sex::from_share(figure.sex))
+            }),
             before: None,
             wrists: None,
             capsules: [Vec::new(), Vec::new()],
@@ -230,7 +231,7 @@ impl Sweep {
         (self.before, self.wrists) = (None, None);
     }
 
-    fn look(&mut self, world_from_joint: &[DAffine3], t: f64) {
+    fn measure(&mut self, world_from_joint: &[DAffine3], t: f64) {
         self.bones(world_from_joint, t);
         self.motion(world_from_joint, t);
         self.solids(world_from_joint, t);

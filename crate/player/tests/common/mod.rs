@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use raconteur_player::body::Figure;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_player::{LoadedPlayer, Options, Player, StoryInput};
 use raconteur_tier::FIGURES;
 
 /// The folder of the library.
@@ -59,7 +59,7 @@ pub(crate) fn perform(
     bundle: Option<&[u8]>,
     figure: Arc<Figure>,
     options: Options,
-) -> Loaded {
+) -> LoadedPlayer {
     Player::load(StoryInput {
         eml,
         bundle,
@@ -94,7 +94,7 @@ pub(crate) fn stories() -> Vec<String> {
 }
 
 /// A story of the library with its voice, if it has one, and its animations.
-pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded {
+pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> LoadedPlayer {
     let voice = assets().join(format!("stories/{name}/voice/speech.json"));
     let bundle = fs::read(voice).ok();
     let eml = text(&format!("stories/{name}/story.eml"));

@@ -19,7 +19,7 @@ impl Renderer {
             self.targets = None;
             self.compile(SetKind::Curtain);
         }
-        self.tell_tier();
+        self.update_tier();
     }
 
     /// As [`Self::set_options`], as soon as all is there: with each picture one program is compiled,
@@ -47,7 +47,7 @@ impl Renderer {
     }
 
     /// Compiles one program of the quality that is on its way, and takes it when it has all.
-    pub(super) fn go_on(&mut self, set: SetKind) {
+    pub(super) fn resume(&mut self, set: SetKind) {
         let Some(mut tier) = self.coming.take() else {
             return;
         };
@@ -62,7 +62,7 @@ impl Renderer {
         }
         self.tier = tier;
         self.targets = None;
-        self.tell_tier();
+        self.update_tier();
     }
 
     /// Compiles all that the present quality needs for a place and the figure.
@@ -71,7 +71,7 @@ impl Renderer {
         while compile_one((&self.device, &self.shared), figure, &mut self.tier, set) {}
     }
 
-    pub(super) fn tell_tier(&mut self) {
+    pub(super) fn update_tier(&mut self) {
         let samples = self.tier.target.samples;
         self.info.options = self.tier.options;
         self.info.samples = samples;

@@ -1,11 +1,11 @@
 //! The passes of a picture: shadow, backdrop, stage, tones.
 
 use raconteur_body::MaterialKind;
-use raconteur_stage::{Fill, Shown};
+use raconteur_stage::{Fill, Visibility};
 use wgpu::TextureView;
 
 use super::Renderer;
-use crate::backdrop::Drawn;
+use crate::backdrop::BackdropMode;
 use crate::counts::Counts;
 use crate::figure::{AlphaMode, PipelineKey};
 use crate::pipeline::is_bare;
@@ -18,7 +18,7 @@ impl Renderer {
     pub(super) fn draw_shadow(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        shown: &Shown,
+        shown: &Visibility,
         counts: &mut Counts,
     ) {
         if self.tier.lights == 0 {
@@ -55,7 +55,7 @@ impl Renderer {
     pub(super) fn draw_backdrop(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
         let theatre = self.tier.pipelines.theatre();
         let still = theatre.and_then(|t| t.still.as_ref());
-        let (Drawn::Now, Some(backdrop), Some(still)) =
+        let (BackdropMode::Now, Some(backdrop), Some(still)) =
             (self.backdrop_drawn, &self.backdrop, still)
         else {
             return;
@@ -85,7 +85,7 @@ impl Renderer {
     fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
         let pipelines = &self.tier.pipelines;
         match (&self.backdrop, &pipelines.laid) {
-            (Some(backdrop), Some(laid)) if self.backdrop_drawn != Drawn::Directly => {
+            (Some(backdrop), Some(laid)) if self.backdrop_drawn != BackdropMode::Directly => {
                 pass.set_bind_group(0, &backdrop.group, &[]);
                 pass.set_pipeline(laid);
                 pass.draw(0..3, 0..1);
@@ -106,7 +106,7 @@ impl Renderer {
         &self,
         encoder: &mut wgpu::CommandEncoder,
         view: &TextureView,
-        shown: &Shown,
+        shown: &Visibility,
         counts: &mut Counts,
     ) {
         let Some(targets) = &self.targets else {
@@ -195,7 +195,7 @@ impl Renderer {
     fn draw_overlay(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        shown: &Shown,
+        shown: &Visibility,
         (width, height): (u32, u32),
         counts: &mut Counts,
     ) {

@@ -3,10 +3,10 @@
 
 use glam::{Vec2, Vec3};
 use raconteur_base::{DAffine3, DVec3};
-use raconteur_body::figure::Maps;
+use raconteur_body::figure::TextureMaps;
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Material, MaterialKind, Mesh, Morph, Pose, Skeleton};
-use raconteur_stage::{Frame, Room, Shot};
+use raconteur_stage::{Frame, FramingMargin, Shot};
 
 /// Where the balls of the eyes stand, in front of the skeleton's own.
 const EYES: [DVec3; 2] = [
@@ -59,7 +59,7 @@ pub(crate) fn empty(kind: MaterialKind) -> Mesh {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: matches!(kind, MaterialKind::Hair | MaterialKind::Lash),
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         positions: Vec::new(),
         normals: Vec::new(),
@@ -258,7 +258,7 @@ pub(crate) fn frame(figure: &Figure, pose: &Pose, shot: Shot, aspect: f64) -> Fr
         DVec3::ZERO,
         figure.skeleton.stature_m(),
         aspect,
-        Room::default(),
+        FramingMargin::default(),
     );
     frame
 }

@@ -7,7 +7,7 @@
 use crate::device::headless;
 use crate::figures::{At, FIGURES, figure, frame, send};
 use raconteur_base::DVec3;
-use raconteur_body::figure::Maps;
+use raconteur_body::figure::TextureMaps;
 use raconteur_body::{Figure, MaterialKind};
 use raconteur_render::{Headless, Quality, RenderOptions};
 use raconteur_stage::{DirectedLight, Lighting};
@@ -87,7 +87,7 @@ fn skin_and_chalk(name: &str) -> [Figure; 2] {
     let mut chalk = skin.clone();
     for mesh in &mut chalk.meshes {
         mesh.material.kind = MaterialKind::Plain;
-        mesh.material.maps = Maps::default();
+        mesh.material.maps = TextureMaps::default();
         mesh.material.base_color = [0.8, 0.8, 0.8, 1.0];
         mesh.material.roughness = 1.0;
         mesh.colors.iter_mut().for_each(|c| *c = [255; 4]);

@@ -7,10 +7,10 @@ use crate::device::headless;
 use crate::figures::{At, FIGURES, figure, frame, nodes, send};
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::face::FaceControls;
-use raconteur_body::figure::Maps;
+use raconteur_body::figure::TextureMaps;
 use raconteur_body::{Bone, Figure, MaterialKind, Mesh, Pose};
 use raconteur_render::{Headless, Quality};
-use raconteur_stage::{Frame, Lighting, Room, Shot};
+use raconteur_stage::{Frame, FramingMargin, Lighting, Shot};
 use raconteur_tier::{share, sized};
 
 const SIDE: u32 = 256;
@@ -18,7 +18,7 @@ const SIDE: u32 = 256;
 const LEVELS: [Quality; 3] = [Quality::High, Quality::Low, Quality::Lowest];
 /// Triangles of a whole figure at each level: 105,034 to 110,444, 44,300 to 48,500 and 22,000 to
 /// 26,500 are shipped.
-const MOST_TRIANGLES: [usize; 3] = [108_500, 48_500, 26_500];
+const MAX_TRIANGLES: [usize; 3] = [108_500, 48_500, 26_500];
 /// Of what open lids show, shut ones may show this part along their line: 0.007 is the most drawn,
 /// at the finest level.
 const LIDS: usize = 100;
@@ -28,7 +28,7 @@ const LIPS: usize = 10;
 /// Poses by chance in which levels are compared in the long tier.
 const POSES: u64 = 6;
 /// Share of a figure's pixels that may differ between levels: 0.024 is the worst drawn.
-const MOST_OTHER: f64 = 0.03;
+const MAX_OTHER: f64 = 0.03;
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<[u8; 4]> {
     let picture = device.render_rgba(frame, SIDE, SIDE).expect("drawn");
@@ -62,7 +62,7 @@ fn borders(mesh: &Mesh, level: usize) -> BTreeSet<[u32; 2]> {
 fn levels_shrink_and_open_no_seam() {
     for name in FIGURES {
         let figure = figure(name);
-        for (level, most) in MOST_TRIANGLES.into_iter().enumerate() {
+        for (level, most) in MAX_TRIANGLES.into_iter().enumerate() {
             let of = |m: &Mesh| m.triangles_at(level).len() / 3;
             let triangles: usize = figure.meshes.iter().map(of).sum();
             assert!(triangles <= most, "{name}: {triangles} at level {level}");
@@ -90,7 +90,7 @@ fn mark_what_is_behind(figure: &mut Figure) {
         let is_behind = matches!(kind, MaterialKind::Eye | MaterialKind::Teeth);
         if is_behind && !mesh.name.starts_with("caruncle") {
             material.kind = MaterialKind::Plain;
-            material.maps = Maps::default();
+            material.maps = TextureMaps::default();
             material.base_color = [0.0, 1.0, 0.0, 1.0];
             mesh.colors.iter_mut().for_each(|c| *c = [255; 4]);
         }
@@ -146,7 +146,7 @@ fn shut_lids_and_lips_hide_what_is_behind() {
 
 /// A pose by chance of arms, spine and head.
 fn pose(number: u64) -> Pose {
-    const MOST_RAD: [(Bone, f64); 7] = [
+    const MAX_RAD: [(Bone, f64); 7] = [
         (Bone::LShoulder, 0.9),
         (Bone::RShoulder, 0.9),
         (Bone::LWrist, 0.5),
@@ -156,7 +156,7 @@ fn pose(number: u64) -> Pose {
         (Bone::Skull, 0.4),
     ];
     let mut pose = Pose::zero();
-    for (bone, (name, most)) in (0u64..).zip(MOST_RAD) {
+    for (bone, (name, most)) in (0u64..).zip(MAX_RAD) {
         let turn = |axis| (2.0 * noise::unit(number, bone, axis) - 1.0) * most;
         pose.set(
             name,
@@ -181,7 +181,7 @@ fn each_level_covers_what_the_finest_covers() {
                 .solve(&pose(number), &mut frame.world_from_joint);
             let stature = figure.skeleton.stature_m();
             let origin = DVec3::ZERO;
-            frame.camera = Shot::Full.frame(origin, stature, 1.0, Room::default());
+            frame.camera = Shot::Full.frame(origin, stature, 1.0, FramingMargin::default());
             frame
         };
         (0..sized(2, POSES)).map(solved).collect()
@@ -215,7 +215,7 @@ fn each_level_covers_what_the_finest_covers() {
                 let all = a.iter().filter(|p| **p).count() as f64;
                 let other = a.iter().zip(b).filter(|(p, q)| p != q).count() as f64;
                 assert!(
-                    other < MOST_OTHER * all,
+                    other < MAX_OTHER * all,
                     "{name}, level {level}, pose {number}: {other} of {all}"
                 );
             }

@@ -25,22 +25,22 @@ const LENT: [(&str, &[u8]); 4] = [
     ),
 ];
 
-const WORN: [WearKind; 9] = [
-    WearKind::RoundGlasses,
-    WearKind::SquareGlasses,
-    WearKind::Sunglasses,
-    WearKind::EarStuds,
-    WearKind::EarRings,
-    WearKind::NoseStud,
-    WearKind::KnittedCap,
-    WearKind::Hat,
-    WearKind::Headscarf,
+const WORN: [AccessoryKind; 9] = [
+    AccessoryKind::RoundGlasses,
+    AccessoryKind::SquareGlasses,
+    AccessoryKind::Sunglasses,
+    AccessoryKind::EarStuds,
+    AccessoryKind::EarRings,
+    AccessoryKind::NoseStud,
+    AccessoryKind::KnittedCap,
+    AccessoryKind::Hat,
+    AccessoryKind::Headscarf,
 ];
 
-fn wear(kind: WearKind) -> Look {
+fn wear(kind: AccessoryKind) -> Look {
     let colour = [0.3, 0.2, 0.1];
     Look {
-        wear: vec![Wear { kind, colour }],
+        wear: vec![Accessory { kind, colour }],
         ..Look::default()
     }
 }
@@ -48,7 +48,7 @@ fn wear(kind: WearKind) -> Look {
 static LENDERS: LazyLock<Lenders> = LazyLock::new(|| {
     let lender = |(name, glb): (&str, &[u8])| {
         let hair = read_figure(name, glb).expect("hair");
-        let lender = Lender::new(&hair, VERTICES).expect("our head");
+        let lender = HairDonor::new(&hair, VERTICES).expect("our head");
         (name.to_owned(), lender)
     };
     LENT.into_iter().map(lender).collect()
@@ -99,7 +99,7 @@ fn check(mesh: &Mesh, joints: usize) {
 
 #[test]
 fn landmarks_are_those_of_the_figures() {
-    use super::wear::landmark::{GNATHION, SELLION, STOMION, SUBAURALE, TRICHION};
+    use super::accessory::landmark::{GNATHION, SELLION, STOMION, SUBAURALE, TRICHION};
     let named = [
         ("sba_l", SUBAURALE[0]),
         ("sba_r", SUBAURALE[1]),
@@ -395,7 +395,7 @@ fn irises_are_recoloured() {
 #[test]
 fn hair_lies_under_a_cap() {
     let reshaper = sofia();
-    for kind in [WearKind::KnittedCap, WearKind::Hat] {
+    for kind in [AccessoryKind::KnittedCap, AccessoryKind::Hat] {
         let figure = with(&reshaper, &wear(kind), [1.0; 3]);
         let cloth = figure
             .meshes
@@ -405,7 +405,7 @@ fn hair_lies_under_a_cap() {
         let own = hair(&figure)[0];
         assert!(top(own) < top(cloth.expect("cloth")) - 0.002, "{kind:?}");
     }
-    let scarf = with(&reshaper, &wear(WearKind::Headscarf), [1.0; 3]);
+    let scarf = with(&reshaper, &wear(AccessoryKind::Headscarf), [1.0; 3]);
     assert!(hair(&scarf).iter().all(|m| m.indices.is_empty()));
 }
 
@@ -450,7 +450,7 @@ fn a_chart_tells_where_its_neighbours_are() {
     let skin = &figure.meshes[reshaper.head];
     let mut charts = 0;
     for corners in reshaper.triangles.iter().step_by(37).copied() {
-        let spot = Spot {
+        let spot = SurfacePoint {
             corners,
             shares: [1.0 / 3.0; 3],
         };
@@ -480,7 +480,7 @@ fn a_chart_tells_where_its_neighbours_are() {
         }
     }
     assert!(charts > 300, "{charts}");
-    let numbers = |n: &[f64]| Spot::from_numbers(n);
+    let numbers = |n: &[f64]| SurfacePoint::from_numbers(n);
     assert!(numbers(&[1.0, 2.0, 3.0, 0.2, 0.3, 0.5]).is_some());
     for broken in [
         &[1.0; 5][..],
@@ -490,7 +490,7 @@ fn a_chart_tells_where_its_neighbours_are() {
     ] {
         assert_eq!(numbers(broken), None);
     }
-    let far = Spot {
+    let far = SurfacePoint {
         corners: [VERTICES as u32; 3],
         shares: [1.0, 0.0, 0.0],
     };

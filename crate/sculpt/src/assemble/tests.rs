@@ -34,7 +34,7 @@ fn small() -> Figure {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices: (0..8).map(corner).collect(),
         faces: faces.iter().map(|f| f.to_vec()).collect(),
@@ -51,7 +51,7 @@ fn small() -> Figure {
         name: "box".to_owned(),
         positions_in_world: Bone::ALL.map(Bone::example_position_m),
         bind_rotations: zero_frames(),
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: [DVec3::new(0.03, 1.8, 0.08), DVec3::new(-0.03, 1.8, 0.08)],
         },
         stature_m: 1.956,

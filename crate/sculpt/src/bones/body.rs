@@ -27,8 +27,8 @@ struct Level {
 
 fn levels(frame: &Frame) -> Vec<Level> {
     let k = frame.scale;
-    let top = frame.at(Bone::Skull).y - 0.012 * k;
-    let bottom = frame.at(Bone::Sacroiliac).y + 0.035 * k;
+    let top = frame.position_of(Bone::Skull).y - 0.012 * k;
+    let bottom = frame.position_of(Bone::Sacroiliac).y + 0.035 * k;
     // Vertebrae grow downwards: 15 mm in the neck, 22 to 27 in the chest, 35 in the loins.
     let pitch = |i: usize| match i {
         0..NECK => 1.0,
@@ -159,8 +159,8 @@ fn rib(frame: &Frame, index: usize, head: DVec3) -> Solid {
 
 fn pelvis(frame: &Frame) -> Solid {
     let k = frame.scale;
-    let hip = frame.at(Bone::LHip);
-    let root = frame.at(Bone::Sacroiliac);
+    let hip = frame.position_of(Bone::LHip);
+    let root = frame.position_of(Bone::Sacroiliac);
     let v = |x: f64, y: f64, z: f64| hip + DVec3::new(x, y, z) * k;
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::LOWER));
     let joint = DVec3::new(0.030 * k, root.y + 0.012 * k, root.z - 0.034 * k);

@@ -34,7 +34,7 @@ pub(super) struct Skin {
 const REFERENCE_HEIGHT_M: f64 = 0.222;
 
 impl Skin {
-    pub(super) fn of(figure: &Figure) -> Self {
+    pub(super) fn from_figure(figure: &Figure) -> Self {
         let joints = figure.skeleton.joints();
         let place = |i: usize| figure.inverse_bind[i].inverse().translation;
         let eye = |side: Side| {
@@ -157,7 +157,7 @@ impl Skin {
                     if !all_round && ((j as f64) < c0 - 1.0 || j as f64 > c1 + 1.0) {
                         continue;
                     }
-                    if let Some(d) = hit(t, centre, way(i, j)) {
+                    if let Some(d) = hit(t, centre, direction(i, j)) {
                         *far = Some(far.map_or(d, |f: f64| f.max(d)));
                     }
                 }
@@ -168,7 +168,7 @@ impl Skin {
 }
 
 /// Direction of a place in the skull's map.
-pub(super) fn way(ring: usize, column: usize) -> DVec3 {
+pub(super) fn direction(ring: usize, column: usize) -> DVec3 {
     let (s, c) = ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
     let (sk, ck) = ops::sincos(core::f64::consts::TAU * column as f64 / COLUMNS as f64);
     DVec3::new(s * sk, c, s * ck)

@@ -3,7 +3,7 @@
 
 use raconteur_base::{DMat3, DVec3, Side};
 
-use super::{Frame, part, rigid};
+use super::{Frame, build_part, rigid};
 use crate::part::{JointRef, MeshPart};
 use crate::solid::{Section, Solid};
 use crate::torso::Regions;
@@ -61,11 +61,11 @@ fn letter(side: Side) -> &'static str {
 fn girdle(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let (k, out) = (frame.scale, DVec3::X * side.sign());
     let scapula = Bone::on(side, "scapula");
-    let shoulder = frame.at(Bone::on(side, "shoulder"));
+    let shoulder = frame.position_of(Bone::on(side, "shoulder"));
     let v = |x: f64, y: f64, z: f64| DVec3::new(x * side.sign(), y, z) * k;
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::UPPER));
     // From the top of the breastbone in an S to the tip of the shoulder.
-    let notch = frame.at(scapula);
+    let notch = frame.position_of(scapula);
     let front = frame.exit(notch, DVec3::Z, Regions::UPPER) - 0.014 * k;
     let sternal = notch + DVec3::Z * front;
     let tip = shoulder + v(0.012, 0.026, 0.004);
@@ -124,7 +124,11 @@ fn girdle(frame: &Frame, side: Side) -> Vec<MeshPart> {
 fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [shoulder, elbow, wrist] = ["shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
-    let (a, b, c) = (frame.at(shoulder), frame.at(elbow), frame.at(wrist));
+    let (a, b, c) = (
+        frame.position_of(shoulder),
+        frame.position_of(elbow),
+        frame.position_of(wrist),
+    );
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::UPPER));
     // Across the elbow's hinge: up and down with the arm stretched out sideways.
     let along = (c - b).try_normalize().unwrap_or(DVec3::X);
@@ -191,7 +195,7 @@ fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
         rigid(&format!("{l}_ulna"), keep(ulna), elbow),
         // Turning the palm rolls the radius about an axis through its own head: each part of
         // it takes as much of the wrist's twist as lies behind it.
-        part(&format!("{l}_radius"), keep(radius), |p| {
+        build_part(&format!("{l}_radius"), keep(radius), |p| {
             let t = ((p - b).dot(along) / span).clamp(0.0, 1.0) * 3.0;
             let stops = [
                 Drive::Bone(elbow),
@@ -211,7 +215,11 @@ fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
 fn leg(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let (k, out) = (frame.scale, DVec3::X * side.sign());
     let [hip, knee, ankle] = ["hip", "knee", "subtalar"].map(|n| Bone::on(side, n));
-    let (a, b, c) = (frame.at(hip), frame.at(knee), frame.at(ankle));
+    let (a, b, c) = (
+        frame.position_of(hip),
+        frame.position_of(knee),
+        frame.position_of(ankle),
+    );
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::LOWER));
     let mut femur = shaft(
         a,
@@ -286,7 +294,11 @@ fn leg(frame: &Frame, side: Side) -> Vec<MeshPart> {
 fn foot(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [ankle, middle, front] = ["subtalar", "midtarsal", "metatarsal"].map(|n| Bone::on(side, n));
-    let (a, b, c) = (frame.at(ankle), frame.at(middle), frame.at(front));
+    let (a, b, c) = (
+        frame.position_of(ankle),
+        frame.position_of(middle),
+        frame.position_of(front),
+    );
     let v = |x: f64, y: f64, z: f64| DVec3::new(x * side.sign(), y, z) * k;
     let l = letter(side);
     let floor = DVec3::new(a.x, 0.0, a.z);

@@ -15,15 +15,15 @@ mod tests;
 use raconteur_base::{DQuat, DVec3, Side};
 
 pub(crate) use self::head_skin::hit;
-use super::assemble::{Blueprint, Piece, assemble};
-use super::built::Built;
+use super::assemble::{Blueprint, PartWithNormals, assemble};
+use super::built::AnnotatedFigure;
 use super::hand::skeleton;
 use super::part::{JointRef, MeshPart, PartVertex};
 use super::people::FigureParams;
 use super::solid::Solid;
 use super::torso::{BodyParams, Field, Joints, Regions};
-use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
-use raconteur_body::skeleton::{Bone, Drive, FacePlaces, zero_frames};
+use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
+use raconteur_body::skeleton::{Bone, Drive, FaceJoints, zero_frames};
 
 /// What a figure's file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,7 +73,7 @@ impl Frame {
         }
     }
 
-    fn at(&self, bone: Bone) -> DVec3 {
+    fn position_of(&self, bone: Bone) -> DVec3 {
         self.positions[bone.index()]
     }
 
@@ -109,7 +109,7 @@ fn material() -> Material {
         base_color: [1.0; 4],
         roughness: 0.62,
         double_sided: false,
-        maps: Maps::default(),
+        maps: TextureMaps::default(),
     }
 }
 
@@ -117,7 +117,7 @@ fn material() -> Material {
 const IVORY: [f64; 4] = [0.68, 0.60, 0.46, 1.0];
 
 /// A part whose vertices all follow what `joint` says of them.
-fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>) -> MeshPart {
+fn build_part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>) -> MeshPart {
     let vertices = solid
         .points
         .iter()
@@ -140,12 +140,12 @@ fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>)
 
 /// A part rigid to a bone.
 fn rigid(name: &str, solid: Solid, bone: Bone) -> MeshPart {
-    part(name, solid, |_| vec![(JointRef(Drive::Bone(bone)), 1.0)])
+    build_part(name, solid, |_| vec![(JointRef(Drive::Bone(bone)), 1.0)])
 }
 
 /// Every bone of a figure, in the bind pose, world frame, metres.
 #[must_use]
-pub fn build(params: &FigureParams, built: &Built) -> Vec<MeshPart> {
+pub fn build(params: &FigureParams, built: &AnnotatedFigure) -> Vec<MeshPart> {
     let frame = Frame::new(params, &built.figure);
     let mut parts = skull::parts(&built.figure);
     parts.extend(body::parts(&frame));
@@ -168,15 +168,15 @@ fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<MeshPart>
     skeleton::bones(&params.hands(), side)
         .into_iter()
         .map(|b| {
-            let solid = b.solid.mapped(|p| frame.at(wrist) + turn * p);
-            part(&b.name, solid, |_| vec![(b.joint, 1.0)])
+            let solid = b.solid.mapped(|p| frame.position_of(wrist) + turn * p);
+            build_part(&b.name, solid, |_| vec![(b.joint, 1.0)])
         })
         .collect()
 }
 
 /// A figure with its skin, its bones, or both. Bones alone have no face morphs.
 #[must_use]
-pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
+pub fn layered(params: &FigureParams, built: &AnnotatedFigure, layer: Layer) -> Figure {
     if layer == Layer::Skin {
         return built.figure.clone();
     }
@@ -185,7 +185,7 @@ pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
     let eye = |side: Side| {
         let joints = skin.skeleton.joints();
         let index = joints.iter().position(|j| j.drive == Drive::Eye(side));
-        index.map_or(frame.at(Bone::Skull), |i| {
+        index.map_or(frame.position_of(Bone::Skull), |i| {
             skin.inverse_bind[i].inverse().translation
         })
     };
@@ -193,12 +193,15 @@ pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
         name: skin.name.clone(),
         positions_in_world: frame.positions,
         bind_rotations: frame.rotations,
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: Side::BOTH.map(eye),
         },
         stature_m: skin.skeleton.stature_m(),
         lid_closure_rad: skin.lid_closure_rad,
-        pieces: build(params, built).into_iter().map(Piece::from).collect(),
+        pieces: build(params, built)
+            .into_iter()
+            .map(PartWithNormals::from)
+            .collect(),
         chains: Vec::new(),
         images: Vec::new(),
     });

@@ -10,7 +10,7 @@
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, Side, ops};
 
-use super::head_skin::{COLUMNS, RINGS, Skin, way};
+use super::head_skin::{COLUMNS, RINGS, Skin, direction};
 use super::rigid;
 use crate::part::MeshPart;
 use crate::solid::{Section, Solid};
@@ -18,7 +18,7 @@ use raconteur_body::figure::Figure;
 use raconteur_body::skeleton::Bone;
 
 /// Least soft tissue over any bone of the head, metres; the test asks for 1.5 mm.
-const LEAST_M: f64 = 0.003;
+const MIN_M: f64 = 0.003;
 
 /// Depths: place against the middle between the eyes (x outwards, y up, z front, mm for the
 /// reference head), and depth, mm.
@@ -106,7 +106,7 @@ fn skull(skin: &Skin) -> Solid {
         .map(|i| {
             (0..COLUMNS)
                 .map(|j| {
-                    let d = way(i, j);
+                    let d = direction(i, j);
                     let mut r = raw[i][j];
                     let at = relative(centre + d * r);
                     // Ears stand off: there the nearest head around them counts.
@@ -150,7 +150,7 @@ fn skull(skin: &Skin) -> Solid {
         .collect();
     let mut solid = Solid::from_rings(&rings);
     smooth_out(&mut solid, 1);
-    draw_in(&mut solid, skin, |_| centre);
+    shrink_below_skin(&mut solid, skin, |_| centre);
     solid
 }
 
@@ -172,7 +172,7 @@ fn smooth_out(solid: &mut Solid, rounds: usize) {
 }
 
 /// Draws points towards `anchor` until enough skin lies over them.
-fn draw_in(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> DVec3) {
+fn shrink_below_skin(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> DVec3) {
     for p in &mut solid.points {
         let goal = anchor(*p);
         for _ in 0..24 {
@@ -180,7 +180,7 @@ fn draw_in(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> DVec3) {
             let length = way.length();
             let covered = skin
                 .nearest(*p)
-                .is_none_or(|(d, behind)| behind && d >= LEAST_M);
+                .is_none_or(|(d, behind)| behind && d >= MIN_M);
             if covered {
                 break;
             }
@@ -208,7 +208,7 @@ fn arch(skin: &Skin, side: Side) -> Solid {
     ]
     .map(|(p, wide, thick)| (cover(p), wide * mm, thick * mm));
     let mut solid = Solid::rod(&path, DVec3::Y, 8);
-    draw_in(&mut solid, skin, |p| DVec3::new(p.x * 0.5, p.y, p.z));
+    shrink_below_skin(&mut solid, skin, |p| DVec3::new(p.x * 0.5, p.y, p.z));
     solid
 }
 
@@ -276,7 +276,7 @@ fn mandible(skin: &Skin) -> Solid {
         })
         .collect();
     let mut solid = Solid::tube(&sections, 12);
-    draw_in(&mut solid, skin, |p| {
+    shrink_below_skin(&mut solid, skin, |p| {
         // Inwards: to the middle of the mouth's floor, or along the branch towards the middle.
         let t = ((p.y - level) / (hinge_y - level)).clamp(0.0, 1.0);
         DVec3::new(
@@ -290,7 +290,7 @@ fn mandible(skin: &Skin) -> Solid {
 
 /// Skull with the cheekbones' arches, and the lower jaw on its own joint.
 pub(super) fn parts(figure: &Figure) -> Vec<MeshPart> {
-    let skin = Skin::of(figure);
+    let skin = Skin::from_figure(figure);
     let mut cheeks = arch(&skin, Side::Left);
     cheeks.append(arch(&skin, Side::Right));
     vec![

@@ -9,7 +9,7 @@ use crate::tests::soundness::shipped;
 
 struct Case {
     params: &'static FigureParams,
-    built: &'static Built,
+    built: &'static AnnotatedFigure,
     parts: Vec<MeshPart>,
 }
 

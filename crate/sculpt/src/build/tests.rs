@@ -10,7 +10,7 @@ use raconteur_body::write::to_packed_glb;
 /// Sofia and her file, made once for all tests.
 fn sofia() -> (&'static Figure, &'static [u8]) {
     static MADE: OnceLock<Vec<u8>> = OnceLock::new();
-    let Built {
+    let AnnotatedFigure {
         figure,
         annotations,
     } = &shipped("sofia").1;

@@ -11,14 +11,14 @@ use crate::torso::{CM, Field, Regions, Shell, weights::Weights};
 
 /// What a band goes round.
 #[derive(Clone, Copy, Debug)]
-pub enum Round<'a> {
+pub enum BandPath<'a> {
     /// Regions of the body.
     Body(&'a Field, Regions),
     /// The neck.
     Neck(&'a Neck),
 }
 
-impl Round<'_> {
+impl BandPath<'_> {
     /// Distance from its skin, metres, and the outward unit normal.
     fn value_and_normal(&self, p: DVec3) -> (f64, DVec3) {
         match self {
@@ -40,7 +40,7 @@ pub struct Band<'a> {
     /// Distance of its inner side from the body at the far edge.
     pub ease: f64,
     /// What it goes round.
-    pub round: Round<'a>,
+    pub round: BandPath<'a>,
     /// How far its middle billows unevenly; soft cloth stands nowhere like a pipe.
     pub billow: f64,
     /// Points of the edge for one of the band: 1 keeps them all.

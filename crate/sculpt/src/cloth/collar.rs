@@ -4,7 +4,7 @@ use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, ops};
 
 use super::fade;
-use super::strip::Lay;
+use super::strip::LayingSurface;
 use super::wearer::Wearer;
 use crate::torso::{CM, Field, Regions, Shell};
 use raconteur_body::skeleton::Bone;
@@ -25,11 +25,11 @@ fn loft(
     ends: Ends,
     outwards: impl Fn(DVec3) -> DVec3,
 ) -> Shell {
-    let body = Lay::new(&wearer.cage.shell);
+    let body = LayingSurface::new(&wearer.cage.shell);
     let mut out = Shell::default();
     for p in rows.iter().flatten() {
         out.points.push(*p);
-        out.weights.push(body.at(*p).weights);
+        out.weights.push(body.project(*p).weights);
     }
     let m = rows.first().map_or(0, Vec::len);
     let at = |i: usize, k: usize| (i * m + k % m) as u32;
@@ -62,7 +62,7 @@ fn loft(
 }
 
 /// Keeps a point at least `off` metres from the body.
-fn keep_off(field: &Field, p: &mut DVec3, off: f64) {
+fn push_off(field: &Field, p: &mut DVec3, off: f64) {
     for _ in 0..3 {
         let (d, n) = field.value_and_normal(*p, Regions::ALL, 1.1);
         *p += n * (off - d).clamp(0.0, 3.0 * CM);
@@ -113,7 +113,7 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
 
 /// Height of a collar's foot at the neck's sides.
 fn base(wearer: &Wearer<'_>) -> f64 {
-    wearer.joints.at(Bone::Cervical).y + 3.6 * CM * wearer.scale
+    wearer.joints.position_of(Bone::Cervical).y + 3.6 * CM * wearer.scale
 }
 
 /// The profile of a collar at a share of its way round the neck, from one end over the left.
@@ -144,7 +144,7 @@ fn profile(wearer: &Wearer<'_>, turn: f64) -> Vec<DVec3> {
         let (top, hem) = (foot + stand, foot + stand - fall * down);
         let along = field.neck_centre(hem) - field.neck_centre(top);
         let mut p = neck.point(turned, top, out) + along;
-        keep_off(field, &mut p, (clear + 0.25 * point) * unit);
+        push_off(field, &mut p, (clear + 0.25 * point) * unit);
         p
     };
     let rows = STAND_ROWS.into_iter().map(standing);
@@ -159,7 +159,7 @@ pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
     const AROUND: usize = 12;
     let unit = CM * wearer.scale;
     let field = wearer.field;
-    let neck_y = wearer.joints.at(Bone::Cervical).y;
+    let neck_y = wearer.joints.position_of(Bone::Cervical).y;
     let mut rows = Vec::with_capacity(STATIONS);
     for i in 0..STATIONS {
         let t = i as f64 / (STATIONS - 1) as f64;
@@ -182,7 +182,7 @@ pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
                 let mut p = centre
                     + out * (c * radius * (1.0 - 0.25 * bag) * crumple + bag * 1.4 * unit)
                     + DVec3::Y * (s * radius * drop);
-                keep_off(field, &mut p, clear_cm * unit);
+                push_off(field, &mut p, clear_cm * unit);
                 p
             })
             .collect();

@@ -19,18 +19,18 @@ pub struct Dressed {
 }
 
 /// The V of a cardigan: where it begins, where it ends, half its width at a height.
-pub(super) struct Vee {
+pub(super) struct Neckline {
     pub(super) low: f64,
     pub(super) high: f64,
     half: f64,
 }
 
-impl Vee {
-    pub(super) fn of(wearer: &Wearer<'_>) -> Self {
+impl Neckline {
+    pub(super) fn for_wearer(wearer: &Wearer<'_>) -> Self {
         let unit = CM * wearer.scale;
         Self {
-            low: wearer.joints.at(Bone::Thoracic).y + 2.5 * unit,
-            high: wearer.joints.at(Bone::Cervical).y + 1.0 * unit,
+            low: wearer.joints.position_of(Bone::Thoracic).y + 2.5 * unit,
+            high: wearer.joints.position_of(Bone::Cervical).y + 1.0 * unit,
             half: wearer.field.neck_radius() + 1.9 * unit,
         }
     }

@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, ops};
 
 use crate::part::{MeshPart, PartVertex};
 use crate::torso::{Field, Regions, Shell};
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
 /// A straight axis about which cloth is unrolled.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +106,7 @@ impl Fabric {
             base_color: [1.0; 4],
             roughness: if cloth { 0.88 } else { 0.42 },
             double_sided: cloth,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         }
     }
 }

@@ -113,12 +113,12 @@ impl Line {
 
 /// A seeded number in ±1 for the folds of one garment.
 #[derive(Clone, Copy, Debug)]
-pub struct Chance(pub u64);
+pub struct SeededRandom(pub u64);
 
-impl Chance {
+impl SeededRandom {
     /// The `n`th number about a thing.
     #[must_use]
-    pub fn at(self, thing: u64, n: usize) -> f64 {
+    pub fn sample(self, thing: u64, n: usize) -> f64 {
         noise::signed(self.0, 100 + thing, n as i64)
     }
 }

@@ -3,7 +3,7 @@
 use raconteur_base::{DVec3, Side};
 
 use super::cut::{ClothZone, Top, TopCut, mirrored_to};
-use super::fold::{Chance, Fold, Line, Ring};
+use super::fold::{Fold, Line, Ring, SeededRandom};
 use super::wearer::Wearer;
 use crate::torso::cage::{HOLE, Key};
 use crate::torso::{CM, Cage, Joints};
@@ -23,22 +23,26 @@ pub(super) fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(ClothZ
 fn sleeve_folds(out: &mut Vec<(ClothZone, Fold)>, wearer: &Wearer<'_>, cut: &TopCut, side: Side) {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;
-    let upper = joints.at(Bone::LElbow).distance(joints.at(Bone::LShoulder));
-    let fore = joints.at(Bone::LWrist).distance(joints.at(Bone::LElbow));
-    let chance = Chance(cut.seed + side.index() as u64);
+    let upper = joints
+        .position_of(Bone::LElbow)
+        .distance(joints.position_of(Bone::LShoulder));
+    let fore = joints
+        .position_of(Bone::LWrist)
+        .distance(joints.position_of(Bone::LElbow));
+    let chance = SeededRandom(cut.seed + side.index() as u64);
     // The inside of the elbow looks to the front.
     let front = side.sign() * core::f64::consts::FRAC_PI_2;
     let mut ring = |n: usize, along: f64, angle: f64, span: f64, tilt_cm: f64, height_cm: f64| {
         let fold = Ring {
-            origin: mirrored_to(side, joints.at(Bone::LShoulder)),
+            origin: mirrored_to(side, joints.position_of(Bone::LShoulder)),
             axis: mirrored_to(side, Joints::arm_axis()),
             front: mirrored_to(side, Joints::arm_up()),
-            along: along + 0.5 * unit * chance.at(1, n),
-            angle: angle + 0.35 * chance.at(2, n),
+            along: along + 0.5 * unit * chance.sample(1, n),
+            angle: angle + 0.35 * chance.sample(2, n),
             span,
-            tilt: (tilt_cm + 0.25 * chance.at(3, n)) * unit,
-            width: (1.15 + 0.2 * chance.at(4, n)) * unit,
-            height: height_cm * cut.gather * (1.0 + 0.25 * chance.at(5, n)) * unit,
+            tilt: (tilt_cm + 0.25 * chance.sample(3, n)) * unit,
+            width: (1.15 + 0.2 * chance.sample(4, n)) * unit,
+            height: height_cm * cut.gather * (1.0 + 0.25 * chance.sample(5, n)) * unit,
         };
         out.push((ClothZone::Sleeve(side), Fold::Ring(fold)));
     };
@@ -74,7 +78,7 @@ fn chest_folds(
     side: Side,
 ) {
     let unit = CM * wearer.scale;
-    let chance = Chance(cut.seed + 10 + side.index() as u64);
+    let chance = SeededRandom(cut.seed + 10 + side.index() as u64);
     let column = |q: usize| if side == Side::Left { q } else { (24 - q) % 24 };
     let row = Cage::row_at;
     let at = |r: usize, q: usize| top.sheet.point(Key::Trunk(r, column(q)));
@@ -85,8 +89,8 @@ fn chest_folds(
                     from,
                     to,
                     bow: bow * unit,
-                    width: size[0] * (1.0 + 0.15 * chance.at(1, n)) * unit,
-                    height: 1.4 * size[1] * cut.gather * (1.0 + 0.3 * chance.at(2, n)) * unit,
+                    width: size[0] * (1.0 + 0.15 * chance.sample(1, n)) * unit,
+                    height: 1.4 * size[1] * cut.gather * (1.0 + 0.3 * chance.sample(2, n)) * unit,
                 };
                 out.push((ClothZone::Trunk, Fold::Line(fold)));
             }
@@ -131,7 +135,7 @@ fn chest_folds(
 /// Cloth that slides down and gathers above the hem, more at the sides.
 fn waist_folds(out: &mut Vec<(ClothZone, Fold)>, top: &Top, wearer: &Wearer<'_>, cut: &TopCut) {
     let unit = CM * wearer.scale;
-    let chance = Chance(cut.seed + 20);
+    let chance = SeededRandom(cut.seed + 20);
     let hem = top
         .hem
         .iter()
@@ -143,12 +147,12 @@ fn waist_folds(out: &mut Vec<(ClothZone, Fold)>, top: &Top, wearer: &Wearer<'_>,
             origin,
             axis: DVec3::NEG_Y,
             front: DVec3::Z,
-            along: -(up_cm + 0.6 * chance.at(1, n)) * unit,
-            angle: angle + 0.2 * chance.at(2, n),
+            along: -(up_cm + 0.6 * chance.sample(1, n)) * unit,
+            angle: angle + 0.2 * chance.sample(2, n),
             span,
             tilt: tilt_cm * unit,
             width: size[0] * unit,
-            height: size[1] * cut.gather * (1.0 + 0.3 * chance.at(3, n)) * unit,
+            height: size[1] * cut.gather * (1.0 + 0.3 * chance.sample(3, n)) * unit,
         };
         out.push((ClothZone::Trunk, Fold::Ring(fold)));
     };

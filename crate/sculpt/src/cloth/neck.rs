@@ -13,7 +13,7 @@ const STEP: f64 = 0.002;
 /// How far below the head's own skin it is known, metres.
 const BELOW: f64 = 6.0 * CM;
 /// Shoulders and chin go on; farther than this from the axis there is no query, metres.
-const FARTHEST: f64 = 0.16;
+const MAX_RADIUS_M: f64 = 0.16;
 
 /// How far the skin lies from the neck's axis, by height and direction. Its two halves are alike,
 /// as clothes are: the farther one counts.
@@ -53,7 +53,7 @@ impl Neck {
         let low = rim - BELOW;
         let count = ((high - low) / STEP).ceil().max(1.0) as usize + 1;
         let mut rows: Vec<Row> = (0..count)
-            .map(|i| cut(skin, field, low + STEP * i as f64))
+            .map(|i| cross_section(skin, field, low + STEP * i as f64))
             .collect();
         upright(&mut rows);
         rows.iter_mut().for_each(bridge);
@@ -61,7 +61,7 @@ impl Neck {
     }
 
     /// Radius and depth of the axis at an angle from the front to the left and a height.
-    fn at(&self, angle_rad: f64, y: f64) -> (f64, f64) {
+    fn radius_at(&self, angle_rad: f64, y: f64) -> (f64, f64) {
         let turn = (angle_rad / core::f64::consts::TAU).rem_euclid(1.0);
         let last = self.rows.len() - 1;
         let row = ((y - self.low) / STEP).clamp(0.0, last as f64);
@@ -78,15 +78,15 @@ impl Neck {
     /// left and a height.
     #[must_use]
     pub fn point(&self, angle_rad: f64, y: f64, off: f64) -> DVec3 {
-        let (radius, axis_z) = self.at(angle_rad, y);
+        let (radius, axis_z) = self.radius_at(angle_rad, y);
         let (s, c) = ops::sincos(angle_rad);
         DVec3::new(s * (radius + off), y, axis_z + c * (radius + off))
     }
 
     /// How far outside the skin a point lies on its level, metres.
     fn level_off(&self, p: DVec3) -> f64 {
-        let (_, axis_z) = self.at(0.0, p.y);
-        let (radius, _) = self.at(ops::atan2(p.x, p.z - axis_z), p.y);
+        let (_, axis_z) = self.radius_at(0.0, p.y);
+        let (radius, _) = self.radius_at(ops::atan2(p.x, p.z - axis_z), p.y);
         (p.x * p.x + (p.z - axis_z) * (p.z - axis_z)).sqrt() - radius
     }
 
@@ -106,17 +106,17 @@ impl Neck {
     }
 }
 
-fn cut(skin: &[[DVec3; 3]], field: &Field, y: f64) -> Row {
+fn cross_section(skin: &[[DVec3; 3]], field: &Field, y: f64) -> Row {
     let axis = field.neck_centre(y);
     let mut found = [f64::MAX; SECTORS];
     for triangle in skin {
         if let Some((p, q)) = crossing(triangle, y) {
-            meet(&mut found, p - axis, q - axis);
+            record_distance(&mut found, p - axis, q - axis);
         }
     }
     for (k, radius) in found.iter_mut().enumerate() {
-        if *radius > FARTHEST {
-            *radius = body_radius(field, axis, way(k));
+        if *radius > MAX_RADIUS_M {
+            *radius = body_radius(field, axis, direction(k));
         }
     }
     let mut radii = found;
@@ -154,7 +154,7 @@ fn bridge(row: &mut Row) {
 }
 
 /// The direction of a sector.
-fn way(k: usize) -> DVec3 {
+fn direction(k: usize) -> DVec3 {
     let (s, c) = ops::sincos(core::f64::consts::TAU * k as f64 / SECTORS as f64);
     DVec3::new(s, 0.0, c)
 }
@@ -169,9 +169,9 @@ fn crossing(triangle: &[DVec3; 3], y: f64) -> Option<(DVec3, DVec3)> {
 }
 
 /// Notes the nearest distance at which a level line is met in each sector.
-fn meet(found: &mut [f64; SECTORS], p: DVec3, q: DVec3) {
+fn record_distance(found: &mut [f64; SECTORS], p: DVec3, q: DVec3) {
     for (k, radius) in found.iter_mut().enumerate() {
-        let way = way(k);
+        let way = direction(k);
         let side = |v: DVec3| v.x * way.z - v.z * way.x;
         let (a, b) = (side(p), side(q));
         if (a > 0.0) == (b > 0.0) {
@@ -187,7 +187,7 @@ fn meet(found: &mut [f64; SECTORS], p: DVec3, q: DVec3) {
 /// Where the body's own skin is met.
 fn body_radius(field: &Field, axis: DVec3, way: DVec3) -> f64 {
     let outside = |r: f64| field.value(axis + way * r, Regions::ALL, 1.0) > 0.0;
-    let (mut inner, mut outer) = (0.0, FARTHEST);
+    let (mut inner, mut outer) = (0.0, MAX_RADIUS_M);
     if !outside(outer) {
         return outer;
     }

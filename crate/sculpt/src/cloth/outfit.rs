@@ -2,16 +2,16 @@
 
 use raconteur_base::{DVec3, Side};
 
-use super::band::{Band, Round};
+use super::band::{Band, BandPath};
 use super::collar::hood;
 use super::cut::{Top, TopCut};
-use super::dressed::{Dressed, Vee, cloth, collar_part, leather, trim};
+use super::dressed::{Dressed, Neckline, cloth, collar_part, leather, trim};
 use super::fade;
 use super::finish::{Fabric, plain_part, share_materials};
 use super::sheet::Sheet;
 use super::shirt::shirt;
 use super::shoe::{ShoeCut, ShoeStyle, shoes};
-use super::strip::{Lay, Spot, Strip, button, cord, soften, strip};
+use super::strip::{LayingSurface, Strip, SurfacePoint, button, cord, soften, strip};
 use super::top::{open_front, top, up_the_neck};
 use super::trousers::{LegEnd, TrouserCut, trousers};
 use super::wardrobe::{Cardigan, Hoodie, Outfit, Sweater};
@@ -45,7 +45,9 @@ fn add(made: &mut Dressed, pieces: impl IntoIterator<Item = (MeshPart, Shell)>) 
 /// Ankles between shoe and trousers.
 fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     let first = Cage::leg_ring_at(1.76);
-    let shell = wearer.cage.part(|t| matches!(t, Tag::Leg(j) if j >= first));
+    let shell = wearer
+        .cage
+        .extract(|t| matches!(t, Tag::Leg(j) if j >= first));
     plain_part("socks", &shell, wearer.field, cloth(MaterialKind::Rib, dye))
 }
 
@@ -108,7 +110,7 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
         width: 2.9 * unit,
         thickness: 0.45 * unit,
         ease: 0.08 * unit,
-        round: Round::Neck(wearer.neck),
+        round: BandPath::Neck(wearer.neck),
         billow: 0.35 * unit,
         every: 1,
     };
@@ -129,7 +131,7 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
 }
 
 fn finish_top(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, cut: &TopCut) {
-    made.parts.push(top.part(wearer, cut));
+    made.parts.push(top.to_part(wearer, cut));
     made.surface.append(top.sheet.shell.clone());
 }
 
@@ -160,7 +162,7 @@ fn cardigan_legs(wearer: &Wearer<'_>, c: &Cardigan) -> (Dressed, Shell) {
 fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     let unit = CM * wearer.scale;
     let (mut made, trousers) = cardigan_legs(wearer, c);
-    let vee = Vee::of(wearer);
+    let vee = Neckline::for_wearer(wearer);
     shirt(&mut made, wearer, c, &vee);
 
     let knit = cloth(MaterialKind::Cloth, c.knit);
@@ -209,7 +211,7 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
 }
 
 /// Takes away the front above the V and the nape, and lays the edges on the V.
-fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Vee) {
+fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Neckline) {
     let unit = CM * wearer.scale;
     let neck_z = -2.5 * unit;
     let reach = wearer.field.neck_radius() + 1.7 * unit;
@@ -228,13 +230,13 @@ fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Vee) {
 }
 
 /// Five buttons on the edge in front, from the hem to the V.
-fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Vee, dye: [f64; 3]) {
+fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Neckline, dye: [f64; 3]) {
     let unit = CM * wearer.scale;
-    let lay = Lay::new(&top.sheet.shell);
+    let lay = LayingSurface::new(&top.sheet.shell);
     let hem = top.lowest_of_hem();
     for i in 0..5 {
         let y = hem + (vee.low - hem) * (0.08 + 0.21 * i as f64);
-        let mut spot = lay.seen(DVec3::new(0.0, y, 0.3));
+        let mut spot = lay.project_along_z(DVec3::new(0.0, y, 0.3));
         spot.place += spot.normal * 0.3 * unit;
         let disc = button(&spot, 0.95 * unit);
         made.parts
@@ -245,7 +247,7 @@ fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Vee, dye: [
 /// A patch pocket on each side: the welt at its mouth and the seam around its bag.
 fn patch_pockets(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, rib: Fabric) {
     let unit = CM * wearer.scale;
-    let lay = Lay::new(&top.sheet.shell);
+    let lay = LayingSurface::new(&top.sheet.shell);
     let hem = top.lowest_of_hem();
     for side in Side::BOTH {
         let v = |x: f64, up: f64| DVec3::new(side.sign() * x * unit, hem + up * unit, 0.3);
@@ -276,20 +278,20 @@ fn patch_pockets(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, rib: Fabric
 }
 
 /// The cardigan's edge: up the front, along the V, round the nape and back.
-fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Vee) -> Vec<Spot> {
+fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Neckline) -> Vec<SurfacePoint> {
     let unit = CM * wearer.scale;
     let shell = &top.sheet.shell;
-    let lay = Lay::new(shell);
+    let lay = LayingSurface::new(shell);
     let hem = top.lowest_of_hem();
-    let mut path: Vec<Spot> = Vec::new();
+    let mut path: Vec<SurfacePoint> = Vec::new();
     for i in 0..22 {
         let y = hem + (vee.low - hem) * i as f64 / 22.0;
-        path.push(lay.seen(DVec3::new(0.0, y, 0.3)));
+        path.push(lay.project_along_z(DVec3::new(0.0, y, 0.3)));
     }
     const SIDE: usize = 16;
     let front = |i: usize, sign: f64| {
         let y = vee.low + (vee.high - vee.low) * i as f64 / SIDE as f64;
-        lay.seen(DVec3::new(sign * vee.half_width(y), y, 0.3))
+        lay.project_along_z(DVec3::new(sign * vee.half_width(y), y, 0.3))
     };
     path.extend((0..SIDE).map(|i| front(i, 1.0)));
     const NAPE: usize = 22;
@@ -299,7 +301,7 @@ fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Vee) -> Vec<Spot> {
         let p = wearer
             .field
             .neck_point(a, vee.high + (0.6 + 1.4 * back) * unit, 1.7 * unit);
-        path.push(lay.at(p));
+        path.push(lay.project(p));
     }
     path.extend((0..SIDE).rev().map(|i| front(i, -1.0)));
     soften(&mut path, 5);
@@ -354,7 +356,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         width: 1.4 * unit,
         thickness: 0.35 * unit,
         ease: 0.8 * unit,
-        round: Round::Body(wearer.field, Regions::ALL),
+        round: BandPath::Body(wearer.field, Regions::ALL),
         billow: 0.0,
         every: 1,
     };
@@ -382,7 +384,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
 fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodie) {
     let unit = CM * wearer.scale;
     let edge = cloth(MaterialKind::Fleece, c.fleece).shaded(0.93);
-    let lay = Lay::new(&top.sheet.shell);
+    let lay = LayingSurface::new(&top.sheet.shell);
     let hem = top.lowest_of_hem();
     let v = |x: f64, up: f64| DVec3::new(x * unit, hem + up * unit, 0.3);
     let mouth = Strip {
@@ -405,7 +407,7 @@ fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodi
         // The cords hang from the hood.
         let from = DVec3::new(
             2.3 * s * unit,
-            wearer.joints.at(Bone::Cervical).y - 2.0 * unit,
+            wearer.joints.position_of(Bone::Cervical).y - 2.0 * unit,
             0.3,
         );
         let down = DVec3::new(3.0 * s * unit, from.y - (13.0 + 1.2 * s) * unit, 0.3);
@@ -428,7 +430,7 @@ fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodi
 fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     let unit = CM * wearer.scale;
     let rows = Cage::row_at(0.814)..Cage::row_at(0.842);
-    let mut sheet = Sheet::cut(
+    let mut sheet = Sheet::extract(
         wearer.cage,
         |t| matches!(t, Tag::Trunk(r) if rows.contains(&r)),
     );

@@ -23,7 +23,7 @@ pub struct Sheet {
 impl Sheet {
     /// Cuts the wanted faces out of the cage and refines them once.
     #[must_use]
-    pub fn cut(cage: &Cage, wanted: impl Fn(Tag) -> bool) -> Self {
+    pub fn extract(cage: &Cage, wanted: impl Fn(Tag) -> bool) -> Self {
         let (part, renamed) = cage.shell.select_named(|f| wanted(cage.tags[f]));
         let places = cage
             .keys
@@ -94,7 +94,7 @@ impl Sheet {
     }
 
     /// Keeps only some faces.
-    pub fn keep(&mut self, wanted: impl Fn(&Shell, usize) -> bool) {
+    pub fn retain(&mut self, wanted: impl Fn(&Shell, usize) -> bool) {
         let kept: Vec<bool> = (0..self.shell.faces.len())
             .map(|f| wanted(&self.shell, f))
             .collect();

@@ -2,12 +2,12 @@
 
 use raconteur_base::DVec3;
 
-use super::band::{Band, Round, along_edge};
+use super::band::{Band, BandPath, along_edge};
 use super::collar::shirt_collar;
-use super::dressed::{Dressed, Vee, cloth, collar_part, leather, trim};
+use super::dressed::{Dressed, Neckline, cloth, collar_part, leather, trim};
 use super::finish::{Fabric, plain_part};
 use super::sheet::Sheet;
-use super::strip::{Lay, Strip, button, strip};
+use super::strip::{LayingSurface, Strip, button, strip};
 use super::wardrobe::Cardigan;
 use super::wearer::Wearer;
 use crate::torso::cage::Tag;
@@ -16,16 +16,16 @@ use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
 /// What shows of the shirt: its front in the V, the collar, the cuffs.
-pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
+pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Neckline) {
     let unit = CM * wearer.scale;
     let woven = cloth(MaterialKind::Woven, c.shirt);
     let rows = Cage::row_at(0.66)..Cage::row_at(0.842);
-    let mut sheet = Sheet::cut(
+    let mut sheet = Sheet::extract(
         wearer.cage,
         |t| matches!(t, Tag::Trunk(r) if rows.contains(&r)),
     );
     sheet.settle(wearer.field, Regions::ALL, |_| 1.1, |_| 0.35 * unit);
-    sheet.keep(|shell, f| {
+    sheet.retain(|shell, f| {
         let face = &shell.faces[f];
         let middle = face
             .iter()
@@ -40,7 +40,7 @@ pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: 
             && middle.x.abs() < vee.half_width(middle.y + 3.0 * unit) + 1.6 * unit
     });
     made.parts.push(trim(wearer, &sheet.shell, woven));
-    let lay = Lay::new(&sheet.shell);
+    let lay = LayingSurface::new(&sheet.shell);
     let neck = vee.high - 1.8 * unit;
     let front = lay.path(
         &[
@@ -59,7 +59,8 @@ pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: 
     );
     made.parts.push(trim(wearer, &placket, woven.shaded(0.98)));
     for i in 0..3 {
-        let mut spot = lay.seen(DVec3::new(0.0, neck - (1.6 + 6.5 * i as f64) * unit, 0.3));
+        let mut spot =
+            lay.project_along_z(DVec3::new(0.0, neck - (1.6 + 6.5 * i as f64) * unit, 0.3));
         spot.place += spot.normal * 0.1 * unit;
         let disc = button(&spot, 0.5 * unit);
         made.parts.push(plain_part(
@@ -79,13 +80,13 @@ pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: 
 fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
     let unit = CM * wearer.scale;
     let first = Cage::arm_ring_at(1.85);
-    let mut sheet = Sheet::cut(wearer.cage, |t| matches!(t, Tag::Arm(j) if j >= first));
+    let mut sheet = Sheet::extract(wearer.cage, |t| matches!(t, Tag::Arm(j) if j >= first));
     sheet.settle(wearer.field, Regions::UPPER, |_| 1.0, |_| 0.9 * unit);
     made.parts.push(trim(wearer, &sheet.shell, fabric));
     for ring in sheet.shell.loops() {
         let x: f64 = ring.iter().map(|&v| sheet.shell.points[v as usize].x).sum();
         let axis = Joints::arm_axis() * DVec3::new(x.signum(), 1.0, 1.0);
-        let wrist = wearer.joints.at(Bone::LWrist).y;
+        let wrist = wearer.joints.position_of(Bone::LWrist).y;
         let low = ring
             .iter()
             .map(|&v| sheet.shell.points[v as usize].y)
@@ -98,7 +99,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
             width: 1.0 * unit,
             thickness: 0.16 * unit,
             ease: 0.92 * unit,
-            round: Round::Body(wearer.field, Regions::UPPER),
+            round: BandPath::Body(wearer.field, Regions::UPPER),
             billow: 0.0,
             every: 1,
         };

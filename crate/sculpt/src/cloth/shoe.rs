@@ -4,7 +4,7 @@ use raconteur_base::{DVec3, Side, ops};
 
 use super::fade;
 use super::finish::{Fabric, plain_part};
-use super::strip::{Lay, Spot, cord};
+use super::strip::{LayingSurface, SurfacePoint, cord};
 use super::wearer::Wearer;
 use crate::part::MeshPart;
 use crate::torso::{CM, Joints, Shell, weights::Weights};
@@ -237,7 +237,7 @@ fn loft(rings: &[Vec<DVec3>], weights: impl Fn(DVec3) -> Weights) -> Shell {
 pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<MeshPart> {
     let joints = wearer.joints;
     let length = 0.152 * wearer.stature_m;
-    let ankle = joints.at(Bone::LSubtalar);
+    let ankle = joints.position_of(Bone::LSubtalar);
     let foot = Foot {
         ankle,
         heel_z: ankle.z - 0.036 * wearer.stature_m,
@@ -299,8 +299,8 @@ fn ground(part: &mut MeshPart, sole: f64) {
 
 fn foot_weights(joints: &Joints) -> impl Fn(DVec3) -> Weights + Copy {
     let (mid, front) = (
-        joints.at(Bone::LMidtarsal).z,
-        joints.at(Bone::LMetatarsal).z,
+        joints.position_of(Bone::LMidtarsal).z,
+        joints.position_of(Bone::LMetatarsal).z,
     );
     move |p: DVec3| {
         Weights::bone(Bone::LSubtalar).lerp(&Weights::bone(Bone::LMidtarsal), fade(p.z, mid, front))
@@ -309,7 +309,7 @@ fn foot_weights(joints: &Joints) -> impl Fn(DVec3) -> Weights + Copy {
 
 /// Bars of lace across the instep.
 fn laces(upper: &Shell, foot: &Foot, style: ShoeStyle) -> Vec<Shell> {
-    let lay = Lay::new(upper);
+    let lay = LayingSurface::new(upper);
     let (from, to, count, half_cm) = match style {
         ShoeStyle::Leather => (0.47, 0.59, 3, 1.3),
         ShoeStyle::Sneaker => (0.42, 0.68, 5, 1.9),
@@ -319,7 +319,7 @@ fn laces(upper: &Shell, foot: &Foot, style: ShoeStyle) -> Vec<Shell> {
         let t = from + (to - from) * i as f64 / (count - 1) as f64;
         let z = foot.heel_z + t * foot.length;
         // The far end climbs: laces cross.
-        let path: Vec<Spot> = (0..7)
+        let path: Vec<SurfacePoint> = (0..7)
             .map(|k| {
                 let x = (k as f64 / 3.0 - 1.0) * half_cm * foot.unit;
                 let high = DVec3::new(foot.ankle.x + x, 0.45 * foot.length, z);

@@ -6,7 +6,7 @@ use crate::torso::{Shell, weights::Weights};
 
 /// A place on cloth.
 #[derive(Clone, Debug)]
-pub struct Spot {
+pub struct SurfacePoint {
     /// Where.
     pub place: DVec3,
     /// Outwards, unit.
@@ -17,12 +17,12 @@ pub struct Spot {
 
 /// A surface to lay things on.
 #[derive(Clone, Debug)]
-pub struct Lay<'a> {
+pub struct LayingSurface<'a> {
     shell: &'a Shell,
     normals: Vec<DVec3>,
 }
 
-impl<'a> Lay<'a> {
+impl<'a> LayingSurface<'a> {
     /// Of a shell.
     #[must_use]
     pub fn new(shell: &'a Shell) -> Self {
@@ -35,7 +35,7 @@ impl<'a> Lay<'a> {
     /// The surface near a point: the mean of its nearest points, and the point moved onto
     /// it along the normal.
     #[must_use]
-    pub fn at(&self, p: DVec3) -> Spot {
+    pub fn project(&self, p: DVec3) -> SurfacePoint {
         self.nearest(p, |q| q.distance_squared(p))
     }
 
@@ -66,7 +66,7 @@ impl<'a> Lay<'a> {
     /// The surface as seen from the front (`z` above zero) or the back: where a point
     /// lies in depth does not matter.
     #[must_use]
-    pub fn seen(&self, p: DVec3) -> Spot {
+    pub fn project_along_z(&self, p: DVec3) -> SurfacePoint {
         let sign = p.z.signum();
         let spot = self.nearest_of(
             |v| self.normals[v].z * sign > 0.1,
@@ -76,7 +76,7 @@ impl<'a> Lay<'a> {
         let n = spot.normal;
         // Only the depth gives way.
         let depth = d.dot(n) / if n.z.abs() < 0.15 { 0.15 * sign } else { n.z };
-        Spot {
+        SurfacePoint {
             place: DVec3::new(p.x, p.y, p.z + depth),
             ..spot
         }
@@ -84,29 +84,33 @@ impl<'a> Lay<'a> {
 
     /// The surface straight below a point.
     #[must_use]
-    pub fn above(&self, p: DVec3) -> Spot {
+    pub fn above(&self, p: DVec3) -> SurfacePoint {
         let spot = self.nearest_of(
             |v| self.normals[v].y > 0.1,
             |q| (q.x - p.x) * (q.x - p.x) + (q.z - p.z) * (q.z - p.z),
         );
         let n = spot.normal;
         let height = (spot.place - p).dot(n) / n.y.max(0.15);
-        Spot {
+        SurfacePoint {
             place: DVec3::new(p.x, p.y + height, p.z),
             ..spot
         }
     }
 
-    fn nearest(&self, p: DVec3, distance: impl Fn(DVec3) -> f64) -> Spot {
+    fn nearest(&self, p: DVec3, distance: impl Fn(DVec3) -> f64) -> SurfacePoint {
         let spot = self.nearest_of(|_| true, distance);
         let n = spot.normal;
-        Spot {
+        SurfacePoint {
             place: p + n * (spot.place - p).dot(n),
             ..spot
         }
     }
 
-    fn nearest_of(&self, wanted: impl Fn(usize) -> bool, distance: impl Fn(DVec3) -> f64) -> Spot {
+    fn nearest_of(
+        &self,
+        wanted: impl Fn(usize) -> bool,
+        distance: impl Fn(DVec3) -> f64,
+    ) -> SurfacePoint {
         const COUNT: usize = 6;
         let mut best: Vec<(f64, usize)> = Vec::with_capacity(COUNT + 1);
         for (v, q) in self.shell.points.iter().enumerate() {
@@ -129,7 +133,7 @@ impl<'a> Lay<'a> {
         let mean = |of: &dyn Fn(usize) -> DVec3| -> DVec3 {
             share.iter().map(|&(w, v)| of(v) * (w / total)).sum()
         };
-        Spot {
+        SurfacePoint {
             place: mean(&|v| self.shell.points[v]),
             normal: mean(&|v| self.normals[v])
                 .try_normalize()
@@ -145,7 +149,7 @@ impl<'a> Lay<'a> {
     /// A path through corners seen from the front or the back (the sign of their `z`), in
     /// steps of `spacing` metres, rounded a little.
     #[must_use]
-    pub fn path(&self, corners: &[DVec3], spacing: f64) -> Vec<Spot> {
+    pub fn path(&self, corners: &[DVec3], spacing: f64) -> Vec<SurfacePoint> {
         let mut out = Vec::new();
         for pair in corners.windows(2) {
             let span = (pair[1] - pair[0]).truncate().length();
@@ -155,14 +159,15 @@ impl<'a> Lay<'a> {
             }
         }
         out.extend(corners.last());
-        let mut spots: Vec<Spot> = out.into_iter().map(|p| self.seen(p)).collect();
+        let mut spots: Vec<SurfacePoint> =
+            out.into_iter().map(|p| self.project_along_z(p)).collect();
         soften(&mut spots, 2);
         spots
     }
 }
 
 /// Averages places, normals and weights along an open path; its ends stay.
-pub fn soften(path: &mut [Spot], rounds: usize) {
+pub fn soften(path: &mut [SurfacePoint], rounds: usize) {
     for _ in 0..rounds {
         let before = path.to_vec();
         for i in 1..path.len().saturating_sub(1) {
@@ -205,7 +210,7 @@ const EDGE: [(f64, f64); 6] = [
 
 /// A strip along a path, rounded at its edges.
 #[must_use]
-pub fn strip(path: &[Spot], shape: &Strip) -> Shell {
+pub fn strip(path: &[SurfacePoint], shape: &Strip) -> Shell {
     let frames = frames(path, shape.closed);
     let rings: Vec<Vec<DVec3>> = path
         .iter()
@@ -225,7 +230,7 @@ pub fn strip(path: &[Spot], shape: &Strip) -> Shell {
 
 /// A round cord along a path, lying on the cloth and closed at its ends.
 #[must_use]
-pub fn cord(path: &[Spot], radius: f64) -> Shell {
+pub fn cord(path: &[SurfacePoint], radius: f64) -> Shell {
     const AROUND: usize = 6;
     let frames = frames(path, false);
     let last = path.len().saturating_sub(1);
@@ -250,7 +255,7 @@ pub fn cord(path: &[Spot], radius: f64) -> Shell {
 }
 
 /// Across the path, in the cloth, at each of its places.
-fn frames(path: &[Spot], closed: bool) -> Vec<DVec3> {
+fn frames(path: &[SurfacePoint], closed: bool) -> Vec<DVec3> {
     let n = path.len();
     (0..n)
         .map(|i| {
@@ -269,7 +274,7 @@ fn frames(path: &[Spot], closed: bool) -> Vec<DVec3> {
         .collect()
 }
 
-fn swept(path: &[Spot], rings: &[Vec<DVec3>], closed: bool, round: bool) -> Shell {
+fn swept(path: &[SurfacePoint], rings: &[Vec<DVec3>], closed: bool, round: bool) -> Shell {
     let mut out = Shell::default();
     for (spot, ring) in path.iter().zip(rings) {
         for p in ring {
@@ -292,7 +297,7 @@ fn swept(path: &[Spot], rings: &[Vec<DVec3>], closed: bool, round: bool) -> Shel
 }
 
 /// Turns all faces over when point `k` of the rings looks into the cloth.
-fn orient(shell: &mut Shell, path: &[Spot], m: usize, k: usize) {
+fn orient(shell: &mut Shell, path: &[SurfacePoint], m: usize, k: usize) {
     let agree: f64 = shell
         .normals()
         .iter()
@@ -310,7 +315,7 @@ fn orient(shell: &mut Shell, path: &[Spot], m: usize, k: usize) {
 
 /// A dished disc with a rounded rim.
 #[must_use]
-pub fn button(spot: &Spot, radius: f64) -> Shell {
+pub fn button(spot: &SurfacePoint, radius: f64) -> Shell {
     const AROUND: usize = 8;
     const PROFILE: [(f64, f64); 5] = [
         (1.0, -0.1),

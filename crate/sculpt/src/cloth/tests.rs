@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::{Dressed, Wearer, dress};
-use crate::assemble::{Blueprint, Piece, assemble};
+use crate::assemble::{Blueprint, PartWithNormals, assemble};
 use crate::mannequin::Mannequin;
 use crate::part::MeshPart;
 use crate::people::{NAMES, preset};
@@ -16,7 +16,7 @@ use crate::subdivide::edge_faces;
 use crate::torso::{Field, Joints, Regions, Shell};
 use raconteur_body::figure::Figure;
 use raconteur_body::pose::Pose;
-use raconteur_body::skeleton::{Bone, FacePlaces};
+use raconteur_body::skeleton::{Bone, FaceJoints};
 
 struct Model {
     name: &'static str,
@@ -36,22 +36,27 @@ fn make(name: &'static str) -> Model {
         cage,
         neck,
         ..
-    } = Mannequin::of(&params);
+    } = Mannequin::from_params(&params);
     let clothes = dress(
         &Wearer::new(&params.body(), &field, &cage, &joints, &neck),
         &params.wardrobe,
     );
-    let eye = joints.at(Bone::Skull);
+    let eye = joints.position_of(Bone::Skull);
     let figure = assemble(&Blueprint {
         name: name.to_owned(),
         positions_in_world: joints.positions,
         bind_rotations: joints.rotations,
-        face: FacePlaces {
+        face: FaceJoints {
             eye_centres: [eye, eye],
         },
         stature_m: params.person.stature_m,
         lid_closure_rad: [0.6; 2],
-        pieces: clothes.parts.iter().cloned().map(Piece::from).collect(),
+        pieces: clothes
+            .parts
+            .iter()
+            .cloned()
+            .map(PartWithNormals::from)
+            .collect(),
         chains: Vec::new(),
         images: Vec::new(),
     });
@@ -294,7 +299,7 @@ fn sitting_is_borne() {
         let (short, long, turned) = strain(&m.figure, &posed(&m.figure, &turns));
         assert!(long < 3.0 && short > 0.1, "{}: {short} {long}", m.name);
         assert!(turned < 0.02, "{}: {turned} inside out", m.name);
-        assert!(m.joints.at(Bone::LHip).y > 0.0);
+        assert!(m.joints.position_of(Bone::LHip).y > 0.0);
     }
 }
 

@@ -4,7 +4,7 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, Side, mirror_vector};
 
-use super::band::{Band, Round, along_edge};
+use super::band::{Band, BandPath, along_edge};
 use super::cut::{ClothZone, Top, TopCut, mirrored_to};
 use super::drape::{DrapeParams, Draping, drape};
 use super::fade;
@@ -13,7 +13,7 @@ use super::fold::{Fold, crease};
 use super::gathers::folds;
 use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
-use super::strip::Lay;
+use super::strip::LayingSurface;
 use super::wearer::Wearer;
 use crate::part::MeshPart;
 use crate::torso::cage::{HOLE, Key, RING, Tag};
@@ -24,7 +24,7 @@ use raconteur_body::skeleton::Bone;
 /// Distance along the nearer arm from its shoulder, metres; negative inside the trunk.
 pub(super) fn along_arm(joints: &Joints, p: DVec3) -> f64 {
     let left = if p.x >= 0.0 { p } else { mirror_vector(p) };
-    (left - joints.at(Bone::LShoulder)).dot(Joints::arm_axis())
+    (left - joints.position_of(Bone::LShoulder)).dot(Joints::arm_axis())
 }
 
 fn arm_share(shell: &Shell) -> Vec<f64> {
@@ -42,7 +42,7 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     let unit = CM * wearer.scale;
     let rows = Cage::row_at(cut.reach[0])..Cage::row_at(cut.reach[1]);
     let last_span = Cage::arm_ring_at(1.80);
-    let mut sheet = Sheet::cut(cage, |tag| match tag {
+    let mut sheet = Sheet::extract(cage, |tag| match tag {
         Tag::Trunk(r) => rows.contains(&r),
         Tag::Arm(j) => j <= last_span,
         Tag::Leg(_) => false,
@@ -95,11 +95,11 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     if cut.is_taut {
         bridge_chest(&mut out.sheet.shell, wearer);
     }
-    let lay = Lay::new(below);
+    let lay = LayingSurface::new(below);
     for _ in 0..2 {
         clear(&mut out.sheet.shell, &lay, 0.55 * unit);
     }
-    keep_out(&mut out.sheet.shell, wearer.field, 0.2 * unit);
+    push_outside(&mut out.sheet.shell, wearer.field, 0.2 * unit);
     out
 }
 
@@ -129,7 +129,7 @@ fn bridge_chest(shell: &mut Shell, wearer: &Wearer<'_>) {
 }
 
 /// Brings what relaxing drew into the body, as in the armpit's crease, out again.
-fn keep_out(shell: &mut Shell, body: &Field, off: f64) {
+fn push_outside(shell: &mut Shell, body: &Field, off: f64) {
     for _ in 0..6 {
         for p in &mut shell.points {
             let (d, n) = body.value_and_normal(*p, Regions::ALL, 1.0);
@@ -139,7 +139,7 @@ fn keep_out(shell: &mut Shell, body: &Field, off: f64) {
 }
 
 /// Pushes the trunk's cloth out of the garments below it.
-fn clear(shell: &mut Shell, below: &Lay<'_>, off: f64) {
+fn clear(shell: &mut Shell, below: &LayingSurface<'_>, off: f64) {
     let high = below.top() + 0.02;
     let arm = arm_share(shell);
     for (p, arm) in shell.points.iter_mut().zip(arm) {
@@ -195,7 +195,7 @@ impl Top {
 
     /// The cloth as a part.
     #[must_use]
-    pub fn part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> MeshPart {
+    pub fn to_part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> MeshPart {
         let charts = charts(wearer);
         let shell = &self.sheet.shell;
         let chart_of = |f: usize| match self.sheet.tags[f] {
@@ -241,7 +241,7 @@ impl Top {
     ) -> (MeshPart, Shell) {
         let shell = along_edge(&self.sheet.shell, ring, band);
         let charts = charts(wearer);
-        let chart = if matches!(band.round, Round::Body(_, Regions::UPPER)) {
+        let chart = if matches!(band.round, BandPath::Body(_, Regions::UPPER)) {
             let first = ring
                 .first()
                 .map_or(0.0, |&v| self.sheet.shell.points[v as usize].x);
@@ -274,12 +274,12 @@ impl Top {
             width: hem_cm * unit,
             thickness: 0.3 * unit,
             ease: hem_ease_cm * unit,
-            round: Round::Body(wearer.field, Regions::LOWER),
+            round: BandPath::Body(wearer.field, Regions::LOWER),
             billow: 0.0,
             every: 1,
         };
         let (mut part, mut shell) = self.band(wearer, &self.hem, &hem, rib);
-        let lay = Lay::new(below);
+        let lay = LayingSurface::new(below);
         for v in &mut part.vertices {
             v.position = lay.outside(v.position, 0.3 * unit);
         }
@@ -297,7 +297,7 @@ impl Top {
                 width: cuff_cm * unit,
                 thickness: 0.25 * unit,
                 ease: cuff_ease_cm * unit,
-                round: Round::Body(wearer.field, Regions::UPPER),
+                round: BandPath::Body(wearer.field, Regions::UPPER),
                 billow: 0.0,
                 every: 1,
             };
@@ -311,7 +311,7 @@ impl Top {
 fn charts(wearer: &Wearer<'_>) -> [Chart; 3] {
     let joints = wearer.joints;
     let sleeve = |side: Side| Chart {
-        origin: mirrored_to(side, joints.at(Bone::LShoulder)),
+        origin: mirrored_to(side, joints.position_of(Bone::LShoulder)),
         axis: -mirrored_to(side, Joints::arm_axis()),
         front: mirrored_to(side, Joints::arm_up()),
         radius: 5.5 * CM * wearer.scale,
@@ -363,8 +363,8 @@ fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
             }
         })
         .collect();
-    let shoulder = joints.at(Bone::LShoulder);
-    let upper_arm = joints.at(Bone::LElbow).distance(shoulder);
+    let shoulder = joints.position_of(Bone::LShoulder);
+    let upper_arm = joints.position_of(Bone::LElbow).distance(shoulder);
     let end = along.iter().copied().fold(0.0, f64::max) - 0.3 * unit;
     let start = end - 4.0 * unit;
     let yoke = cage.row_height(HOLE.0 + 2);
@@ -401,7 +401,7 @@ fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
         place[v] == Some(folds[f].0) && pin[v] < 0.99
     });
     // Excess length along the sleeves and down the trunk must turn into folds.
-    let top_y = joints.at(Bone::Cervical).y - 20.0 * unit;
+    let top_y = joints.position_of(Bone::Cervical).y - 20.0 * unit;
     let rest = (0..shell.points.len())
         .map(|v| {
             let p = shell.points[v];
@@ -447,7 +447,7 @@ pub fn open_front(
     inside: impl Fn(DVec3) -> bool,
     edge: impl Fn(f64) -> Option<f64>,
 ) {
-    top.sheet.keep(|shell, f| {
+    top.sheet.retain(|shell, f| {
         let face = &shell.faces[f];
         let middle = face
             .iter()

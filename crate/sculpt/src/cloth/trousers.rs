@@ -3,14 +3,14 @@
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, Side};
 
-use super::band::{Band, Round, along_edge};
+use super::band::{Band, BandPath, along_edge};
 use super::drape::{DrapeParams, Draping, drape};
 use super::fade;
 use super::finish::{Chart, Fabric, Unrolling, cloth_part};
-use super::fold::{Chance, Fold, Line, Ring, crease};
+use super::fold::{Fold, Line, Ring, SeededRandom, crease};
 use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
-use super::strip::{Lay, Strip, strip};
+use super::strip::{LayingSurface, Strip, strip};
 use super::wearer::Wearer;
 use crate::part::MeshPart;
 use crate::torso::cage::{COLUMNS, Key, Tag};
@@ -88,7 +88,7 @@ pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<MeshPart>, Shell)
             surface.append(band);
         }
     }
-    let lay = Lay::new(&sheet.shell);
+    let lay = LayingSurface::new(&sheet.shell);
     for piece in trimmings(&sheet, &lay, cut, hip_x, unit) {
         parts.push(part_of(&piece, &[], cut.fabric.shaded(0.9), &|_| 0));
     }
@@ -108,14 +108,14 @@ fn edge_band<'a>(wearer: &Wearer<'a>, cut: &TrouserCut, is_leg: bool) -> Band<'a
         width: width * unit,
         thickness: thickness * unit,
         ease: ease * unit,
-        round: Round::Body(wearer.field, Regions::LOWER),
+        round: BandPath::Body(wearer.field, Regions::LOWER),
         billow: 0.0,
         every: 1,
     }
 }
 
 fn charts(wearer: &Wearer<'_>) -> ([Chart; 3], f64) {
-    let hip_x = wearer.joints.at(Bone::LHip).x;
+    let hip_x = wearer.joints.position_of(Bone::LHip).x;
     let chart = |x: f64, radius_cm: f64| Chart {
         origin: DVec3::new(x, 0.5, 0.0),
         axis: DVec3::Y,
@@ -149,14 +149,14 @@ fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     let joints = wearer.joints;
     let top_row = Cage::row_at(TOP);
     let last_span = Cage::leg_ring_at(1.96);
-    let mut sheet = Sheet::cut(wearer.cage, |tag| match tag {
+    let mut sheet = Sheet::extract(wearer.cage, |tag| match tag {
         Tag::Trunk(r) => r < top_row,
         Tag::Arm(_) => false,
         Tag::Leg(j) => j <= last_span,
     });
-    let hip = joints.at(Bone::LHip);
-    let length = hip.y - joints.at(Bone::LSubtalar).y;
-    let down = (joints.at(Bone::LSubtalar) - hip).normalize();
+    let hip = joints.position_of(Bone::LHip);
+    let length = hip.y - joints.position_of(Bone::LSubtalar).y;
+    let down = (joints.position_of(Bone::LSubtalar) - hip).normalize();
     sheet.settle(
         wearer.field,
         Regions::LOWER,
@@ -232,7 +232,7 @@ fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Si
     let joints = wearer.joints;
     let mut out = Vec::new();
     for side in Side::BOTH {
-        let chance = Chance(cut.seed + side.index() as u64);
+        let chance = SeededRandom(cut.seed + side.index() as u64);
         let mirror = DVec3::new(side.sign(), 1.0, 1.0);
         let column = |q: usize| {
             if side == Side::Left {
@@ -257,27 +257,31 @@ fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Si
                     to,
                     bow: DVec3::new(0.0, -0.6 * unit, 0.0),
                     width: width * unit,
-                    height: height * cut.gather * (1.0 + 0.3 * chance.at(6, n)) * unit,
+                    height: height * cut.gather * (1.0 + 0.3 * chance.sample(6, n)) * unit,
                 };
                 out.push((None, Fold::Line(fold)));
             }
         }
-        let hip = joints.at(Bone::LHip) * mirror;
-        let down = (joints.at(Bone::LSubtalar) * mirror - hip).normalize();
-        let thigh = joints.at(Bone::LKnee).distance(joints.at(Bone::LHip));
-        let shank = joints.at(Bone::LSubtalar).distance(joints.at(Bone::LKnee));
+        let hip = joints.position_of(Bone::LHip) * mirror;
+        let down = (joints.position_of(Bone::LSubtalar) * mirror - hip).normalize();
+        let thigh = joints
+            .position_of(Bone::LKnee)
+            .distance(joints.position_of(Bone::LHip));
+        let shank = joints
+            .position_of(Bone::LSubtalar)
+            .distance(joints.position_of(Bone::LKnee));
         let mut ring =
             |n: usize, along: f64, angle: f64, span: f64, tilt_cm: f64, size: [f64; 2]| {
                 let fold = Ring {
                     origin: hip,
                     axis: down,
                     front: DVec3::Z,
-                    along: along + 0.6 * unit * chance.at(1, n),
-                    angle: angle + 0.3 * chance.at(2, n),
+                    along: along + 0.6 * unit * chance.sample(1, n),
+                    angle: angle + 0.3 * chance.sample(2, n),
                     span,
-                    tilt: (tilt_cm + 0.4 * chance.at(3, n)) * unit,
+                    tilt: (tilt_cm + 0.4 * chance.sample(3, n)) * unit,
                     width: size[0] * unit,
-                    height: size[1] * cut.gather * (1.0 + 0.25 * chance.at(4, n)) * unit,
+                    height: size[1] * cut.gather * (1.0 + 0.25 * chance.sample(4, n)) * unit,
                 };
                 out.push((Some(side), Fold::Ring(fold)));
             };
@@ -332,7 +336,13 @@ fn seams(sheet: &mut Sheet, unit: f64) {
 }
 
 /// The fly's flap, the mouths of the side pockets and patch pockets behind.
-fn trimmings(sheet: &Sheet, lay: &Lay<'_>, cut: &TrouserCut, hip_x: f64, unit: f64) -> Vec<Shell> {
+fn trimmings(
+    sheet: &Sheet,
+    lay: &LayingSurface<'_>,
+    cut: &TrouserCut,
+    hip_x: f64,
+    unit: f64,
+) -> Vec<Shell> {
     let welt = Strip {
         width: 0.7 * unit,
         thickness: 0.16 * unit,

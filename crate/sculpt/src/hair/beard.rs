@@ -9,8 +9,8 @@ use super::colour::Palette;
 use super::cut::{BeardCut, LIPS_Y, height_of, on_lip, slope};
 use super::roots::{scattered, spread};
 use super::space::Sample;
-use crate::assemble::Piece;
-use crate::head::{Ear, Head, Holds, Ride};
+use crate::assemble::PartWithNormals;
+use crate::head::{Ear, Head, Holds, ScalpBinding};
 use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
@@ -75,7 +75,7 @@ const TRIED: usize = 12_000;
 /// And as many more for each step of density.
 const TRIED_DENSE: f64 = 24_000.0;
 /// Where a beard is thinner than this nothing grows, and not everything where it is little thicker.
-const LEAST_DENSITY: f64 = 0.45;
+const MIN_DENSITY: f64 = 0.45;
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
@@ -92,7 +92,7 @@ const STILL: f64 = 7e-4;
 /// How much a tuft rises from the skin where it is to stand on other faces too, whose skin is curved otherwise.
 const LIFT_ALONE: f64 = 0.62;
 /// The shortest tuft, metres.
-const SHORTEST: f64 = 0.003;
+const MIN_LENGTH_M: f64 = 0.003;
 
 /// Where a beard grows.
 struct Field<'a> {
@@ -195,7 +195,7 @@ impl Field<'_> {
         let thick = self.density(root);
         // The lips' lining looks backwards.
         let in_mouth = q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25;
-        if thick < LEAST_DENSITY + 0.3 * dice(1) || in_mouth {
+        if thick < MIN_DENSITY + 0.3 * dice(1) || in_mouth {
             return None;
         }
         let signed = |k: u64| 2.0 * dice(k) - 1.0;
@@ -232,11 +232,11 @@ impl Field<'_> {
             // It stands on its own, and may come to the edge of the lip but not over the mouth.
             length = length.min(1.1 * self.to_lips(root) + 0.0035);
         } else {
-            while length > SHORTEST && self.to_lips(tip(length)) < self.cut.lip_margin() {
+            while length > MIN_LENGTH_M && self.to_lips(tip(length)) < self.cut.lip_margin() {
                 length *= 0.8;
             }
         }
-        (length > SHORTEST).then_some(Tuft {
+        (length > MIN_LENGTH_M).then_some(Tuft {
             root,
             normal: n,
             direction,
@@ -247,8 +247,8 @@ impl Field<'_> {
 }
 
 /// What is made of a beard so far.
-struct Growing<'a> {
-    ride: Ride,
+struct BeardInProgress<'a> {
+    ride: ScalpBinding,
     palette: &'a Palette,
     /// Spans of a tuft.
     spans: u32,
@@ -258,7 +258,7 @@ struct Growing<'a> {
     holds: Vec<Holds>,
 }
 
-impl Growing<'_> {
+impl BeardInProgress<'_> {
     /// Adds a tuft as a card.
     fn add(&mut self, tuft: &Tuft, layer: &BeardLayer, dice: impl Fn(u64) -> f64, grey: f64) {
         let Tuft {
@@ -268,7 +268,7 @@ impl Growing<'_> {
             length,
             sag,
         } = *tuft;
-        let hold = self.ride.holds(root, 3);
+        let hold = self.ride.nearest_vertices(root, 3);
         let weights = self.ride.weights(&hold);
         let [first, last] = layer.strips;
         let strip = first + (dice(9) * f64::from(last - first)) as u32;
@@ -315,9 +315,9 @@ pub(super) fn beard(
     material: &Material,
     palette: &Palette,
     seed: u64,
-) -> Piece {
+) -> PartWithNormals {
     let skin = head.skin();
-    let ride = Ride::new(skin);
+    let ride = ScalpBinding::new(skin);
     let field = Field::new(head, p);
     let density: Vec<f64> = ride.positions.iter().map(|q| field.density(*q)).collect();
     let triangles: Vec<[Sample; 3]> = skin
@@ -334,7 +334,7 @@ pub(super) fn beard(
         .collect();
     let tried = TRIED + (TRIED_DENSE * (p.density - 1.0).max(0.0)) as usize;
     let places: Vec<Sample> = scattered(&triangles, tried, seed + 7).collect();
-    let mut growing = Growing {
+    let mut growing = BeardInProgress {
         ride,
         palette,
         spans: p.cut.spans(),
@@ -355,7 +355,7 @@ pub(super) fn beard(
             }
         }
     }
-    let Growing {
+    let BeardInProgress {
         ride,
         mut part,
         normals,
@@ -364,7 +364,7 @@ pub(super) fn beard(
     } = growing;
     part.morphs = ride.morphs(&holds, STILL);
     part.bound = ride.bound(&holds);
-    Piece {
+    PartWithNormals {
         part,
         normals: Some(normals),
     }

@@ -132,7 +132,7 @@ impl Cap {
 
     /// Colour of hair at a place of the head's skin, in the frame of the head, metres, and the share
     /// that it covers; `None` away from the scalp.
-    pub(crate) fn at(&self, p: DVec3) -> Option<([f64; 3], f64)> {
+    pub(crate) fn sample(&self, p: DVec3) -> Option<([f64; 3], f64)> {
         let q = self.scalp.space.frame.place(p);
         if q.y < -0.10 || self.scalp.space.height_without_ears(q) > ON_EAR_M {
             return None;

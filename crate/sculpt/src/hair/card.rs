@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, ops};
 use super::colour::Palette;
 use super::grow::{sampled, tangent};
 use super::space::{Frame, Space};
-use crate::assemble::Piece;
+use crate::assemble::PartWithNormals;
 use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
@@ -22,7 +22,7 @@ const OWN_NORMAL: f64 = 0.25;
 
 /// How a card is laid along its path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Laid {
+pub(super) struct CardLayout {
     /// Metres.
     pub(super) length: f64,
     /// Full width, metres.
@@ -83,7 +83,7 @@ pub(super) struct Card {
 
 impl Card {
     /// Along a path whose points are `step` apart, facing away from the head.
-    pub(super) fn along(space: &Space, path: &[DVec3], step: f64, laid: &Laid) -> Self {
+    pub(super) fn along(space: &Space, path: &[DVec3], step: f64, laid: &CardLayout) -> Self {
         let clear = |p: DVec3| space.pushed(p, EDGE_M);
         Self::laid(path, step, laid, &|p| space.hull_normal(p), &clear)
     }
@@ -93,7 +93,7 @@ impl Card {
         path: &[DVec3],
         step: f64,
         outward: &dyn Fn(DVec3) -> DVec3,
-        laid: &Laid,
+        laid: &CardLayout,
     ) -> Self {
         Self::laid(path, step, laid, outward, &|p| p)
     }
@@ -101,7 +101,7 @@ impl Card {
     fn laid(
         path: &[DVec3],
         step: f64,
-        laid: &Laid,
+        laid: &CardLayout,
         outward: &dyn Fn(DVec3) -> DVec3,
         clear: &dyn Fn(DVec3) -> DVec3,
     ) -> Self {
@@ -207,7 +207,7 @@ pub(super) fn piece(
     cards: &[Card],
     palette: &Palette,
     joints: &Joints<'_>,
-) -> Piece {
+) -> PartWithNormals {
     let mut part = empty("hair", material);
     let mut normals = Vec::new();
     for (id, card) in (0..).zip(cards) {
@@ -239,7 +239,7 @@ pub(super) fn piece(
             }
         }
     }
-    Piece {
+    PartWithNormals {
         part,
         normals: Some(normals),
     }

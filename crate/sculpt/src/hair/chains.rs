@@ -33,7 +33,7 @@ const ROOTED_M: f64 = 0.035;
 /// Links of a tail.
 const TAIL_LINKS: usize = 4;
 /// Sum of weights of rows that a guide needs.
-const LEAST: f64 = 0.5;
+const MIN_WEIGHT_SUM: f64 = 0.5;
 
 /// Where the chains of a style run.
 enum Kind {
@@ -258,7 +258,7 @@ fn mean(of: impl Iterator<Item = (DVec3, f64)>) -> Option<DVec3> {
     let (sum, weight) = of.fold((DVec3::ZERO, 0.0), |(s, w), (p, own)| {
         (s + p * own, w + own)
     });
-    (weight > LEAST).then(|| sum / weight)
+    (weight > MIN_WEIGHT_SUM).then(|| sum / weight)
 }
 
 /// The joints that carry the scalp at a place: that of the nape follows the neck a little.

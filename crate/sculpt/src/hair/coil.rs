@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use raconteur_base::{DVec3, noise, ops};
 
-use super::card::{Card, Laid};
+use super::card::{Card, CardLayout};
 use super::comb::step;
 use super::layers::Layer;
 use super::line::angles;
@@ -20,7 +20,7 @@ const COIL_M: f64 = 0.0022;
 const COIL_TURN_M: f64 = 0.011;
 
 /// A course that a card follows, and its look along it, as [`Laid`] has it.
-struct Wound<'a> {
+struct CoilPath<'a> {
     path: &'a [DVec3],
     length: f64,
     taper: [f64; 3],
@@ -87,7 +87,7 @@ impl Grower<'_> {
                 self.space.pushed(p, 0.0008)
             })
             .collect();
-        let wound = Wound {
+        let wound = CoilPath {
             path: &path,
             length,
             taper: [0.7, 1.0, 0.85],
@@ -115,7 +115,7 @@ impl Grower<'_> {
                 p + self.space.normal(p) * (depth * wave - self.space.height(p))
             })
             .collect();
-        let wound = Wound {
+        let wound = CoilPath {
             path: &path,
             length,
             taper: [0.8, 1.0, 0.8],
@@ -124,7 +124,7 @@ impl Grower<'_> {
         self.coil(layer, number, root, i, &wound)
     }
 
-    fn coil(&self, layer: &Layer, number: u64, root: &Root, i: i64, wound: &Wound<'_>) -> Card {
+    fn coil(&self, layer: &Layer, number: u64, root: &Root, i: i64, wound: &CoilPath<'_>) -> Card {
         let seed = self.params.seed + 1000 * (number + 1) + 500;
         let dice = |k: u64| noise::unit(seed, k, i);
         let strips = f64::from(layer.strips[1] - layer.strips[0]);
@@ -132,7 +132,7 @@ impl Grower<'_> {
             self.space,
             wound.path,
             STEP_M,
-            &Laid {
+            &CardLayout {
                 length: wound.length,
                 width: layer.width
                     * (0.75 + 0.5 * dice(0))

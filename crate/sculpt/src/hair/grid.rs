@@ -40,7 +40,7 @@ impl Lattice {
         (cell.to_array().map(|c| c as usize), held - cell)
     }
 
-    pub(super) fn holds(&self, p: DVec3) -> bool {
+    pub(super) fn contains(&self, p: DVec3) -> bool {
         let q = (p - self.low) / self.pitch;
         let last = DVec3::from_array(self.size.map(|n| n as f64 - 1.0));
         q.cmpge(DVec3::ZERO).all() && q.cmplt(last).all()
@@ -63,7 +63,7 @@ impl Grid {
     }
 
     /// The number at a place; beyond the box that of its border.
-    pub(super) fn at(&self, p: DVec3) -> f64 {
+    pub(super) fn sample(&self, p: DVec3) -> f64 {
         let ([x, y, z], f) = self.lattice.below(p);
         let [_, ny, nz] = self.lattice.size;
         let first = (x * ny + y) * nz + z;
@@ -82,7 +82,7 @@ impl Grid {
     /// Unit direction in which the numbers grow.
     pub(super) fn slope(&self, p: DVec3) -> DVec3 {
         let h = self.lattice.pitch;
-        let along = |d: DVec3| self.at(p + d) - self.at(p - d);
+        let along = |d: DVec3| self.sample(p + d) - self.sample(p - d);
         DVec3::new(
             along(DVec3::X * h),
             along(DVec3::Y * h),
@@ -93,7 +93,7 @@ impl Grid {
 
     /// Adds to the eight points about a place, by nearness.
     pub(super) fn splat(&mut self, p: DVec3, amount: f64) {
-        if !self.lattice.holds(p) {
+        if !self.lattice.contains(p) {
             return;
         }
         let (cell, f) = self.lattice.below(p);
@@ -171,7 +171,7 @@ mod tests {
         let f = |p: DVec3| 1.0 + 2.0 * p.x - p.y + 0.5 * p.z;
         let grid = Grid::new(l, |i| f(l.place(l.cell(i))) as f32);
         for p in [DVec3::new(0.1, 0.3, -0.7), DVec3::new(-0.9, 0.99, 0.2)] {
-            assert!((grid.at(p) - f(p)).abs() < 1e-5);
+            assert!((grid.sample(p) - f(p)).abs() < 1e-5);
             let slope = DVec3::new(2.0, -1.0, 0.5).normalize();
             assert!(grid.slope(DVec3::ZERO).distance(slope) < 1e-4);
         }

@@ -19,7 +19,7 @@ const PITCH_M: f64 = 0.005;
 const DEPTH: f64 = 0.33;
 /// Area of cards in a cubic metre beyond which they only overlap: where all hair of a side comes
 /// together over a shoulder, it would be black.
-const MOST_DENSE: f32 = 600.0;
+const MAX_DENSE: f32 = 600.0;
 /// Directions on the sphere.
 const DIRECTIONS: usize = 40;
 /// Steps of a ray and their length, metres.
@@ -82,21 +82,21 @@ impl<'a> Shade<'a> {
         }
         let mut density = density.blurred(1);
         for d in &mut density.values {
-            *d = d.min(MOST_DENSE);
+            *d = d.min(MAX_DENSE);
         }
         Self { space, density }
     }
 
     /// Share of light that comes to `p` from `d`, starting `off` metres on.
-    fn coming(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
+    fn transmittance(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
         let mut depth = 0.0;
         let mut at = p + d * off;
         for _ in 0..STEPS {
-            if !self.density.lattice.holds(at) {
+            if !self.density.lattice.contains(at) {
                 break;
             }
-            depth += self.density.at(at) * STEP_M * DEPTH;
-            let height = self.space.whole.at(at);
+            depth += self.density.sample(at) * STEP_M * DEPTH;
+            let height = self.space.whole.sample(at);
             if height < -0.002 {
                 depth -= height * STEP_M * HEAD_DEPTH;
             }
@@ -110,7 +110,10 @@ impl<'a> Shade<'a> {
 
     /// Mean share over all directions at a place in the hair.
     pub(super) fn mean(&self, p: DVec3) -> f64 {
-        directions().map(|d| self.coming(p, d, STEP_M)).sum::<f64>() / DIRECTIONS as f64
+        directions()
+            .map(|d| self.transmittance(p, d, STEP_M))
+            .sum::<f64>()
+            / DIRECTIONS as f64
     }
 
     /// Mean share over the directions above a place of the skin.
@@ -128,8 +131,8 @@ impl<'a> Shade<'a> {
     fn through_hair(&self, p: DVec3, d: DVec3) -> f64 {
         let depth: f64 = (0..STEPS)
             .map(|k| p + d * (k as f64 * STEP_M))
-            .take_while(|at| self.density.lattice.holds(*at))
-            .map(|at| self.density.at(at) * STEP_M * DEPTH)
+            .take_while(|at| self.density.lattice.contains(*at))
+            .map(|at| self.density.sample(at) * STEP_M * DEPTH)
             .sum();
         // The running sums of a blur leave remainders below zero.
         ops::exp(-depth.max(0.0))

@@ -5,7 +5,7 @@ mod shape;
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise, ops};
 
-use super::card::{Card, Laid};
+use super::card::{Card, CardLayout};
 use super::comb::{Field, step};
 use super::grow::{Growth, grow, smooth};
 use super::layers::Layer;
@@ -33,7 +33,7 @@ struct Hair<'a> {
     layer: &'a Layer,
     number: u64,
     root: &'a Root,
-    dice: Dice,
+    dice: HairRandom,
 }
 
 /// What grows on one head.
@@ -55,12 +55,12 @@ pub(super) fn normal(seed: u64, id: u64, i: i64) -> f64 {
 }
 
 /// The random numbers of one hair.
-struct Dice {
+struct HairRandom {
     seed: u64,
     i: i64,
 }
 
-impl Dice {
+impl HairRandom {
     fn unit(&self, k: u64) -> f64 {
         noise::unit(self.seed, k, self.i)
     }
@@ -82,7 +82,7 @@ impl Grower<'_> {
                     layer,
                     number,
                     root: &root,
-                    dice: Dice {
+                    dice: HairRandom {
                         seed: self.params.seed + 1000 * (number + 1),
                         i,
                     },
@@ -188,7 +188,7 @@ impl Grower<'_> {
             }
         }
         smooth(&mut path, if self.is_short() { 1 } else { 5 });
-        let length = self.cut(&mut path, hair, g.length)?;
+        let length = self.trim(&mut path, hair, g.length)?;
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * g.step;
             *p = self.space.pushed(
@@ -205,7 +205,7 @@ impl Grower<'_> {
         if !self.is_wearable(&path, length) {
             return None;
         }
-        let laid = self.laid(hair, lock, length);
+        let laid = self.card_layout(hair, lock, length);
         Some(Card::along(self.space, &path, g.step, &laid))
     }
 
@@ -258,7 +258,7 @@ impl Grower<'_> {
     }
 
     /// What a card of this length looks like.
-    fn laid(&self, hair: &Hair<'_>, lock: &Lock, length: f64) -> Laid {
+    fn card_layout(&self, hair: &Hair<'_>, lock: &Lock, length: f64) -> CardLayout {
         let Hair {
             layer,
             number,
@@ -289,7 +289,7 @@ impl Grower<'_> {
         };
         // Tones of short cards that differ much would show as scales.
         let vary = if is_short { 0.07 } else { 0.15 };
-        Laid {
+        CardLayout {
             length,
             width: layer.width
                 * (0.75 + 0.5 * dice.unit(8))
@@ -343,7 +343,7 @@ impl Grower<'_> {
                     self.space,
                     &path,
                     g.step,
-                    &Laid {
+                    &CardLayout {
                         length,
                         width: 0.0042 * (0.7 + 0.6 * dice(3)),
                         taper: [0.5, 1.0, 0.35],

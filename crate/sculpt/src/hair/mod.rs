@@ -46,10 +46,10 @@ use self::line::Line;
 use self::locks::Grower;
 use self::space::Space;
 use self::style::Comb;
-use crate::assemble::Piece;
+use crate::assemble::PartWithNormals;
 use crate::head::Head;
 use crate::part::MeshPart;
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
 /// How hair is cut and combed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -154,7 +154,7 @@ impl Default for HairParams {
 /// Hair as it has grown.
 pub struct Grown {
     /// Cards of the scalp and the beard, in the frame of the head.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<PartWithNormals>,
     /// The chains that it swings with, in the frame of the head.
     pub chains: Vec<HairChain>,
     /// Share of light that the hair lets through to each vertex of the head's skin, 0..1.
@@ -165,7 +165,7 @@ pub struct Grown {
 
 /// Light that comes to the scalp however thick the hair: it scatters on, among white hairs more than
 /// among black ones.
-const LEAST_LIGHT: [f64; 2] = [0.25, 0.8];
+const MIN_LIGHT: [f64; 2] = [0.25, 0.8];
 
 /// Makes the hair of a head whose neighbourhood is clothed with `clothes`, in the head's frame.
 #[must_use]
@@ -177,7 +177,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
         base_color: [r, g, b, 1.0],
         roughness: 0.45,
         double_sided: true,
-        maps: Maps::default(),
+        maps: TextureMaps::default(),
     };
     let mut grown = Grown {
         pieces: Vec::new(),
@@ -211,7 +211,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
         cards.sort_by_key(|c| c.layer);
         let shade = Shade::new(&space, &cards);
         light::bake(&shade, &mut cards);
-        let [dark, white] = LEAST_LIGHT;
+        let [dark, white] = MIN_LIGHT;
         let least = lerp(dark, white, palette.base.iter().sum::<f64>() / 3.0);
         grown.skin_light = space
             .drawn(head)

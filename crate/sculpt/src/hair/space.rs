@@ -51,7 +51,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    fn of(head: &Head) -> Self {
+    fn from_head(head: &Head) -> Self {
         let turn = DMat3::from_rotation_x(TURN_DEG.to_radians());
         let eyes = (head.eye_centres[0] + head.eye_centres[1]) * 0.5;
         let eyes = turn * eyes;
@@ -113,7 +113,7 @@ pub(super) struct Space {
 impl Space {
     /// About a head whose neighbourhood is clothed with `clothes`, in the frame of the head.
     pub(super) fn new(head: &Head, clothes: &[Sample]) -> Self {
-        let frame = Frame::of(head);
+        let frame = Frame::from_head(head);
         let sheet = &head.sheet;
         let faces: Vec<Vec<u32>> = sheet.triangles.iter().map(|t| t.to_vec()).collect();
         let normals = vertex_normals(&sheet.at, &faces);
@@ -179,7 +179,7 @@ impl Space {
 
     /// Height over what hair grows along, metres.
     pub(super) fn height(&self, p: DVec3) -> f64 {
-        self.growth.at(p)
+        self.growth.sample(p)
     }
 
     /// Its outward normal.
@@ -194,12 +194,12 @@ impl Space {
 
     /// Height over the head without its ears, metres.
     pub(super) fn height_without_ears(&self, p: DVec3) -> f64 {
-        self.earless.at(p)
+        self.earless.sample(p)
     }
 
     /// Out of the ear, if a place lies in it or nearer to it than `height`.
     pub(super) fn over_ear(&self, p: DVec3, height: f64) -> DVec3 {
-        let short = height - self.whole.at(p);
+        let short = height - self.whole.sample(p);
         if short > 0.0 {
             p + self.hull_normal(p) * short
         } else {
@@ -248,7 +248,7 @@ fn distances(lattice: Lattice, samples: &[(DVec3, DVec3)]) -> Grid {
             .map_or(f64::MAX, |(q, _)| q.distance_squared(p))
     };
     for (s, (q, _)) in (0u32..).zip(samples) {
-        if !lattice.holds(*q) {
+        if !lattice.contains(*q) {
             continue;
         }
         let (cell, _) = lattice.below(*q);

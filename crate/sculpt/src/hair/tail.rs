@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use raconteur_base::{DVec3, noise, ops};
 
-use super::card::{Card, Laid};
+use super::card::{Card, CardLayout};
 use super::comb::step;
 use super::grow::{sampled, smooth};
 use super::locks::{Grower, normal};
@@ -99,7 +99,7 @@ impl Grower<'_> {
                     &path,
                     STEP_M,
                     &outward,
-                    &Laid {
+                    &CardLayout {
                         length,
                         width: 0.0105 * (0.75 + 0.5 * dice(4)),
                         taper: [0.55, 1.0, 0.55],
@@ -155,7 +155,7 @@ impl Grower<'_> {
                     self.space,
                     &path,
                     STEP_M,
-                    &Laid {
+                    &CardLayout {
                         length,
                         width: 0.015 * (0.7 + 0.6 * dice(3)),
                         taper: [0.5, 1.0, 0.6],
@@ -209,7 +209,7 @@ impl Grower<'_> {
                     &path,
                     STEP_M,
                     &|p: DVec3| (p - middle).normalize_or(DVec3::Y),
-                    &Laid {
+                    &CardLayout {
                         length,
                         width: 0.013 * (0.7 + 0.6 * dice(4)),
                         taper: [0.55, 1.0, 0.55],

@@ -41,7 +41,7 @@ struct Worn {
 }
 
 impl Worn {
-    fn cards(&self) -> impl Iterator<Item = &Piece> {
+    fn cards(&self) -> impl Iterator<Item = &PartWithNormals> {
         self.grown.pieces.iter().filter(|p| p.part.name == "hair")
     }
 }
@@ -112,7 +112,7 @@ fn hair_keeps_clear_of_the_skin() {
                 .filter(|r| r[0].uv[1] > 0.3)
                 .map(|r| {
                     let at = (r[0].position + r[1].position) / 2.0;
-                    space.whole.at(space.frame.place(at))
+                    space.whole.sample(space.frame.place(at))
                 })
                 .collect();
             let deep = heights.iter().filter(|h| **h < -0.0005).count();
@@ -153,7 +153,7 @@ fn the_scalp_is_covered_from_all_sides() {
             .filter(|p| line.smooth_distance(*p) > 0.02 && space.height_without_ears(*p) < 0.002)
             .collect();
         for p in &wanted {
-            let mut about = cells.near(*p).map(|i| rows[i as usize]);
+            let mut about = cells.neighbours(*p).map(|i| rows[i as usize]);
             let near = about.any(|r| r.distance_squared(*p) < COVERED_M * COVERED_M);
             bare += usize::from(!near);
         }

@@ -66,7 +66,7 @@ impl Curve {
         }
     }
 
-    pub(super) fn at(&self, x: f64) -> f64 {
+    pub(super) fn sample(&self, x: f64) -> f64 {
         let last = self.keys.len() - 1;
         let x = x.clamp(self.keys[0].0, self.keys[last].0);
         let i = self
@@ -123,7 +123,7 @@ pub(super) struct HandBuild {
 
 impl HandBuild {
     /// For a sex (0 male to 1 female) and an age in years.
-    pub(super) fn of(sex: f64, age_years: f64) -> Self {
+    pub(super) fn from_sex_and_age(sex: f64, age_years: f64) -> Self {
         let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
         let old = curve::smooth((age_years - 40.0) / 38.0);
         let man = (1.0 - sex) * (1.0 - child);
@@ -214,9 +214,9 @@ impl Finger {
     pub(super) fn section(&self, along: f64) -> Section {
         let q = self.joint_coordinate(along);
         Section {
-            half_width: self.half_width.at(q) * self.girth,
-            dorsal: self.dorsal.at(q) * self.girth,
-            palmar: self.palmar.at(q) * self.girth,
+            half_width: self.half_width.sample(q) * self.girth,
+            dorsal: self.dorsal.sample(q) * self.girth,
+            palmar: self.palmar.sample(q) * self.girth,
         }
     }
 }

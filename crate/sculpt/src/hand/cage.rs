@@ -146,11 +146,11 @@ impl Builder<'_> {
     fn forearm_point(&self, column: usize, y: f64) -> DVec3 {
         let a = self.anatomy;
         let side = face_side(column);
-        let width = a.forearm_half_width.at(y);
+        let width = a.forearm_half_width.sample(y);
         let height = if side < 0.0 {
-            a.forearm_dorsal.at(y)
+            a.forearm_dorsal.sample(y)
         } else {
-            a.forearm_palmar.at(y)
+            a.forearm_palmar.sample(y)
         };
         let c = dorsal_column(column);
         let u = if side == 0.0 {
@@ -175,15 +175,15 @@ impl Builder<'_> {
         };
         let end = self.knuckle(dorsal_column(column)) + DVec3::new(aside, 0.0, side * 11.5 + 1.0);
         if fraction > 1.0 {
-            return self.drop_onto(end + DVec3::Y * (fraction - 1.0) * 75.0, side, field);
+            return self.project_onto(end + DVec3::Y * (fraction - 1.0) * 75.0, side, field);
         }
         let p = self.forearm_point(column, 2.0).lerp(end, fraction);
-        self.drop_onto(p, side, field)
+        self.project_onto(p, side, field)
     }
 
     /// Moves a vertex of back or palm onto the field from outside along z: started inside
     /// a fold, the projection would find the wrong wall.
-    fn drop_onto(&self, p: DVec3, side: f64, field: &Field<'_>) -> DVec3 {
+    fn project_onto(&self, p: DVec3, side: f64, field: &Field<'_>) -> DVec3 {
         if side == 0.0 {
             return p;
         }
@@ -229,7 +229,7 @@ impl Builder<'_> {
     }
 
     /// A vertex of the sleeve outside the thumb's hole.
-    fn at(&self, row: usize, column: usize) -> u32 {
+    fn vertex(&self, row: usize, column: usize) -> u32 {
         // The only missing vertex is the middle of the hole, which no caller names.
         self.sleeve[row][column].unwrap_or(0)
     }
@@ -281,7 +281,7 @@ impl Builder<'_> {
             (2, PALMAR_EDGE),
             (1, PALMAR_EDGE),
         ]
-        .map(|(row, column)| self.at(HOLE + row, column));
+        .map(|(row, column)| self.vertex(HOLE + row, column));
         rings
     }
 
@@ -290,8 +290,8 @@ impl Builder<'_> {
         let last = ROWS - 1;
         for f in 1..FINGER_COUNT {
             let r = rings[f];
-            let dorsal = |c: usize| self.at(last, c);
-            let palmar = |c: usize| self.at(last, PALMAR_EDGE - c);
+            let dorsal = |c: usize| self.vertex(last, c);
+            let palmar = |c: usize| self.vertex(last, PALMAR_EDGE - c);
             let (before, mid, after) = (2 * f - 2, 2 * f - 1, 2 * f);
             let mut quads = vec![
                 [dorsal(before), dorsal(mid), r[1], r[0]],
@@ -306,7 +306,7 @@ impl Builder<'_> {
             }
             self.faces.extend(quads.iter().map(|q| q.to_vec()));
         }
-        let at = |c: usize| self.at(last, c);
+        let at = |c: usize| self.vertex(last, c);
         let (index, little) = (rings[1], rings[4]);
         let sides = [
             [at(RADIAL_SIDE), at(DORSAL_EDGE), index[0], index[7]],
@@ -367,7 +367,7 @@ impl Builder<'_> {
     /// around it has vertices to stand on. Towards the free edge, which has no fold, they
     /// stay behind and within the end of the finger.
     fn build_nail_bed(&mut self, f: usize, around: [u32; 8], centre: u32) {
-        let nail = Nail::of(f);
+        let nail = Nail::for_finger(f);
         let middle = (nail.root + nail.end) / 2.0;
         let (r, m, e) = (nail.root, middle, nail.end);
         let q = [r, r, r, m, e, e, e, m];

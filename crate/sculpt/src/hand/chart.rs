@@ -157,7 +157,7 @@ const MEAN: (f64, f64) = (0.5, 30.0);
 pub(super) fn chart() -> &'static Chart {
     static CHART: OnceLock<Chart> = OnceLock::new();
     CHART.get_or_init(|| {
-        let anatomy = Anatomy::new(HandBuild::of(MEAN.0, MEAN.1));
+        let anatomy = Anatomy::new(HandBuild::from_sex_and_age(MEAN.0, MEAN.1));
         let field = Field::new(&anatomy);
         let skin = surface::build(&anatomy, &field, &super::cage::build(&anatomy, &field));
         make(&anatomy, &skin)
@@ -198,7 +198,7 @@ fn make(anatomy: &Anatomy, skin: &Skin) -> Chart {
             let faces: Vec<&Vec<u32>> = kept.map(|(f, _)| f).collect();
             let placed = match anatomy.fingers.get(part) {
                 Some(finger) => unroll(finger, skin, &chart.source, &faces, part, side),
-                None => lay(skin, &chart.source, &faces, side),
+                None => unwrap(skin, &chart.source, &faces, side),
             };
             for (v, place) in placed {
                 flat[v as usize] = place;
@@ -275,7 +275,7 @@ fn unroll(
 }
 
 /// Back or palm of the hand, fingers up.
-fn lay(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u32, DVec2)> {
+fn unwrap(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u32, DVec2)> {
     let used = used(faces);
     let slot = |v: u32| used.binary_search(&v).unwrap_or(0) as u32;
     let positions: Vec<DVec3> = used
@@ -326,7 +326,7 @@ mod tests {
     #[test]
     fn every_hand_has_the_faces_of_the_mean_one() {
         let faces = |sex: f64, age_years: f64| {
-            let anatomy = Anatomy::new(HandBuild::of(sex, age_years));
+            let anatomy = Anatomy::new(HandBuild::from_sex_and_age(sex, age_years));
             let field = Field::new(&anatomy);
             super::super::cage::build(&anatomy, &field).faces
         };

@@ -27,7 +27,7 @@ pub(super) fn openness(field: &Field<'_>, skin: &Skin) -> Vec<f64> {
             let mut open = occlusion(field, p, n);
             if finger_share(&skin.ownership[i]) < 0.3 {
                 for crease in &CREASES {
-                    let (d, fade) = crease.at(p);
+                    let (d, fade) = crease.distance_and_depth(p);
                     let palm = curve::smooth((n.z - 0.3) / 0.5);
                     open *= 1.0 - 0.2 * palm * fade * crease.depth_mm * bell(d / 1.6);
                 }

@@ -45,7 +45,7 @@ struct Model {
 
 impl Model {
     fn new(params: &HandParams, side: Side) -> Self {
-        let anatomy = Anatomy::new(HandBuild::of(params.sex, params.age_years));
+        let anatomy = Anatomy::new(HandBuild::from_sex_and_age(params.sex, params.age_years));
         let field = Field::new(&anatomy);
         let cage = cage::build(&anatomy, &field);
         let skin = surface::build(&anatomy, &field, &cage);

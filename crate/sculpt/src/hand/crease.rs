@@ -55,7 +55,7 @@ pub(super) const CREASES: [Crease; 4] = [
 impl Crease {
     /// Distance in the palm's plane, mm, and how far the line has set in there, 0 to 1
     /// (it fades at both ends).
-    pub(super) fn at(&self, p: DVec3) -> (f64, f64) {
+    pub(super) fn distance_and_depth(&self, p: DVec3) -> (f64, f64) {
         let mut best = (f64::INFINITY, 0.0);
         let mut length = 0.0;
         for pair in self.points.windows(2) {

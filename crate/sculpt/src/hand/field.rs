@@ -178,11 +178,11 @@ impl<'a> Field<'a> {
 
     fn forearm(&self, p: DVec3) -> f64 {
         let a = self.anatomy;
-        let width = a.forearm_half_width.at(p.y);
+        let width = a.forearm_half_width.sample(p.y);
         let height = if p.z < 0.0 {
-            a.forearm_dorsal.at(p.y)
+            a.forearm_dorsal.sample(p.y)
         } else {
-            a.forearm_palmar.at(p.y)
+            a.forearm_palmar.sample(p.y)
         };
         let t = ((p.y - 18.0) / 10.0).max(0.0);
         // A fuller section than the fingers': exponent 2.4.

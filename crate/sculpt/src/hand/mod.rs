@@ -44,7 +44,7 @@ use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{MeshPart, PartVertex};
 use super::person::Person;
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::skeleton::{Bone, zero_frames};
 
@@ -99,7 +99,11 @@ const MAN: [f64; 3] = [0.1933 / 1.756, 0.0883 / 1.756, 0.268 / 1.756];
 impl HandParams {
     /// A person's hand.
     #[must_use]
-    pub fn of(person: &Person, proportions: &HandProportions, skin_color: [f64; 3]) -> Self {
+    pub fn from_person(
+        person: &Person,
+        proportions: &HandProportions,
+        skin_color: [f64; 3],
+    ) -> Self {
         let child = 1.0 - curve::smooth((person.age_years - 8.0) / 10.0);
         let [length, breadth, forearm] = core::array::from_fn(|i| {
             let adult = curve::lerp(MAN[i], WOMAN[i], person.sex);
@@ -130,7 +134,7 @@ pub(super) fn mean_hand(
         stature_m,
         build: 0.0,
     };
-    HandParams::of(&person, &HandProportions::default(), skin_color)
+    HandParams::from_person(&person, &HandProportions::default(), skin_color)
 }
 
 /// A hand in the hand frame (see the [module](self)).
@@ -222,7 +226,7 @@ fn measure(skin: &Skin) -> (f64, f64) {
 /// Builds one hand.
 #[must_use]
 pub fn build(params: &HandParams, side: Side) -> Hand {
-    let anatomy = Anatomy::new(HandBuild::of(params.sex, params.age_years));
+    let anatomy = Anatomy::new(HandBuild::from_sex_and_age(params.sex, params.age_years));
     let field = Field::new(&anatomy);
     let cage = cage::build(&anatomy, &field);
     let skin = surface::build(&anatomy, &field, &cage);
@@ -261,7 +265,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
             base_color: [1.0; 4],
             roughness: 0.48,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices,
         faces: place.faces(&chart.faces),
@@ -332,7 +336,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Mes
             base_color: [1.0; 4],
             roughness: 0.27,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices,
         faces: place.faces(&faces),

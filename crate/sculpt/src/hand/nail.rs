@@ -18,7 +18,7 @@ pub(super) struct Nail {
 
 impl Nail {
     /// The nail of a finger, thumb 0 to little finger 4.
-    pub(super) fn of(f: usize) -> Self {
+    pub(super) fn for_finger(f: usize) -> Self {
         let (root, end, width) = match f {
             0 => (2.37, 2.86, 0.82),
             4 => (2.39, 2.87, 0.78),
@@ -84,7 +84,7 @@ const THICKNESS: f64 = 0.5;
 /// Its underside is seen only at the free edge, where it has a lip; behind that it spans
 /// straight from side to side, inside the finger.
 pub(super) fn plate(finger: &Finger, f: usize, free_mm: f64) -> Plate {
-    let nail = Nail::of(f);
+    let nail = Nail::for_finger(f);
     let (root, end) = (
         finger.along(nail.root) - 1.3,
         finger.along(nail.end) + free_mm,

@@ -120,7 +120,7 @@ fn region(anatomy: &Anatomy, p: DVec3, normal: DVec3, owned: &[f64; FINGER_COUNT
                 r.knuckle = r.knuckle.max(mine * dorsal * bell((local.y - joint) / 6.0));
             }
             if local.z < 0.0 {
-                let (e, v) = Nail::of(f).outline(finger, local);
+                let (e, v) = Nail::for_finger(f).outline(finger, local);
                 let fold = bell((e - 0.6) / 1.4) * curve::smooth((0.95 - v) / 0.3);
                 r.nail = r.nail.max(mine * fold);
             }

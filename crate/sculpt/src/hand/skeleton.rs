@@ -93,7 +93,7 @@ fn phalanx(finger: &Finger, k: usize, tip_mm: f64) -> Solid {
 /// The 27 bones of a hand.
 #[must_use]
 pub fn bones(params: &HandParams, side: Side) -> Vec<HandBone> {
-    let anatomy = Anatomy::new(HandBuild::of(params.sex, params.age_years));
+    let anatomy = Anatomy::new(HandBuild::from_sex_and_age(params.sex, params.age_years));
     let field = super::field::Field::new(&anatomy);
     let cage = super::cage::build(&anatomy, &field);
     let place = Placement::new(params, side, &surface::build(&anatomy, &field, &cage));

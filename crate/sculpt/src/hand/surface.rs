@@ -167,7 +167,7 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         let joints = finger.joints();
         let m = curve::smooth((mine - 0.4) / 0.3);
         if mine > 0.5 && local.z < 0.5 {
-            let (e, v) = Nail::of(f).outline(finger, local);
+            let (e, v) = Nail::for_finger(f).outline(finger, local);
             // No fold at the free edge.
             let fold = 1.0 - curve::smooth((v - 0.55) / 0.35);
             h += finger.girth * fold * (0.5 * bell((e - 0.75) / 0.75))
@@ -218,7 +218,7 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         * curve::smooth((6.0 - p.y) / 12.0)
         * curve::smooth((p.y + 70.0) / 30.0);
     for crease in &super::crease::CREASES {
-        let (d, fade) = crease.at(p);
+        let (d, fade) = crease.distance_and_depth(p);
         h -= palmar * fade * crease.depth_mm * 0.6 * look.creases * bell(d / 1.8);
     }
     h
@@ -231,7 +231,7 @@ fn press_below_nails(anatomy: &Anatomy, p: &mut DVec3, ownership: &[f64; FINGER_
         if ownership[f] <= 0.5 || local.z >= 0.0 {
             continue;
         }
-        let (plate, width, v) = Nail::of(f).plate(finger, local.x, local.y);
+        let (plate, width, v) = Nail::for_finger(f).plate(finger, local.x, local.y);
         let under =
             curve::smooth((width * 0.98 - local.x.abs()) / 1.8) * curve::smooth((v - 0.10) / 0.12);
         local.z += under * (plate + 0.4 - local.z).max(0.0);

@@ -5,11 +5,11 @@ use raconteur_base::{DAffine3, mirror_vector};
 use super::*;
 use crate::subdivide::{edge_faces, welded};
 use crate::{assemble, people};
-use raconteur_base::crossing::crossings;
+use raconteur_base::self_intersection::crossings;
 use raconteur_base::surface::vertex_normals;
 use raconteur_body::hand_shape::{HandShape, finger_bones};
 use raconteur_body::pose::Pose;
-use raconteur_body::skeleton::{Drive, FacePlaces, Skeleton};
+use raconteur_body::skeleton::{Drive, FaceJoints, Skeleton};
 
 fn sofia(side: Side) -> Hand {
     build(&mean_hand(1.0, 35.0, 1.66, [0.5, 0.285, 0.205]), side)
@@ -189,7 +189,7 @@ pub(super) fn skeleton_with(hand: &Hand, side: Side) -> Skeleton {
     Skeleton::from_bind(
         &positions,
         &rotations,
-        FacePlaces { eye_centres: eyes },
+        FaceJoints { eye_centres: eyes },
         1.956,
     )
 }
@@ -253,7 +253,7 @@ fn a_fist_closes_and_a_pinch_meets() {
 fn the_bones_lie_inside_the_hand() {
     for (sex, age, stature) in [(1.0, 35.0, 1.66), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
         let params = mean_hand(sex, age, stature, [0.5, 0.3, 0.2]);
-        let anatomy = Anatomy::new(HandBuild::of(sex, age));
+        let anatomy = Anatomy::new(HandBuild::from_sex_and_age(sex, age));
         let field = Field::new(&anatomy);
         let cage = cage::build(&anatomy, &field);
         let place = Placement::new(
@@ -382,7 +382,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
     for (sex, stature, survey) in ansur {
         let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
-        let anatomy = Anatomy::new(HandBuild::of(sex, 35.0));
+        let anatomy = Anatomy::new(HandBuild::from_sex_and_age(sex, 35.0));
         let place = placed(&params, &anatomy);
         let vertices = &hand.skin().vertices;
         let tip = vertices.iter().map(|v| v.position.x).fold(0.0, f64::max) * 1000.0;
@@ -427,7 +427,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
 #[test]
 fn sex_and_age_show() {
     let width = |sex: f64, age: f64, q: f64| {
-        let anatomy = Anatomy::new(HandBuild::of(sex, age));
+        let anatomy = Anatomy::new(HandBuild::from_sex_and_age(sex, age));
         let finger = &anatomy.fingers[2];
         finger.section(finger.along(q)).half_width
     };

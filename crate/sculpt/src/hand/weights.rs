@@ -48,7 +48,7 @@ pub(super) fn finger_bone(side: Side, f: usize, k: usize) -> Bone {
 }
 
 impl Influence {
-    fn of(index: usize) -> Self {
+    fn from_index(index: usize) -> Self {
         match index {
             TWIST1 => Self::ForearmTwist(1),
             TWIST2 => Self::ForearmTwist(2),
@@ -254,6 +254,6 @@ fn strongest(row: &[f64; COUNT]) -> Vec<(Influence, f64)> {
     let sum: f64 = order.iter().map(|&i| row[i]).sum();
     order
         .iter()
-        .map(|&i| (Influence::of(i), row[i] / sum))
+        .map(|&i| (Influence::from_index(i), row[i] / sum))
         .collect()
 }

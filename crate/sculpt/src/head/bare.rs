@@ -3,7 +3,7 @@
 use raconteur_base::DVec3;
 
 use super::chart::chart;
-use super::cut::{behind, cut_part, kept, skin_cut};
+use super::cut::{behind, cut_part, faces_of_zones, skin_cut};
 use super::segment::{self, HeadSegment};
 use super::sheet::HeadSheet;
 use super::strands::BrowLine;
@@ -50,8 +50,8 @@ impl Organs {
 impl BareSkin {
     /// That of a person's head.
     #[must_use]
-    pub fn of(person: &Person, params: &HeadParams) -> Self {
-        let shape = Shape::of(person, &params.bound, params.asymmetry);
+    pub fn build(person: &Person, params: &HeadParams) -> Self {
+        let shape = Shape::build(person, &params.bound, params.asymmetry);
         let vertices: Vec<PartVertex> = (0..shape.surface.len())
             .map(|v| shape.vertex(v, 1.0))
             .collect();
@@ -73,8 +73,8 @@ impl BareSkin {
 
 /// What the skin of a head is painted on, and for each vertex of the drawn skin its vertex there.
 pub(crate) fn bare_sheet(person: &Person, params: &HeadParams) -> (HeadSheet, Vec<usize>) {
-    let shape = Shape::of(person, &params.bound, params.asymmetry);
+    let shape = Shape::build(person, &params.bound, params.asymmetry);
     let line = BrowLine::above(&shape.fitted.brow);
-    let (used, _) = kept(&shape.surface, chart(), skin_cut(&[]).keep);
+    let (used, _) = faces_of_zones(&shape.surface, chart(), skin_cut(&[]).keep);
     (shape.sheet(&line, params.brow.colour), used)
 }

@@ -116,7 +116,9 @@ impl Binding {
         let turn = DQuat::from_rotation_x(TILT_DEG.to_radians());
         let ends = table().iter().zip(&self.stencils);
         let ends = ends.filter(|(place, _)| place.mark == Mark::Cage(TRAGION));
-        let sum: DVec3 = ends.map(|(_, stencil)| turn * at(stencil, shape)).sum();
+        let sum: DVec3 = ends
+            .map(|(_, stencil)| turn * evaluate_stencil(stencil, shape))
+            .sum();
         Frame {
             turn,
             origin: sum / 2.0,
@@ -125,12 +127,17 @@ impl Binding {
 
     /// The bound places of a person, in the frame of the head.
     #[must_use]
-    pub fn bind(&self, shape: &[DVec3]) -> Bound {
+    pub fn bind(&self, shape: &[DVec3]) -> ModelHeadShape {
         let frame = self.frame(shape);
         let places = table().iter().zip(&self.stencils);
-        Bound {
+        ModelHeadShape {
             places: places
-                .map(|(p, stencil)| ((p.mark, p.side), frame.apply(at(stencil, shape))))
+                .map(|(p, stencil)| {
+                    (
+                        (p.mark, p.side),
+                        frame.apply(evaluate_stencil(stencil, shape)),
+                    )
+                })
                 .collect(),
             globes: eye_centres(shape).map(|p| frame.apply(p)),
         }
@@ -144,7 +151,7 @@ impl Binding {
 }
 
 /// A sum over the vertices of a person.
-fn at(stencil: &Stencil, shape: &[DVec3]) -> DVec3 {
+fn evaluate_stencil(stencil: &Stencil, shape: &[DVec3]) -> DVec3 {
     stencil.iter().map(|&(i, w)| shape[i as usize] * w).sum()
 }
 
@@ -164,17 +171,17 @@ impl Frame {
 /// The head of one person of the model: where it puts the cage's vertices, in millimetres.
 /// Frame of the head: origin between the tragions, x left, y up, z front.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bound {
+pub struct ModelHeadShape {
     places: BTreeMap<(Mark, Side), DVec3>,
     globes: [DVec3; 2],
 }
 
-impl Bound {
+impl ModelHeadShape {
     /// Evaluates the model.
     ///
     /// # Errors
     /// When the model lacks what the traits name.
-    pub fn of(model: &Model, traits: &Traits) -> Result<Self, ModelError> {
+    pub fn evaluate(model: &Model, traits: &Traits) -> Result<Self, ModelError> {
         Ok(Binding::new(model.faces()).bind(&model.shape(traits)?))
     }
 
@@ -264,7 +271,7 @@ impl Bound {
     }
 
     /// Where a mark lies; `None` for one that is not bound on that side.
-    pub(super) fn at(&self, mark: Mark, side: Side) -> Option<DVec3> {
+    pub(super) fn position_of(&self, mark: Mark, side: Side) -> Option<DVec3> {
         self.places.get(&(mark, side)).copied()
     }
 
@@ -279,7 +286,7 @@ impl Bound {
 
     /// Where a vertex of the cage lies; `None` for one that is not bound.
     pub(super) fn place(&self, key: Key, side: Side) -> Option<DVec3> {
-        self.at(Mark::Cage(key), side)
+        self.position_of(Mark::Cage(key), side)
     }
 
     /// The mean of a place and its mirror image, on the left.
@@ -303,7 +310,9 @@ impl Bound {
     /// The crest of a brow from its inner end, mm.
     #[must_use]
     pub fn brow_of(&self, side: Side) -> Vec<DVec3> {
-        (0..).map_while(|k| self.at(Mark::Brow(k), side)).collect()
+        (0..)
+            .map_while(|k| self.position_of(Mark::Brow(k), side))
+            .collect()
     }
 
     /// The crest of the left brow from its inner end, symmetric.
@@ -442,12 +451,14 @@ mod tests {
         let (faces, points) = plane();
         let bound = Binding::new(&faces).bind(&points);
         let text = bound.to_text();
-        let back = Bound::from_text(&text).unwrap();
+        let back = ModelHeadShape::from_text(&text).unwrap();
         for (name, place) in &bound.places {
             assert!(back.places[name].distance(*place) < 0.01, "{name:?}");
         }
         assert_eq!(
-            Bound::from_text(&back.to_text()).unwrap().to_text(),
+            ModelHeadShape::from_text(&back.to_text())
+                .unwrap()
+                .to_text(),
             back.to_text()
         );
         let cut = text.lines().count() / 2;
@@ -460,7 +471,7 @@ mod tests {
             &half,
             &text.replace("grid\t0\t0", "grid\tx\t0"),
         ] {
-            assert!(Bound::from_text(broken).is_none());
+            assert!(ModelHeadShape::from_text(broken).is_none());
         }
     }
 }

@@ -351,7 +351,7 @@ impl Cage {
         clippy::expect_used,
         reason = "keys come from code and the topology is fixed"
     )]
-    pub(crate) fn at(&self, key: Key, side: Side) -> usize {
+    pub(crate) fn vertex(&self, key: Key, side: Side) -> usize {
         let side = if key.on_midline() { Side::Left } else { side };
         *self.index.get(&(key, side)).expect("a vertex of the cage") as usize
     }

@@ -69,7 +69,7 @@ pub(crate) struct Chart {
 
 impl Chart {
     /// A quantity of the drawn vertices for the chart's.
-    pub(crate) fn of<T: Copy>(&self, drawn: &[T]) -> Vec<T> {
+    pub(crate) fn select<T: Copy>(&self, drawn: &[T]) -> Vec<T> {
         self.source.iter().map(|&v| drawn[v as usize]).collect()
     }
 }
@@ -82,8 +82,8 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    fn at(&self, key: Key) -> DVec3 {
-        self.limit[self.cage.at(key, Side::Left)]
+    fn position_of(&self, key: Key) -> DVec3 {
+        self.limit[self.cage.vertex(key, Side::Left)]
     }
 
     fn between(a: f64, b: f64, at: impl Fn(u8, u8) -> DVec3) -> DVec3 {
@@ -100,7 +100,7 @@ impl Places {
         let row = row.clamp(0.0, f64::from(LAST_ROW) - 1e-6);
         Self::between(column, row, |i, j| {
             if self.cage.has(Key::Grid(i, j)) {
-                return self.at(Key::Grid(i, j));
+                return self.position_of(Key::Grid(i, j));
             }
             // Holes are at most six wide: the nearest columns left and right that exist.
             let left = (0..i).rev().find(|&k| self.cage.has(Key::Grid(k, j)));
@@ -108,10 +108,11 @@ impl Places {
             match (left, right) {
                 (Some(a), Some(b)) => {
                     let t = f64::from(i - a) / f64::from(b - a);
-                    self.at(Key::Grid(a, j)).lerp(self.at(Key::Grid(b, j)), t)
+                    self.position_of(Key::Grid(a, j))
+                        .lerp(self.position_of(Key::Grid(b, j)), t)
                 }
-                (None, Some(b)) => self.at(Key::Grid(b, j)),
-                (Some(a), None) => self.at(Key::Grid(a, j)),
+                (None, Some(b)) => self.position_of(Key::Grid(b, j)),
+                (Some(a), None) => self.position_of(Key::Grid(a, j)),
                 (None, None) => DVec3::ZERO,
             }
         })
@@ -120,7 +121,7 @@ impl Places {
     /// A place by the eye's ring (0..8) and the position around (0..16, wraps).
     pub(crate) fn eye(&self, ring: f64, position: f64) -> DVec3 {
         Self::between(ring.clamp(0.0, 7.999), position.rem_euclid(16.0), |r, k| {
-            self.at(Key::eye(r, usize::from(k)))
+            self.position_of(Key::eye(r, usize::from(k)))
         })
     }
 
@@ -129,7 +130,7 @@ impl Places {
         Self::between(
             ring.clamp(0.0, 4.999),
             position.clamp(0.0, 11.999),
-            |r, k| self.at(Key::mouth(r, usize::from(k))),
+            |r, k| self.position_of(Key::mouth(r, usize::from(k))),
         )
     }
 }
@@ -177,7 +178,7 @@ fn make() -> Chart {
         .iter()
         .map(|&v| solved.cage_points[v as usize])
         .collect();
-    let flat = lay(&cage, &open, &twin, &positions);
+    let flat = unwrap(&cage, &open, &twin, &positions);
 
     let open_surface = Surface::new(&open);
     let mut surface_of = vec![0; open_surface.len()];
@@ -217,7 +218,7 @@ fn make() -> Chart {
 }
 
 /// Lays the cage into the rectangle; texels.
-fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2> {
+fn unwrap(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2> {
     let net = Net {
         cage,
         twin,
@@ -250,14 +251,14 @@ struct Lengths {
 }
 
 impl Net<'_> {
-    fn at(&self, k: Key, side: Side) -> u32 {
-        let v = self.cage.at(k, side);
+    fn vertex(&self, k: Key, side: Side) -> u32 {
+        let v = self.cage.vertex(k, side);
         let right = side == Side::Right && self.twin[v] != u32::MAX;
         if right { self.twin[v] } else { v as u32 }
     }
 
     fn length(&self, a: Key, b: Key) -> f64 {
-        let p = |k: Key| self.positions[self.cage.at(k, Side::Left)];
+        let p = |k: Key| self.positions[self.cage.vertex(k, Side::Left)];
         p(a).distance(p(b))
     }
 
@@ -293,7 +294,7 @@ impl Net<'_> {
                 let place = from.lerp(to, gone / whole);
                 gone += steps.get(i).copied().unwrap_or(0.0);
                 for (side, sign) in [(Side::Left, 1.0), (Side::Right, -1.0)] {
-                    let v = self.at(key, side);
+                    let v = self.vertex(key, side);
                     if held.iter().all(|h| h.0 != v) {
                         held.push((v, DVec2::new(place.x * sign, place.y)));
                     }
@@ -310,9 +311,9 @@ impl Net<'_> {
     fn bridges(&self) -> Vec<(u32, u32, f64)> {
         let mut bridges = Vec::new();
         for side in Side::BOTH {
-            let mouth = |k: usize| self.at(Key::mouth(5, k), side);
+            let mouth = |k: usize| self.vertex(Key::mouth(5, k), side);
             bridges.extend((0..6).map(|k| (mouth(k), mouth(12 - k), 3.0)));
-            let eye = |k: usize| self.at(Key::eye(6, k), side);
+            let eye = |k: usize| self.vertex(Key::eye(6, k), side);
             bridges.extend((1..8).map(|k| (eye(k), eye(16 - k), 0.35)));
         }
         bridges
@@ -321,7 +322,7 @@ impl Net<'_> {
     /// Spreads columns and rows over the rectangle.
     fn spread(&self, flat: &mut [DVec2], lengths: &Lengths) {
         let g = Key::Grid;
-        let place = |k: Key| flat[self.cage.at(k, Side::Left)];
+        let place = |k: Key| flat[self.cage.vertex(k, Side::Left)];
         let mut columns: Vec<[f64; 2]> = vec![[0.0; 2]];
         let mut rows: Vec<[f64; 2]> = vec![[0.0; 2]];
         let mut sum = 0.0;
@@ -353,10 +354,11 @@ impl Net<'_> {
         for side in Side::BOTH {
             for (r, share) in [(7, 0.82), (8, 0.64)] {
                 for k in 0..16 {
-                    let edge = |k: usize| flat[self.at(Key::eye(6, k), side) as usize];
+                    let edge = |k: usize| flat[self.vertex(Key::eye(6, k), side) as usize];
                     // Towards the line between the corners.
                     let line = (edge(k) + edge(16 - k % 16)) / 2.0;
-                    flat[self.at(Key::eye(r, k), side) as usize] = line + (edge(k) - line) * share;
+                    flat[self.vertex(Key::eye(r, k), side) as usize] =
+                        line + (edge(k) - line) * share;
                 }
             }
         }
@@ -366,11 +368,11 @@ impl Net<'_> {
     fn lay_mouth(&self, flat: &mut [DVec2]) {
         for side in Side::BOTH {
             for k in 0..13 {
-                let edge = |k: usize| flat[self.at(Key::mouth(5, k), side) as usize];
+                let edge = |k: usize| flat[self.vertex(Key::mouth(5, k), side) as usize];
                 let line = (edge(k) + edge(12 - k)) / 2.0;
                 // The bag behind the lips has no map, but the surface is smooth across its edge.
                 for r in 6..=8 {
-                    flat[self.at(Key::mouth(r, k), side) as usize] = line;
+                    flat[self.vertex(Key::mouth(r, k), side) as usize] = line;
                 }
             }
         }
@@ -380,7 +382,7 @@ impl Net<'_> {
     fn lay_ear(&self, flat: &mut [DVec2], border: &[u32]) {
         let Some(side) = Side::BOTH
             .into_iter()
-            .find(|&s| border.contains(&self.at(Key::ear(0, 0), s)))
+            .find(|&s| border.contains(&self.vertex(Key::ear(0, 0), s)))
         else {
             return;
         };
@@ -389,8 +391,8 @@ impl Net<'_> {
         let middle = border.iter().sum::<DVec2>() / border.len() as f64;
         for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
             for k in 0..18 {
-                let edge = flat[self.at(Key::ear(0, k), side) as usize];
-                flat[self.at(Key::ear(r, k), side) as usize] = middle + (edge - middle) * share;
+                let edge = flat[self.vertex(Key::ear(0, k), side) as usize];
+                flat[self.vertex(Key::ear(r, k), side) as usize] = middle + (edge - middle) * share;
             }
         }
     }

@@ -8,7 +8,7 @@ use super::cage::Zone;
 use super::chart::Chart;
 use super::surface::Surface;
 use crate::part::{MeshPart, PartMorph, PartVertex};
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
 /// Inside of the mouth: a part of its own.
 pub(super) fn is_bag(zone: Zone) -> bool {
@@ -53,7 +53,7 @@ pub(super) struct PartCut<'a> {
 }
 
 /// The faces of some zones, and the chart's vertex of each of theirs.
-pub(super) fn kept(
+pub(super) fn faces_of_zones(
     surface: &Surface,
     chart: &Chart,
     keep: fn(Zone) -> bool,
@@ -86,7 +86,7 @@ pub(super) fn cut_part(
     moved: &[(&'static str, Vec<DVec3>)],
     cut: &PartCut<'_>,
 ) -> MeshPart {
-    let (used, faces) = kept(surface, chart, cut.keep);
+    let (used, faces) = faces_of_zones(surface, chart, cut.keep);
     let source = |v: &usize| chart.source[*v] as usize;
     let morphs = moved
         .iter()
@@ -100,7 +100,7 @@ pub(super) fn cut_part(
             base_color: [1.0; 4],
             roughness: cut.roughness,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices: used
             .iter()

@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, Side, ops};
 
 use super::lining::GLOBE_RADIUS_MM;
 use crate::part::{JointRef, MeshPart, PartVertex};
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, Drive};
 
 /// Radius of the cornea's sphere, mm (7.8; Gray's Anatomy; *paper*).
@@ -89,7 +89,7 @@ fn part(name: &str, look: &Look, dome: Dome, centre: DVec3, joint: Drive) -> Mes
             base_color: [1.0; 4],
             roughness: look.roughness,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices,
         faces: dome.faces,

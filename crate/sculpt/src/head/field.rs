@@ -4,12 +4,12 @@
 use raconteur_base::Side::{Left, Right};
 use raconteur_base::{DVec3, Side, mirror_vector, ops};
 
-use super::binding::{Bound, Mark};
+use super::binding::{Mark, ModelHeadShape};
 use super::cage::Key;
 
 /// A soft pull: what lies about a place goes with it, less and less with the distance.
 #[derive(Clone, Copy, Debug)]
-struct Pull {
+struct SoftPull {
     /// The place, on the left.
     at: Mark,
     /// Standard deviation of the bell, mm.
@@ -28,11 +28,11 @@ pub struct Field {
     /// Standard deviation of its amount from face to face. Designed: within what is seen on
     /// unposed faces; rests of an expression are slight.
     pub deviation: f64,
-    pulls: &'static [Pull],
+    pulls: &'static [SoftPull],
 }
 
-const fn both(at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> Pull {
-    Pull {
+const fn symmetric(at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> SoftPull {
+    SoftPull {
         at,
         radius_mm,
         shift_mm,
@@ -40,8 +40,8 @@ const fn both(at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> Pull {
     }
 }
 
-const fn one(side: Side, at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> Pull {
-    Pull {
+const fn one(side: Side, at: Mark, radius_mm: f64, shift_mm: [f64; 3]) -> SoftPull {
+    SoftPull {
         at,
         radius_mm,
         shift_mm,
@@ -69,7 +69,7 @@ const fn brow(k: u8) -> Mark {
     Mark::Brow(k)
 }
 
-const fn field(name: &'static str, deviation: f64, pulls: &'static [Pull]) -> Field {
+const fn field(name: &'static str, deviation: f64, pulls: &'static [SoftPull]) -> Field {
     Field {
         name,
         deviation,
@@ -81,7 +81,7 @@ const fn field(name: &'static str, deviation: f64, pulls: &'static [Pull]) -> Fi
 #[rustfmt::skip]
 pub const FIELDS: [Field; 26] = [
     field("curve of the brows", 0.5, &[
-        both(brow(3), 7.0, [0.0, 3.0, 0.0]), both(brow(1), 6.0, [0.0, -1.2, 0.0]), both(brow(5), 6.0, [0.0, -1.8, 0.0]),
+        symmetric(brow(3), 7.0, [0.0, 3.0, 0.0]), symmetric(brow(1), 6.0, [0.0, -1.2, 0.0]), symmetric(brow(5), 6.0, [0.0, -1.8, 0.0]),
     ]),
     field("curve of the left brow", 0.25, &[
         one(Left, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Left, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Left, brow(5), 6.0, [0.0, -1.8, 0.0]),
@@ -89,54 +89,54 @@ pub const FIELDS: [Field; 26] = [
     field("curve of the right brow", 0.25, &[
         one(Right, brow(3), 7.0, [0.0, 3.0, 0.0]), one(Right, brow(1), 6.0, [0.0, -1.2, 0.0]), one(Right, brow(5), 6.0, [0.0, -1.8, 0.0]),
     ]),
-    field("distance of the brows", 0.5, &[both(brow(0), 8.0, [3.4, 0.6, 0.0]), both(brow(1), 7.0, [2.4, 0.3, 0.0])]),
+    field("distance of the brows", 0.5, &[symmetric(brow(0), 8.0, [3.4, 0.6, 0.0]), symmetric(brow(1), 7.0, [2.4, 0.3, 0.0])]),
     field("height of the brows", 0.5, &[
-        both(brow(1), 7.0, [0.0, 2.2, 0.0]), both(brow(3), 7.0, [0.0, 2.4, 0.0]), both(brow(5), 7.0, [0.0, 2.2, 0.0]),
+        symmetric(brow(1), 7.0, [0.0, 2.2, 0.0]), symmetric(brow(3), 7.0, [0.0, 2.4, 0.0]), symmetric(brow(5), 7.0, [0.0, 2.2, 0.0]),
     ]),
     field("roundness of the alae", 0.7, &[
-        both(grid(4, 12), 3.2, [1.3, -0.2, 1.5]), both(grid(4, 10), 3.0, [-0.9, 0.0, -0.8]), both(grid(4, 14), 3.0, [0.2, -0.4, 0.6]),
+        symmetric(grid(4, 12), 3.2, [1.3, -0.2, 1.5]), symmetric(grid(4, 10), 3.0, [-0.9, 0.0, -0.8]), symmetric(grid(4, 14), 3.0, [0.2, -0.4, 0.6]),
     ]),
     field("nasolabial fold", 0.6, &[
-        both(grid(5, 14), 3.6, [0.0, 0.0, -1.5]), both(grid(5, 16), 3.6, [0.0, 0.0, -1.7]), both(grid(5, 18), 3.6, [0.0, 0.0, -1.4]),
-        both(grid(7, 14), 6.0, [0.3, -0.6, 1.6]), both(grid(7, 17), 6.0, [0.6, -0.8, 1.5]),
+        symmetric(grid(5, 14), 3.6, [0.0, 0.0, -1.5]), symmetric(grid(5, 16), 3.6, [0.0, 0.0, -1.7]), symmetric(grid(5, 18), 3.6, [0.0, 0.0, -1.4]),
+        symmetric(grid(7, 14), 6.0, [0.3, -0.6, 1.6]), symmetric(grid(7, 17), 6.0, [0.6, -0.8, 1.5]),
     ]),
     field("double chin", 0.5, &[
-        both(grid(0, 27), 13.0, [0.0, -6.0, 4.0]), both(grid(6, 27), 11.0, [0.0, -5.0, 3.0]), both(grid(0, 25), 6.0, [0.0, -0.8, -0.6]),
+        symmetric(grid(0, 27), 13.0, [0.0, -6.0, 4.0]), symmetric(grid(6, 27), 11.0, [0.0, -5.0, 3.0]), symmetric(grid(0, 25), 6.0, [0.0, -0.8, -0.6]),
     ]),
-    field("fold of the upper lid", 0.5, &[both(eye(2, 4), 4.5, [0.0, -1.4, 0.7]), both(eye(2, 7), 4.5, [0.2, -1.6, 0.6])]),
-    field("bag of the lower lid", 0.5, &[both(eye(1, 12), 4.5, [0.0, -0.6, 1.4]), both(grid(6, 8), 4.5, [0.0, 0.0, -0.9])]),
-    field("hollow of the cheek", 0.5, &[both(grid(8, 17), 12.0, [-3.2, 0.0, -1.6])]),
-    field("cheekbone", 0.5, &[both(grid(9, 9), 10.0, [2.0, 0.4, 1.4])]),
-    field("ridge of the brow", 0.5, &[both(grid(3, 4), 8.0, [0.0, 0.0, 1.8]), both(grid(6, 4), 7.0, [0.0, 0.0, 1.6])]),
-    field("red of the upper lip", 0.5, &[both(mouth(2, 0), 5.0, [0.0, 0.0, 1.3]), both(mouth(1, 2), 4.0, [0.0, 0.9, 0.3])]),
-    field("red of the lower lip", 0.5, &[both(mouth(2, 12), 6.0, [0.0, 0.0, 1.5]), both(mouth(1, 10), 5.0, [0.0, -0.9, 0.4])]),
-    field("line of the lips", 0.5, &[both(mouth(1, 6), 7.0, [0.0, 2.6, 0.0]), both(mouth(3, 0), 6.0, [0.0, -0.5, 0.0])]),
-    field("cleft of the chin", 0.5, &[both(grid(0, 23), 3.4, [0.0, 0.0, -1.3]), both(grid(3, 23), 4.2, [0.0, 0.0, 0.9])]),
-    field("pad of the chin", 0.5, &[both(grid(0, 23), 8.0, [0.0, 0.0, 2.0])]),
-    field("lobe of the ear", 0.5, &[both(ear(4, 14), 6.0, [0.5, -2.8, 0.0])]),
-    field("temple", 0.5, &[both(grid(9, 3), 12.0, [2.2, 0.0, 0.0])]),
+    field("fold of the upper lid", 0.5, &[symmetric(eye(2, 4), 4.5, [0.0, -1.4, 0.7]), symmetric(eye(2, 7), 4.5, [0.2, -1.6, 0.6])]),
+    field("bag of the lower lid", 0.5, &[symmetric(eye(1, 12), 4.5, [0.0, -0.6, 1.4]), symmetric(grid(6, 8), 4.5, [0.0, 0.0, -0.9])]),
+    field("hollow of the cheek", 0.5, &[symmetric(grid(8, 17), 12.0, [-3.2, 0.0, -1.6])]),
+    field("cheekbone", 0.5, &[symmetric(grid(9, 9), 10.0, [2.0, 0.4, 1.4])]),
+    field("ridge of the brow", 0.5, &[symmetric(grid(3, 4), 8.0, [0.0, 0.0, 1.8]), symmetric(grid(6, 4), 7.0, [0.0, 0.0, 1.6])]),
+    field("red of the upper lip", 0.5, &[symmetric(mouth(2, 0), 5.0, [0.0, 0.0, 1.3]), symmetric(mouth(1, 2), 4.0, [0.0, 0.9, 0.3])]),
+    field("red of the lower lip", 0.5, &[symmetric(mouth(2, 12), 6.0, [0.0, 0.0, 1.5]), symmetric(mouth(1, 10), 5.0, [0.0, -0.9, 0.4])]),
+    field("line of the lips", 0.5, &[symmetric(mouth(1, 6), 7.0, [0.0, 2.6, 0.0]), symmetric(mouth(3, 0), 6.0, [0.0, -0.5, 0.0])]),
+    field("cleft of the chin", 0.5, &[symmetric(grid(0, 23), 3.4, [0.0, 0.0, -1.3]), symmetric(grid(3, 23), 4.2, [0.0, 0.0, 0.9])]),
+    field("pad of the chin", 0.5, &[symmetric(grid(0, 23), 8.0, [0.0, 0.0, 2.0])]),
+    field("lobe of the ear", 0.5, &[symmetric(ear(4, 14), 6.0, [0.5, -2.8, 0.0])]),
+    field("temple", 0.5, &[symmetric(grid(9, 3), 12.0, [2.2, 0.0, 0.0])]),
     field("smiling", 0.2, &[
-        both(mouth(1, 6), 8.0, [3.6, 4.4, -1.6]), both(grid(7, 11), 13.0, [0.8, 2.4, 2.0]), both(grid(5, 15), 4.5, [1.0, 0.6, -1.0]), both(eye(3, 12), 4.5, [0.0, 0.9, 0.0]),
+        symmetric(mouth(1, 6), 8.0, [3.6, 4.4, -1.6]), symmetric(grid(7, 11), 13.0, [0.8, 2.4, 2.0]), symmetric(grid(5, 15), 4.5, [1.0, 0.6, -1.0]), symmetric(eye(3, 12), 4.5, [0.0, 0.9, 0.0]),
     ]),
     field("angry", 0.2, &[
-        both(brow(0), 8.0, [-2.4, -4.2, 1.0]), both(brow(2), 7.0, [-0.8, -2.2, 0.4]), both(brow(5), 6.0, [0.0, 1.2, 0.0]), both(eye(5, 4), 4.5, [0.0, -0.9, 0.0]),
-        both(mouth(1, 0), 7.0, [0.0, -0.9, 0.0]), both(mouth(1, 6), 6.0, [-1.2, -1.6, 0.0]), both(grid(4, 12), 4.0, [1.0, 0.4, 0.0]),
+        symmetric(brow(0), 8.0, [-2.4, -4.2, 1.0]), symmetric(brow(2), 7.0, [-0.8, -2.2, 0.4]), symmetric(brow(5), 6.0, [0.0, 1.2, 0.0]), symmetric(eye(5, 4), 4.5, [0.0, -0.9, 0.0]),
+        symmetric(mouth(1, 0), 7.0, [0.0, -0.9, 0.0]), symmetric(mouth(1, 6), 6.0, [-1.2, -1.6, 0.0]), symmetric(grid(4, 12), 4.0, [1.0, 0.4, 0.0]),
     ]),
     field("surprised", 0.2, &[
-        both(brow(1), 8.0, [0.0, 3.2, 0.0]), both(brow(3), 8.0, [0.0, 3.8, 0.0]), both(brow(5), 7.0, [0.0, 2.6, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.5, 0.0]),
-        both(mouth(1, 6), 7.0, [-2.0, 0.0, 0.8]), both(grid(0, 23), 14.0, [0.0, -2.0, 0.0]),
+        symmetric(brow(1), 8.0, [0.0, 3.2, 0.0]), symmetric(brow(3), 8.0, [0.0, 3.8, 0.0]), symmetric(brow(5), 7.0, [0.0, 2.6, 0.0]), symmetric(eye(5, 4), 5.0, [0.0, 1.5, 0.0]),
+        symmetric(mouth(1, 6), 7.0, [-2.0, 0.0, 0.8]), symmetric(grid(0, 23), 14.0, [0.0, -2.0, 0.0]),
     ]),
     field("scared", 0.2, &[
-        both(brow(0), 8.0, [-1.8, 4.6, 0.4]), both(brow(2), 7.0, [-0.6, 1.8, 0.0]), both(brow(5), 6.0, [0.0, -1.0, 0.0]), both(eye(5, 4), 5.0, [0.0, 1.3, 0.0]),
-        both(mouth(1, 6), 8.0, [3.2, -1.8, -1.2]),
+        symmetric(brow(0), 8.0, [-1.8, 4.6, 0.4]), symmetric(brow(2), 7.0, [-0.6, 1.8, 0.0]), symmetric(brow(5), 6.0, [0.0, -1.0, 0.0]), symmetric(eye(5, 4), 5.0, [0.0, 1.3, 0.0]),
+        symmetric(mouth(1, 6), 8.0, [3.2, -1.8, -1.2]),
     ]),
     field("deranged", 0.14, &[
         one(Left, brow(2), 9.0, [0.0, 5.0, 0.0]), one(Left, eye(5, 4), 5.0, [0.0, 1.5, 0.0]), one(Left, mouth(1, 6), 8.0, [3.0, 4.0, -1.2]),
         one(Right, brow(1), 8.0, [-1.6, -3.6, 0.6]), one(Right, mouth(1, 6), 8.0, [0.6, -1.8, 0.0]),
     ]),
     field("disgusted", 0.2, &[
-        both(mouth(1, 4), 6.0, [0.0, 2.6, 0.6]), both(grid(3, 13), 6.0, [0.8, 2.0, 0.6]), both(grid(5, 14), 4.0, [0.0, 0.6, -1.6]), both(grid(2, 8), 6.0, [0.0, 0.8, 0.8]),
-        both(brow(1), 8.0, [-0.8, -3.2, 0.4]), both(eye(3, 12), 4.5, [0.0, 1.0, 0.4]), both(mouth(1, 6), 6.0, [-0.4, -2.2, 0.0]), both(mouth(1, 12), 7.0, [0.0, 0.8, 1.4]),
+        symmetric(mouth(1, 4), 6.0, [0.0, 2.6, 0.6]), symmetric(grid(3, 13), 6.0, [0.8, 2.0, 0.6]), symmetric(grid(5, 14), 4.0, [0.0, 0.6, -1.6]), symmetric(grid(2, 8), 6.0, [0.0, 0.8, 0.8]),
+        symmetric(brow(1), 8.0, [-0.8, -3.2, 0.4]), symmetric(eye(3, 12), 4.5, [0.0, 1.0, 0.4]), symmetric(mouth(1, 6), 6.0, [-0.4, -2.2, 0.0]), symmetric(mouth(1, 12), 7.0, [0.0, 0.8, 1.4]),
     ]),
 ];
 
@@ -161,7 +161,7 @@ pub fn field_index(name: &str) -> Option<usize> {
     FIELDS.iter().position(|field| field.name == name)
 }
 
-impl Bound {
+impl ModelHeadShape {
     /// The head with so much of each of [`FIELDS`]; missing amounts are zero.
     #[must_use]
     pub fn with_fields(&self, amounts: &[f64]) -> Self {
@@ -170,13 +170,13 @@ impl Bound {
             let pulls = field.pulls.iter().flat_map(|p| self.bells(p, *amount));
             bells.extend(pulls);
         }
-        self.moved(|p| bells.iter().map(|b| b.at(p)).sum())
+        self.moved(|p| bells.iter().map(|b| b.displacement(p)).sum())
     }
 
     /// A pull on this head, on each side that it is on; one of the midline counts once.
-    fn bells(&self, pull: &Pull, amount: f64) -> Vec<Bell> {
+    fn bells(&self, pull: &SoftPull, amount: f64) -> Vec<Bell> {
         let shift = DVec3::from_array(pull.shift_mm) * amount;
-        let is_middle = self.at(pull.at, Right).is_none();
+        let is_middle = self.position_of(pull.at, Right).is_none();
         let sides = Side::BOTH.into_iter().filter(|&side| {
             let wanted = pull.side.is_none_or(|only| only == side);
             wanted && (side == Left || !is_middle)
@@ -188,7 +188,7 @@ impl Bound {
                 mirror_vector(shift)
             };
             Some(Bell {
-                centre: self.at(pull.at, side)?,
+                centre: self.position_of(pull.at, side)?,
                 radius_mm: pull.radius_mm,
                 shift,
             })
@@ -206,7 +206,7 @@ struct Bell {
 
 impl Bell {
     /// By how much a place goes with it.
-    fn at(&self, place: DVec3) -> DVec3 {
+    fn displacement(&self, place: DVec3) -> DVec3 {
         let far = (place - self.centre).length_squared() / (self.radius_mm * self.radius_mm);
         if far > 16.0 {
             DVec3::ZERO
@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn every_field_moves_something_and_only_near_its_places() {
-        let mean = Bound::default();
+        let mean = ModelHeadShape::default();
         let rest = mean.numbers();
         for field in &FIELDS {
             let moved = mean.with_fields(&amounts(field.name, 1.0)).numbers();
@@ -246,12 +246,12 @@ mod tests {
 
     #[test]
     fn fields_of_both_sides_keep_a_head_symmetric() {
-        let mean = Bound::default();
+        let mean = ModelHeadShape::default();
         let moved = mean.with_fields(&amounts("smiling", 1.0));
-        let [left, right] = Side::BOTH.map(|s| moved.at(mouth(1, 6), s).expect("bound"));
+        let [left, right] = Side::BOTH.map(|s| moved.position_of(mouth(1, 6), s).expect("bound"));
         assert!((left - mirror_vector(right)).length() < 0.05);
         let crooked = mean.with_fields(&amounts("deranged", 1.0));
-        let [left, right] = Side::BOTH.map(|s| crooked.at(mouth(1, 6), s).expect("bound"));
+        let [left, right] = Side::BOTH.map(|s| crooked.position_of(mouth(1, 6), s).expect("bound"));
         assert!(left.y - right.y > 4.0);
     }
 }

@@ -7,14 +7,14 @@ use faer::Mat;
 use faer::linalg::solvers::Solve as _;
 use raconteur_base::DVec3;
 
-use super::binding::{Binding, Bound};
-use super::fitted::fit;
+use super::binding::{Binding, ModelHeadShape};
+use super::fitted_half::fit;
 use super::measure::{At, DEFINITIONS, Measure};
 use crate::model::{Detail, Model, ModelError, Traits};
 use crate::statistics::Row;
 
 /// Within it faces stay usual.
-const MOST: f64 = 0.6;
+const MAX_DETAIL: f64 = 0.6;
 /// Weight of a change of a detail by its whole usual range against one standard deviation of a
 /// measure. Designed: most faces come within 0.2 deviations and no detail to its end.
 const STAY: f64 = 0.5;
@@ -26,7 +26,7 @@ const ROUNDS: usize = 3;
 /// Where a measure stands on a head, and what was wanted, in standard deviations from the mean
 /// for its sex and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Aim {
+pub struct MeasureGoal {
     /// Which.
     pub measure: Measure,
     /// Before fitting.
@@ -39,7 +39,7 @@ pub struct Aim {
 
 /// The measures of a head, millimetres, in the order of [`Measure::all`].
 #[must_use]
-pub fn measures(bound: &Bound) -> [f64; Measure::COUNT] {
+pub fn measures(bound: &ModelHeadShape) -> [f64; Measure::COUNT] {
     let points = fit(bound, |_| None).points;
     let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
     core::array::from_fn(|i| (DEFINITIONS[i].take)(at))
@@ -80,7 +80,7 @@ impl Fitting<'_> {
         let bound = self.binding.bind(&self.model.shape(traits)?);
         let all = measures(&bound);
         let deviation = |t: &Target| {
-            let norm = t.row.at(traits.sex, traits.age_years);
+            let norm = t.row.norm_at(traits.sex, traits.age_years);
             (all[t.measure as usize] - norm.mean) / norm.sd
         };
         Ok(self.targets.iter().map(deviation).collect())
@@ -103,7 +103,8 @@ impl Fitting<'_> {
         for (detail, by) in self.details.iter().zip(by) {
             for name in detail.names.iter().filter(|_| *by != 0.0) {
                 let amount = all.details.entry(name.clone()).or_default();
-                *amount = (*amount + by).clamp(-MOST.max(amount.abs()), MOST.max(amount.abs()));
+                *amount = (*amount + by)
+                    .clamp(-MAX_DETAIL.max(amount.abs()), MAX_DETAIL.max(amount.abs()));
             }
         }
         all
@@ -153,7 +154,7 @@ pub fn fit_measures(
     model: &Model,
     traits: &Traits,
     wanted: &BTreeMap<Measure, f64>,
-) -> Result<(Traits, Vec<Aim>), ModelError> {
+) -> Result<(Traits, Vec<MeasureGoal>), ModelError> {
     let fitting = Fitting {
         model,
         binding: Binding::new(model.faces()),
@@ -169,7 +170,7 @@ pub fn fit_measures(
     }
     let after = fitting.deviations(&fitted)?;
     let aims = fitting.targets.iter().zip(before.iter().zip(&after));
-    let aims = aims.map(|(t, (&before, &after))| Aim {
+    let aims = aims.map(|(t, (&before, &after))| MeasureGoal {
         measure: t.measure,
         before,
         after,

@@ -120,7 +120,7 @@ fn farthest(shape: &Shape, keep: impl Fn(DVec3, Zone) -> bool, size: impl Fn(DVe
 
 /// Name and vertex of the drawn surface.
 pub(super) fn landmarks(shape: &Shape) -> Vec<(String, u32)> {
-    let vertex = |key, side| shape.surface.vertex_of(shape.cage.at(key, side));
+    let vertex = |key, side| shape.surface.vertex_of(shape.cage.vertex(key, side));
     let mut all: Vec<(String, u32)> = Vec::new();
     for (name, key) in MIDDLE {
         if let Some(v) = vertex(key, Side::Left) {

@@ -5,21 +5,21 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DVec3, Side};
 
-use super::binding::Bound;
+use super::binding::ModelHeadShape;
 use super::cage::{Cage, Key};
 use super::solve::{Solved, solve};
 use super::surface::nearest;
 
 const TABLE: &str = include_str!("mean.tsv");
 
-impl Default for Bound {
+impl Default for ModelHeadShape {
     /// The mean adult, midway between the sexes.
     #[allow(
         clippy::expect_used,
         reason = "the table is part of the program and tested"
     )]
     fn default() -> Self {
-        static MEAN: OnceLock<Bound> = OnceLock::new();
+        static MEAN: OnceLock<ModelHeadShape> = OnceLock::new();
         MEAN.get_or_init(|| Self::from_text(TABLE).expect("a head"))
             .clone()
     }
@@ -28,7 +28,7 @@ impl Default for Bound {
 /// Its cage.
 pub(super) fn solved(cage: &Cage) -> &'static Solved {
     static SOLVED: OnceLock<Solved> = OnceLock::new();
-    SOLVED.get_or_init(|| solve(cage, &Bound::default().symmetric()))
+    SOLVED.get_or_init(|| solve(cage, &ModelHeadShape::default().symmetric()))
 }
 
 /// Whether a vertex of the cage carries layouts over: every second of the grid, lips and lids.
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn every_vertex_of_the_cage_has_its_place_and_the_mean_carries_itself() {
         let cage = Cage::new();
-        let places = Bound::default().symmetric();
+        let places = ModelHeadShape::default().symmetric();
         let mean = solved(&cage);
         for (v, &(key, side)) in cage.keys.iter().enumerate() {
             if side == Side::Left {

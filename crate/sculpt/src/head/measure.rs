@@ -79,7 +79,7 @@ fn breadth(p: DVec3) -> f64 {
 const G: fn(u8, u8) -> Key = Key::Grid;
 
 /// Greatest of some keys by a coordinate.
-fn most(at: At<'_>, keys: &[Key], coordinate: fn(DVec3) -> f64) -> f64 {
+fn max_by(at: At<'_>, keys: &[Key], coordinate: fn(DVec3) -> f64) -> f64 {
     keys.iter()
         .map(|&k| coordinate(at(k)))
         .fold(f64::MIN, f64::max)
@@ -121,9 +121,9 @@ pub(crate) const DEFINITIONS: [Definition; 22] = {
         known(M::HeadLength, "head_length", "g-op", row!([199.5, 189.8], [7.0, 7.4], [0.945, 0.95], NO_CHANGE, Ansur),
             |at| SKULL_BACK.iter().map(|&k| (at(k) - at(G(0, 4))).length()).fold(0.0, f64::max)),
         known(M::HeadBreadth, "head_breadth", "eu_l-eu_r", row!([154.3, 147.8], [5.5, 5.2], [0.955, 0.96], NO_CHANGE, Ansur),
-            |at| most(at, &SKULL_SIDE, breadth)),
+            |at| max_by(at, &SKULL_SIDE, breadth)),
         known(M::HeadHeight, "head_height", "t_l-v", row!([131.2, 126.5], [6.2, 6.6], [0.955, 0.96], NO_CHANGE, Ansur),
-            |at| most(at, &SKULL_TOP, |p| p.y)),
+            |at| max_by(at, &SKULL_TOP, |p| p.y)),
         known(M::ForeheadBreadth, "forehead_breadth", "ft_l-ft_r", row!([105.5, 102.9], [5.7, 5.4], [0.937, 0.952], NO_CHANGE, Respirator),
             |at| breadth(at(G(8, 3)))),
         known(M::FaceBreadth, "face_breadth", "zy_l-zy_r", row!([142.6, 133.8], [6.2, 5.6], [0.931, 0.947], [-0.008, -0.039], Ansur),
@@ -229,7 +229,7 @@ pub fn known_measures() -> impl Iterator<Item = KnownMeasure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::head::Bound;
+    use crate::head::ModelHeadShape;
 
     #[test]
     fn names_name_measures() {
@@ -242,9 +242,9 @@ mod tests {
 
     #[test]
     fn every_measure_of_the_mean_adult_is_near_the_mean() {
-        let all = Bound::default().symmetric();
+        let all = ModelHeadShape::default().symmetric();
         for d in &DEFINITIONS {
-            let norm = d.row.at(0.5, 28.0);
+            let norm = d.row.norm_at(0.5, 28.0);
             let off = ((d.take)(&|key| all[&key]) - norm.mean) / norm.sd;
             assert!(off.abs() < 2.0, "{}: {off:.2} deviations", d.name);
         }

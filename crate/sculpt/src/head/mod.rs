@@ -14,7 +14,7 @@ mod cut;
 mod ear_relief;
 mod eye;
 mod field;
-mod fitted;
+mod fitted_half;
 mod fitting;
 mod landmark;
 mod lining;
@@ -27,9 +27,9 @@ mod occlusion;
 mod paint;
 mod refined;
 mod registration;
-mod ride;
 mod rig;
 mod scalp;
+mod scalp_binding;
 mod seal;
 mod segment;
 mod sheet;
@@ -45,21 +45,21 @@ use serde::{Deserialize, Serialize};
 
 pub(crate) use self::bare::bare_sheet;
 pub use self::bare::{BareSkin, Organs};
-pub use self::binding::{Binding, Bound};
+pub use self::binding::{Binding, ModelHeadShape};
 use self::cage::{Cage, Key, LAST_ROW};
 pub(crate) use self::chart::Places;
 use self::chart::chart;
 use self::cut::{PartCut, behind, cut_part, is_bag, skin_cut};
 pub use self::field::{FIELDS, Field, expression_fields, field_index};
-use self::fitted::Fitted;
-pub(crate) use self::fitted::{CENTRED, eye_mm};
-pub use self::fitting::{Aim, fit_measures, measures};
+use self::fitted_half::FittedHalf;
+pub(crate) use self::fitted_half::{CENTRED, eye_mm};
+pub use self::fitting::{MeasureGoal, fit_measures, measures};
 pub use self::measure::{KnownMeasure, Measure, known_measures};
 use self::paint::coordinates;
 pub(crate) use self::paint::{Coordinates, MOUTH_DEEP};
 pub use self::registration::{Deviation, Registration, deviations, register};
-pub(crate) use self::ride::{Holds, Ride};
 pub use self::scalp::{Ear, Proportions, Scalp};
+pub(crate) use self::scalp_binding::{Holds, ScalpBinding};
 pub use self::segment::HeadSegment;
 pub(crate) use self::sheet::HeadSheet;
 pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
@@ -80,7 +80,7 @@ pub struct HeadParams {
     pub traits: Traits,
     /// The model's head for these traits. No part of a description: who reads one evaluates the model.
     #[serde(skip)]
-    pub bound: Bound,
+    pub bound: ModelHeadShape,
     /// Colour of the iris, linear RGB.
     pub iris: [f64; 3],
     /// Hairs of brows and lashes.
@@ -140,17 +140,17 @@ struct Shape {
     coordinates: Vec<Coordinates>,
     shares: Vec<rig::Shares>,
     /// What it was solved for.
-    fitted: Fitted,
+    fitted: FittedHalf,
 }
 
 impl Shape {
     /// Of a person whose halves differ by a share of what the model's do.
-    fn of(person: &Person, bound: &Bound, asymmetry: f64) -> Self {
+    fn build(person: &Person, bound: &ModelHeadShape, asymmetry: f64) -> Self {
         let cage = Cage::new();
-        let fitted = fitted::fit(bound, |key| neck::rim(person, key));
+        let fitted = fitted_half::fit(bound, |key| neck::rim(person, key));
         let mut solved = solve::solve(&cage, &fitted.points);
         for (p, &(key, side)) in solved.cage_points.iter_mut().zip(&cage.keys) {
-            *p += fitted::sway(bound, key, side) * asymmetry;
+            *p += fitted_half::sway(bound, key, side) * asymmetry;
         }
         seal::seal(&cage, &mut solved.cage_points);
         let rig = rig::rig(&cage, &solved, fitted.globe);
@@ -172,7 +172,7 @@ impl Shape {
 
     fn limit(&self, key: Key, side: Side) -> DVec3 {
         self.solved
-            .limit_of(self.cage.at(key, side), &self.solved.cage_points)
+            .limit_of(self.cage.vertex(key, side), &self.solved.cage_points)
     }
 }
 
@@ -192,11 +192,11 @@ struct Painted {
 const FLESH_FROM_CORNER_MM: DVec3 = DVec3::new(2.0, 0.8, -1.9);
 
 impl Painted {
-    fn of(shape: &Shape, warp: &dyn Fn(DVec3) -> DVec3, follow: &soft::Follow) -> Self {
+    fn evaluate(shape: &Shape, warp: &dyn Fn(DVec3) -> DVec3, follow: &soft::Follow) -> Self {
         let (positions, coordinates) = (&shape.positions, &shape.coordinates);
         let surface = &shape.surface;
         let normals = vertex_normals(positions, &surface.faces);
-        let proportions = Proportions::of(positions, coordinates);
+        let proportions = Proportions::measure(positions, coordinates);
         let triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
         let receivers: Vec<(DVec3, DVec3)> = positions
             .iter()
@@ -232,7 +232,7 @@ impl Painted {
     }
 
     /// Cuts a part out of the surface.
-    fn part(&self, shape: &Shape, cut: &PartCut<'_>) -> MeshPart {
+    fn cut_part(&self, shape: &Shape, cut: &PartCut<'_>) -> MeshPart {
         let mut part = cut_part(&shape.surface, chart(), &self.moved, cut);
         let source = behind(&part, &shape.positions);
         part.bound = (0u32..)
@@ -258,11 +258,11 @@ impl Shape {
                 .filter(|(z, _)| !is_bag(**z))
                 .flat_map(|(_, f)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
                 .collect(),
-            at: chart.of(positions),
-            mean: chart.of(&chart.mean),
-            normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
-            rings: chart.of(&self.coordinates),
-            brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
+            at: chart.select(positions),
+            mean: chart.select(&chart.mean),
+            normals: chart.select(&vertex_normals(&chart.mean, &surface.faces)),
+            rings: chart.select(&self.coordinates),
+            brow: chart.select(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
             brow_colour,
             places: Some(&chart.places),
         }
@@ -310,7 +310,7 @@ impl Shape {
         &self,
         side: Side,
         params: &HeadParams,
-        ride: &Ride,
+        ride: &ScalpBinding,
         line: &BrowLine,
     ) -> Vec<MeshPart> {
         let flesh = self.fitted.points[&Key::eye(5, 0)] + FLESH_FROM_CORNER_MM;
@@ -351,11 +351,11 @@ impl Shape {
 /// Builds the head of a person.
 #[must_use]
 pub fn build(person: &Person, params: &HeadParams) -> Head {
-    let shape = Shape::of(person, &params.bound, params.asymmetry);
+    let shape = Shape::build(person, &params.bound, params.asymmetry);
     let (soft, follow) = soft::soft(&shape.cage, &shape.solved, &shape.rig.shares);
     let warp = mean::warp(&soft.landmarks);
     let line = BrowLine::above(&shape.fitted.brow);
-    let painted = Painted::of(&shape, &warp, &follow);
+    let painted = Painted::evaluate(&shape, &warp, &follow);
     let skin = skin_cut(&painted.vertices);
     let bag = PartCut {
         name: MOUTH_BAG,
@@ -364,8 +364,11 @@ pub fn build(person: &Person, params: &HeadParams) -> Head {
         vertices: &painted.lined,
         keep: is_bag,
     };
-    let mut parts = vec![painted.part(&shape, &skin), painted.part(&shape, &bag)];
-    let ride = Ride::new(&parts[0]);
+    let mut parts = vec![
+        painted.cut_part(&shape, &skin),
+        painted.cut_part(&shape, &bag),
+    ];
+    let ride = ScalpBinding::new(&parts[0]);
     parts.extend(mouth::mouth(shape.lips()));
     for side in Side::BOTH {
         parts.extend(shape.eye_parts(side, params, &ride, &line));

@@ -376,7 +376,7 @@ fn right_name(left: &'static str) -> &'static str {
 fn mirror(cage: &Cage, deltas: &[DVec3]) -> Vec<DVec3> {
     cage.keys
         .iter()
-        .map(|&(key, side)| mirror_vector(deltas[cage.at(key, side.opposite())]))
+        .map(|&(key, side)| mirror_vector(deltas[cage.vertex(key, side.opposite())]))
         .collect()
 }
 
@@ -385,7 +385,7 @@ fn raise_lower_margin(cage: &Cage, solved: &Solved, deltas: &mut [DVec3]) {
     for k in 9..16usize {
         let middle = 1.0 - ((k as f64 - 12.0) / 4.0) * ((k as f64 - 12.0) / 4.0);
         for (ring, share) in [(3, 0.8), (4, 0.95), (5, 1.0), (6, 1.0), (7, 0.9)] {
-            let i = cage.at(Key::eye(ring, k), Side::Left);
+            let i = cage.vertex(Key::eye(ring, k), Side::Left);
             // Below the globe's equator the surface comes forward as it rises.
             let forward = if solved.cage_points[i].z > 0.0 {
                 0.42
@@ -410,13 +410,13 @@ fn mouth_close(cage: &Cage, spread: &Spread, shares: &[Shares]) -> Vec<DVec3> {
     spread.solve(|_, k, side, p| {
         // Both lips at one position take the mean of their own skinned movement.
         let moved = |k: usize| {
-            let i = cage.at(Key::mouth(4, k), side);
+            let i = cage.vertex(Key::mouth(4, k), side);
             let p = spread.solved.cage_points[i];
             skinned(p, shares[i].jaw) - p
         };
         let (up, low) = (k.min(12 - k), k.max(12 - k));
         let meet = moved(up).lerp(moved(low), 0.36);
-        let own = shares[cage.at(Key::mouth(4, k), side)].jaw;
+        let own = shares[cage.vertex(Key::mouth(4, k), side)].jaw;
         unskin(p + meet - skinned(p, own), own)
     })
 }

@@ -9,7 +9,7 @@ use raconteur_base::{DVec3, ops};
 
 use super::rig::smooth;
 use crate::part::{GUMS, JointRef, MeshPart, PartMorph, PartVertex, TEETH};
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, Drive};
 
 /// Crowns from the midline backwards: width, height, thickness at the gum, at the edge
@@ -80,7 +80,7 @@ fn empty(name: &str, kind: MaterialKind, roughness: f32) -> MeshPart {
             base_color: [1.0; 4],
             roughness,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices: Vec::new(),
         faces: Vec::new(),

@@ -108,7 +108,7 @@ pub(crate) struct Rig {
 
 /// Solves the rig on the limit surface.
 pub(crate) fn rig(cage: &Cage, solved: &Solved, globe_centre_mm: DVec3) -> Rig {
-    let limit = |key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
+    let limit = |key| solved.limit_of(cage.vertex(key, Side::Left), &solved.cage_points);
     let face = Bounds {
         mouth_corner: limit(Key::mouth(1, 6)),
         menton: limit(Key::Grid(0, 24)),
@@ -169,7 +169,7 @@ fn close_lid(
                 .collect()
         };
         // The other lid's side is posed too, but does not enter here.
-        let at = |k| solved.limit_of(cage.at(Key::eye(5, k), side), &posed);
+        let at = |k| solved.limit_of(cage.vertex(Key::eye(5, k), side), &posed);
         for (k, t) in (1..8).zip(&mut turn) {
             let arm = ((at(k) - centre) * DVec3::new(0.0, 1.0, 1.0))
                 .length()
@@ -185,12 +185,12 @@ fn close_lid(
             // Half-way rings of the lower lid swell in the middle.
             let middle = 1.0 - ((k as f64 - 4.0) / 4.0) * ((k as f64 - 4.0) / 4.0);
             for (i, ring) in (3..=7).enumerate() {
-                let upper = cage.at(Key::eye(ring, k), side);
+                let upper = cage.vertex(Key::eye(ring, k), side);
                 shares[upper].upper_lid = turn[k - 1] / closure * UPPER_FOLLOWS[i];
-                let lower = cage.at(Key::eye(ring, 16 - k), side);
+                let lower = cage.vertex(Key::eye(ring, 16 - k), side);
                 shares[lower].lower_lid = middle * LOWER_FOLLOWS[i];
                 // The outer corner sinks a little with the lid that closes.
-                let corner = cage.at(Key::eye(ring, 8), side);
+                let corner = cage.vertex(Key::eye(ring, 8), side);
                 shares[corner].upper_lid = 0.3 * turn[6] / closure * UPPER_FOLLOWS[i];
             }
         }

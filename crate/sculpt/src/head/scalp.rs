@@ -70,7 +70,7 @@ impl Default for Proportions {
 
 impl Proportions {
     /// Measures a head given in mm.
-    pub(super) fn of(positions: &[DVec3], coordinates: &[Coordinates]) -> Self {
+    pub(super) fn measure(positions: &[DVec3], coordinates: &[Coordinates]) -> Self {
         let skin = || {
             positions
                 .iter()

@@ -14,7 +14,7 @@ use crate::subdivide::{Stencil, Subdivided, limit_stencils, subdivide};
 /// How far apart the lips are at rest, mm. Designed: with less, lips of people at random cross.
 const TOUCH_MM: f64 = 0.4;
 /// Rings of the cage subdivided once between which lips come nearest.
-const NEAREST: core::ops::RangeInclusive<u8> = 8..=10;
+const CONTACT_RINGS: core::ops::RangeInclusive<u8> = 8..=10;
 /// Middle of the lower lip, in half steps of the cage from that of the upper one.
 const LAST: u8 = 24;
 /// Rounds; each leaves a small share of the gap, as a vertex of the cage moves its neighbours too.
@@ -42,11 +42,11 @@ struct Lips {
 }
 
 impl Lips {
-    fn of(cage: &Cage) -> Self {
+    fn from_cage(cage: &Cage) -> Self {
         let once = subdivide(&cage.faces, cage.len(), 1);
         let limit = limit_stencils(&once.faces, once.stencils.len());
         let nodes = lip_places(cage)
-            .filter(|(_, lip)| NEAREST.contains(&lip.ring))
+            .filter(|(_, lip)| CONTACT_RINGS.contains(&lip.ring))
             .map(|(v, lip)| (lip, v))
             .collect();
         Self { once, limit, nodes }
@@ -76,7 +76,7 @@ impl Lips {
 
 /// Brings the lips of a cage's surface together, millimetres.
 pub(super) fn seal(cage: &Cage, points: &mut [DVec3]) {
-    let lips = Lips::of(cage);
+    let lips = Lips::from_cage(cage);
     for _ in 0..ROUNDS {
         let gaps = lips.gaps(points);
         for (p, &(key, side)) in points.iter_mut().zip(&cage.keys) {
@@ -104,8 +104,8 @@ mod tests {
     fn lips_of_everyone_touch() {
         for name in people::NAMES {
             let params = people::preset(name).unwrap();
-            let shape = Shape::of(&params.person, &params.head.bound, params.head.asymmetry);
-            let gaps = Lips::of(&shape.cage).gaps(&shape.solved.cage_points);
+            let shape = Shape::build(&params.person, &params.head.bound, params.head.asymmetry);
+            let gaps = Lips::from_cage(&shape.cage).gaps(&shape.solved.cage_points);
             assert_eq!(gaps.len(), 23);
             for (column, gap) in gaps {
                 assert!(

@@ -282,7 +282,7 @@ pub(super) fn soft(cage: &Cage, solved: &Solved, shares: &[Shares]) -> (Soft, Fo
     }
     // Subdivision keeps the vertices it starts from in front.
     let held = |side| {
-        let nodes = EAR_HOLDS.map(|(c, r)| node_of[cage.at(Key::Grid(c, r), side)]);
+        let nodes = EAR_HOLDS.map(|(c, r)| node_of[cage.vertex(Key::Grid(c, r), side)]);
         nodes
             .iter()
             .all(Option::is_some)

@@ -186,7 +186,7 @@ fn symmetrise(cage: &Cage, points: &mut [DVec3]) {
         if key.on_midline() {
             points[v].x = 0.0;
         } else if side == Side::Left {
-            let other = cage.at(key, Side::Right);
+            let other = cage.vertex(key, Side::Right);
             let mean = (points[v] + raconteur_base::mirror_vector(points[other])) / 2.0;
             points[v] = mean;
             points[other] = raconteur_base::mirror_vector(mean);

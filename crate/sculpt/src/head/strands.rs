@@ -9,9 +9,9 @@ use raconteur_base::{DVec3, Side, noise};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use self::brow::BrowLine;
-use super::ride::{Holds, Ride};
+use super::scalp_binding::{Holds, ScalpBinding};
 use crate::part::{MeshPart, PartVertex};
-use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
 /// Hairs of brows and lashes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -72,13 +72,13 @@ impl Strand {
 }
 
 /// Seeded numbers of one hair.
-struct Dice {
+struct StrandRandom {
     seed: u64,
     hair: u64,
     next: i64,
 }
 
-impl Dice {
+impl StrandRandom {
     fn unit(&mut self) -> f64 {
         self.next += 1;
         noise::unit(self.seed, self.hair, self.next)
@@ -102,7 +102,13 @@ const REACH_MM: f64 = 0.5;
 
 /// A mesh of hairs; what of the skin its vertices follow is that of the `near` nearest vertices
 /// at the root.
-fn part(name: String, strands: &[Strand], ride: &Ride, near: usize, color: [f64; 3]) -> MeshPart {
+fn build_mesh(
+    name: String,
+    strands: &[Strand],
+    ride: &ScalpBinding,
+    near: usize,
+    color: [f64; 3],
+) -> MeshPart {
     let mut part = MeshPart {
         name,
         material: Material {
@@ -110,7 +116,7 @@ fn part(name: String, strands: &[Strand], ride: &Ride, near: usize, color: [f64;
             base_color: [1.0; 4],
             roughness: 0.55,
             double_sided: true,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         },
         vertices: Vec::new(),
         faces: Vec::new(),
@@ -119,8 +125,8 @@ fn part(name: String, strands: &[Strand], ride: &Ride, near: usize, color: [f64;
     };
     let mut roots: Vec<Holds> = Vec::new();
     for strand in strands {
-        let holds = ride.holds(strand.points[0] * 1e-3, near);
-        lay(&mut part, strand, ride, &holds, color);
+        let holds = ride.nearest_vertices(strand.points[0] * 1e-3, near);
+        append_ribbon(&mut part, strand, ride, &holds, color);
         roots.resize(part.vertices.len(), holds);
     }
     part.morphs = ride.morphs(&roots, STILL);
@@ -129,7 +135,13 @@ fn part(name: String, strands: &[Strand], ride: &Ride, near: usize, color: [f64;
 }
 
 /// Adds the ribbon of one hair, which tapers to a single vertex.
-fn lay(part: &mut MeshPart, strand: &Strand, ride: &Ride, holds: &Holds, color: [f64; 3]) {
+fn append_ribbon(
+    part: &mut MeshPart,
+    strand: &Strand,
+    ride: &ScalpBinding,
+    holds: &Holds,
+    color: [f64; 3],
+) {
     let base = part.vertices.len() as u32;
     let weights = ride.weights(holds);
     let [r, g, b] = color.map(|c| (c * strand.shade).clamp(0.0, 1.0));
@@ -165,7 +177,7 @@ fn letter(side: Side) -> &'static str {
 
 /// The brow of one side.
 pub(crate) fn brow(
-    ride: &Ride,
+    ride: &ScalpBinding,
     line: &BrowLine,
     side: Side,
     seed: u64,
@@ -173,13 +185,13 @@ pub(crate) fn brow(
 ) -> MeshPart {
     let brow = brow::brow(ride, line, side, seed, p);
     let name = format!("brow_{}", letter(side));
-    part(name, &brow, ride, 3, p.colour)
+    build_mesh(name, &brow, ride, 3, p.colour)
 }
 
 /// The lashes of one side. `edges` are the lash edges of the upper and the lower lid
 /// from the inner to the outer corner.
 pub(crate) fn lashes(
-    ride: &Ride,
+    ride: &ScalpBinding,
     edges: &[Vec<DVec3>; 2],
     globe: DVec3,
     side: Side,
@@ -197,5 +209,5 @@ pub(crate) fn lashes(
     ));
     let lash_color = p.colour.map(|c| c * p.lash_tone);
     let name = format!("lash_{}", letter(side));
-    part(name, &lashes, ride, 2, lash_color)
+    build_mesh(name, &lashes, ride, 2, lash_color)
 }

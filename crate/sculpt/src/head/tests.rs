@@ -7,7 +7,7 @@ use raconteur_base::{DQuat, DVec3, Side};
 use super::cage::Zone;
 use super::*;
 use crate::assemble;
-use raconteur_base::crossing::crossings;
+use raconteur_base::self_intersection::crossings;
 
 use crate::crossing::farthest_from_mirrored;
 use crate::people::{NAMES, preset};
@@ -22,7 +22,7 @@ fn one(name: &str) -> (Person, HeadParams) {
 
 fn symmetric_shape(name: &str) -> Shape {
     let (person, head) = one(name);
-    Shape::of(&person, &head.bound, 0.0)
+    Shape::build(&person, &head.bound, 0.0)
 }
 
 /// The heads of the figures.
@@ -261,7 +261,7 @@ fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
     let shapes = SHAPES.get_or_init(|| {
         NAMES.map(|name| {
             let (person, head) = one(name);
-            Shape::of(&person, &head.bound, head.asymmetry)
+            Shape::build(&person, &head.bound, head.asymmetry)
         })
     });
     NAMES.into_iter().zip(shapes)

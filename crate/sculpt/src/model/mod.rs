@@ -31,7 +31,7 @@ const GLOBES: [core::ops::Range<usize>; 2] = [14598..14670, 14670..14742];
 /// Faces of the body.
 const FACES: usize = 13_378;
 /// Largest file that is read, bytes once unpacked; the base mesh has 3 MB.
-const LARGEST: u64 = 16 << 20;
+const MAX_FILE_BYTES: u64 = 16 << 20;
 
 /// Why the model gives no shape.
 #[derive(Debug, Error)]
@@ -199,10 +199,10 @@ fn text(path: &Path) -> Result<String, ModelError> {
         let mut text = String::new();
         if path.extension().is_some_and(|e| e == "gz") {
             GzDecoder::new(file)
-                .take(LARGEST)
+                .take(MAX_FILE_BYTES)
                 .read_to_string(&mut text)?;
         } else {
-            file.take(LARGEST).read_to_string(&mut text)?;
+            file.take(MAX_FILE_BYTES).read_to_string(&mut text)?;
         }
         Ok(text)
     };

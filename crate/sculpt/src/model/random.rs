@@ -9,7 +9,7 @@ use super::{Ancestry, Detail, Traits};
 /// Ages that are drawn, years: those that statistics cover.
 const AGES: [f64; 2] = [8.0, 80.0];
 /// How far a detail may go: beyond it faces are unusual.
-const MOST: f64 = 0.6;
+const MAX_DETAIL: f64 = 0.6;
 
 impl Traits {
     /// Person number `index` of a crowd: any age, sex and mixture of ancestries; details about
@@ -40,7 +40,7 @@ impl Traits {
         let amount = |detail: i64| {
             // The sum of three: a bell.
             let sum: f64 = (0..3).map(|k| signed(!seed, index, 3 * detail + k)).sum();
-            (0.2 * sum).clamp(-MOST, MOST)
+            (0.2 * sum).clamp(-MAX_DETAIL, MAX_DETAIL)
         };
         let details: BTreeMap<String, f64> = (0..)
             .zip(details)
@@ -83,7 +83,7 @@ mod tests {
             .collect();
         for p in &people {
             assert!((AGES[0]..=AGES[1]).contains(&p.age_years));
-            assert!(p.details.len() == 3 && p.details.values().all(|d| d.abs() <= MOST));
+            assert!(p.details.len() == 3 && p.details.values().all(|d| d.abs() <= MAX_DETAIL));
             assert_eq!(p.details["eyes/l-b-in-out"], p.details["eyes/r-b-in-out"]);
         }
         let share = |of: fn(&Traits) -> bool| people.iter().filter(|p| of(p)).count();

@@ -24,7 +24,7 @@ pub const BEARDS: [&str; 7] = [
 const DENSITY: f64 = 1.7;
 
 /// A style as a person of the library has it.
-fn cut(like: &str, style: HairStyle) -> Option<FigureParams> {
+fn styled(like: &str, style: HairStyle) -> Option<FigureParams> {
     let mut person = preset(like)?;
     person.hair = HairParams {
         style,
@@ -66,44 +66,44 @@ pub fn params(name: &str) -> Option<FigureParams> {
         Balding, Bob, Braid, Bun, Buzz, Coily, Crop, Curly, Long, Ponytail, Swept, Tousled, Wavy,
     };
     let person = match name {
-        "buzz" => cut("kenji", Buzz),
-        "crop" => cut("kenji", Crop),
-        "side" => with(cut("kenji", Swept), |h| {
+        "buzz" => styled("kenji", Buzz),
+        "crop" => styled("kenji", Crop),
+        "side" => with(styled("kenji", Swept), |h| {
             h.length = 1.25;
             h.volume = 1.2;
         }),
-        "swept" => cut("papous", Swept),
-        "tousled" => cut("nuno", Tousled),
-        "receding" => with(cut("papous", Swept), |h| {
+        "swept" => styled("papous", Swept),
+        "tousled" => styled("nuno", Tousled),
+        "receding" => with(styled("papous", Swept), |h| {
             h.recession = 0.85;
             h.thinning = 0.2;
         }),
-        "thinning" => with(cut("kenji", Crop), |h| {
+        "thinning" => with(styled("kenji", Crop), |h| {
             h.recession = 0.4;
             h.thinning = 0.62;
         }),
-        "balding" => cut("papous", Balding),
-        "coily" => with(cut("kenji", Coily), |h| h.length = 0.7),
-        "afro" => with(cut("amara", Coily), |h| {
+        "balding" => styled("papous", Balding),
+        "coily" => with(styled("kenji", Coily), |h| h.length = 0.7),
+        "afro" => with(styled("amara", Coily), |h| {
             h.length = 1.4;
             h.volume = 1.4;
         }),
-        "pixie" => with(cut("sofia", Crop), |h| {
+        "pixie" => with(styled("sofia", Crop), |h| {
             h.length = 1.35;
             h.volume = 1.2;
         }),
-        "page" => with(cut("lia", Bob), |h| h.length = 0.72),
-        "bob" => cut("sofia", Bob),
-        "wavy" => cut("sofia", Wavy),
-        "curly" => cut("sofia", Curly),
-        "long" => cut("lia", Long),
-        "straight" => with(cut("sofia", Long), |h| {
+        "page" => with(styled("lia", Bob), |h| h.length = 0.72),
+        "bob" => styled("sofia", Bob),
+        "wavy" => styled("sofia", Wavy),
+        "curly" => styled("sofia", Curly),
+        "long" => styled("lia", Long),
+        "straight" => with(styled("sofia", Long), |h| {
             h.length = 1.15;
             h.parting_x = 0.001;
         }),
-        "ponytail" => cut("sofia", Ponytail),
-        "bun" => cut("amara", Bun),
-        "braid" => cut("lia", Braid),
+        "ponytail" => styled("sofia", Ponytail),
+        "bun" => styled("amara", Bun),
+        "braid" => styled("lia", Braid),
         "moustache" => beard(BeardCut::Moustache, 0.012),
         "handlebar" => beard(BeardCut::Handlebar, 0.012),
         "goatee" => beard(BeardCut::Goatee, 0.022),

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::{HandParams, HandProportions};
-use super::head::{Bound, HeadParams};
+use super::head::{HeadParams, ModelHeadShape};
 use super::model::Traits;
 use super::person::Person;
 use super::skin::SkinParams;
@@ -56,7 +56,7 @@ impl FigureParams {
     /// The measures of the hands.
     #[must_use]
     pub fn hands(&self) -> HandParams {
-        HandParams::of(&self.person, &self.hand, self.skin.base_colour())
+        HandParams::from_person(&self.person, &self.hand, self.skin.base_colour())
     }
 }
 
@@ -74,8 +74,8 @@ fn traits(text: &str) -> Traits {
     clippy::expect_used,
     reason = "the files are part of the program and tested"
 )]
-fn bound(text: &str) -> Bound {
-    Bound::from_text(text).expect("a head")
+fn bound(text: &str) -> ModelHeadShape {
+    ModelHeadShape::from_text(text).expect("a head")
 }
 
 /// Colour of brown eyes, linear RGB.

@@ -5,7 +5,7 @@
 //! takes what lies there: shares of the joints, and the nodes of the tissue that it follows.
 //! Bones, fibres and teeth keep their depths below the skin.
 
-mod laid;
+mod fitted_head;
 #[cfg(test)]
 mod tests;
 
@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
 
-use self::laid::lay;
-use super::built::Built;
+use self::fitted_head::fit_head;
+use super::built::AnnotatedFigure;
 use super::head::Head;
 use super::mannequin::Mannequin;
 use super::part::MeshPart;
@@ -64,7 +64,11 @@ pub type Landmarks = BTreeMap<String, DVec3>;
 ///
 /// # Errors
 /// A [`RigError`] that names the fault.
-pub fn rig(scan: &Scan, landmarks: &Landmarks, params: &FigureParams) -> Result<Built, RigError> {
+pub fn rig(
+    scan: &Scan,
+    landmarks: &Landmarks,
+    params: &FigureParams,
+) -> Result<AnnotatedFigure, RigError> {
     let missing: Vec<&str> = NEEDED
         .into_iter()
         .filter(|n| !landmarks.contains_key(*n))
@@ -75,7 +79,7 @@ pub fn rig(scan: &Scan, landmarks: &Landmarks, params: &FigureParams) -> Result<
     if scan.faces.is_empty() {
         return Err(RigError::Empty);
     }
-    let made = Mannequin::of(params);
+    let made = Mannequin::from_params(params);
     let pairs = pairs(&made.head, &made.head_parts[0], landmarks);
     let to_ours: Vec<(DVec3, DVec3)> = pairs
         .iter()
@@ -97,7 +101,7 @@ pub fn rig(scan: &Scan, landmarks: &Landmarks, params: &FigureParams) -> Result<
         .map(|(_, own, theirs)| (*own * 1e3, fit.apply(*theirs) * 1e3))
         .collect();
     let theirs = Surface::new(points, scan.triangles().collect(), REACH_M);
-    let laid = lay(made, Warp::new(&bends), &theirs);
+    let laid = fit_head(made, Warp::new(&bends), &theirs);
     Ok(laid.figure(scan, &theirs, landmarks, &fit, params))
 }
 

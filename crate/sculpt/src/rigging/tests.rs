@@ -2,7 +2,7 @@
 
 use raconteur_body::face::{FaceControls, Jaw, Muscle, Network};
 
-use super::laid::SCAN;
+use super::fitted_head::SCAN;
 use super::*;
 use crate::people;
 use crate::tests::soundness::shipped;

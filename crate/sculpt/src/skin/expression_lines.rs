@@ -20,7 +20,7 @@ const FIRST: u64 = 100_000;
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
 const CHIN: [DVec3; 2] = [DVec3::new(0.0, -79.0, 98.0), DVec3::new(20.0, 13.0, 18.0)];
 /// Least depth of the folds of the nose, mm.
-const LEAST_NOSE_MM: f64 = 0.26;
+const MIN_NOSE_MM: f64 = 0.26;
 /// Size of its dimples, mm.
 const DIMPLES_MM: f64 = 2.7;
 
@@ -42,21 +42,21 @@ impl ExpressionMarks {
         let deep = depth_mm(skin);
         let mut scribe = Scribe::new(places, skin, FIRST);
         forehead(&mut scribe, deep);
-        let red = scribe.take();
+        let red = scribe.take_marks();
         for side in Side::BOTH {
             glabella(&mut scribe, side, deep);
             crows_feet(&mut scribe, side, deep);
             cheek(&mut scribe, side, deep);
         }
-        let green = scribe.take();
+        let green = scribe.take_marks();
         // A nose wrinkles at any age.
-        let nose = deep.max(LEAST_NOSE_MM);
+        let nose = deep.max(MIN_NOSE_MM);
         nose_root(&mut scribe, nose);
         for side in Side::BOTH {
             bunny(&mut scribe, side, nose);
             lips(&mut scribe, side, deep);
         }
-        let blue = scribe.take();
+        let blue = scribe.take_marks();
         Self {
             kinds: [red, green, blue],
             dimples_mm: 0.60 * deep,
@@ -67,7 +67,7 @@ impl ExpressionMarks {
     /// Heights of each kind at a place: on the mean head with its normal, and on this person.
     pub(super) fn heights_mm(&self, q: DVec3, p: DVec3, normal: DVec3) -> [f64; 3] {
         let mut heights = [0, 1, 2].map(|kind: usize| {
-            let felt = self.kinds[kind].at(q, normal);
+            let felt = self.kinds[kind].sample(q, normal);
             // Skin that folds stands up beside the furrow.
             0.45 * felt.bank - felt.core
         });

@@ -188,14 +188,14 @@ impl FacePainter<'_> {
         // Lash edge, wet margin, the inside of nose and mouth, the ear's hollow.
         let lash = rise(4.1, 4.8, eye) * (1.0 - rise(5.15, 5.7, eye));
         let line = if upper > 0.0 { 1.0 } else { 0.34 };
-        tissue.lay(LASH, lash * line * self.skin.lash_line);
+        tissue.blend(LASH, lash * line * self.skin.lash_line);
         let wet = rise(5.2, 5.9, eye);
         tissue.ln_blood += 1.3 * wet;
         tissue.ln_melanosomes -= 0.6 * wet;
-        tissue.lay(INSIDE, rise(0.55, 2.2, nostril) * 0.94);
+        tissue.blend(INSIDE, rise(0.55, 2.2, nostril) * 0.94);
         tissue.ln_blood += 0.35 * rise(6.5, 9.0, ear);
         tissue.light *= 1.0 - 0.3 * rise(7.5, 9.5, ear);
-        tissue.lay(MOUTH_DEEP, rise(4.5, 5.6, mouth));
+        tissue.blend(MOUTH_DEEP, rise(4.5, 5.6, mouth));
         for (at, radius, lost) in HOLLOWS {
             let d = (half - DVec3::from_array(at)) / DVec3::from_array(radius);
             tissue.light *= 1.0 - lost * ops::exp(-0.5 * d.length_squared());
@@ -211,9 +211,9 @@ impl FacePainter<'_> {
         }
 
         // Short fine hairs that none stands for; pale ones show less.
-        tissue.lay(s.brow_colour, brow * (0.30 + 0.34 * self.brow_stain));
-        if let Some((rgb, share)) = self.cap.and_then(|c| c.at(p * 1e-3)) {
-            tissue.lay(rgb, share);
+        tissue.blend(s.brow_colour, brow * (0.30 + 0.34 * self.brow_stain));
+        if let Some((rgb, share)) = self.cap.and_then(|c| c.sample(p * 1e-3)) {
+            tissue.blend(rgb, share);
         }
         tissue
     }
@@ -248,14 +248,14 @@ impl FacePainter<'_> {
     fn scattered(&self, tissue: &mut Tissue, at: &Spot, seed: u64) {
         let (q, normal) = (at.on_mean, at.normal);
         let ragged = 1.0 + 0.5 * space_noise(seed + 6, at.on_own / 1.2);
-        let freckle = self.marks.freckles.at(q, normal).core;
+        let freckle = self.marks.freckles.sample(q, normal).core;
         tissue.ln_melanosomes += 0.75 * (freckle * ragged).min(1.2);
-        let spot = self.marks.spots.at(q, normal).core;
+        let spot = self.marks.spots.sample(q, normal).core;
         tissue.ln_melanosomes += 0.95 * rise(0.15, 0.5, spot * ragged) * spot.min(1.0);
-        let mole = self.marks.moles.at(q, normal).core;
+        let mole = self.marks.moles.sample(q, normal).core;
         tissue.ln_melanosomes += 1.9 * rise(0.15, 0.75, mole);
         tissue.height_mm += 0.25 * rise(0.1, 0.9, mole);
-        let vessel = self.marks.vessels.at(q, normal).core;
+        let vessel = self.marks.vessels.sample(q, normal).core;
         tissue.ln_blood += 0.8 * vessel * (0.7 + 0.3 * ragged);
     }
 
@@ -274,7 +274,7 @@ impl FacePainter<'_> {
     /// Wrinkles, the fine net of furrows, pores.
     fn relief(&self, tissue: &mut Tissue, at: &Spot, pores: f64, net: f64, seed: u64) {
         let p = at.on_own;
-        let wrinkle = self.marks.wrinkles.at(at.on_mean, at.normal);
+        let wrinkle = self.marks.wrinkles.sample(at.on_mean, at.normal);
         tissue.height_mm += 0.3 * wrinkle.bank - wrinkle.core;
         // Less light in the furrow, and what there is comes through blood.
         tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);
@@ -317,7 +317,7 @@ impl FacePainter<'_> {
         let root = ops::exp(-(first / 0.3) * (first / 0.3)) * (0.5 + 0.5 * name);
         let share = self.skin.beard * area;
         let shade = mix(self.skin.beard_colour, [0.16, 0.13, 0.12], 0.35);
-        tissue.lay(shade, share * (0.16 + 0.42 * root));
+        tissue.blend(shade, share * (0.16 + 0.42 * root));
         tissue.height_mm += 0.04 * share * root;
         let short = self.skin.short_beard * area;
         if short > 0.0 {
@@ -325,7 +325,7 @@ impl FacePainter<'_> {
             let hair = space_noise(seed + 43, DVec3::new(p.x / 0.55, p.y / 2.6, p.z / 1.1));
             let tuft = space_noise(seed + 44, DVec3::new(p.x / 2.4, p.y / 5.0, p.z / 3.0));
             let light = 0.88 + 0.16 * hair + 0.10 * tuft;
-            tissue.lay(
+            tissue.blend(
                 self.skin.beard_colour.map(|x| x * light),
                 short * (0.88 + 0.12 * hair).min(1.0),
             );

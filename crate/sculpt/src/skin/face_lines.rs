@@ -42,7 +42,7 @@ impl<'a> Scribe<'a> {
     }
 
     /// What was drawn since the last call.
-    pub(super) fn take(&mut self) -> Marks {
+    pub(super) fn take_marks(&mut self) -> Marks {
         core::mem::take(&mut self.marks).finish()
     }
 
@@ -412,9 +412,9 @@ pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) 
         scribe.cheeks(side);
     }
     scribe.neck();
-    let wrinkles = scribe.take();
+    let wrinkles = scribe.take_marks();
     scribe.vessels();
-    let vessels = scribe.take();
+    let vessels = scribe.take_marks();
 
     let mut freckles = Marks::default();
     if skin.freckles > 0.0 {

@@ -71,19 +71,19 @@ impl HandPainter<'_> {
         tissue.ln_melanosomes +=
             (0.05 + 0.07 * self.old) * space_noise(seed + 4, p / 6.0) * (1.0 - palm);
 
-        let crease = self.creases.at(p, normal);
-        let slack = self.slack.at(p, normal);
+        let crease = self.creases.sample(p, normal);
+        let slack = self.slack.sample(p, normal);
         let dent = crease.core.max(slack.core);
         tissue.height_mm += 0.28 * crease.bank.max(slack.bank) - dent;
         tissue.light *= 1.0 - (0.40 * dent).min(0.38);
         tissue.ln_blood += 0.55 * dent;
 
-        let vein = self.veins.at(p, normal).core * (1.0 - palm);
+        let vein = self.veins.sample(p, normal).core * (1.0 - palm);
         tissue.height_mm += 0.8 * self.old * vein;
         tissue.oxygen -= 0.3 * vein;
         tissue.ln_blood += 0.16 * vein;
 
-        let spot = self.spots.at(p, normal).core * (1.0 - palm);
+        let spot = self.spots.sample(p, normal).core * (1.0 - palm);
         let ragged = 1.0 + 0.5 * space_noise(seed + 6, p / 1.2);
         tissue.ln_melanosomes += 0.95 * rise(0.15, 0.5, spot * ragged) * spot.min(1.0);
 

@@ -25,7 +25,7 @@ const DEPTH_MM: f64 = 5.0;
 
 /// What marks do at a place.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Felt {
+pub(crate) struct MarkCoverage {
     /// The strongest mark, its strength times exp(−(distance / width)²).
     pub(crate) core: f64,
     /// The bank beside it, by the same strength.
@@ -154,8 +154,8 @@ impl Marks {
     }
 
     /// The marks at a place of the surface with a unit normal.
-    pub(crate) fn at(&self, p: DVec3, normal: DVec3) -> Felt {
-        let mut felt = Felt::default();
+    pub(crate) fn sample(&self, p: DVec3, normal: DVec3) -> MarkCoverage {
+        let mut felt = MarkCoverage::default();
         let q = (p - self.low) / CELL_MM;
         if self.starts.is_empty() || q.min_element() < 0.0 {
             return felt;
@@ -234,7 +234,7 @@ mod tests {
         marks.line(&[DVec3::ZERO, DVec3::X * 20.0], pen);
         marks.spot(DVec3::new(0.0, 9.0, 0.0), 0.7, 1.0);
         let marks = marks.finish();
-        let at = |x: f64, y: f64, z: f64| marks.at(DVec3::new(x, y, z), DVec3::Z).core;
+        let at = |x: f64, y: f64, z: f64| marks.sample(DVec3::new(x, y, z), DVec3::Z).core;
         assert!(at(10.0, 0.0, 0.0) > 0.5);
         // Height over the surface does not count, the other side of a fold does.
         assert!((at(10.0, 0.0, 1.0) - at(10.0, 0.0, 0.0)).abs() < 1e-9);
@@ -243,7 +243,7 @@ mod tests {
         assert!((at(0.0, 9.0, 0.0) - 0.7).abs() < 1e-9);
         assert_eq!(at(500.0, 0.0, 0.0), 0.0);
         assert_eq!(
-            Marks::default().finish().at(DVec3::ZERO, DVec3::Z).core,
+            Marks::default().finish().sample(DVec3::ZERO, DVec3::Z).core,
             0.0
         );
     }

@@ -179,7 +179,7 @@ impl Palette {
     /// Linear RGB; `ln_melanosomes` and `ln_blood` are natural logarithms of the fractions,
     /// held to the table's range.
     #[must_use]
-    pub fn at(&self, ln_melanosomes: f64, ln_blood: f64, oxygen: f64) -> [f64; 3] {
+    pub fn sample(&self, ln_melanosomes: f64, ln_blood: f64, oxygen: f64) -> [f64; 3] {
         let cell = |r: [f64; 2], x: f64, n: usize| {
             let t = ((x - r[0]) / (r[1] - r[0])).clamp(0.0, 1.0) * (n - 1) as f64;
             let i = (t as usize).min(n - 2);
@@ -304,7 +304,7 @@ mod tests {
         for m in [0.012, 0.033, 0.11] {
             for b in [0.0015, 0.007, 0.045] {
                 let (table, model) = (
-                    palette.at(ops::ln(m), ops::ln(b), 0.75),
+                    palette.sample(ops::ln(m), ops::ln(b), 0.75),
                     colour(&skin(m, b)),
                 );
                 for c in 0..3 {

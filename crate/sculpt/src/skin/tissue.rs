@@ -37,7 +37,7 @@ impl Tissue {
     }
 
     /// Blends a colour over the present one.
-    pub(super) fn lay(&mut self, rgb: [f64; 3], share: f64) {
+    pub(super) fn blend(&mut self, rgb: [f64; 3], share: f64) {
         let (under, had) = self.cover;
         let all = had + share - had * share;
         if all > 0.0 {
@@ -46,7 +46,7 @@ impl Tissue {
     }
 
     pub(super) fn rgb(&self, palette: &Palette) -> [f64; 3] {
-        let own = palette.at(self.ln_melanosomes, self.ln_blood, self.oxygen);
+        let own = palette.sample(self.ln_melanosomes, self.ln_blood, self.oxygen);
         mix(own, self.cover.0, self.cover.1).map(|x| x * self.light)
     }
 }

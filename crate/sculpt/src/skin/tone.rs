@@ -46,7 +46,7 @@ impl Tones {
     /// Natural logarithms of linear red, green and blue of each vertex: of the skin about it, without
     /// what is finer than the mesh.
     #[must_use]
-    pub fn of(&self, skin: &SkinParams, brow_colour: [f64; 3]) -> Vec<f64> {
+    pub fn evaluate(&self, skin: &SkinParams, brow_colour: [f64; 3]) -> Vec<f64> {
         let sheet = HeadSheet {
             brow_colour,
             ..self.sheet.clone()
@@ -95,7 +95,7 @@ mod tests {
                 melanin,
                 ..SkinParams::plain()
             };
-            tones.of(&skin, [0.1; 3])
+            tones.evaluate(&skin, [0.1; 3])
         });
         assert!(light.iter().all(|x| x.is_finite() && *x < 0.0));
         let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;

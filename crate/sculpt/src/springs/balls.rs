@@ -16,15 +16,15 @@ const BOUND_M: f64 = 0.25;
 const CELL_M: f64 = 0.008;
 /// Spheres of a figure at most, the least of their radii, and how far under the surface a place
 /// counts as kept clear of, metres.
-const MOST: usize = 96;
-const LEAST_RADIUS_M: f64 = 0.012;
+const MAX_SPHERES: usize = 96;
+const MIN_RADIUS_M: f64 = 0.012;
 const SLACK_M: f64 = 0.003;
 /// How far a sphere stands out of the surface at most, in any pose, metres.
 const OUT_M: f64 = 0.008;
 /// How far spheres stay from chains at rest: the hair between them and the skin, metres.
 const CLEAR_M: f64 = 0.012;
 /// Points of the surface that a further sphere must gain.
-const LEAST_GAIN: usize = 3;
+const MIN_GAIN: usize = 3;
 /// As made, and with the arms hanging, level and raised.
 const POSES: usize = 4;
 /// Where the left arm points in all poses but the first.
@@ -64,7 +64,7 @@ impl Ball {
         self.middle[0]
     }
 
-    fn holds(&self, p: &Point, pose: usize) -> bool {
+    fn contains(&self, p: &Point, pose: usize) -> bool {
         self.middle[pose].distance(p.at[pose]) < self.radius + SLACK_M
     }
 }
@@ -94,7 +94,7 @@ pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
             radius: b.radius.min(nearest(chains, b.bound()) - CLEAR_M),
             ..b
         })
-        .filter(|b| b.radius > LEAST_RADIUS_M)
+        .filter(|b| b.radius > MIN_RADIUS_M)
         .collect();
     chosen(&balls, &near)
 }
@@ -223,18 +223,18 @@ fn chosen(balls: &[Ball], near: &[(usize, Point)]) -> Vec<Ball> {
     let held: Vec<Vec<usize>> = balls
         .iter()
         .map(|b| {
-            let is_held = |&i: &usize| b.holds(&near[i].1, near[i].0);
+            let is_held = |&i: &usize| b.contains(&near[i].1, near[i].0);
             (0..near.len()).filter(is_held).collect()
         })
         .collect();
     let mut open = vec![true; near.len()];
     let mut out = Vec::new();
-    for _ in 0..MOST {
+    for _ in 0..MAX_SPHERES {
         let gain = |b: usize| held[b].iter().filter(|&&i| open[i]).count();
         let Some(best) = (0..balls.len()).max_by_key(|&b| gain(b)) else {
             break;
         };
-        if gain(best) < LEAST_GAIN {
+        if gain(best) < MIN_GAIN {
             break;
         }
         for &i in &held[best] {

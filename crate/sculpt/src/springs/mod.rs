@@ -6,7 +6,7 @@ mod balls;
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::figure::Figure;
 use raconteur_body::skeleton::{Bone, Drive, Skeleton};
-use raconteur_body::springs::{Chain, Collider, Link, Springs};
+use raconteur_body::springs::{Chain, Collider, SpringLink, Springs};
 
 use balls::Ball;
 
@@ -14,7 +14,7 @@ use balls::Ball;
 const UPPER_ARM: f64 = 0.029;
 const FOREARM: f64 = 0.024;
 /// Clearance that ends of chains keep at most, and what is left of it at rest, metres.
-const MOST_CLEAR_M: f64 = 0.05;
+const MAX_CLEAR_M: f64 = 0.05;
 const PLAY_M: f64 = 0.0005;
 
 /// How a chain hangs and swings.
@@ -55,7 +55,7 @@ pub(super) fn hang(chains: &[HairChain], skeleton: &mut Skeleton, frames: &[DAff
 }
 
 /// The springs of a figure whose chains have been hung.
-pub(super) fn of(figure: &Figure, chains: &[HairChain]) -> Springs {
+pub(super) fn build_springs(figure: &Figure, chains: &[HairChain]) -> Springs {
     let all: Vec<DVec3> = chains.iter().flat_map(|c| c.points.clone()).collect();
     if all.is_empty() {
         return Springs::default();
@@ -84,16 +84,17 @@ pub(super) fn of(figure: &Figure, chains: &[HairChain]) -> Springs {
         let end = chain.points[(l + 1).min(chain.points.len() - 1)];
         let clear = |b: &Ball| end.distance(b.bound()) - b.radius;
         let least = balls.iter().map(clear).fold(f64::MAX, f64::min);
-        Some(Link {
+        Some(SpringLink {
             joint: joint(c, l)?,
             stiffness: chain.stiffness,
             gravity: DVec3::NEG_Y * chain.gravity,
             drag: chain.drag,
-            radius_m: (least - PLAY_M).clamp(0.0, MOST_CLEAR_M),
+            radius_m: (least - PLAY_M).clamp(0.0, MAX_CLEAR_M),
         })
     };
     let chain = |(c, chain): (usize, &HairChain)| {
-        let links: Option<Vec<Link>> = (0..chain.points.len()).map(|l| link(c, chain, l)).collect();
+        let links: Option<Vec<SpringLink>> =
+            (0..chain.points.len()).map(|l| link(c, chain, l)).collect();
         Some(Chain {
             links: links.filter(|l| l.len() > 1)?,
             colliders: (0..colliders.len()).collect(),

@@ -14,14 +14,14 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use crate::assemble::{Blueprint, Piece, assemble};
+use crate::assemble::{Blueprint, PartWithNormals, assemble};
 use crate::part::{MeshPart, PartVertex};
 use crate::tests::soundness::shipped;
 use crate::torso::{Cage, Field, Joints};
-use raconteur_base::crossing::crossings;
-use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
+use raconteur_base::self_intersection::crossings;
+use raconteur_body::figure::{Figure, Material, MaterialKind, Mesh, TextureMaps};
 use raconteur_body::pose::Pose;
-use raconteur_body::skeleton::{Bone, FacePlaces};
+use raconteur_body::skeleton::{Bone, FaceJoints};
 
 /// Sofia, and the shell of her body under the clothes on a skeleton of its own.
 struct Case {
@@ -43,7 +43,7 @@ fn sofia() -> &'static Case {
                 base_color: [1.0; 4],
                 roughness: 0.5,
                 double_sided: false,
-                maps: Maps::default(),
+                maps: TextureMaps::default(),
             },
             vertices: shell
                 .points
@@ -64,12 +64,12 @@ fn sofia() -> &'static Case {
             name: "body".to_owned(),
             positions_in_world: joints.positions,
             bind_rotations: joints.rotations,
-            face: FacePlaces {
+            face: FaceJoints {
                 eye_centres: [DVec3::new(0.03, 1.5, 0.08), DVec3::new(-0.03, 1.5, 0.08)],
             },
             stature_m: params.person.stature_m,
             lid_closure_rad: [0.6; 2],
-            pieces: vec![Piece::from(part)],
+            pieces: vec![PartWithNormals::from(part)],
             chains: Vec::new(),
             images: Vec::new(),
         });

@@ -5,16 +5,16 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use crate::build::build;
-use crate::built::Built;
-use raconteur_base::crossing::crossings;
+use crate::built::AnnotatedFigure;
+use raconteur_base::self_intersection::crossings;
 
 use crate::crossing::{Skin, farthest_from_mirrored};
 use crate::people::{self, FigureParams};
 use raconteur_tier::{is_long, share};
 
 /// A figure by name, made once for all tests.
-pub(crate) fn shipped(name: &str) -> &'static (FigureParams, Built) {
-    type Made = [OnceLock<(FigureParams, Built)>; people::NAMES.len()];
+pub(crate) fn shipped(name: &str) -> &'static (FigureParams, AnnotatedFigure) {
+    type Made = [OnceLock<(FigureParams, AnnotatedFigure)>; people::NAMES.len()];
     static MADE: Made = [const { OnceLock::new() }; people::NAMES.len()];
     let index = people::NAMES.iter().position(|n| *n == name).unwrap();
     MADE[index].get_or_init(|| {
@@ -35,7 +35,7 @@ pub(crate) fn people_built() -> Vec<&'static str> {
 #[test]
 fn the_skin_of_no_figure_crosses_itself() {
     for name in people_built() {
-        let skin = Skin::of(&shipped(name).1.figure);
+        let skin = Skin::from_figure(&shipped(name).1.figure);
         assert!(skin.triangles.len() > 40_000);
         let found = crossings(&skin.points, &skin.triangles);
         let first = found.first();
@@ -47,7 +47,7 @@ fn the_skin_of_no_figure_crosses_itself() {
 #[test]
 fn no_edge_of_the_skin_has_three_faces_and_none_is_degenerate() {
     for name in people_built() {
-        let skin = Skin::of(&shipped(name).1.figure);
+        let skin = Skin::from_figure(&shipped(name).1.figure);
         // Each direction of an edge once: neighbours turn the same way.
         let mut seen = BTreeSet::new();
         for t in &skin.triangles {
@@ -70,7 +70,7 @@ fn without_asymmetry_the_skin_mirrors_itself() {
     for name in share(&people::NAMES, 1, people::NAMES.len()) {
         let mut params = people::preset(name).unwrap();
         params.head.asymmetry = 0.0;
-        let skin = Skin::of(&build(&params).figure);
+        let skin = Skin::from_figure(&build(&params).figure);
         let hands = skin.points.iter().filter(|p| p.x.abs() > 0.25).count();
         assert!(hands > 3000 && skin.points.len() - hands > 6000);
         let (far, at) = farthest_from_mirrored(&skin.points, 5e-4);

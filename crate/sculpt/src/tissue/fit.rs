@@ -8,7 +8,7 @@ use crate::bones::hit;
 use crate::head::Soft;
 use crate::part::MeshPart;
 use raconteur_tissue::Muscle;
-use raconteur_tissue::tissue::{Attachment, Course, Fibre, FibrePoint, Link, Tissue};
+use raconteur_tissue::tissue::{Attachment, Fibre, FibreCurve, FibrePoint, Link, Tissue};
 
 /// Points of a linear fibre.
 const POINTS: usize = 7;
@@ -22,7 +22,7 @@ const LIP_M: f64 = 0.005;
 /// mix what lies on both sides of a fold, as beside the wings of the nose.
 const ABOUT_AS_NEAR_M: f64 = 1e-4;
 /// Holds weaker than this are left out.
-const LEAST_HOLD: f64 = 0.02;
+const MIN_HOLD: f64 = 0.02;
 
 /// The skin's nodes in the world, and the bones under them.
 pub(super) struct Skin {
@@ -68,13 +68,13 @@ impl Skin {
 
     /// The skin about a place: of the nearest node that is no lining, mixed with those about
     /// as near, so that none has to be chosen where halves of the face meet.
-    fn nearest(&self, soft: &Soft, p: DVec3) -> Near {
+    fn nearest(&self, soft: &Soft, p: DVec3) -> NearbySkin {
         let outside = || {
             let nodes = (0..self.places.len()).filter(|&i| !soft.nodes[i].is_inside);
             nodes.map(|i| (i, self.places[i].distance(p)))
         };
         let least = outside().map(|(_, d)| d).fold(f64::MAX, f64::min);
-        let mut near = Near::default();
+        let mut near = NearbySkin::default();
         let mut sum = 0.0;
         for (i, distance) in outside() {
             let weight = 1.0 - ramp(0.0, ABOUT_AS_NEAR_M, distance - least);
@@ -113,7 +113,7 @@ impl Skin {
 
 /// The skin about a place.
 #[derive(Clone, Copy, Debug, Default)]
-struct Near {
+struct NearbySkin {
     /// How far the place is above it, metres.
     height: f64,
     normal: DVec3,
@@ -122,7 +122,7 @@ struct Near {
 }
 
 /// A line through places, cut into pieces of one length.
-fn even(line: &[DVec3], count: usize) -> Vec<DVec3> {
+fn resample(line: &[DVec3], count: usize) -> Vec<DVec3> {
     let lengths: Vec<f64> = line.windows(2).map(|w| w[0].distance(w[1])).collect();
     let whole: f64 = lengths.iter().sum();
     (0..count)
@@ -158,7 +158,7 @@ pub(super) fn nearest_on(points: &[FibrePoint], p: DVec3) -> (usize, f64, f64) {
 pub(super) fn push(
     out: &mut Tissue,
     muscle: Muscle,
-    course: Course,
+    course: FibreCurve,
     points: &[FibrePoint],
 ) -> usize {
     let first = out.points.len();
@@ -193,10 +193,11 @@ pub(super) fn sheet(
             let flip = |p: [f64; 3]| (site.carried)([p[0] * side.sign(), p[1], p[2]]);
             let line: Vec<DVec3> = fibre.iter().map(|p| flip(*p)).collect();
             let (course, points) = match sheet.runs {
-                Runs::Linear => (Course::Linear, site.along(&line)),
-                Runs::Towards(centre) => {
-                    (Course::Towards(narrow(flip(centre))), site.around(&line))
-                }
+                Runs::Linear => (FibreCurve::Linear, site.along(&line)),
+                Runs::Towards(centre) => (
+                    FibreCurve::Towards(narrow(flip(centre))),
+                    site.around(&line),
+                ),
             };
             let first = push(out, muscle, course, &points);
             if let Some([middle, half, taken]) = sheet.ring {
@@ -216,7 +217,7 @@ impl Site<'_> {
             let t = k as f64 / (POINTS - 1) as f64;
             self.skin.sunk(self.soft, p, 0.8 - 0.45 * ramp(0.0, 0.6, t))
         };
-        even(line, POINTS)
+        resample(line, POINTS)
             .into_iter()
             .enumerate()
             .map(sunk)
@@ -269,7 +270,7 @@ fn attach(
         let over = mobility * free * (1.0 - ramp(whole, none, distance));
         for (point, on, share) in [(point, on, over * (1.0 - rooted)), (count - 2, 1.0, rooted)] {
             let weight = sheet.pull * share;
-            if weight > LEAST_HOLD {
+            if weight > MIN_HOLD {
                 holds[i].push(Attachment {
                     point: (first + point) as u16,
                     on: on as f32,
@@ -285,7 +286,7 @@ fn ring_share(out: &Tissue, holds: &[Attachment]) -> f64 {
     let is_ring = |h: &&Attachment| {
         let point = h.point;
         out.fibres.iter().any(|f| {
-            matches!(f.course, Course::Oris { .. })
+            matches!(f.course, FibreCurve::Oris { .. })
                 && (f.first..f.first + u16::from(f.count)).contains(&point)
         })
     };
@@ -302,7 +303,7 @@ fn link(out: &mut Tissue, side: Side, end: usize, middle: f64, half: f64, weight
         .fibres
         .iter()
         .filter_map(|f| match f.course {
-            Course::Oris { is_lower, .. } => {
+            FibreCurve::Oris { is_lower, .. } => {
                 Some((usize::from(f.first), usize::from(f.count), is_lower))
             }
             _ => None,
@@ -316,7 +317,7 @@ fn link(out: &mut Tissue, side: Side, end: usize, middle: f64, half: f64, weight
             let own = aside * side.sign();
             let position = if is_lower { 24.0 - own } else { own };
             let share = 1.0 - ramp(0.0, 1.0, (position - middle).abs() / half);
-            if share * weight > LEAST_HOLD {
+            if share * weight > MIN_HOLD {
                 out.links.push(Link {
                     end: end as u16,
                     ring: (first + k) as u16,

@@ -11,7 +11,7 @@ use crate::head::{LipPlace, Soft};
 use crate::part::{MeshPart, TEETH};
 use raconteur_body::skeleton::{Bone, Drive};
 use raconteur_tissue::Muscle;
-use raconteur_tissue::tissue::{Attachment, Column, Course, FibrePoint, LipNode, Tissue};
+use raconteur_tissue::tissue::{Attachment, Column, FibreCurve, FibrePoint, LipNode, Tissue};
 
 /// Position of the corner, and of the middle of the lower lip; see [`LipPlace`].
 const CORNER: u8 = 12;
@@ -31,13 +31,13 @@ const UNDER_M: f64 = 0.0022;
 struct LipNodes(BTreeMap<LipPlace, usize>);
 
 impl LipNodes {
-    fn of(soft: &Soft) -> Self {
+    fn from_soft(soft: &Soft) -> Self {
         let nodes = soft.nodes.iter().enumerate();
         Self(nodes.filter_map(|(i, n)| Some((n.lip?, i))).collect())
     }
 
     /// The node on a ring; those in the middle lie on no side.
-    fn at(&self, ring: u8, position: u8, side: Side) -> Option<usize> {
+    fn node(&self, ring: u8, position: u8, side: Side) -> Option<usize> {
         let side = if position == 0 || position == LAST {
             Side::Left
         } else {
@@ -66,14 +66,14 @@ pub(super) fn mouth(
     out: &mut Tissue,
     holds: &mut [Vec<Attachment>],
 ) {
-    let lips = LipNodes::of(soft);
+    let lips = LipNodes::from_soft(soft);
     let firsts = ring_fibres(soft, skin, &lips, out);
     hold_lips(&lips, &firsts, holds);
     hold_around(soft, skin, &firsts, out, holds);
     let columns = join_lips(skin, &lips, rigid, out);
     close_lips(&lips, &columns, out);
     let mm = f64::from(out.scale) * 1e-3;
-    beyond_the_lips(soft, skin, &lips.0, &columns, mm, out);
+    spread_around_lips(soft, skin, &lips.0, &columns, mm, out);
     let of = |bone: Bone| {
         arch(rigid, |v| {
             v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone))
@@ -90,8 +90,8 @@ fn ring_fibres(soft: &Soft, skin: &Skin, lips: &LipNodes, out: &mut Tissue) -> F
             let at = |k: u8| if is_lower { LAST - k } else { k };
             let right = (1..=CORNER)
                 .rev()
-                .map(|k| lips.at(ring, at(k), Side::Right));
-            let left = (0..=CORNER).map(|k| lips.at(ring, at(k), Side::Left));
+                .map(|k| lips.node(ring, at(k), Side::Right));
+            let left = (0..=CORNER).map(|k| lips.node(ring, at(k), Side::Left));
             let points: Vec<FibrePoint> = right
                 .chain(left)
                 .flatten()
@@ -106,7 +106,7 @@ fn ring_fibres(soft: &Soft, skin: &Skin, lips: &LipNodes, out: &mut Tissue) -> F
             } else {
                 Muscle::OrbicularisOrisUpper
             };
-            let course = Course::Oris { is_lower, out: far };
+            let course = FibreCurve::Oris { is_lower, out: far };
             firsts[usize::from(is_lower)][r] = push(out, muscle, course, &points);
         }
     }
@@ -208,7 +208,10 @@ fn join_lips(skin: &Skin, lips: &LipNodes, rigid: &[&MeshPart], out: &mut Tissue
             if k == 0 && side == Side::Right {
                 continue;
             }
-            let pair = (lips.at(CONTACT, k, side), lips.at(CONTACT, LAST - k, side));
+            let pair = (
+                lips.node(CONTACT, k, side),
+                lips.node(CONTACT, LAST - k, side),
+            );
             let (Some(above), Some(below)) = pair else {
                 continue;
             };
@@ -220,7 +223,8 @@ fn join_lips(skin: &Skin, lips: &LipNodes, rigid: &[&MeshPart], out: &mut Tissue
                 bites: (1.0 - ramp(0.35, 0.85, f64::from(k) / f64::from(CORNER))) as f32,
             });
             for ring in 7..=11 {
-                if let (Some(a), Some(b)) = (lips.at(ring, k, side), lips.at(ring, LAST - k, side))
+                if let (Some(a), Some(b)) =
+                    (lips.node(ring, k, side), lips.node(ring, LAST - k, side))
                 {
                     out.pairs.push([a as u16, b as u16]);
                 }
@@ -238,7 +242,7 @@ fn close_lips(lips: &LipNodes, columns: &Columns, out: &mut Tissue) {
         let Some(closing) = closing(lip, i, much, columns) else {
             continue;
         };
-        if much > LEAST_CLOSING {
+        if much > MIN_CLOSING {
             out.lips.push(closing);
         }
         if (4..=11).contains(&lip.ring) {
@@ -248,7 +252,7 @@ fn close_lips(lips: &LipNodes, columns: &Columns, out: &mut Tissue) {
 }
 
 /// What closes less than this stays where it is.
-const LEAST_CLOSING: f64 = 0.01;
+const MIN_CLOSING: f64 = 0.01;
 
 /// How a node closes with a place of the lips, by this much of it; none without a column.
 fn closing(lip: LipPlace, node: usize, much: f64, columns: &Columns) -> Option<LipNode> {
@@ -268,7 +272,7 @@ fn closing(lip: LipPlace, node: usize, much: f64, columns: &Columns) -> Option<L
 }
 
 /// Skin about the lips goes with them a part of the way when they close.
-fn beyond_the_lips(
+fn spread_around_lips(
     soft: &Soft,
     skin: &Skin,
     lips: &BTreeMap<LipPlace, usize>,
@@ -304,7 +308,7 @@ fn beyond_the_lips(
         for ((lip, _), share) in [(right, 1.0 - share), (left, share)] {
             let much = whole * share;
             let closing = closing(*lip, i, much, columns);
-            out.lips.extend(closing.filter(|_| much > LEAST_CLOSING));
+            out.lips.extend(closing.filter(|_| much > MIN_CLOSING));
         }
     }
 }

@@ -198,7 +198,7 @@ impl Cage {
 
     /// The faces that `keep` wants, as a shell of their own.
     #[must_use]
-    pub fn part(&self, keep: impl Fn(Tag) -> bool) -> Shell {
+    pub fn extract(&self, keep: impl Fn(Tag) -> bool) -> Shell {
         self.shell.select(|f| keep(self.tags[f]))
     }
 
@@ -245,8 +245,8 @@ fn armhole_up() -> (DVec3, DVec3) {
 
 fn hole_points(field: &Field, joints: &Joints) -> BTreeMap<(usize, usize), DVec3> {
     let (outwards, up) = armhole_up();
-    let centre = joints.at(Bone::LShoulder) - outwards * 1.4 * CM * field.stature_m / 1.75;
-    let radius = field.arm.sections.at(0.27)[0] * 1.25 * CM;
+    let centre = joints.position_of(Bone::LShoulder) - outwards * 1.4 * CM * field.stature_m / 1.75;
+    let radius = field.arm.sections.sample(0.27)[0] * 1.25 * CM;
     armhole()
         .into_iter()
         .enumerate()
@@ -266,7 +266,7 @@ fn trunk(
 ) {
     let (low, high) = HOLE;
     for (r, &y) in heights.iter().enumerate() {
-        let [half, front, back, centre, n] = field.trunk.at(y / field.stature_m);
+        let [half, front, back, centre, n] = field.trunk.sample(y / field.stature_m);
         for q in 0..=12 {
             let in_hole = (low..=high).contains(&r) && (5..8).contains(&q);
             if let Some(&p) = hole.get(&(r, q)) {
@@ -323,7 +323,7 @@ fn ring_radius(a: f64, b: f64, [plus_a, minus_a, plus_b, minus_b, _]: [f64; 5]) 
 fn arms(out: &mut Template, field: &Field) {
     let (_, hole_up) = armhole_up();
     for (j, &t) in ARM_RINGS.iter().enumerate() {
-        let section = field.arm.sections.at(t);
+        let section = field.arm.sections.sample(t);
         // Rings lean from the armhole's plane to the arm's own.
         let up = hole_up.lerp(field.arm.up, smooth(t / 0.55)).normalize();
         for k in 0..RING {
@@ -338,7 +338,7 @@ fn arms(out: &mut Template, field: &Field) {
 
 fn legs(out: &mut Template, field: &Field) {
     for (j, &t) in LEG_RINGS.iter().enumerate() {
-        let section = field.leg.sections.at(t);
+        let section = field.leg.sections.sample(t);
         for k in 0..RING {
             // From medial through front, lateral, back.
             let (s, c) = ops::sincos((45.0 + 22.5 * k as f64).to_radians());

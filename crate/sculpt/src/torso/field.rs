@@ -97,7 +97,7 @@ impl Limb {
     fn distance(&self, p: DVec3) -> f64 {
         let d = p - self.origin;
         let t = self.parameter(d.dot(self.axis));
-        let [up, down, front, back, _] = self.sections.at(t);
+        let [up, down, front, back, _] = self.sections.sample(t);
         let a = d.dot(self.up) + 1e-6;
         let b = d.dot(self.side);
         let rho = (a * a + b * b).sqrt() + 1e-11;
@@ -177,8 +177,8 @@ impl Field {
         let wide = (1.0 + 0.10 * p.build) * (1.0 - 0.05 * p.old());
         let trunk_scale = s / lerp(1.75, 1.65, p.sex);
         let trunk = Sections::trunk(p);
-        let shoulder = joints.at(Bone::LShoulder);
-        let span = |a: Bone, b: Bone| joints.at(a).distance(joints.at(b));
+        let shoulder = joints.position_of(Bone::LShoulder);
+        let span = |a: Bone, b: Bone| joints.position_of(a).distance(joints.position_of(b));
         let arm = Limb::new(
             shoulder,
             Joints::arm_axis(),
@@ -189,8 +189,8 @@ impl Field {
             ],
             Sections::arm(lerp(k * lerp(1.0, 0.86, p.sex), s / 1.33 * 0.635, child) * wide),
         );
-        let hip = joints.at(Bone::LHip);
-        let leg_axis = (joints.at(Bone::LSubtalar) - hip).normalize();
+        let hip = joints.position_of(Bone::LHip);
+        let leg_axis = (joints.position_of(Bone::LSubtalar) - hip).normalize();
         let leg_out = (DVec3::X - leg_axis * leg_axis.x).normalize();
         let leg = Limb::new(
             hip,
@@ -204,7 +204,10 @@ impl Field {
         );
         let adult = lerp(6.35 * k, 4.95 * s / 1.65, p.sex) * (1.0 - 0.04 * p.old());
         let radius = lerp(adult, 4.5 * s / 1.33, child) * CM;
-        let (bottom_y, top_y) = (joints.at(Bone::Cervical).y - CM, joints.at(Bone::Skull).y);
+        let (bottom_y, top_y) = (
+            joints.position_of(Bone::Cervical).y - CM,
+            joints.position_of(Bone::Skull).y,
+        );
         let neck = Neck {
             bottom_y,
             top_y,
@@ -213,7 +216,7 @@ impl Field {
             radius,
             depth: lerp(lerp(1.17, 1.06, p.sex), 1.06, child),
         };
-        let pads = pads(p, shoulder, trunk.at(lerp(0.713, 0.693, child))[1]);
+        let pads = pads(p, shoulder, trunk.sample(lerp(0.713, 0.693, child))[1]);
         Self {
             stature_m: s,
             child,
@@ -289,7 +292,7 @@ impl Field {
     }
 
     fn trunk_distance(&self, p: DVec3) -> f64 {
-        let [half, front, back, centre, n] = self.trunk.at(p.y / self.stature_m);
+        let [half, front, back, centre, n] = self.trunk.sample(p.y / self.stature_m);
         let q = DVec2::new(p.x, p.z - centre * CM);
         let rho = q.length() + 1e-11;
         let depth = if q.y > 0.0 { front } else { back } * CM;

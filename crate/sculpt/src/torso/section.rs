@@ -95,7 +95,7 @@ impl Sections {
     }
 
     /// The five values at a parameter, held at both ends.
-    pub(super) fn at(&self, x: f64) -> [f64; 5] {
+    pub(super) fn sample(&self, x: f64) -> [f64; 5] {
         let n = self.rows.len();
         let t = ((x - self.first) / (self.last - self.first) * (n - 1) as f64)
             .clamp(0.0, n as f64 - 1.001);
@@ -150,7 +150,7 @@ impl Sections {
     /// The same with the hollow between two parameters partly filled: cloth hangs from
     /// the wider parts above and below. `share` 0 leaves it, 1 makes it straight.
     pub(super) fn bridged(&self, from: f64, to: f64, share: f64) -> Self {
-        let (low, high) = (self.at(from), self.at(to));
+        let (low, high) = (self.sample(from), self.sample(to));
         let mut out = self.clone();
         let n = out.rows.len() - 1;
         for (i, row) in out.rows.iter_mut().enumerate() {

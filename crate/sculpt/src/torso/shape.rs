@@ -75,7 +75,7 @@ pub struct Joints {
 impl Joints {
     /// Origin of a bone.
     #[must_use]
-    pub fn at(&self, bone: Bone) -> DVec3 {
+    pub fn position_of(&self, bone: Bone) -> DVec3 {
         self.positions[bone.index()]
     }
 

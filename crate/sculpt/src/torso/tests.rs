@@ -43,9 +43,9 @@ fn girths(p: &BodyParams) -> [f64; 5] {
         .fold(0.0, f64::max);
     let leg = |t: f64| {
         let (a, b, c) = (
-            joints.at(Bone::LHip),
-            joints.at(Bone::LKnee),
-            joints.at(Bone::LSubtalar),
+            joints.position_of(Bone::LHip),
+            joints.position_of(Bone::LKnee),
+            joints.position_of(Bone::LSubtalar),
         );
         let centre = if t < 1.0 {
             a.lerp(b, t)
@@ -104,7 +104,7 @@ fn joints_lie_where_anatomy_has_them() {
         for sex in [0.0, 1.0] {
             let p = person(sex, age, 1.6, 0.0);
             let (joints, _) = body(&p);
-            let hip = joints.at(Bone::LHip).y / p.stature_m;
+            let hip = joints.position_of(Bone::LHip).y / p.stature_m;
             assert!((0.50..0.53).contains(&hip), "hips at {hip}");
             // The seat lies about 0.048 of stature below the hips.
             let sitting = 1.0 - (hip - 0.048);
@@ -116,7 +116,7 @@ fn joints_lie_where_anatomy_has_them() {
             if !(11.0..17.0).contains(&age) {
                 assert!((sitting - mean).abs() < sd, "{age}: {sitting}");
             }
-            let knee = joints.at(Bone::LKnee).y / p.stature_m;
+            let knee = joints.position_of(Bone::LKnee).y / p.stature_m;
             assert!((0.265..0.29).contains(&knee), "knees at {knee}");
         }
     }
@@ -140,15 +140,15 @@ fn age_sex_and_build_shape_the_body() {
         small[1] / small[2] > waist / hip + 0.02,
         "a child has no waist"
     );
-    let shoulder = |p: &BodyParams| Joints::place(p).at(Bone::LShoulder).x / p.stature_m;
+    let shoulder = |p: &BodyParams| Joints::place(p).position_of(Bone::LShoulder).x / p.stature_m;
     assert!(shoulder(&boy) < shoulder(&man));
     let forward = |p: &BodyParams| {
         let j = Joints::place(p);
-        j.at(Bone::Skull).z - j.at(Bone::Thoracic).z
+        j.position_of(Bone::Skull).z - j.position_of(Bone::Thoracic).z
     };
     assert!(forward(&old) > forward(&man) + 0.02, "age stoops");
     // The head's share: from the skull's joint upwards.
-    let head = |p: &BodyParams| 1.0 - Joints::place(p).at(Bone::Skull).y / p.stature_m;
+    let head = |p: &BodyParams| 1.0 - Joints::place(p).position_of(Bone::Skull).y / p.stature_m;
     assert!(head(&boy) > head(&man) * 1.15);
 }
 

@@ -11,16 +11,16 @@ use raconteur_base::ops;
 pub const FRAME_SECS: f64 = 0.01;
 
 /// The frequency of code 1, hertz: below every voice.
-const LOWEST_HZ: f64 = 40.0;
+const MIN_HZ: f64 = 40.0;
 /// Codes in an octave: a step is a fifth of a semitone, 1.2 %.
 const CODES_AN_OCTAVE: f64 = 60.0;
 /// The intensity of code 0 against full scale, decibels; each code is half a decibel.
-const LOWEST_DB: f64 = -100.0;
+const MIN_DB: f64 = -100.0;
 
 /// The frequency of a code, hertz; `None` where nothing is voiced.
 #[must_use]
 pub fn hz_of_code(code: u8) -> Option<f64> {
-    (code > 0).then(|| LOWEST_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
+    (code > 0).then(|| MIN_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
 }
 
 /// The pitch of a code, semitones above the lowest code; `None` where nothing is
@@ -39,7 +39,7 @@ pub fn semitones_of_code(code: u8) -> Option<f64> {
 )]
 pub fn code_of_hz(hz: f64) -> u8 {
     if hz > 0.0 {
-        let code = (CODES_AN_OCTAVE * ops::ln(hz / LOWEST_HZ) / LN_2).round() + 1.0;
+        let code = (CODES_AN_OCTAVE * ops::ln(hz / MIN_HZ) / LN_2).round() + 1.0;
         code.clamp(1.0, 255.0) as u8
     } else {
         0
@@ -49,7 +49,7 @@ pub fn code_of_hz(hz: f64) -> u8 {
 /// The intensity of a code, decibels against full scale.
 #[must_use]
 pub fn db_of_code(code: u8) -> f64 {
-    LOWEST_DB + f64::from(code) / 2.0
+    MIN_DB + f64::from(code) / 2.0
 }
 
 /// The code of an intensity in decibels against full scale, from −100 to 27.5.
@@ -60,7 +60,7 @@ pub fn db_of_code(code: u8) -> f64 {
     reason = "clamped to a byte; not a number becomes 0"
 )]
 pub fn code_of_db(db: f64) -> u8 {
-    ((db - LOWEST_DB) * 2.0).round().clamp(0.0, 255.0) as u8
+    ((db - MIN_DB) * 2.0).round().clamp(0.0, 255.0) as u8
 }
 
 /// Base64 without padding (RFC 4648, sections 3.2 and 4). Bits of the last letter that belong to no byte are passed over.
@@ -118,7 +118,7 @@ mod tests {
             let back = hz_of_code(code_of_hz(hz)).unwrap();
             assert!((back / hz - 1.0).abs() < 0.006, "{hz} {back}");
             let octaves = semitones_of_code(code_of_hz(hz)).unwrap() / 12.0;
-            assert!((LOWEST_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9);
+            assert!((MIN_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9);
         }
         for tenth in -1_000..200 {
             let db = f64::from(tenth) / 10.0;

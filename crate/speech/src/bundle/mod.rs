@@ -114,12 +114,12 @@ pub struct AudioFile {
     /// MIME type with codecs.
     pub mime: String,
     /// Length and digest of the file, where the bundle has them.
-    pub holds: Option<Holds>,
+    pub holds: Option<FileDigest>,
 }
 
 /// Length and digest of a sound file, by which a baker recognises the sound of an utterance.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Holds {
+pub struct FileDigest {
     /// Its length in bytes.
     pub bytes: u64,
     /// SHA-256 of its bytes (FIPS 180-4), 64 hexadecimal digits in small letters.

@@ -61,9 +61,9 @@ impl Bundle {
             .into_iter()
             .enumerate()
             .map(|(utterance, row)| {
-                Utterance::of(row).map_err(|what| BundleError::Invalid { utterance, what })
+                Utterance::from_row(row).map_err(|what| BundleError::Invalid { utterance, what })
             });
-        let voices: Vec<Voice> = body.voices.into_iter().map(Voice::of).collect();
+        let voices: Vec<Voice> = body.voices.into_iter().map(Voice::from_row).collect();
         let mut utterances = utterances.collect::<Result<Vec<Utterance>, _>>()?;
         for (utterance, u) in utterances.iter_mut().enumerate() {
             u.check(voices.len())
@@ -165,7 +165,7 @@ fn pairs(text: &str) -> Vec<(String, String)> {
 }
 
 impl Voice {
-    fn of(row: VoiceRow) -> Self {
+    fn from_row(row: VoiceRow) -> Self {
         Self {
             engine: row.engine,
             voice: row.voice,
@@ -177,18 +177,18 @@ impl Voice {
 }
 
 impl AudioFile {
-    fn of(row: AudioRow) -> Result<Self, String> {
+    fn from_row(row: AudioRow) -> Result<Self, String> {
         Ok(Self {
-            holds: super::Holds::of(row.bytes, row.sha256)?,
+            holds: super::FileDigest::from_parts(row.bytes, row.sha256)?,
             file: row.file,
             mime: row.mime,
         })
     }
 }
 
-impl super::Holds {
+impl super::FileDigest {
     /// Both members or neither.
-    fn of(bytes: Option<u64>, sha256: Option<String>) -> Result<Option<Self>, String> {
+    fn from_parts(bytes: Option<u64>, sha256: Option<String>) -> Result<Option<Self>, String> {
         let (bytes, sha256) = match (bytes, sha256) {
             (None, None) => return Ok(None),
             (Some(bytes), Some(sha256)) => (bytes, sha256),
@@ -203,9 +203,9 @@ impl super::Holds {
 }
 
 /// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
-const LONGEST_PHONE_MSEC: u32 = 600_000;
+const MAX_PHONE_MSEC: u32 = 600_000;
 /// The longest utterance, milliseconds: a day, the longest that alignments may have.
-const LONGEST_MSEC: f64 = 86_400_000.0;
+const MAX_MSEC: f64 = 86_400_000.0;
 
 /// Milliseconds as seconds.
 pub(super) fn secs(msec: f64) -> f64 {
@@ -213,8 +213,8 @@ pub(super) fn secs(msec: f64) -> f64 {
 }
 
 impl Utterance {
-    fn of(row: UtteranceRow) -> Result<Self, String> {
-        let audio = row.audio.into_iter().map(AudioFile::of);
+    fn from_row(row: UtteranceRow) -> Result<Self, String> {
+        let audio = row.audio.into_iter().map(AudioFile::from_row);
         let mut utterance = Self {
             key: row.key.0,
             content: row.content.0,
@@ -246,14 +246,14 @@ impl Utterance {
                 return Err("there are more phones than lengths".to_owned());
             };
             let start_secs = secs(end_msec);
-            if length > LONGEST_PHONE_MSEC {
+            if length > MAX_PHONE_MSEC {
                 return Err(format!(
-                    "a phone or pause of {length} ms is longer than {LONGEST_PHONE_MSEC}"
+                    "a phone or pause of {length} ms is longer than {MAX_PHONE_MSEC}"
                 ));
             }
             end_msec += f64::from(length);
-            if end_msec > LONGEST_MSEC {
-                return Err(format!("the utterance is longer than {LONGEST_MSEC} ms"));
+            if end_msec > MAX_MSEC {
+                return Err(format!("the utterance is longer than {MAX_MSEC} ms"));
             }
             self.phones
                 .push(Phone::new(symbol, start_secs, secs(end_msec), None));

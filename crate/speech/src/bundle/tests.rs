@@ -71,7 +71,7 @@ fn what_a_sound_holds_is_told_wholly_or_not_at_all() {
     assert_eq!(u.source, Some(254));
     assert_eq!(
         u.audio[0].holds,
-        Some(Holds {
+        Some(FileDigest {
             bytes: 7,
             sha256: sha256.clone()
         })

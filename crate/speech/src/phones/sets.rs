@@ -32,16 +32,16 @@ pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
     };
     // The table's own symbols are those of English.
     if set < 4
-        && let Some(row) = own(column, bare)
+        && let Some(row) = row_of_symbol(column, bare)
     {
         return Some(row);
     }
     for language in languages {
         if let Some(sampa) = names::sampa(language, column, bare) {
-            return own(1, sampa);
+            return row_of_symbol(1, sampa);
         }
     }
-    own(column, bare)
+    row_of_symbol(column, bare)
 }
 
 /// A symbol of a phone set for a phone of another one: one that moves the lips alike. `None`
@@ -55,7 +55,7 @@ pub fn translate(from: &str, symbol: &str, to: &str) -> Option<&'static str> {
 }
 
 /// The row whose own symbol in a column this is.
-fn own(column: usize, symbol: &str) -> Option<&'static PhoneTargets> {
+fn row_of_symbol(column: usize, symbol: &str) -> Option<&'static PhoneTargets> {
     if symbol.is_empty() {
         return None;
     }
@@ -130,7 +130,7 @@ mod tests {
             let words: Vec<&str> = language.split_whitespace().collect();
             assert_eq!(words.len() % 3, 0, "{language}");
             for (i, triple) in words.chunks(3).enumerate() {
-                assert!(own(1, triple[2]).is_some(), "{triple:?}");
+                assert!(row_of_symbol(1, triple[2]).is_some(), "{triple:?}");
                 for column in 0..2 {
                     let again = |other: &&[&str]| other[column] == triple[column];
                     let once =

@@ -74,7 +74,7 @@ fn mouth(seed: u64) -> Tissue {
             let x = f32::from(k) / f32::from(RING - 1) * 2.0 - 1.0;
             [0.025 * x, up * (1.0 - x * x), -0.008 * x * x]
         };
-        let course = Course::Oris { is_lower, out: 0.0 };
+        let course = FibreCurve::Oris { is_lower, out: 0.0 };
         put(&mut out, muscle, course, (0..RING).map(place).collect());
     }
     for (m, muscle) in LINEAR.into_iter().enumerate() {
@@ -94,7 +94,7 @@ fn mouth(seed: u64) -> Tissue {
                 p[2] += 0.012 * t * (1.0 - t);
                 p
             });
-            let first = put(&mut out, muscle, Course::Linear, places.collect());
+            let first = put(&mut out, muscle, FibreCurve::Linear, places.collect());
             for ring in 0..2 * RING {
                 let off = f32::from(ring.abs_diff(at)) / 6.0;
                 if off < 1.0 {
@@ -239,7 +239,11 @@ fn a_fibre_keeps_its_origin_and_the_proportions_of_its_segments() {
         for i in 0..FACES {
             let controls = face(seed, i);
             contract(&mut muscles, &tissue, &controls);
-            for fibre in tissue.fibres.iter().filter(|f| f.course == Course::Linear) {
+            for fibre in tissue
+                .fibres
+                .iter()
+                .filter(|f| f.course == FibreCurve::Linear)
+            {
                 let points = points_of(&tissue, fibre);
                 let moved = &muscles.moved[range_of(fibre)];
                 assert!(distance(moved[0], [0.0; 3]) < ROUNDED_M);
@@ -285,7 +289,7 @@ fn the_stronger_has_more_of_its_way_and_the_weaker_gives() {
         }));
         tissue.fibres.push(Fibre {
             muscle,
-            course: Course::Linear,
+            course: FibreCurve::Linear,
             first,
             count: 7,
         });

@@ -1,7 +1,7 @@
 //! What a reader has found so far, and how it becomes an alignment that holds together.
 
-use super::text::{Bad, LineCounter, clip};
-use super::{Accent, Alignment, Fault, Interval, MOST_INTERVALS, MOST_SECS};
+use super::text::{LineCounter, TextError, clip};
+use super::{Accent, Alignment, Fault, Interval, MAX_INTERVALS, MAX_SECS};
 use super::{IPA, Syllable, Tone, Units};
 use crate::ipa;
 use raconteur_speech::phones::{self, PHONE_SETS};
@@ -10,7 +10,7 @@ use raconteur_speech::phones::{self, PHONE_SETS};
 const ROUNDING_SECS: f64 = 0.0015;
 
 /// Warnings beyond these are counted only.
-const MOST_WARNINGS: usize = 100;
+const MAX_WARNINGS: usize = 100;
 
 /// So many labels tell which phone set they are of.
 const SAMPLE: usize = 2000;
@@ -68,17 +68,17 @@ pub(super) struct Draft {
 impl Draft {
     pub(super) fn warn(&mut self, at: usize, message: impl Into<String>) {
         self.warned += 1;
-        if self.warnings.len() < MOST_WARNINGS {
+        if self.warnings.len() < MAX_WARNINGS {
             self.warnings.push((at, message.into()));
         }
     }
 
     /// To be called for each interval, point or event that is kept.
-    pub(super) fn count(&mut self, at: usize) -> Result<(), Bad> {
+    pub(super) fn count(&mut self, at: usize) -> Result<(), TextError> {
         self.counted += 1;
-        if self.counted > MOST_INTERVALS {
-            let message = format!("more than {MOST_INTERVALS} intervals");
-            return Err(Bad::new(at, message));
+        if self.counted > MAX_INTERVALS {
+            let message = format!("more than {MAX_INTERVALS} intervals");
+            return Err(TextError::new(at, message));
         }
         Ok(())
     }
@@ -89,13 +89,19 @@ impl Draft {
         end: f64,
         label: &str,
         at: usize,
-    ) -> Result<(), Bad> {
+    ) -> Result<(), TextError> {
         self.count(at)?;
         self.segments.push(raw(start, end, label, at));
         Ok(())
     }
 
-    pub(super) fn word(&mut self, start: f64, end: f64, label: &str, at: usize) -> Result<(), Bad> {
+    pub(super) fn word(
+        &mut self,
+        start: f64,
+        end: f64,
+        label: &str,
+        at: usize,
+    ) -> Result<(), TextError> {
         self.count(at)?;
         self.words.push(raw(start, end, label, at));
         Ok(())
@@ -109,7 +115,7 @@ impl Draft {
         end: f64,
         text: &str,
         at: usize,
-    ) -> Result<usize, Bad> {
+    ) -> Result<usize, TextError> {
         let letters = |word: &str| word.chars().count() as f64;
         let all: f64 = text.split_whitespace().map(letters).sum();
         let (mut now, mut count) = (start, 0);
@@ -122,7 +128,7 @@ impl Draft {
     }
 
     /// Segments that each begin where the one before ends, from their ends.
-    pub(super) fn segments_by_end(&mut self, mut ends: Vec<Point>) -> Result<(), Bad> {
+    pub(super) fn segments_by_end(&mut self, mut ends: Vec<Point>) -> Result<(), TextError> {
         self.sort(&mut ends);
         let mut start = ends.first().map_or(0.0, |first| first.secs.min(0.0));
         for Point { secs, label, at } in ends {
@@ -139,7 +145,7 @@ impl Draft {
         mut starts: Vec<Point>,
         closing: &str,
         last_secs: f64,
-    ) -> Result<(), Bad> {
+    ) -> Result<(), TextError> {
         self.sort(&mut starts);
         let ends: Vec<f64> = starts.iter().skip(1).map(|p| p.secs).collect();
         for (i, Point { secs, label, at }) in starts.into_iter().enumerate() {
@@ -160,7 +166,7 @@ impl Draft {
     }
 
     /// The alignment, or what no repair can mend.
-    pub(super) fn finish(mut self, text: &str) -> Result<Alignment, Bad> {
+    pub(super) fn finish(mut self, text: &str) -> Result<Alignment, TextError> {
         let units = self.units();
         if units == Units::None && self.words.is_empty() {
             self.words = std::mem::take(&mut self.segments);
@@ -227,7 +233,7 @@ impl Draft {
     }
 
     /// Labels of several words, as people write them into tiers, become those words.
-    fn part_phrases(&mut self) -> Result<(), Bad> {
+    fn part_phrases(&mut self) -> Result<(), TextError> {
         if !self
             .words
             .iter()
@@ -279,7 +285,7 @@ impl Draft {
     }
 
     /// In order, from 0, none empty and none over another.
-    fn settle(&mut self, mut raws: Vec<Raw>) -> Result<Vec<Raw>, Bad> {
+    fn settle(&mut self, mut raws: Vec<Raw>) -> Result<Vec<Raw>, TextError> {
         for raw in &raws {
             check(raw.start, raw.at)?;
             check(raw.end, raw.at)?;
@@ -288,7 +294,7 @@ impl Draft {
             && raws.iter().all(|r| r.end <= 0.0)
             && raws.iter().any(|r| r.start < 0.0)
         {
-            return Err(Bad::new(first.at, "every time is negative"));
+            return Err(TextError::new(first.at, "every time is negative"));
         }
         if let Some(pair) = raws.windows(2).find(|r| r[1].start < r[0].start) {
             self.warn(pair[1].at, "begins before the one before it; sorted");
@@ -351,13 +357,16 @@ impl Draft {
             tiles.push(Interval::from(raw));
         }
         let rest = self.end_secs - end;
-        if !tiles.is_empty() && rest > ROUNDING_SECS && self.end_secs <= MOST_SECS {
+        if !tiles.is_empty() && rest > ROUNDING_SECS && self.end_secs <= MAX_SECS {
             tiles.push(silence(end, self.end_secs));
         }
         tiles
     }
 
-    fn moments(&mut self, which: fn(&mut Self) -> &mut Vec<Point>) -> Result<Vec<Point>, Bad> {
+    fn moments(
+        &mut self,
+        which: fn(&mut Self) -> &mut Vec<Point>,
+    ) -> Result<Vec<Point>, TextError> {
         let mut points = std::mem::take(which(self));
         for point in &mut points {
             check(point.secs, point.at)?;
@@ -371,7 +380,7 @@ impl Draft {
         Ok(points)
     }
 
-    fn tones(&mut self) -> Result<Vec<Tone>, Bad> {
+    fn tones(&mut self) -> Result<Vec<Tone>, TextError> {
         let mut tones = Vec::with_capacity(self.tones.len());
         for (point, break_index) in std::mem::take(&mut self.tones) {
             check(point.secs, point.at)?;
@@ -385,7 +394,7 @@ impl Draft {
         Ok(tones)
     }
 
-    fn pitch(&mut self) -> Result<Vec<(f64, f64)>, Bad> {
+    fn pitch(&mut self) -> Result<Vec<(f64, f64)>, TextError> {
         let mut f0 = Vec::with_capacity(self.f0.len());
         for (secs, hz, at) in std::mem::take(&mut self.f0) {
             check(secs, at)?;
@@ -429,13 +438,13 @@ fn silence(start_secs: f64, end_secs: f64) -> Interval {
 }
 
 /// Refuses times that cannot be of a recording.
-fn check(secs: f64, at: usize) -> Result<(), Bad> {
+fn check(secs: f64, at: usize) -> Result<(), TextError> {
     if !secs.is_finite() {
-        return Err(Bad::new(at, "a time that is not finite"));
+        return Err(TextError::new(at, "a time that is not finite"));
     }
-    if secs.abs() > MOST_SECS {
-        let message = format!("{secs} s is more than {MOST_SECS} s");
-        return Err(Bad::new(at, message));
+    if secs.abs() > MAX_SECS {
+        let message = format!("{secs} s is more than {MAX_SECS} s");
+        return Err(TextError::new(at, message));
     }
     Ok(())
 }

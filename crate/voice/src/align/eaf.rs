@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use super::draft::{Draft, Raw};
-use super::text::Bad;
+use super::text::TextError;
 use super::tiers::{Tier, choose};
 use super::xml::{Element, Xml, XmlEvent};
 
@@ -23,7 +23,7 @@ type Slots = HashMap<String, (usize, Option<f64>)>;
 /// A tier's name, place and annotations.
 type Annotated = (String, usize, Vec<Annotation>);
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let mut xml = Xml::new(text);
     let mut slots = Slots::new();
     let mut tiers: Vec<Annotated> = Vec::new();
@@ -37,19 +37,19 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
                     draft.count(element.at)?;
                     let millis = element.number("TIME_VALUE")?;
                     let slot = (slots.len(), millis.map(|ms| ms / 1000.0));
-                    slots.insert(needed(&element, "TIME_SLOT_ID")?, slot);
+                    slots.insert(required_attribute(&element, "TIME_SLOT_ID")?, slot);
                 }
                 "TIER" => {
                     draft.count(element.at)?;
-                    let name = needed(&element, "TIER_ID")?;
+                    let name = required_attribute(&element, "TIER_ID")?;
                     tiers.push((name.trim().to_lowercase(), element.at, Vec::new()));
                 }
                 "ALIGNABLE_ANNOTATION" => {
                     draft.count(element.at)?;
                     open = Some(Annotation {
                         slots: [
-                            needed(&element, "TIME_SLOT_REF1")?,
-                            needed(&element, "TIME_SLOT_REF2")?,
+                            required_attribute(&element, "TIME_SLOT_REF1")?,
+                            required_attribute(&element, "TIME_SLOT_REF2")?,
                         ],
                         label: String::new(),
                         at: element.at,
@@ -71,20 +71,20 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         }
     }
     if !known {
-        return Err(Bad::new(0, "no element \"ANNOTATION_DOCUMENT\""));
+        return Err(TextError::new(0, "no element \"ANNOTATION_DOCUMENT\""));
     }
     let timed = tiers.into_iter().filter(|t| !t.2.is_empty());
     let timed = timed.map(|tier| intervals(tier, &slots));
     choose(timed.collect::<Result<_, _>>()?, draft, 0)
 }
 
-fn needed(element: &Element<'_>, name: &str) -> Result<String, Bad> {
-    let missing = || Bad::new(element.at, format!("no attribute {name:?}"));
+fn required_attribute(element: &Element<'_>, name: &str) -> Result<String, TextError> {
+    let missing = || TextError::new(element.at, format!("no attribute {name:?}"));
     element.attribute(name)?.ok_or_else(missing)
 }
 
 /// A tier with the times of its annotations.
-fn intervals((name, at, mut annotations): Annotated, slots: &Slots) -> Result<Tier, Bad> {
+fn intervals((name, at, mut annotations): Annotated, slots: &Slots) -> Result<Tier, TextError> {
     // They are written in the order in which they were made.
     annotations.sort_by_key(|a| slots.get(&a.slots[0]).map(|s| s.0));
     // Each slot once, in order; neighbours share one.
@@ -98,7 +98,7 @@ fn intervals((name, at, mut annotations): Annotated, slots: &Slots) -> Result<Ti
     }
     let mut times = Vec::with_capacity(line.len());
     for (slot, at) in &line {
-        let missing = || Bad::new(*at, format!("no slot of time {slot:?}"));
+        let missing = || TextError::new(*at, format!("no slot of time {slot:?}"));
         times.push(slots.get(*slot).ok_or_else(missing)?.1);
     }
     let mut known: Option<usize> = None;
@@ -121,7 +121,7 @@ fn intervals((name, at, mut annotations): Annotated, slots: &Slots) -> Result<Ti
     };
     let mut place = 0;
     for Annotation { slots, label, at } in &annotations {
-        let untold = || Bad::new(*at, "no time before or after it");
+        let untold = || TextError::new(*at, "no time before or after it");
         if line[place].0 != slots[0] {
             place += 1;
         }

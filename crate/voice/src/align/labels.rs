@@ -1,23 +1,23 @@
 //! Files of a label per line: ESPS xlabel, MARY's realised durations, and those of HTK.
 
 use super::draft::{Draft, Kind, Point, is_silence};
-use super::text::{Bad, clip, fields, lines, number};
+use super::text::{TextError, clip, fields, lines, number};
 
 /// Seconds in HTK's unit of time, 100 ns (The HTK Book, section 6.2).
 const HTK_UNITS_A_SEC: f64 = 1e7;
 
 /// Header lines to `#`, then end in seconds, colour and name, then fields after a separator.
-pub(super) fn xlabel(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn xlabel(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = Kind::Unsure;
     by_end(text, draft)
 }
 
 /// The same without header, and always of phones.
-pub(super) fn mary(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn mary(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     by_end(text, draft)
 }
 
-fn by_end(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+fn by_end(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let (mut ends, mut separator, mut in_header) = (Vec::new(), ';', true);
     for (at, line) in lines(text) {
         let mut fields = fields(at, line);
@@ -43,7 +43,7 @@ fn by_end(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             }
             (Some(_), None) => "",
             (None, _) => {
-                return Err(Bad::new(
+                return Err(TextError::new(
                     at + line.len(),
                     "a colour and a name should follow",
                 ));
@@ -54,14 +54,14 @@ fn by_end(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         ends.push(Point { secs, label, at });
     }
     if in_header {
-        return Err(Bad::new(text.len(), "no line \"#\" ends the header"));
+        return Err(TextError::new(text.len(), "no line \"#\" ends the header"));
     }
     draft.segments_by_end(ends)
 }
 
 /// Begin and end in units of 100 ns and a name, maybe a score and a word that begins there.
 /// Of a master label file, the first entry.
-pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let (mut entries, mut is_master, mut ended) = (0_usize, false, false);
     let mut words: Vec<(f64, String, usize)> = Vec::new();
     let mut open: Option<Open> = None;
@@ -94,7 +94,7 @@ pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         }
         let mut fields = fields(at, line);
         let mut field = |what: &str| {
-            let missing = || Bad::new(at + line.len(), format!("{what} should follow"));
+            let missing = || TextError::new(at + line.len(), format!("{what} should follow"));
             fields.next().ok_or_else(missing)
         };
         let (start_at, start) = field("a begin")?;
@@ -104,7 +104,10 @@ pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         let (name_at, name) = field("a name")?;
         let phone = current(name);
         if phone.is_empty() {
-            return Err(Bad::new(name_at, format!("no phone in {:?}", clip(name))));
+            return Err(TextError::new(
+                name_at,
+                format!("no phone in {:?}", clip(name)),
+            ));
         }
         draft.segment(start, end, phone, at)?;
         if let Some((word_at, word)) = fields.last()
@@ -112,7 +115,7 @@ pub(super) fn htk(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         {
             words.push((start, word.to_owned(), word_at));
         }
-        if let Some(context) = Context::of(name) {
+        if let Some(context) = Context::parse(name) {
             if open
                 .as_ref()
                 .is_some_and(|o| context.is_first || start < o.start)
@@ -148,7 +151,7 @@ fn close(open: &mut Option<Open>, draft: &mut Draft) {
 }
 
 /// A word lasts until the next begins or a silence does.
-fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), Bad> {
+fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), TextError> {
     let mut segments = draft.segments.clone();
     segments.retain(|s| s.end > s.start);
     segments.sort_by(|a, b| a.start.total_cmp(&b.start));
@@ -190,7 +193,7 @@ struct Context {
 }
 
 impl Context {
-    fn of(name: &str) -> Option<Self> {
+    fn parse(name: &str) -> Option<Self> {
         let position = name.split("/A:").next()?.rsplit_once('@')?.1;
         let position = position.split('_').next()?;
         let stress = name.split_once("/B:")?.1.split('-').next()?;
@@ -213,8 +216,8 @@ mod tests {
         assert_eq!(current("x^x-pau+hh=ax@x_x/A:0_0_0"), "pau");
         assert_eq!(current("t-iy+ch"), "iy");
         assert_eq!(current("aa"), "aa");
-        let context = Context::of("h^@-l+@U=_@2_2/A:0_0_1/B:1-0-2@2-1&1").unwrap();
+        let context = Context::parse("h^@-l+@U=_@2_2/A:0_0_1/B:1-0-2@2-1&1").unwrap();
         assert!(!context.is_first && context.stress == 1);
-        assert!(Context::of("x^x-pau+hh=ax@x_x/A:0_0_0/B:x-x-x@x-x").is_none());
+        assert!(Context::parse("x^x-pau+hh=ax@x_x/A:0_0_0/B:x-x-x@x-x").is_none());
     }
 }

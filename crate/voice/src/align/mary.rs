@@ -7,7 +7,7 @@
 
 use super::draft::{Draft, Point};
 use super::sampa;
-use super::text::{Bad, clip, number};
+use super::text::{TextError, clip, number};
 use super::xml::{Element, Xml, XmlEvent};
 
 /// The default length of a phone: about the mean of read English and German.
@@ -17,12 +17,12 @@ const PHONE_SECS: f64 = 0.08;
 const BOUNDARY_SECS: f64 = 0.2;
 
 /// A token's transcription is no longer, in bytes; finding phones in one takes its time.
-const MOST_TRANSCRIPTION: usize = 1000;
+const MAX_TRANSCRIPTION: usize = 1000;
 
 /// Two times that differ by less are one: durations are whole milliseconds.
 const SAME_SECS: f64 = 0.0015;
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let mut reader = Reader {
         draft,
         now: 0.0,
@@ -39,7 +39,10 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             XmlEvent::Start(element) => {
                 if !rooted && element.name() != "maryxml" {
                     let name = clip(element.name());
-                    return Err(Bad::new(element.at, format!("{name:?} is not \"maryxml\"")));
+                    return Err(TextError::new(
+                        element.at,
+                        format!("{name:?} is not \"maryxml\""),
+                    ));
                 }
                 rooted = true;
                 reader.start(&element)?;
@@ -53,7 +56,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         }
     }
     if reader.draft.segments.is_empty() {
-        return Err(Bad::new(text.len(), "no phones"));
+        return Err(TextError::new(text.len(), "no phones"));
     }
     if let Some(at) = reader.untimed {
         reader
@@ -102,7 +105,7 @@ struct Reader<'d> {
 }
 
 impl Reader<'_> {
-    fn start(&mut self, element: &Element<'_>) -> Result<(), Bad> {
+    fn start(&mut self, element: &Element<'_>) -> Result<(), TextError> {
         let text = |name: &str| Ok(element.attribute(name)?.unwrap_or_default());
         let at = element.at;
         match element.name() {
@@ -147,7 +150,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn end(&mut self, name: &str) -> Result<(), Bad> {
+    fn end(&mut self, name: &str) -> Result<(), TextError> {
         match name {
             "t" => self.end_token(),
             "syllable" => self.end_syllable(),
@@ -159,7 +162,7 @@ impl Reader<'_> {
         }
     }
 
-    fn feel(&mut self, name: String, at: usize) -> Result<(), Bad> {
+    fn feel(&mut self, name: String, at: usize) -> Result<(), TextError> {
         self.draft.count(at)?;
         self.draft.emotions.push(Point {
             secs: self.now,
@@ -169,9 +172,9 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn phone(&mut self, element: &Element<'_>) -> Result<(), Bad> {
+    fn phone(&mut self, element: &Element<'_>) -> Result<(), TextError> {
         let at = element.at;
-        let missing = || Bad::new(at, "a phone without \"p\"");
+        let missing = || TextError::new(at, "a phone without \"p\"");
         let name = element.attribute("p")?.ok_or_else(missing)?;
         let duration = element.number("d")?.map(|ms| ms / 1000.0);
         let (start, length) = match (element.number("end")?, duration) {
@@ -209,7 +212,7 @@ impl Reader<'_> {
         for pair in list.split(['(', ')']).filter(|p| !p.trim().is_empty()) {
             let Some((percent, hz)) = pair.split_once(',') else {
                 let message = format!("{:?} is no pair of percent and hertz", clip(pair));
-                return Err(Bad::new(at, message));
+                return Err(TextError::new(at, message));
             };
             self.draft.count(at)?;
             let secs = start + length * number(at, percent)? / 100.0;
@@ -218,7 +221,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn boundary(&mut self, element: &Element<'_>) -> Result<(), Bad> {
+    fn boundary(&mut self, element: &Element<'_>) -> Result<(), TextError> {
         let at = element.at;
         let break_index = match element.attribute("breakindex")?.as_deref() {
             None | Some("none" | "") => None,
@@ -226,7 +229,7 @@ impl Reader<'_> {
                 Ok(index) if index <= 6 => Some(index),
                 _ => {
                     let message = format!("{:?} is no break index", clip(written));
-                    return Err(Bad::new(at, message));
+                    return Err(TextError::new(at, message));
                 }
             },
         };
@@ -242,7 +245,7 @@ impl Reader<'_> {
             None => 0.0,
         };
         if pause < 0.0 {
-            return Err(Bad::new(at, "a negative pause"));
+            return Err(TextError::new(at, "a negative pause"));
         }
         if pause > 0.0 {
             self.draft.segment(self.now, self.now + pause, "_", at)?;
@@ -259,7 +262,7 @@ impl Reader<'_> {
         Some((first.start, last.end))
     }
 
-    fn end_syllable(&mut self) -> Result<(), Bad> {
+    fn end_syllable(&mut self) -> Result<(), TextError> {
         let Some(open) = self.syllable.take() else {
             return Ok(());
         };
@@ -289,7 +292,7 @@ impl Reader<'_> {
         }
     }
 
-    fn end_token(&mut self) -> Result<(), Bad> {
+    fn end_token(&mut self) -> Result<(), TextError> {
         // A syllable lies within its token.
         self.end_syllable()?;
         let Some(mut token) = self.token.take() else {
@@ -312,11 +315,11 @@ impl Reader<'_> {
     }
 
     /// Phones of a token from its transcription.
-    fn pronounce(&mut self, token: &mut Token) -> Result<(), Bad> {
+    fn pronounce(&mut self, token: &mut Token) -> Result<(), TextError> {
         let transcription = std::mem::take(&mut token.transcription);
-        if transcription.len() > MOST_TRANSCRIPTION {
+        if transcription.len() > MAX_TRANSCRIPTION {
             let message = format!("a transcription of {} bytes", transcription.len());
-            return Err(Bad::new(token.at, message));
+            return Err(TextError::new(token.at, message));
         }
         let mut open: Option<(usize, f64, u8)> = None;
         let phones = sampa::split(&transcription);

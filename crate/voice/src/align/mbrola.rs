@@ -2,9 +2,9 @@
 //! percent of the phone and hertz. `;` begins a comment.
 
 use super::draft::Draft;
-use super::text::{Bad, fields, lines, number};
+use super::text::{TextError, fields, lines, number};
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let mut now = 0.0;
     for (at, line) in lines(text) {
         let told = line.split(';').next().unwrap_or_default();
@@ -17,20 +17,23 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             if phone == "#" {
                 continue;
             }
-            return Err(Bad::new(
+            return Err(TextError::new(
                 phone_at + phone.len(),
                 "milliseconds should follow",
             ));
         };
         let secs = number(length_at, length)? / 1000.0;
         if secs < 0.0 {
-            return Err(Bad::new(length_at, "a negative duration"));
+            return Err(TextError::new(length_at, "a negative duration"));
         }
         draft.segment(now, now + secs, phone, at)?;
         while let Some((percent_at, percent)) = fields.next() {
             let percent = number(percent_at, percent)?;
             let Some((hz_at, hz)) = fields.next() else {
-                return Err(Bad::new(at + told.len(), "hertz should follow the percent"));
+                return Err(TextError::new(
+                    at + told.len(),
+                    "hertz should follow the percent",
+                ));
             };
             draft.count(hz_at)?;
             let hz = number(hz_at, hz)?;
@@ -41,7 +44,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         now += secs;
     }
     if draft.segments.is_empty() {
-        return Err(Bad::new(text.len(), "no phones"));
+        return Err(TextError::new(text.len(), "no phones"));
     }
     Ok(())
 }

@@ -35,16 +35,16 @@ pub use viseme::{VisemeSet, phone_of_viseme, rhubarb_viseme};
 use draft::Draft;
 
 /// Most bytes that are read.
-pub const MOST_BYTES: usize = 64 << 20;
+pub const MAX_BYTES: usize = 64 << 20;
 
 /// Most bytes of JSON; each may become twenty in memory.
-pub const MOST_JSON_BYTES: usize = 16 << 20;
+pub const MAX_JSON_BYTES: usize = 16 << 20;
 
 /// Most intervals, points and events in one file.
-pub const MOST_INTERVALS: usize = 1_000_000;
+pub const MAX_INTERVALS: usize = 1_000_000;
 
 /// Latest time that is believed, in seconds.
-pub const MOST_SECS: f64 = 86_400.0;
+pub const MAX_SECS: f64 = 86_400.0;
 
 /// The set of phones that are named in the International Phonetic Alphabet.
 pub const IPA: &str = "ipa";
@@ -211,8 +211,8 @@ pub struct Fault {
 /// times that cannot be.
 pub fn read(format: Format, bytes: &[u8]) -> Result<Alignment, Fault> {
     let most = match format {
-        Format::RhubarbJson | Format::TalkingHead | Format::WordTimes => MOST_JSON_BYTES,
-        _ => MOST_BYTES,
+        Format::RhubarbJson | Format::TalkingHead | Format::WordTimes => MAX_JSON_BYTES,
+        _ => MAX_BYTES,
     };
     if bytes.len() > most {
         return Err(Fault {

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::draft::{Draft, Kind, Point};
-use super::text::{Bad, clip, fields, lines, number};
+use super::text::{TextError, clip, fields, lines, number};
 use super::viseme::rhubarb_viseme;
 use super::xml::{Xml, XmlEvent};
 use super::{Units, VisemeSet};
@@ -36,16 +36,16 @@ struct Cue {
     value: Option<String>,
 }
 
-fn shape(at: usize, shape: &str) -> Result<&str, Bad> {
+fn shape(at: usize, shape: &str) -> Result<&str, TextError> {
     let shape = shape.trim();
     if rhubarb_viseme(shape).is_none() {
         let message = format!("{:?} is no mouth shape (A to H, X)", clip(shape));
-        return Err(Bad::new(at, message));
+        return Err(TextError::new(at, message));
     }
     Ok(shape)
 }
 
-pub(super) fn tsv(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn tsv(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = KIND;
     let mut starts = Vec::new();
     for (at, line) in lines(text) {
@@ -54,10 +54,13 @@ pub(super) fn tsv(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             continue;
         };
         let Some((shape_at, label)) = fields.next() else {
-            return Err(Bad::new(at + line.len(), "a mouth shape should follow"));
+            return Err(TextError::new(
+                at + line.len(),
+                "a mouth shape should follow",
+            ));
         };
         if let Some((more, _)) = fields.next() {
-            return Err(Bad::new(more, "more than a time and a shape"));
+            return Err(TextError::new(more, "more than a time and a shape"));
         }
         draft.count(at)?;
         starts.push(Point {
@@ -67,31 +70,31 @@ pub(super) fn tsv(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         });
     }
     if starts.is_empty() {
-        return Err(Bad::new(0, "no mouth shapes"));
+        return Err(TextError::new(0, "no mouth shapes"));
     }
     draft.segments_by_start(starts, "X", LAST_SECS)
 }
 
-pub(super) fn json(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn json(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = KIND;
     let file: File<'_> = read(text)?;
     let cues: Vec<&RawValue> = file
         .cues
         .and_then(|cues| serde_json::from_str(cues.get()).ok())
-        .ok_or_else(|| Bad::new(0, "no list \"mouthCues\""))?;
+        .ok_or_else(|| TextError::new(0, "no list \"mouthCues\""))?;
     for cue in cues {
         let at = place(text, cue);
         let cue: Cue = serde_json::from_str(cue.get()).map_err(|_| {
-            Bad::new(
+            TextError::new(
                 at,
                 "a cue is no object with \"start\", \"end\" and \"value\"",
             )
         })?;
         let time = |time: Option<f64>, name: &str| {
-            time.ok_or_else(|| Bad::new(at, format!("a cue without the number {name:?}")))
+            time.ok_or_else(|| TextError::new(at, format!("a cue without the number {name:?}")))
         };
         let label = cue.value.as_deref();
-        let label = label.ok_or_else(|| Bad::new(at, "a cue without the text \"value\""))?;
+        let label = label.ok_or_else(|| TextError::new(at, "a cue without the text \"value\""))?;
         let (start, end) = (time(cue.start, "start")?, time(cue.end, "end")?);
         draft.segment(start, end, shape(at, label)?, at)?;
     }
@@ -101,7 +104,7 @@ pub(super) fn json(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     Ok(())
 }
 
-pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = KIND;
     let mut xml = Xml::new(text);
     let mut cue: Option<(f64, f64, usize)> = None;
@@ -113,7 +116,8 @@ pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
                 known |= element.name() == "rhubarbResult";
                 if element.name() == "mouthCue" {
                     let time = |name: &str| {
-                        let missing = || Bad::new(element.at, format!("a cue without {name:?}"));
+                        let missing =
+                            || TextError::new(element.at, format!("a cue without {name:?}"));
                         element.number(name)?.ok_or_else(missing)
                     };
                     cue = Some((time("start")?, time("end")?, element.at));
@@ -133,13 +137,13 @@ pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         }
     }
     if !known {
-        return Err(Bad::new(0, "no element \"rhubarbResult\""));
+        return Err(TextError::new(0, "no element \"rhubarbResult\""));
     }
     Ok(())
 }
 
 /// Reads a value of JSON; a fault is reported with its byte.
-pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Bad> {
+pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, TextError> {
     serde_json::from_str(text).map_err(|error| {
         let before = text
             .split_inclusive('\n')
@@ -149,7 +153,7 @@ pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Bad> {
         let told = error.to_string();
         let place = format!(" at line {} column {}", error.line(), error.column());
         let what = told.strip_suffix(&place).unwrap_or(&told);
-        Bad::new(at.min(text.len()), what.to_owned())
+        TextError::new(at.min(text.len()), what.to_owned())
     })
 }
 

@@ -13,7 +13,7 @@ pub(super) struct Sounded<'a> {
 }
 
 /// Longest symbol of a phone, in characters: `6~w~`.
-const LONGEST: usize = 4;
+const MAX_SYMBOL_CHARS: usize = 4;
 
 /// Phones of a transcription: the longest known symbol at each place; what is not known is
 /// one character. `-` parts syllables, `'` and `"` stress the syllable that follows, `,` and
@@ -35,7 +35,7 @@ pub(super) fn split(transcription: &str) -> Vec<Sounded<'_>> {
             _ if c.is_whitespace() => {}
             _ => {
                 let ends = rest.char_indices().map(|(i, c)| i + c.len_utf8());
-                for end in ends.take(LONGEST) {
+                for end in ends.take(MAX_SYMBOL_CHARS) {
                     if phones::find("sampa", &rest[..end]).is_some() {
                         length = end.max(length);
                     }

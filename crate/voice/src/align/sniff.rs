@@ -8,7 +8,7 @@ use super::viseme::rhubarb_viseme;
 const LOOK: usize = 1 << 16;
 
 /// So many lines of a table are.
-const MOST_LINES: usize = 50;
+const MAX_LINES: usize = 50;
 
 /// The format of a file by its content and, where that leaves a choice, by its name (of
 /// which only the end matters). `None` when it is none of those that [`super::read`] reads.
@@ -84,13 +84,13 @@ fn table(name: &str, text: &str) -> Option<Format> {
     let ends_in = |end: &str| name.ends_with(end);
     // The last of a long text may be cut.
     let whole = lines(text)
-        .take(MOST_LINES + 1)
+        .take(MAX_LINES + 1)
         .map(|(at, line)| fields(at, line));
     let mut rows: Vec<Vec<&str>> = whole
         .map(|line| line.map(|(_, field)| field).collect())
         .collect();
     rows.retain(|row| !row.is_empty());
-    if rows.len() > MOST_LINES || text.len() + 4 > LOOK {
+    if rows.len() > MAX_LINES || text.len() + 4 > LOOK {
         rows.pop();
     }
     if let Some(hash) = rows.iter().position(|row| row == &["#"]) {

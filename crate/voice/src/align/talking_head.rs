@@ -6,18 +6,18 @@ use serde_json::value::RawValue;
 
 use super::draft::{Draft, Kind};
 use super::rhubarb::{place, read as read_json};
-use super::text::{Bad, clip};
+use super::text::{TextError, clip};
 use super::viseme::{OCULUS, oculus};
 use super::{Units, VisemeSet};
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let file: File<'_> = read_json(text)?;
     draft.kind = Kind::Units(Units::None);
-    let words = Arrays::of(text, "words", [file.words, file.wtimes, file.wdurations])?;
+    let words = Arrays::check(text, "words", [file.words, file.wtimes, file.wdurations])?;
     let visemes = [file.visemes, file.vtimes, file.vdurations];
-    let visemes = Arrays::of(text, "visemes", visemes)?;
+    let visemes = Arrays::check(text, "visemes", visemes)?;
     if words.is_none() && visemes.is_none() {
-        return Err(Bad::new(0, "neither \"words\" nor \"visemes\""));
+        return Err(TextError::new(0, "neither \"words\" nor \"visemes\""));
     }
     if let Some(words) = words {
         for i in 0..words.labels.len() {
@@ -34,7 +34,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             let shape = oculus(&name).ok_or_else(|| {
                 let known = OCULUS.join(", ");
                 let message = format!("{:?} is no viseme; there are {known}", clip(&name));
-                Bad::new(at, message)
+                TextError::new(at, message)
             })?;
             draft.segment(start, end, shape, at)?;
         }
@@ -65,11 +65,11 @@ struct Arrays<'a> {
 impl<'a> Arrays<'a> {
     /// Of labels, times and durations, which are called alike but for their last part; none
     /// without labels.
-    fn of(
+    fn check(
         text: &'a str,
         name: &str,
         [labels, times, durations]: [Option<&'a RawValue>; 3],
-    ) -> Result<Option<Self>, Bad> {
+    ) -> Result<Option<Self>, TextError> {
         let Some(written) = labels else {
             return Ok(None);
         };
@@ -77,7 +77,7 @@ impl<'a> Arrays<'a> {
         let list = |value: Option<&'a RawValue>, name: &str| {
             let at = place(text, value.unwrap_or(written));
             let list = value.and_then(|value| serde_json::from_str(value.get()).ok());
-            list.ok_or_else(|| Bad::new(at, format!("{name:?} is not a list")))
+            list.ok_or_else(|| TextError::new(at, format!("{name:?} is not a list")))
         };
         let labels: Vec<&RawValue> = list(labels, name)?;
         let column = |value: Option<&'a RawValue>, kind: &str| {
@@ -87,7 +87,10 @@ impl<'a> Arrays<'a> {
                 return Ok(column);
             }
             let message = format!("{} {own:?} for {} {name:?}", column.len(), labels.len());
-            Err(Bad::new(place(text, value.unwrap_or(written)), message))
+            Err(TextError::new(
+                place(text, value.unwrap_or(written)),
+                message,
+            ))
         };
         Ok(Some(Self {
             text,
@@ -98,15 +101,15 @@ impl<'a> Arrays<'a> {
     }
 
     /// Label, begin, end in seconds, and place of the label.
-    fn interval(&self, i: usize) -> Result<(String, f64, f64, usize), Bad> {
+    fn interval(&self, i: usize) -> Result<(String, f64, f64, usize), TextError> {
         let secs = |value: &RawValue| {
             let ms: Result<f64, _> = serde_json::from_str(value.get());
-            let ms = ms.map_err(|_| Bad::new(place(self.text, value), "no number"))?;
+            let ms = ms.map_err(|_| TextError::new(place(self.text, value), "no number"))?;
             Ok(ms / 1000.0)
         };
         let at = place(self.text, self.labels[i]);
         let text = serde_json::from_str(self.labels[i].get());
-        let text = text.map_err(|_| Bad::new(at, "no text"))?;
+        let text = text.map_err(|_| TextError::new(at, "no text"))?;
         let start = secs(self.times[i])?;
         let end = start + secs(self.durations[i])?;
         Ok((text, start, end, at))

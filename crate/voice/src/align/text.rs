@@ -4,12 +4,12 @@ use super::Fault;
 
 /// What is wrong, and at which byte of the decoded text.
 #[derive(Debug)]
-pub(super) struct Bad {
+pub(super) struct TextError {
     pub(super) at: usize,
     pub(super) message: String,
 }
 
-impl Bad {
+impl TextError {
     pub(super) fn new(at: usize, message: impl Into<String>) -> Self {
         let message = message.into();
         Self { at, message }
@@ -77,12 +77,16 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, Fault> {
                 Ok(c) => text.push(c),
                 Err(_) => {
                     let end = text.len();
-                    return Err(Bad::new(end, "half of a UTF-16 surrogate pair").in_text(&text));
+                    return Err(
+                        TextError::new(end, "half of a UTF-16 surrogate pair").in_text(&text)
+                    );
                 }
             }
         }
         if bytes.len() % 2 == 1 {
-            return Err(Bad::new(text.len(), "UTF-16 with an odd number of bytes").in_text(&text));
+            return Err(
+                TextError::new(text.len(), "UTF-16 with an odd number of bytes").in_text(&text),
+            );
         }
         Ok(text)
     };
@@ -130,11 +134,17 @@ pub(super) fn fields(at: usize, line: &str) -> impl Iterator<Item = (usize, &str
 }
 
 /// A finite number.
-pub(super) fn number(at: usize, field: &str) -> Result<f64, Bad> {
+pub(super) fn number(at: usize, field: &str) -> Result<f64, TextError> {
     match field.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(Bad::new(at, format!("{:?} is not finite", clip(field)))),
-        Err(_) => Err(Bad::new(at, format!("{:?} is not a number", clip(field)))),
+        Ok(_) => Err(TextError::new(
+            at,
+            format!("{:?} is not finite", clip(field)),
+        )),
+        Err(_) => Err(TextError::new(
+            at,
+            format!("{:?} is not a number", clip(field)),
+        )),
     }
 }
 

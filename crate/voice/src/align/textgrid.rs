@@ -5,7 +5,7 @@
 //! comment. What the long form adds (`xmin =`, `intervals [1]:`) is not free-standing.
 
 use super::draft::{Draft, Point, Raw};
-use super::text::{Bad, clip};
+use super::text::{TextError, clip};
 use super::tiers::{Tier, choose};
 
 enum Token<'a> {
@@ -22,18 +22,18 @@ struct Tokens<'a> {
 
 impl<'a> Tokens<'a> {
     /// The next thing that counts and its place.
-    fn next(&mut self) -> Result<(usize, Token<'a>), Bad> {
+    fn next(&mut self) -> Result<(usize, Token<'a>), TextError> {
         loop {
             let rest = &self.text[self.at..];
             self.at += rest.len() - rest.trim_start().len();
             let (at, rest) = (self.at, &self.text[self.at..]);
             let word_end = rest.find(char::is_whitespace).unwrap_or(rest.len());
             match rest.chars().next() {
-                None => return Err(Bad::new(at, "the file ends too early")),
+                None => return Err(TextError::new(at, "the file ends too early")),
                 Some('!') => self.at += rest.find(['\n', '\r']).unwrap_or(rest.len()),
                 Some('"') => {
                     let length = quoted(&rest[1..])
-                        .ok_or_else(|| Bad::new(at, "a quoted text does not end"))?;
+                        .ok_or_else(|| TextError::new(at, "a quoted text does not end"))?;
                     self.at += length + 2;
                     return Ok((at, Token::Text(&rest[1..=length])));
                 }
@@ -45,7 +45,7 @@ impl<'a> Tokens<'a> {
                     self.at += word_end;
                     if let Ok(value) = rest[..word_end].parse::<f64>() {
                         if !value.is_finite() {
-                            return Err(Bad::new(at, "a number that is not finite"));
+                            return Err(TextError::new(at, "a number that is not finite"));
                         }
                         return Ok((at, Token::Number(value)));
                     }
@@ -54,24 +54,27 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    fn number(&mut self, what: &str) -> Result<(usize, f64), Bad> {
+    fn number(&mut self, what: &str) -> Result<(usize, f64), TextError> {
         match self.next()? {
             (at, Token::Number(value)) => Ok((at, value)),
-            (at, _) => Err(Bad::new(at, format!("{what} should be a number"))),
+            (at, _) => Err(TextError::new(at, format!("{what} should be a number"))),
         }
     }
 
-    fn text(&mut self, what: &str) -> Result<(usize, String), Bad> {
+    fn text(&mut self, what: &str) -> Result<(usize, String), TextError> {
         match self.next()? {
             (at, Token::Text(text)) => Ok((at, text.replace("\"\"", "\""))),
-            (at, _) => Err(Bad::new(at, format!("{what} should be a quoted text"))),
+            (at, _) => Err(TextError::new(
+                at,
+                format!("{what} should be a quoted text"),
+            )),
         }
     }
 
-    fn size(&mut self, what: &str) -> Result<u64, Bad> {
+    fn size(&mut self, what: &str) -> Result<u64, TextError> {
         let (at, size) = self.number(what)?;
         if !(0.0..=1e9).contains(&size) || size % 1.0 != 0.0 {
-            return Err(Bad::new(at, format!("{size} is no number of {what}")));
+            return Err(TextError::new(at, format!("{size} is no number of {what}")));
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -94,18 +97,18 @@ fn quoted(rest: &str) -> Option<usize> {
     }
 }
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let mut tokens = Tokens { text, at: 0 };
     let (at, kind) = tokens.text("the file type")?;
     if !kind.starts_with("ooTextFile") {
-        return Err(Bad::new(
+        return Err(TextError::new(
             at,
             format!("{:?} is not \"ooTextFile\"", clip(&kind)),
         ));
     }
     let (at, class) = tokens.text("the object class")?;
     if class != "TextGrid" {
-        return Err(Bad::new(
+        return Err(TextError::new(
             at,
             format!("{:?} is not \"TextGrid\"", clip(&class)),
         ));
@@ -114,7 +117,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     let (_, end_secs) = tokens.number("the end")?;
     match tokens.next()? {
         (_, Token::Flag("<exists>")) => {}
-        (at, _) => return Err(Bad::new(at, "no tiers exist")),
+        (at, _) => return Err(TextError::new(at, "no tiers exist")),
     }
     let mut tiers = Vec::new();
     for _ in 0..tokens.size("tiers")? {
@@ -124,14 +127,14 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     choose(tiers, draft, at)
 }
 
-fn tier(tokens: &mut Tokens<'_>, draft: &mut Draft) -> Result<Tier, Bad> {
+fn tier(tokens: &mut Tokens<'_>, draft: &mut Draft) -> Result<Tier, TextError> {
     let (class_at, class) = tokens.text("the tier's class")?;
     let is_points = match class.as_str() {
         "IntervalTier" => false,
         "TextTier" => true,
         _ => {
             let message = format!("{:?} is no class of tiers", clip(&class));
-            return Err(Bad::new(class_at, message));
+            return Err(TextError::new(class_at, message));
         }
     };
     let (at, name) = tokens.text("the tier's name")?;

@@ -2,7 +2,7 @@
 //! syllables and melody.
 
 use super::draft::{Draft, Kind, Point, Raw, is_silence};
-use super::text::{Bad, clip};
+use super::text::{TextError, clip};
 
 const PHONES: [&str; 11] = [
     "phones",
@@ -51,7 +51,7 @@ fn named(tier: &Tier, names: &[&str]) -> bool {
 }
 
 /// Takes of each kind the first tier of its name.
-pub(super) fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Result<(), Bad> {
+pub(super) fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Result<(), TextError> {
     let mut found = [false; 5];
     for tier in &mut tiers {
         let kinds: [&[&str]; 5] = [&PHONES, &WORDS, &SYLLABLES, &TONES, &BREAKS];
@@ -107,7 +107,7 @@ pub(super) fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Resu
             let at = first.map_or(at, |t| t.at);
             let names: Vec<String> = tiers.iter().take(10).map(|t| clip(&t.name)).collect();
             let message = format!("no tier of phones or words among {names:?}");
-            Err(Bad::new(at, message))
+            Err(TextError::new(at, message))
         }
     }
 }

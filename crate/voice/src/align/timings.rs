@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 use super::Units;
 use super::draft::{Draft, Kind};
 use super::rhubarb::read as read_json;
-use super::text::{Bad, clip};
+use super::text::{TextError, clip};
 
 /// What begins are called.
 const STARTS: [&str; 4] = ["start", "startTime", "startOffset", "start_time"];
@@ -35,7 +35,7 @@ struct Timed {
     is_word: bool,
 }
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = Kind::Units(Units::None);
     let json: Value = read_json(text)?;
     let mut found = found_in(&json);
@@ -45,7 +45,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     found.retain(|f| !f.text.trim().is_empty());
     if !found.iter().any(|f| f.span.is_some()) {
         let message = "no words with times: objects with \"word\" (or \"text\"), \"start\" and \"end\", or \"startTime\" and \"endTime\"";
-        return Err(Bad::new(0, message));
+        return Err(TextError::new(0, message));
     }
     let (mut next, mut at) = (0, 0);
     while next < found.len() {

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use super::draft::{Draft, Point};
-use super::text::{Bad, clip, fields, lines, number};
+use super::text::{TextError, clip, fields, lines, number};
 
 /// An item: what of its features matters, and where it stands.
 #[derive(Clone, Default)]
@@ -20,7 +20,7 @@ impl Item {
         found.map(|(_, value)| value.as_str())
     }
 
-    fn number(&self, name: &str) -> Result<Option<f64>, Bad> {
+    fn number(&self, name: &str) -> Result<Option<f64>, TextError> {
         self.get(name)
             .map(|value| number(self.at, value))
             .transpose()
@@ -45,7 +45,7 @@ struct Node {
 
 type Relation = BTreeMap<usize, Node>;
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     let mut lines = lines(text);
     header(&mut lines, text)?;
     let mut items: BTreeMap<usize, Item> = BTreeMap::new();
@@ -63,7 +63,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
                     relations,
                     steps_left: Cell::new(8 * nodes),
                 };
-                return whole.tell(draft, text.len());
+                return whole.append_to(draft, text.len());
             }
             "End_of_Stream_Items" | "Stream_Items" => {}
             "Relations" => in_relations = true,
@@ -72,7 +72,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             "Relation" => open = fields(at, line).nth(1).map(|(_, name)| name.to_owned()),
             _ if in_relations => {
                 let Some(name) = &open else {
-                    return Err(Bad::new(at, "a node outside of a relation"));
+                    return Err(TextError::new(at, "a node outside of a relation"));
                 };
                 draft.count(at)?;
                 let (id, node) = node(at, line)?;
@@ -85,15 +85,18 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             }
         }
     }
-    Err(Bad::new(text.len(), "no End_of_Utterance"))
+    Err(TextError::new(text.len(), "no End_of_Utterance"))
 }
 
-fn header<'a>(lines: &mut impl Iterator<Item = (usize, &'a str)>, text: &str) -> Result<(), Bad> {
+fn header<'a>(
+    lines: &mut impl Iterator<Item = (usize, &'a str)>,
+    text: &str,
+) -> Result<(), TextError> {
     if lines
         .next()
         .is_none_or(|(_, l)| l.trim() != "EST_File utterance")
     {
-        return Err(Bad::new(0, "no \"EST_File utterance\""));
+        return Err(TextError::new(0, "no \"EST_File utterance\""));
     }
     for (at, line) in lines {
         let mut words = fields(at, line);
@@ -101,21 +104,21 @@ fn header<'a>(lines: &mut impl Iterator<Item = (usize, &'a str)>, text: &str) ->
             (Some("Stream_Items"), _) => return Ok(()),
             (Some("DataType"), Some((at, kind))) if kind != "ascii" => {
                 let message = format!("data of type {:?}; only ascii is read", clip(kind));
-                return Err(Bad::new(at, message));
+                return Err(TextError::new(at, message));
             }
             (Some("version"), Some((at, version))) if version != "2" && version != "1.2" => {
                 let message = format!("version {:?}; 2 is read", clip(version));
-                return Err(Bad::new(at, message));
+                return Err(TextError::new(at, message));
             }
             _ => {}
         }
     }
-    Err(Bad::new(text.len(), "no Stream_Items"))
+    Err(TextError::new(text.len(), "no Stream_Items"))
 }
 
-fn index(at: usize, field: &str) -> Result<usize, Bad> {
+fn index(at: usize, field: &str) -> Result<usize, TextError> {
     let bad = || {
-        Bad::new(
+        TextError::new(
             at,
             format!("{:?} is no number of an item or node", clip(field)),
         )
@@ -123,11 +126,11 @@ fn index(at: usize, field: &str) -> Result<usize, Bad> {
     field.parse().map_err(|_| bad())
 }
 
-fn node(at: usize, line: &str) -> Result<(usize, Node), Bad> {
+fn node(at: usize, line: &str) -> Result<(usize, Node), TextError> {
     let mut numbers = [0; 6];
     let mut fields = fields(at, line);
     for slot in &mut numbers {
-        let missing = || Bad::new(at + line.len(), "a node is six numbers");
+        let missing = || TextError::new(at + line.len(), "a node is six numbers");
         let (at, field) = fields.next().ok_or_else(missing)?;
         *slot = index(at, field)?;
     }
@@ -143,7 +146,7 @@ fn node(at: usize, line: &str) -> Result<(usize, Node), Bad> {
 }
 
 /// `number key value ; key value ;` where a value may be quoted.
-fn item(at: usize, line: &str, id: &str) -> Result<Item, Bad> {
+fn item(at: usize, line: &str, id: &str) -> Result<Item, TextError> {
     let mut item = Item {
         at,
         features: Vec::new(),
@@ -156,14 +159,15 @@ fn item(at: usize, line: &str, id: &str) -> Result<Item, Bad> {
             return Ok(item);
         };
         rest = rest[key.len()..].trim_start();
-        let (value, length) = value(rest).ok_or_else(|| Bad::new(here, "a text does not end"))?;
+        let (value, length) =
+            value(rest).ok_or_else(|| TextError::new(here, "a text does not end"))?;
         if KEPT.contains(&key) {
             item.features.push((key.to_owned(), value));
         }
         rest = &rest[length..];
         if !rest.trim_start().starts_with(';') && !rest.trim().is_empty() {
             let here = at + line.len() - rest.trim_start().len();
-            return Err(Bad::new(here, "\";\" should follow a feature"));
+            return Err(TextError::new(here, "\";\" should follow a feature"));
         }
     }
 }
@@ -232,9 +236,9 @@ impl Whole {
         self.chain(relation, first.map_or(0, |(id, _)| *id))
     }
 
-    fn tell(&self, draft: &mut Draft, end: usize) -> Result<(), Bad> {
+    fn append_to(&self, draft: &mut Draft, end: usize) -> Result<(), TextError> {
         let Some(segments) = self.relation("Segment") else {
-            return Err(Bad::new(end, "no relation Segment"));
+            return Err(TextError::new(end, "no relation Segment"));
         };
         // Begin and end of each item that lasts.
         let mut spans: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
@@ -242,10 +246,13 @@ impl Whole {
         let mut before = 0.0;
         for node in self.tops(segments) {
             let Some(item) = self.item(node) else {
-                return Err(Bad::new(end, format!("no item {} of Segment", node.item)));
+                return Err(TextError::new(
+                    end,
+                    format!("no item {} of Segment", node.item),
+                ));
             };
             let Some(secs) = item.number("end")? else {
-                return Err(Bad::new(item.at, "a segment without \"end\""));
+                return Err(TextError::new(item.at, "a segment without \"end\""));
             };
             spans.insert(node.item, (before, secs));
             before = secs;
@@ -266,7 +273,7 @@ impl Whole {
         &self,
         spans: &mut BTreeMap<usize, (f64, f64)>,
         draft: &mut Draft,
-    ) -> Result<BTreeMap<usize, usize>, Bad> {
+    ) -> Result<BTreeMap<usize, usize>, TextError> {
         let mut breaks = BTreeMap::new();
         let Some(structure) = self.relation("SylStructure") else {
             return Ok(breaks);
@@ -324,7 +331,7 @@ impl Whole {
         spans: &BTreeMap<usize, (f64, f64)>,
         breaks: &BTreeMap<usize, usize>,
         draft: &mut Draft,
-    ) -> Result<(), Bad> {
+    ) -> Result<(), TextError> {
         let Some(intonation) = self.relation("Intonation") else {
             return Ok(());
         };
@@ -354,7 +361,7 @@ impl Whole {
         Ok(())
     }
 
-    fn targets(&self, draft: &mut Draft) -> Result<(), Bad> {
+    fn targets(&self, draft: &mut Draft) -> Result<(), TextError> {
         for node in self.relation("Target").into_iter().flat_map(|r| r.values()) {
             let Some(item) = self.item(*node) else {
                 continue;

@@ -8,9 +8,9 @@
 
 use super::Units;
 use super::draft::{Draft, Kind};
-use super::text::{Bad, clip, lines};
+use super::text::{TextError, clip, lines};
 
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = Kind::Units(Units::None);
     let mut lines = lines(text);
     let signed = lines.next().is_some_and(|(_, line)| {
@@ -18,17 +18,17 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
     });
     if !signed {
-        return Err(Bad::new(0, "no \"WEBVTT\" at the begin"));
+        return Err(TextError::new(0, "no \"WEBVTT\" at the begin"));
     }
     cues(text, lines, '.', draft)
 }
 
 /// Reads SubRip.
-pub(super) fn subrip(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+pub(super) fn subrip(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     draft.kind = Kind::Units(Units::None);
     cues(text, lines(text), ',', draft)?;
     if draft.words.is_empty() {
-        return Err(Bad::new(0, "no cue with words"));
+        return Err(TextError::new(0, "no cue with words"));
     }
     Ok(())
 }
@@ -40,7 +40,7 @@ fn cues<'a>(
     lines: impl Iterator<Item = (usize, &'a str)>,
     mark: char,
     draft: &mut Draft,
-) -> Result<(), Bad> {
+) -> Result<(), TextError> {
     let rolls = text
         .match_indices('<')
         .any(|(i, _)| inner_time(&text[i..]).is_some());
@@ -89,9 +89,9 @@ struct Cue {
 }
 
 impl Cue {
-    fn begin(at: usize, line: &str, arrow: usize, mark: char) -> Result<Self, Bad> {
+    fn begin(at: usize, line: &str, arrow: usize, mark: char) -> Result<Self, TextError> {
         let read = |offset: usize, written: &str| {
-            let bad = || Bad::new(at + offset, format!("{:?} is no time", clip(written)));
+            let bad = || TextError::new(at + offset, format!("{:?} is no time", clip(written)));
             time(written, mark).ok_or_else(bad)
         };
         let start = read(0, line[..arrow].trim())?;
@@ -120,14 +120,14 @@ impl Cue {
     }
 
     /// A line of the cue's text. Tags part no word; the line's end does.
-    fn add(&mut self, at: usize, line: &str) -> Result<(), Bad> {
+    fn add(&mut self, at: usize, line: &str) -> Result<(), TextError> {
         let mut rest = line;
         while let Some(tag) = rest.find('<') {
             let here = at + line.len() - rest.len() + tag;
             self.push(&rest[..tag]);
             rest = &rest[tag..];
             let Some(end) = rest.find('>') else {
-                return Err(Bad::new(here, "a tag that does not end"));
+                return Err(TextError::new(here, "a tag that does not end"));
             };
             if let Some(start) = inner_time(rest) {
                 self.piece(start, here);
@@ -140,7 +140,7 @@ impl Cue {
     }
 }
 
-fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), Bad> {
+fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), TextError> {
     let Some(cue) = cue else {
         return Ok(());
     };

@@ -7,10 +7,10 @@ use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::text::{Bad, number};
+use super::text::{TextError, number};
 
 /// Deeper nesting is refused.
-const MOST_DEPTH: usize = 256;
+const MAX_DEPTH: usize = 256;
 
 /// A start tag.
 pub(super) struct Element<'a> {
@@ -26,13 +26,13 @@ impl Element<'_> {
     }
 
     /// Value of an attribute, by its name without prefix.
-    pub(super) fn attribute(&self, name: &str) -> Result<Option<String>, Bad> {
+    pub(super) fn attribute(&self, name: &str) -> Result<Option<String>, TextError> {
         // The check for doubles takes the square of their number.
         for attribute in self.tag.attributes().with_checks(false) {
-            let attribute = attribute.map_err(|e| Bad::new(self.at, e.to_string()))?;
+            let attribute = attribute.map_err(|e| TextError::new(self.at, e.to_string()))?;
             if attribute.key.local_name().into_inner() == name {
                 let value = attribute.normalized_value(XmlVersion::Implicit1_0);
-                let value = value.map_err(|e| Bad::new(self.at, e.to_string()))?;
+                let value = value.map_err(|e| TextError::new(self.at, e.to_string()))?;
                 return Ok(Some(value.into_owned()));
             }
         }
@@ -40,7 +40,7 @@ impl Element<'_> {
     }
 
     /// An attribute that is a number, where it is there and not empty.
-    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, Bad> {
+    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, TextError> {
         match self.attribute(name)? {
             Some(value) if !value.trim().is_empty() => number(self.at, &value).map(Some),
             _ => Ok(None),
@@ -74,21 +74,21 @@ impl<'a> Xml<'a> {
         }
     }
 
-    fn at(&self) -> usize {
+    fn offset(&self) -> usize {
         usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX)
     }
 
     /// The next piece; `None` at the end of a whole document.
-    pub(super) fn next(&mut self) -> Result<Option<XmlEvent<'a>>, Bad> {
+    pub(super) fn next(&mut self) -> Result<Option<XmlEvent<'a>>, TextError> {
         if let Some(name) = self.ending.take() {
             self.depth -= 1;
             return Ok(Some(XmlEvent::End(name)));
         }
         loop {
-            let at = self.at();
+            let at = self.offset();
             let event = self.reader.read_event().map_err(|e| {
                 let at = usize::try_from(self.reader.error_position()).unwrap_or(at);
-                Bad::new(at, e.to_string())
+                TextError::new(at, e.to_string())
             })?;
             let piece = match event {
                 Event::Start(tag) => {
@@ -108,18 +108,20 @@ impl<'a> Xml<'a> {
                 Event::CData(text) => XmlEvent::Text(text.into_inner()),
                 Event::GeneralRef(name) => {
                     let c = name.resolve_char_ref();
-                    match c.map_err(|e| Bad::new(at, e.to_string()))? {
+                    match c.map_err(|e| TextError::new(at, e.to_string()))? {
                         Some(c) => XmlEvent::Text(Cow::Owned(c.to_string())),
                         None => match resolve_predefined_entity(&name) {
                             Some(text) => XmlEvent::Text(Cow::Borrowed(text)),
-                            None => return Err(Bad::new(at, "an entity that is not defined")),
+                            None => {
+                                return Err(TextError::new(at, "an entity that is not defined"));
+                            }
                         },
                     }
                 }
                 Event::Eof if self.depth > 0 => {
-                    return Err(Bad::new(at, "the file ends inside an element"));
+                    return Err(TextError::new(at, "the file ends inside an element"));
                 }
-                Event::Eof if !self.begun => return Err(Bad::new(at, "no element")),
+                Event::Eof if !self.begun => return Err(TextError::new(at, "no element")),
                 Event::Eof => return Ok(None),
                 Event::Decl(_) | Event::PI(_) | Event::DocType(_) | Event::Comment(_) => continue,
             };
@@ -127,13 +129,13 @@ impl<'a> Xml<'a> {
         }
     }
 
-    fn open(&mut self, at: usize) -> Result<(), Bad> {
+    fn open(&mut self, at: usize) -> Result<(), TextError> {
         self.begun = true;
         self.depth += 1;
-        if self.depth > MOST_DEPTH {
-            return Err(Bad::new(
+        if self.depth > MAX_DEPTH {
+            return Err(TextError::new(
                 at,
-                format!("more than {MOST_DEPTH} elements deep"),
+                format!("more than {MAX_DEPTH} elements deep"),
             ));
         }
         Ok(())

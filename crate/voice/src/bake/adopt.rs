@@ -16,7 +16,7 @@ const SOFTEST_DB: f64 = -50.0;
 /// Most difference in a frame that is alike, decibels.
 const ALIKE_DB: f64 = 3.0;
 /// Least share of frames that are alike.
-const LEAST_ALIKE: f64 = 0.9;
+const MIN_ALIKE: f64 = 0.9;
 
 /// Whether a sound is as long and as loud, moment by moment, as its utterance says. One that
 /// cannot be decoded, because a bake was stopped while it wrote it, is not.
@@ -27,7 +27,7 @@ pub(super) fn is_sound_of(utterance: &Utterance, path: &Path) -> bool {
 fn fits(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> bool {
     let secs = samples.len() as f64 / rate_hz;
     (secs - utterance.duration_secs).abs() <= LENGTH_SECS
-        && alike(utterance, samples, rate_hz) >= LEAST_ALIKE
+        && alike(utterance, samples, rate_hz) >= MIN_ALIKE
 }
 
 /// The share of frames with sound in them that are as loud as stated.

@@ -159,7 +159,7 @@ mod tests {
     use std::sync::Arc;
 
     use raconteur_speech::bundle::{
-        Accent, AudioFile, Emotion, Holds, Phone, Phrase, Sentence, Syllable, Word,
+        Accent, AudioFile, Emotion, FileDigest, Phone, Phrase, Sentence, Syllable, Word,
     };
 
     /// An utterance that has something in every field.
@@ -180,7 +180,7 @@ mod tests {
             audio: vec![AudioFile {
                 file: "a.opus".to_owned(),
                 mime: "audio/ogg; codecs=opus".to_owned(),
-                holds: Some(Holds {
+                holds: Some(FileDigest {
                     bytes: 1 << 40,
                     sha256: "0a".repeat(32),
                 }),

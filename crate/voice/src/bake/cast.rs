@@ -8,8 +8,8 @@ use crate::content::{Gender, Speaker};
 use crate::language;
 use anyhow::{Context as _, Result, anyhow, bail};
 
-use super::engine::{self, Absent, Engine, EngineOptions, VoiceInfo};
-use super::program::Missing;
+use super::engine::{self, Engine, EngineOptions, MissingEngine, VoiceInfo};
+use super::program::MissingPrograms;
 
 /// A voice and the engine that has it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,30 +25,30 @@ pub struct Role {
 pub struct Cast {
     options: EngineOptions,
     known: Mutex<Engines>,
-    missing: Mutex<Missing>,
+    missing: Mutex<MissingPrograms>,
     /// The story's own voice.
     pub lead: Role,
     /// The engine that somebody chose, and the voice if they chose one.
     pub chosen: Option<Role>,
     /// What the default engine lacks, where another leads because none was chosen.
-    pub instead_of: Option<Missing>,
+    pub instead_of: Option<MissingPrograms>,
     /// The story's own language, a tag of BCP 47; none: that of the voice.
     pub language: Option<String>,
     /// There is one engine, as in a page.
     is_alone: bool,
 }
 
-struct Known {
+struct KnownVoice {
     engine: Box<dyn Engine>,
     version: String,
     voices: Vec<VoiceInfo>,
 }
 
-type Engines = BTreeMap<String, &'static Known>;
+type Engines = BTreeMap<String, &'static KnownVoice>;
 
 /// A handful of engines live as long as the program; so threads need not share a lock.
-fn keep(engines: &mut Engines, name: &str, one: Known) -> &'static Known {
-    let one: &'static Known = Box::leak(Box::new(one));
+fn cache(engines: &mut Engines, name: &str, one: KnownVoice) -> &'static KnownVoice {
+    let one: &'static KnownVoice = Box::leak(Box::new(one));
     engines.insert(name.to_owned(), one);
     one
 }
@@ -58,8 +58,8 @@ const PACKAGED: &str = "festival";
 
 /// The engine of a story that chooses none, a voice of it if not the first is meant,
 /// and what the engines lack that are better.
-fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
-    let mut lacks: Option<Missing> = None;
+fn usual(voice: Option<&str>) -> (String, Option<String>, Option<MissingPrograms>) {
+    let mut lacks: Option<MissingPrograms> = None;
     for (engine, voices) in engine::local() {
         match voices {
             Ok(voices) if voice.is_none() => {
@@ -112,7 +112,7 @@ fn speaking<'v>(voices: &'v [VoiceInfo], tag: &str) -> Option<&'v VoiceInfo> {
     })
 }
 
-impl Known {
+impl KnownVoice {
     fn ask(name: &str, options: &EngineOptions) -> Result<Self> {
         let engine = engine::by_name(name, options)?;
         Ok(Self {
@@ -179,7 +179,7 @@ impl Cast {
     ///
     /// # Errors
     /// When the engine is not there or has no such voice.
-    pub fn of(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
+    pub fn with_engine(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
         let cast = Self {
             options: EngineOptions::default(),
             known: Mutex::new(BTreeMap::new()),
@@ -190,12 +190,12 @@ impl Cast {
             language: None,
             is_alone: true,
         };
-        let known = Known {
+        let known = KnownVoice {
             version: engine.version()?,
             voices: engine.voices()?,
             engine,
         };
-        keep(&mut *cast.engines()?, name, known);
+        cache(&mut *cast.engines()?, name, known);
         Ok(Self {
             lead: Role {
                 voice: cast.voice(name, voice)?,
@@ -233,35 +233,35 @@ impl Cast {
     }
 
     /// What has been requested so far and is missing.
-    pub fn missing(&self) -> Missing {
+    pub fn missing(&self) -> MissingPrograms {
         let missing = self.missing.lock();
         missing.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    fn note(&self, missing: &Missing) {
+    fn note(&self, missing: &MissingPrograms) {
         let all = self.missing.lock();
         all.unwrap_or_else(PoisonError::into_inner).add(missing);
     }
 
-    fn known(&self, name: &str) -> Result<&'static Known> {
+    fn known(&self, name: &str) -> Result<&'static KnownVoice> {
         // Held until it has answered, so that no engine is started twice.
         let mut known = self.engines()?;
         if let Some(one) = known.get(name) {
             return Ok(one);
         }
-        let one = Known::ask(name, &self.options).unwrap_or_else(|error| {
-            let missing = Missing::of(&error);
+        let one = KnownVoice::ask(name, &self.options).unwrap_or_else(|error| {
+            let missing = MissingPrograms::from_error(&error);
             self.note(&missing);
-            Known {
+            KnownVoice {
                 version: String::new(),
                 voices: Vec::new(),
-                engine: Box::new(Absent {
+                engine: Box::new(MissingEngine {
                     missing,
                     by_language: name == "espeak-ng",
                 }),
             }
         });
-        Ok(keep(&mut known, name, one))
+        Ok(cache(&mut known, name, one))
     }
 
     /// A voice by its name.
@@ -311,7 +311,7 @@ impl Cast {
         }
         let Some((engine, voice)) = engine::find_voice(name) else {
             // It may be a voice of one that is not installed.
-            let mut missing = Missing::default();
+            let mut missing = MissingPrograms::default();
             let local = engine::local().iter();
             let absent = local
                 .filter(|(engine, _)| *engine != "kokoro" || engine::kokoro::is_name(name))
@@ -320,7 +320,7 @@ impl Cast {
             if self.is_alone || missing.is_empty() || name.contains(':') {
                 bail!("no engine has a voice {name}; {}", engine::voice_hint(name));
             }
-            missing.add(&Missing::of(&anyhow!(
+            missing.add(&MissingPrograms::from_error(&anyhow!(
                 "no engine that is here has a voice {name}"
             )));
             self.note(&missing);
@@ -449,7 +449,7 @@ mod tests {
     #[test]
     fn the_language_of_a_story_has_a_voice_of_the_engine() {
         let own = Voices(&["en-US", "de", "pt-PT", "pt-BR"]);
-        let mut cast = Cast::of("own", Box::new(own), "en-us").unwrap();
+        let mut cast = Cast::with_engine("own", Box::new(own), "en-us").unwrap();
         for (tag, expected) in [("de-AT", "de"), ("pt-BR", "pt-br"), ("en", "en-us")] {
             cast.lead.voice = voices(&["en-US"]).remove(0);
             cast.speak_in(tag.to_owned()).unwrap();

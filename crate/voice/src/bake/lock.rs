@@ -25,7 +25,7 @@ impl Lock {
     ///
     /// # Errors
     /// When another program has locked it, or when the folder cannot be written.
-    pub(super) fn take(folder: &Path) -> Result<Self> {
+    pub(super) fn acquire(folder: &Path) -> Result<Self> {
         let told = || format!("locking {}", folder.display());
         let path = folder.join(NAME);
         loop {
@@ -110,8 +110,8 @@ mod tests {
     fn a_folder_is_locked_once_and_what_the_dead_left_locks_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let voice = folder.path().join("voice");
-        let lock = Lock::take(&voice).unwrap();
-        let error = Lock::take(&voice).unwrap_err().to_string();
+        let lock = Lock::acquire(&voice).unwrap();
+        let error = Lock::acquire(&voice).unwrap_err().to_string();
         assert!(
             error.contains(&format!("process {} is baking", std::process::id())),
             "{error}"
@@ -120,7 +120,7 @@ mod tests {
         assert!(!voice.exists(), "nothing stays");
         fs::create_dir(&voice).unwrap();
         fs::write(voice.join(NAME), "4000000000 and more than a number").unwrap();
-        drop(Lock::take(&voice).unwrap());
+        drop(Lock::acquire(&voice).unwrap());
         assert!(!voice.exists());
     }
 
@@ -133,7 +133,7 @@ mod tests {
             for _ in 0..4 {
                 scope.spawn(|| {
                     for _ in 0..2_000 {
-                        if let Ok(_lock) = Lock::take(&voice) {
+                        if let Ok(_lock) = Lock::acquire(&voice) {
                             assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0);
                             taken.fetch_add(1, Ordering::SeqCst);
                             thread::yield_now();

@@ -8,7 +8,7 @@ pub use self::row::{Row, SLOPE_TOLERANCE, TOLERANCE};
 use crate::assemble::Speech;
 use crate::compare::{Difference, Melody, amplitude, compare, frequency};
 use crate::content::Content;
-use crate::feel;
+use crate::emotion;
 use crate::language;
 use crate::markup::sable;
 use crate::prosody::{AccentShape, Prosody};
@@ -19,7 +19,7 @@ use raconteur_speech::bundle::{SILENCE, db_of_code};
 use raconteur_speech::emotion::EmotionPoint;
 
 use super::cast::{Cast, Role};
-use super::speak::{self, Work};
+use super::speak::{self, RenderInput};
 
 /// The test text, by language: all kinds of sounds, several accents, a comma or two.
 const TEXTS: [(&str, [&str; 3]); 3] = [
@@ -67,7 +67,7 @@ pub enum Settings {
     OneOfAKind,
 }
 
-struct Lab<'a> {
+struct MeasurementSetup<'a> {
     cast: &'a Cast,
     settings: Settings,
     role: &'a Role,
@@ -86,7 +86,7 @@ pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
         .iter()
         .find(|(tag, _)| *tag == primary)
         .with_context(|| format!("there is no text to measure in {}", role.voice.language))?;
-    let mut lab = Lab {
+    let mut lab = MeasurementSetup {
         cast,
         settings,
         role,
@@ -105,7 +105,7 @@ pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-impl Lab<'_> {
+impl MeasurementSetup<'_> {
     /// The values of one kind of setting that are measured.
     fn of_a_kind<'v, T>(&self, values: &'v [T]) -> &'v [T] {
         match self.settings {
@@ -116,12 +116,12 @@ impl Lab<'_> {
 
     fn speak(&self, text: &str, emotion: Option<EmotionPoint>) -> Result<Speech> {
         let (content, _) = sable::read(&format!("<SABLE>{text}</SABLE>"))?;
-        self.say(&content, emotion)
+        self.speak_content(&content, emotion)
     }
 
-    fn say(&self, content: &Content, emotion: Option<EmotionPoint>) -> Result<Speech> {
+    fn speak_content(&self, content: &Content, emotion: Option<EmotionPoint>) -> Result<Speech> {
         let named = emotion.map(|place| ("measured".to_owned(), place));
-        let work = Work {
+        let work = RenderInput {
             content,
             role: self.role,
             emotion: named.as_ref(),
@@ -235,7 +235,7 @@ impl Lab<'_> {
             }
             let changed = self.speak(&self.texts.join(" "), Some(place))?;
             let heard = self.against(&changed, 0, last)?;
-            let asked = Prosody::of(place);
+            let asked = Prosody::from_point(place);
             let setting = format!("{name} {sign:+}");
             let melody = heard.melody.context("too little of it is voiced")?;
             rows.extend(self.number_of_pauses(&setting, &asked, &heard));
@@ -256,7 +256,7 @@ impl Lab<'_> {
     /// Pauses come and go by whole ones.
     fn number_of_pauses(&self, setting: &str, asked: &Prosody, heard: &Difference) -> Option<Row> {
         let before = heard.pauses.0 as f64;
-        let usual = before.max(self.words() as f64 / feel::WORDS_A_PAUSE);
+        let usual = before.max(self.words() as f64 / emotion::WORDS_A_PAUSE);
         let wanted = (usual * asked.number_of_pauses).round();
         (wanted != before && asked.number_of_pauses != 1.0).then(|| {
             let before = before.max(1.0);

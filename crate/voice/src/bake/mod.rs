@@ -16,11 +16,11 @@ mod lock;
 pub mod measure;
 pub mod page;
 pub mod picture;
+mod planned;
 pub mod program;
 mod sounds;
 mod speak;
 mod store;
-mod want;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
 use crate::SpeechRequest;
-use crate::hear::{Heard, hear};
+use crate::measured_speech::{MeasuredSpeech, measure_speech};
 use crate::signal::loudness::integrated_lufs;
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result, bail, ensure};
@@ -41,12 +41,12 @@ use cast::Role;
 use engine::Recorded;
 pub use engine::Remark;
 use lock::Lock;
-use program::{FFMPEG, Missing, OPUSENC};
-use speak::Work;
+use planned::{PlannedUtterance, short};
+use program::{FFMPEG, MissingPrograms, OPUSENC};
+use speak::RenderInput;
 pub use store::{Sound as SoundFile, Store};
-use want::{Wanted, short};
 
-use crate::files::disk::Real;
+use crate::files::disk::SystemDisk;
 use crate::files::inside;
 
 /// Raise it when the sound or the times of the same text change, so that every story is
@@ -82,7 +82,7 @@ pub struct BakeReport {
     /// Files that were to be said and are not there; what needs them is left out.
     pub absent: Vec<PathBuf>,
     /// What was heard in them.
-    pub sound: Sound,
+    pub sound: SpokenAudio,
     /// What of recordings among them is to be told, each with what was said.
     pub remarks: Vec<(String, Remark)>,
     /// Sound files of earlier bakes that nothing uses any more and that were removed.
@@ -97,7 +97,7 @@ pub struct BakeReport {
     pub text_bytes: u64,
     /// What is missing on this machine, when the texts were compared and not what engines make
     /// of them.
-    pub compared_without: Option<Missing>,
+    pub compared_without: Option<MissingPrograms>,
 }
 
 impl BakeReport {
@@ -119,15 +119,15 @@ impl BakeReport {
 
 /// What was heard in utterances that were spoken anew.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sound {
+pub struct SpokenAudio {
     /// Against what they tell.
-    pub heard: Heard,
+    pub heard: MeasuredSpeech,
     /// The softest and the loudest of them, LUFS; none of silence.
     pub lufs: Option<(f64, f64)>,
 }
 
-impl Sound {
-    fn add(&mut self, heard: &Heard, lufs: Option<f64>) {
+impl SpokenAudio {
+    fn add(&mut self, heard: &MeasuredSpeech, lufs: Option<f64>) {
         self.heard.add(heard);
         if let Some(lufs) = lufs {
             let (least, most) = self.lufs.unwrap_or((lufs, lufs));
@@ -137,9 +137,9 @@ impl Sound {
 }
 
 /// An utterance as it was made.
-struct Made {
+struct BakedUtterance {
     utterance: Utterance,
-    heard: Heard,
+    heard: MeasuredSpeech,
     lufs: Option<f64>,
     remarks: Vec<Remark>,
 }
@@ -168,16 +168,16 @@ pub fn bake(
     );
     let voice = folder.join("voice");
     inside::check_folder(folder, &voice)?;
-    let (wanted, absent) = want::all(said, folder, options, library)?;
+    let (wanted, absent) = planned::all(said, folder, options, library)?;
     let mut report = BakeReport {
         utterances: wanted.len(),
         absent,
         ..BakeReport::default()
     };
-    let store = Store::open(voice.clone(), &Real);
-    let left_over = store.others(wanted.iter().map(|w| w.key));
+    let store = Store::open(voice.clone(), &SystemDisk);
+    let left_over = store.count_others(wanted.iter().map(|w| w.key));
     let missing = without(&options.cast);
-    let stale: Vec<&Wanted<'_>> = wanted
+    let stale: Vec<&PlannedUtterance<'_>> = wanted
         .iter()
         .filter(|w| match &missing {
             Some(_) => !is_of_this_story(&store, w, &options.cast),
@@ -193,9 +193,9 @@ pub fn bake(
     let settled = missing.is_none() && stale.is_empty();
     let mut missing = options.cast.missing();
     if !settled {
-        missing.add(&Missing::among(&[&OPUSENC, &FFMPEG]));
+        missing.add(&MissingPrograms::not_found(&[&OPUSENC, &FFMPEG]));
     }
-    missing.none()?;
+    missing.into_result()?;
     if settled && !wanted.is_empty() {
         let bundle = bundle_of(&wanted, &store, Vec::new(), options)?;
         if store.is(&bundle)? {
@@ -206,11 +206,11 @@ pub fn bake(
     if wanted.is_empty() && !voice.is_dir() {
         return Ok(report);
     }
-    let _lock = Lock::take(&voice)?;
+    let _lock = Lock::acquire(&voice)?;
     // Another bake may have ended since.
     renew(
         &wanted,
-        Store::open(voice, &Real),
+        Store::open(voice, &SystemDisk),
         options,
         progress,
         report,
@@ -219,7 +219,7 @@ pub fn bake(
 
 /// What is missing, where only the texts can be compared: engines that the story names, or
 /// the default one when none was chosen.
-fn without(cast: &Cast) -> Option<Missing> {
+fn without(cast: &Cast) -> Option<MissingPrograms> {
     let mut missing = cast.missing();
     if let Some(usual) = &cast.instead_of {
         missing.add(usual);
@@ -229,7 +229,7 @@ fn without(cast: &Cast) -> Option<Missing> {
 
 /// Whether an utterance was made of the same story, and by the engine and voice that were chosen,
 /// as far as is known without starting them.
-fn is_of_this_story(store: &Store<'_>, wanted: &Wanted<'_>, cast: &Cast) -> bool {
+fn is_of_this_story(store: &Store<'_>, wanted: &PlannedUtterance<'_>, cast: &Cast) -> bool {
     let spoken = |chosen: &Role| {
         store.voice(wanted.key).is_some_and(|voice| {
             voice.engine.split(' ').next() == Some(chosen.engine.as_str())
@@ -242,7 +242,7 @@ fn is_of_this_story(store: &Store<'_>, wanted: &Wanted<'_>, cast: &Cast) -> bool
 
 /// Makes the bundle anew in a folder that is locked.
 fn renew(
-    wanted: &[Wanted<'_>],
+    wanted: &[PlannedUtterance<'_>],
     mut store: Store<'_>,
     options: &BakeOptions,
     progress: &(dyn Fn(usize, usize, &str) + Sync),
@@ -278,7 +278,7 @@ fn renew(
 
 /// The bundle of the new utterances, and of kept ones where nothing was made.
 fn bundle_of(
-    wanted: &[Wanted<'_>],
+    wanted: &[PlannedUtterance<'_>],
     store: &Store<'_>,
     made: Vec<Option<Utterance>>,
     options: &BakeOptions,
@@ -294,7 +294,7 @@ fn bundle_of(
 
 /// The bundle of utterances.
 fn bundled<'a>(
-    all: impl Iterator<Item = Result<(&'a Wanted<'a>, Utterance)>>,
+    all: impl Iterator<Item = Result<(&'a PlannedUtterance<'a>, Utterance)>>,
     cast: &Cast,
 ) -> Result<Bundle> {
     let mut bundle = Bundle::default();
@@ -344,15 +344,15 @@ fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
 
 /// Makes stale utterances, several at a time; `None` for those up to date.
 fn make(
-    wanted: &[Wanted<'_>],
+    wanted: &[PlannedUtterance<'_>],
     stale: &[bool],
     options: &BakeOptions,
     store: &Store<'_>,
     progress: &(dyn Fn(usize, usize, &str) + Sync),
-) -> Result<Vec<Option<Made>>> {
+) -> Result<Vec<Option<BakedUtterance>>> {
     let todo: Vec<usize> = (0..wanted.len()).filter(|i| stale[*i]).collect();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let made: Mutex<Vec<(usize, Result<Made>)>> = Mutex::new(Vec::new());
+    let made: Mutex<Vec<(usize, Result<BakedUtterance>)>> = Mutex::new(Vec::new());
     let lock = || made.lock().unwrap_or_else(PoisonError::into_inner);
     progress(wanted.len() - todo.len(), wanted.len(), "");
     thread::scope(|scope| {
@@ -374,7 +374,7 @@ fn make(
             });
         }
     });
-    let mut out: Vec<Option<Made>> = wanted.iter().map(|_| None).collect();
+    let mut out: Vec<Option<BakedUtterance>> = wanted.iter().map(|_| None).collect();
     let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
     made.sort_by_key(|(i, _)| *i);
     for (i, result) in made {
@@ -387,8 +387,12 @@ fn make(
 }
 
 /// Speaks one utterance and writes its sound.
-fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> Result<Made> {
-    let work = Work {
+fn utterance(
+    wanted: &PlannedUtterance<'_>,
+    options: &BakeOptions,
+    store: &Store<'_>,
+) -> Result<BakedUtterance> {
+    let work = RenderInput {
         content: &wanted.content,
         role: &wanted.role,
         emotion: wanted.said.emotion.as_ref(),
@@ -422,8 +426,8 @@ fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> R
         .map(|(bytes, (ending, mime))| store.add(bytes, ending, mime))
         .collect::<Result<_>>()?;
     let phone_set = &wanted.role.voice.phone_set;
-    Ok(Made {
-        heard: hear(&utterance, phone_set, &track.samples, track.rate_hz),
+    Ok(BakedUtterance {
+        heard: measure_speech(&utterance, phone_set, &track.samples, track.rate_hz),
         lufs: integrated_lufs(&[&track.samples], track.rate_hz),
         utterance,
         remarks,

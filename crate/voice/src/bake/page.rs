@@ -9,19 +9,19 @@ use raconteur_speech::bundle::{AudioFile, Bundle};
 
 use super::encode::wave_of;
 use super::engine::Pending;
-use super::want::{self, short};
+use super::planned::{self, short};
 use super::{BakeOptions, bundle_text, bundled, speak};
 use crate::content::Content;
 use crate::text::TOKEN_CHARS;
 use crate::{Source, SpeechRequest};
 
 /// Most words that are said at a time, some twenty minutes: sound is held in memory.
-const MOST_WORDS: usize = 3000;
+const MAX_WORDS: usize = 3000;
 
 /// A longer word is spelled by some engines: each of its letters counts as a word, characters.
 const LONG_WORD: usize = TOKEN_CHARS;
 
-/// How many words a content is, for [`MOST_WORDS`].
+/// How many words a content is, for [`MAX_WORDS`].
 fn words_of(content: &Content) -> usize {
     let weights = content.words().into_iter().map(|word| {
         let length = word.chars().count();
@@ -31,7 +31,7 @@ fn words_of(content: &Content) -> usize {
 }
 
 /// What is said, utterance by utterance.
-pub struct Saying {
+pub struct PageBake {
     requests: Vec<SpeechRequest>,
     next: usize,
     seen: BTreeSet<u64>,
@@ -43,7 +43,7 @@ pub struct Saying {
     problems: Vec<String>,
 }
 
-impl Saying {
+impl PageBake {
     /// Is to say what a story says and what `known`, the bundle that it has, does not hold. Files
     /// are left out.
     pub fn new(requests: Vec<SpeechRequest>, known: Option<Bundle>) -> Self {
@@ -75,14 +75,14 @@ impl Saying {
                 continue;
             }
             let words = words_of(content);
-            if self.words + words > MOST_WORDS {
+            if self.words + words > MAX_WORDS {
                 self.problems.push(format!(
-                    "more than {MOST_WORDS} words are not said while somebody waits; bake the story"
+                    "more than {MAX_WORDS} words are not said while somebody waits; bake the story"
                 ));
                 self.next = self.requests.len();
                 return Ok(false);
             }
-            match say_one(request, content, self.next, options) {
+            match speak_one(request, content, self.next, options) {
                 Ok(one) => {
                     let text = short(&content.plain_text());
                     let told = one.warnings.iter().map(|w| format!("{text:?}: {w}"));
@@ -121,7 +121,7 @@ impl Saying {
 }
 
 /// One utterance, planned and spoken.
-struct One {
+struct PendingUtterance {
     bundle: Bundle,
     /// The name and the bytes of its WAV.
     file: String,
@@ -130,14 +130,14 @@ struct One {
     warnings: Vec<String>,
 }
 
-fn say_one(
+fn speak_one(
     request: &SpeechRequest,
     content: &Content,
     place: usize,
     options: &BakeOptions,
-) -> Result<One> {
-    let wanted = want::want(request, content.clone(), place, Path::new(""), options)?;
-    let work = speak::Work {
+) -> Result<PendingUtterance> {
+    let wanted = planned::plan_utterance(request, content.clone(), place, Path::new(""), options)?;
+    let work = speak::RenderInput {
         content: &wanted.content,
         role: &wanted.role,
         emotion: request.emotion.as_ref(),
@@ -157,7 +157,7 @@ fn say_one(
     }];
     let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
     let bundle = bundled(std::iter::once(Ok((&wanted, utterance))), &options.cast)?;
-    Ok(One {
+    Ok(PendingUtterance {
         bundle,
         file,
         wave,
@@ -190,7 +190,7 @@ mod tests {
     use super::*;
     use crate::bake::engine::flite::{Flite, Host, Output};
     use crate::bake::{Cast, STORY_PACE};
-    use crate::said;
+    use crate::speech_requests;
     use crate::text::Lexicon;
 
     thread_local! {
@@ -230,7 +230,7 @@ mod tests {
 
     fn options() -> BakeOptions {
         BakeOptions {
-            cast: Cast::of("flite", Box::new(Flite(Cat)), "slt").unwrap(),
+            cast: Cast::with_engine("flite", Box::new(Flite(Cat)), "slt").unwrap(),
             pace: STORY_PACE,
             lexicon: Lexicon::default(),
             lexicon_text: String::new(),
@@ -244,7 +244,7 @@ mod tests {
     /// All that a script says: the bundle, the sounds and the problems.
     fn say(eml: &str, known: Option<Bundle>) -> (Bundle, Sounds, Vec<String>) {
         let options = options();
-        let mut saying = Saying::new(said(&raconteur_eml::parse(eml).document), known);
+        let mut saying = PageBake::new(speech_requests(&raconteur_eml::parse(eml).document), known);
         while saying.step(&options).unwrap() {}
         let bundle = Bundle::from_json(saying.bundle().as_bytes()).unwrap();
         (bundle, saying.take_sounds(), saying.take_problems())
@@ -316,7 +316,8 @@ mod tests {
     fn what_an_engine_gets_ready_for_is_said_when_it_is_ready() {
         let options = options();
         let late = TWO.replace("One two.", "Later.");
-        let mut saying = Saying::new(said(&raconteur_eml::parse(&late).document), None);
+        let mut saying =
+            PageBake::new(speech_requests(&raconteur_eml::parse(&late).document), None);
         for _ in 0..3 {
             assert!(saying.step(&options).unwrap());
         }
@@ -329,7 +330,7 @@ mod tests {
 
     #[test]
     fn long_texts_are_told_and_not_said() {
-        for long in ["word ".repeat(MOST_WORDS + 1), "x".repeat(MOST_WORDS + 1)] {
+        for long in ["word ".repeat(MAX_WORDS + 1), "x".repeat(MAX_WORDS + 1)] {
             let (_, sounds, problems) = say(&TWO.replace("Three", &long), None);
             assert_eq!(sounds.len(), 1);
             assert!(problems[0].contains("bake"), "{problems:?}");

@@ -14,7 +14,7 @@ use quick_xml::escape::partial_escape;
 use raconteur_speech::bundle::{FRAME_SECS, hz_of_code};
 
 use super::cast::Cast;
-use super::speak::{self, Work};
+use super::speak::{self, RenderInput};
 use crate::files::disk;
 
 /// Width of a second, pixels.
@@ -40,7 +40,7 @@ pub fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
         format!("<SABLE>{text}</SABLE>")
     };
     let (content, _) = sable::read(&document).map_err(|p| anyhow!("{p}"))?;
-    let work = Work {
+    let work = RenderInput {
         content: &content,
         role: &cast.lead,
         emotion: None,

@@ -26,7 +26,7 @@ pub const FFMPEG: Program = Program {
 /// What is missing on this machine, and what brings it: all of it at once, so that one line
 /// installs it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Missing {
+pub struct MissingPrograms {
     /// Programs, libraries and voices.
     names: BTreeSet<&'static str>,
     /// Debian's packages.
@@ -35,7 +35,7 @@ pub struct Missing {
     others: BTreeSet<String>,
 }
 
-impl Missing {
+impl MissingPrograms {
     /// One thing and the packages that bring it, parted by spaces.
     pub fn one(name: &'static str, packages: &'static str) -> Self {
         Self {
@@ -46,7 +46,7 @@ impl Missing {
     }
 
     /// Something that no package of Debian brings; `what` tells what to do.
-    pub fn other(what: String) -> Self {
+    pub fn without_package(what: String) -> Self {
         Self {
             others: [what].into(),
             ..Self::default()
@@ -54,9 +54,9 @@ impl Missing {
     }
 
     /// What an error tells to be missing, or that it happened.
-    pub fn of(error: &anyhow::Error) -> Self {
+    pub fn from_error(error: &anyhow::Error) -> Self {
         let known = error.downcast_ref().cloned();
-        known.unwrap_or_else(|| Self::other(format!("{error:#}")))
+        known.unwrap_or_else(|| Self::without_package(format!("{error:#}")))
     }
 
     /// Adds what else is missing.
@@ -72,7 +72,7 @@ impl Missing {
     }
 
     /// Those of these programs that are not on the path.
-    pub fn among(programs: &[&Program]) -> Self {
+    pub fn not_found(programs: &[&Program]) -> Self {
         let mut missing = Self::default();
         for program in programs.iter().filter(|p| !p.is_there()) {
             missing.add(&Self::one(program.name, program.package));
@@ -82,7 +82,7 @@ impl Missing {
 
     /// # Errors
     /// When anything is missing.
-    pub fn none(self) -> Result<()> {
+    pub fn into_result(self) -> Result<()> {
         if self.is_empty() {
             Ok(())
         } else {
@@ -91,7 +91,7 @@ impl Missing {
     }
 }
 
-impl fmt::Display for Missing {
+impl fmt::Display for MissingPrograms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let list = |items: &BTreeSet<&'static str>, between: &str| {
             items.iter().copied().collect::<Vec<_>>().join(between)
@@ -114,7 +114,7 @@ impl fmt::Display for Missing {
     }
 }
 
-impl std::error::Error for Missing {}
+impl std::error::Error for MissingPrograms {}
 
 /// A program and the Debian package that brings it.
 pub struct Program {
@@ -150,7 +150,7 @@ impl Program {
     /// When the program is missing, fails or does not end.
     pub fn run(&self, mut command: Command) -> Result<String> {
         let mut child = command.spawn().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => Missing::one(self.name, self.package).into(),
+            ErrorKind::NotFound => MissingPrograms::one(self.name, self.package).into(),
             _ => anyhow!(error).context(format!("starting {}", self.name)),
         })?;
         // Both pipes are drained at once: a full one would stop the program.
@@ -216,18 +216,18 @@ mod tests {
             none("raconteur-no-such", "that other"),
             none("raconteur-nor-such", "this that"),
         );
-        let mut missing = Missing::among(&[&one, &two]);
-        missing.add(&Missing::of(
+        let mut missing = MissingPrograms::not_found(&[&one, &two]);
+        missing.add(&MissingPrograms::from_error(
             &anyhow!("nobody answers").context("asking a server"),
         ));
-        missing.add(&Missing::of(
-            &anyhow!(Missing::one("libx", "x-data")).context("a voice"),
+        missing.add(&MissingPrograms::from_error(
+            &anyhow!(MissingPrograms::one("libx", "x-data")).context("a voice"),
         ));
         assert_eq!(
-            missing.none().unwrap_err().to_string(),
+            missing.into_result().unwrap_err().to_string(),
             "this needs libx, raconteur-no-such, raconteur-nor-such, which this machine does not have; \
              on Debian and Ubuntu: apt-get install other that this x-data; asking a server: nobody answers"
         );
-        assert!(Missing::among(&[]).none().is_ok());
+        assert!(MissingPrograms::not_found(&[]).into_result().is_ok());
     }
 }

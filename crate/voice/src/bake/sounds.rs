@@ -11,7 +11,7 @@ use crate::files::inside;
 use crate::files::media::Sound;
 
 /// The longest recording, seconds.
-const LONGEST_SECS: f64 = 600.0;
+const MAX_SECS: f64 = 600.0;
 
 /// Where a recording of a story lies.
 ///
@@ -50,7 +50,7 @@ pub(super) fn decode(path: &Path) -> Result<(Vec<f64>, f64)> {
     command.args(["-v", "error", "-nostdin", "-y"]);
     sound.input(&mut command);
     command
-        .args(["-vn", "-sn", "-dn", "-t", &LONGEST_SECS.to_string()])
+        .args(["-vn", "-sn", "-dn", "-t", &MAX_SECS.to_string()])
         .args(["-ac", "1", "-sample_fmt", "s16"])
         .arg(&wave);
     FFMPEG.run(command)?;

@@ -3,10 +3,10 @@
 use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
 use crate::content::{Age, Content, Gender, Setting, Speaker};
 use crate::delivery::deliver;
-use crate::feel::{felt, moved_pauses, place_of, word_phrases};
+use crate::emotion::{emotion_spans, moved_pauses, place_of, word_phrases};
 use crate::plan::{Plan, Planned, plan};
 use crate::prosody::Prosody;
-use crate::realise::{Own, realise};
+use crate::realise::{VoiceBaseline, realise};
 use crate::signal::f0::{self, PitchTrack};
 use crate::signal::{resample, rms};
 use crate::spoken::{Sentence, Spoken, SpokenSyllable};
@@ -39,7 +39,7 @@ const AGES: [(Age, f64, f64, f64, f64); 5] = [
 ];
 
 /// The content, with everything that its sound depends on.
-pub(super) struct Work<'a> {
+pub(super) struct RenderInput<'a> {
     /// The content.
     pub content: &'a Content,
     /// The voice, where the text names no other.
@@ -64,7 +64,7 @@ pub(super) struct Casting {
 ///
 /// # Errors
 /// When it cannot be planned, or an engine is missing.
-pub(super) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
+pub(super) fn cast(work: &RenderInput<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
     // A voice that a clause names speaks its own language.
     let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
     let language = own.unwrap_or(&work.role.voice.language);
@@ -116,7 +116,7 @@ pub(super) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Ca
 /// The script of a sentence that is in another than its voice's `language` is written in.
 fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
     let token = sentence.tokens.first()?;
-    Script::of(&token.text).filter(|script| !script.is_read_in(language))
+    Script::from_word(&token.text).filter(|script| !script.is_read_in(language))
 }
 
 /// Speaks a planned utterance. `recordings` gives those of the plan at a rate.
@@ -124,7 +124,7 @@ fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
 /// # Errors
 /// When an engine fails.
 pub(super) fn speak(
-    work: &Work<'_>,
+    work: &RenderInput<'_>,
     casting: &Casting,
     cast: &Cast,
     recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
@@ -141,11 +141,11 @@ pub(super) fn speak(
     }
     level(&mut spoken, roles);
     // A mouth of another size comes before everything else.
-    let ages: Vec<Voicing> = plan
+    let ages: Vec<SpeakerVoice> = plan
         .sentences
         .iter()
         .zip(roles)
-        .map(|(planned, role)| Voicing::of(planned, role))
+        .map(|(planned, role)| SpeakerVoice::for_role(planned, role))
         .collect();
     for (one, voicing) in spoken.iter_mut().zip(&ages) {
         voicing.resize(one);
@@ -158,14 +158,14 @@ pub(super) fn speak(
         accents(one, planned, track);
     }
     let phrases = word_phrases(&plan.sentences, &spoken);
-    let felt = felt(plan, &phrases, work.emotion);
-    let place = |word: usize| place_of(&felt, word);
+    let emotions = emotion_spans(plan, &phrases, work.emotion);
+    let place = |word: usize| place_of(&emotions, word);
     let moved = moved_pauses(&plan.sentences, &spoken, &place);
     let mut parts = Vec::with_capacity(spoken.len());
     for (i, (planned, moved_pauses)) in plan.sentences.iter().zip(moved).enumerate() {
         // Absolute values are against what this voice does in this utterance.
         let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
-        let own = Own::of(same.map(|k| (&spoken[k], &tracks[k])));
+        let own = VoiceBaseline::measure(same.map(|k| (&spoken[k], &tracks[k])));
         let engine = cast.engine(&roles[i])?;
         let feeling = engine.feeling();
         // What the engine has already done is not done again.
@@ -197,7 +197,7 @@ pub(super) fn speak(
         plan,
         &parts,
         &recordings(rate_hz)?,
-        &felt,
+        &emotions,
         rate_hz,
     ))
 }
@@ -217,9 +217,9 @@ fn guest(spoken: &mut Spoken, phone_set: &str) {
 }
 
 /// The factor on pauses that the text does not set: slow speech pauses longer.
-fn pauses(styled: &[(&Style, EmotionPoint)], own: &Own) -> f64 {
+fn pauses(styled: &[(&Style, EmotionPoint)], own: &VoiceBaseline) -> f64 {
     let one = |(style, place): &(&Style, EmotionPoint)| {
-        let prosody = Prosody::of(*place);
+        let prosody = Prosody::from_point(*place);
         prosody.pause_duration / (style.rate.factor_on(own.words_a_minute) * prosody.rate)
     };
     styled.iter().map(one).sum::<f64>() / styled.len().max(1) as f64
@@ -341,15 +341,15 @@ fn level(spoken: &mut [Spoken], roles: &[Role]) {
 
 /// What a speaker's age makes of a voice.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Voicing {
+struct SpeakerVoice {
     /// On the resonances of the mouth.
     resonance: f64,
     pitch: f64,
     pace: f64,
 }
 
-impl Voicing {
-    fn of(planned: &Planned, role: &Role) -> Self {
+impl SpeakerVoice {
+    fn for_role(planned: &Planned, role: &Role) -> Self {
         let age = planned.speaker.age;
         let found = AGES.iter().find(|(a, ..)| Some(*a) == age);
         let (_, resonance, man, woman, pace) = found.copied().unwrap_or(AGES[3]);
@@ -449,11 +449,11 @@ pub(super) fn recorded(
         ..plan.clone()
     };
     let phrases = word_phrases(&plan.sentences, core::slice::from_ref(&spoken));
-    let felt = felt(&plan, &phrases, elicited);
+    let emotions = emotion_spans(&plan, &phrases, elicited);
     let part = SpokenSentence {
         spoken,
         pauses: 1.0,
         moved_pauses: Vec::new(),
     };
-    assemble(&plan, &[part], &[], &felt, rate_hz)
+    assemble(&plan, &[part], &[], &emotions, rate_hz)
 }

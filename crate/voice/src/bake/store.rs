@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result};
-use raconteur_speech::bundle::{AudioFile, Bundle, Holds, Utterance, Voice};
+use raconteur_speech::bundle::{AudioFile, Bundle, FileDigest, Utterance, Voice};
 use sha2::Digest as _;
 
 use super::{bundle_text, encode};
@@ -25,7 +25,7 @@ pub enum Sound {
     Wrong,
 }
 
-struct Kept {
+struct StoredUtterance {
     utterance: Utterance,
     sound: Sound,
 }
@@ -40,14 +40,14 @@ pub struct Store<'d> {
     disk: &'d dyn Disk,
     text: Vec<u8>,
     voices: Vec<Voice>,
-    old: BTreeMap<u64, Kept>,
+    old: BTreeMap<u64, StoredUtterance>,
 }
 
 /// Most bytes of `speech.json`.
-const MOST_TEXT: u64 = 256 << 20;
+const MAX_TEXT: u64 = 256 << 20;
 
 /// Most bytes of all sounds of a bundle that are compared with what it tells: a month of speech.
-const MOST_SOUND: u64 = 16 << 30;
+const MAX_SOUND: u64 = 16 << 30;
 
 fn hexadecimal(digest: &[u8]) -> String {
     use core::fmt::Write as _;
@@ -58,8 +58,8 @@ fn hexadecimal(digest: &[u8]) -> String {
     out
 }
 
-fn holds(bytes: &[u8]) -> Holds {
-    Holds {
+fn digest(bytes: &[u8]) -> FileDigest {
+    FileDigest {
         bytes: bytes.len() as u64,
         sha256: hexadecimal(&sha2::Sha256::digest(bytes)),
     }
@@ -70,27 +70,27 @@ fn holds(bytes: &[u8]) -> Holds {
 struct Sounds<'f> {
     folder: &'f Path,
     /// What files hold, by their paths without links.
-    read: BTreeMap<PathBuf, Option<Holds>>,
+    read: BTreeMap<PathBuf, Option<FileDigest>>,
     /// Bytes that may still be read.
     left: u64,
 }
 
 impl<'f> Sounds<'f> {
-    fn of(folder: &'f Path) -> Self {
+    fn from_folder(folder: &'f Path) -> Self {
         Self {
             folder,
             read: BTreeMap::new(),
-            left: MOST_SOUND,
+            left: MAX_SOUND,
         }
     }
 
     /// What exists at the path of a sound.
-    fn look(&mut self, audio: &AudioFile) -> Sound {
+    fn inspect(&mut self, audio: &AudioFile) -> Sound {
         let found = inside::find(self.folder, &audio.file).ok().flatten();
         match (found, &audio.holds) {
             (None, _) => Sound::Wrong,
             (Some(_), None) => Sound::Untold,
-            (Some(path), Some(told)) => match self.holds(path, told.bytes) {
+            (Some(path), Some(told)) => match self.digest_of(path, told.bytes) {
                 Some(holds) if holds == *told => Sound::Whole,
                 _ => Sound::Wrong,
             },
@@ -99,26 +99,26 @@ impl<'f> Sounds<'f> {
 
     /// What a file holds; nothing where that cannot be what is told: a file of another size is not
     /// read.
-    fn holds(&mut self, path: PathBuf, told_bytes: u64) -> Option<Holds> {
+    fn digest_of(&mut self, path: PathBuf, told_bytes: u64) -> Option<FileDigest> {
         if let Some(known) = self.read.get(&path) {
             return known.clone();
         }
         let bytes = fs::metadata(&path).ok()?.len();
-        if bytes != told_bytes || bytes > media::MOST_BYTES.min(self.left) {
+        if bytes != told_bytes || bytes > media::MAX_BYTES.min(self.left) {
             return None;
         }
         self.left -= bytes;
-        let holds = holds_of_file(&path, bytes).ok();
+        let holds = digest_of_file(&path, bytes).ok();
         self.read.insert(path, holds.clone());
         holds
     }
 }
 
 /// What a file of so many bytes holds, read piece by piece.
-fn holds_of_file(path: &Path, bytes: u64) -> Result<Holds> {
+fn digest_of_file(path: &Path, bytes: u64) -> Result<FileDigest> {
     let mut digest = sha2::Sha256::new();
     let read = io::copy(&mut input::open(path, bytes)?, &mut digest)?;
-    Ok(Holds {
+    Ok(FileDigest {
         bytes: read,
         sha256: hexadecimal(&digest.finalize()),
     })
@@ -129,12 +129,12 @@ impl<'d> Store<'d> {
     /// nothing: everything is baked again.
     pub fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
         let path = inside::find(&folder, SPEECH).ok().flatten();
-        let text = path.and_then(|path| input::bytes(&path, MOST_TEXT).ok());
+        let text = path.and_then(|path| input::bytes(&path, MAX_TEXT).ok());
         let text = text.unwrap_or_default();
         let bundle = Bundle::from_json(&text).unwrap_or_default();
-        let mut sounds = Sounds::of(&folder);
+        let mut sounds = Sounds::from_folder(&folder);
         let mut sound = |u: &Utterance| {
-            let all: Vec<Sound> = u.audio.iter().map(|a| sounds.look(a)).collect();
+            let all: Vec<Sound> = u.audio.iter().map(|a| sounds.inspect(a)).collect();
             match () {
                 () if all.is_empty() || all.contains(&Sound::Wrong) => Sound::Wrong,
                 () if all.contains(&Sound::Untold) => Sound::Untold,
@@ -144,7 +144,7 @@ impl<'d> Store<'d> {
         let kept = |utterance: Arc<Utterance>| {
             let utterance = Arc::unwrap_or_clone(utterance);
             let sound = sound(&utterance);
-            (utterance.key, Kept { utterance, sound })
+            (utterance.key, StoredUtterance { utterance, sound })
         };
         let old = bundle.utterances.into_iter().map(kept).collect();
         Self {
@@ -156,29 +156,29 @@ impl<'d> Store<'d> {
         }
     }
 
-    fn whole(&self, key: u64) -> Option<&Utterance> {
+    fn complete(&self, key: u64) -> Option<&Utterance> {
         let kept = self.old.get(&key).filter(|k| k.sound == Sound::Whole);
         kept.map(|k| &k.utterance)
     }
 
     /// Whether an utterance is there, made of just this.
     pub fn has(&self, key: u64, digest: u64) -> bool {
-        self.whole(key).is_some_and(|u| u.content == digest)
+        self.complete(key).is_some_and(|u| u.content == digest)
     }
 
     /// Whether an utterance is there, made of the same story by whatever engine.
     pub fn has_source(&self, key: u64, source: u64) -> bool {
-        self.whole(key).is_some_and(|u| u.source == Some(source))
+        self.complete(key).is_some_and(|u| u.source == Some(source))
     }
 
     /// An utterance of the earlier bake.
     pub fn get(&self, key: u64) -> Option<Utterance> {
-        self.whole(key).cloned()
+        self.complete(key).cloned()
     }
 
     /// Who spoke an utterance of the earlier bake.
     pub fn voice(&self, key: u64) -> Option<&Voice> {
-        self.voices.get(self.whole(key)?.voice)
+        self.voices.get(self.complete(key)?.voice)
     }
 
     /// The entry of an utterance's sound in the earlier bake.
@@ -187,7 +187,7 @@ impl<'d> Store<'d> {
     }
 
     /// How many utterances of the earlier bake are none of these.
-    pub fn others(&self, keys: impl Iterator<Item = u64>) -> usize {
+    pub fn count_others(&self, keys: impl Iterator<Item = u64>) -> usize {
         let keys: BTreeSet<u64> = keys.collect();
         self.old.keys().filter(|key| !keys.contains(key)).count()
     }
@@ -215,13 +215,13 @@ impl<'d> Store<'d> {
             if !is_sound_of(&kept.utterance, &path) {
                 return Ok(());
             }
-            let bytes = input::bytes(&path, media::MOST_BYTES)?;
+            let bytes = input::bytes(&path, media::MAX_BYTES)?;
             let ending = Path::new(&audio.file).extension().unwrap_or_default();
             let mime = audio.mime.clone();
             *audio = self.add(&bytes, &ending.to_string_lossy(), &mime)?;
         }
         let sound = Sound::Whole;
-        self.old.insert(key, Kept { utterance, sound });
+        self.old.insert(key, StoredUtterance { utterance, sound });
         Ok(())
     }
 
@@ -230,14 +230,14 @@ impl<'d> Store<'d> {
     /// # Errors
     /// When it cannot be written.
     pub fn add(&self, bytes: &[u8], ending: &str, mime: &str) -> Result<AudioFile> {
-        let holds = holds(bytes);
+        let holds = digest(bytes);
         let audio = AudioFile {
             file: format!("{}.{ending}", &holds.sha256[..NAME_DIGITS]),
             mime: mime.to_owned(),
             holds: Some(holds),
         };
         // The file may be truncated: a disk that lost its power keeps names without content.
-        if Sounds::of(&self.folder).look(&audio) != Sound::Whole {
+        if Sounds::from_folder(&self.folder).inspect(&audio) != Sound::Whole {
             disk::replace_on(self.disk, &self.folder.join(&audio.file), bytes)?;
         }
         Ok(audio)

@@ -41,9 +41,9 @@ pub trait Disk: Sync {
 }
 
 /// The machine's.
-pub struct Real;
+pub struct SystemDisk;
 
-impl Disk for Real {
+impl Disk for SystemDisk {
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
         file.write_all(bytes)?;
@@ -129,11 +129,12 @@ pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
 /// # Errors
 /// When it cannot be written; the old file is whole then.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
-    let part = PendingFile::beside(path)?;
+    let part = PendingFile::for_target(path)?;
     if part.is_direct() {
         return fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()));
     }
-    Real.create(&part.part, bytes)
+    SystemDisk
+        .create(&part.part, bytes)
         .with_context(|| format!("cannot write {}", path.display()))?;
     part.commit()
 }
@@ -150,7 +151,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// When there is a folder of that name, or no folder to write in.
-    pub fn beside(path: &Path) -> Result<Self> {
+    pub fn for_target(path: &Path) -> Result<Self> {
         let told = || format!("cannot write {}", path.display());
         let place = match fs::metadata(path) {
             Ok(about) if about.is_dir() => bail!("{}: it is a folder", told()),
@@ -201,8 +202,8 @@ impl PendingFile {
                 fs::set_permissions(&self.part, about.permissions())?;
             }
             File::open(&self.part)?.sync_all()?;
-            Real.rename(&self.part, &self.place)?;
-            Real.sync_folder(folder_of(&self.place))
+            SystemDisk.rename(&self.part, &self.place)?;
+            SystemDisk.sync_folder(folder_of(&self.place))
         };
         done().with_context(|| format!("cannot write {}", self.place.display()))
     }
@@ -222,7 +223,7 @@ pub mod faulty;
 
 #[cfg(test)]
 mod tests {
-    use super::faulty::{Faulty, Then};
+    use super::faulty::{AfterFailure, Faulty};
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
@@ -236,7 +237,7 @@ mod tests {
 
     #[test]
     fn whatever_step_fails_the_file_is_the_old_or_the_new_one() {
-        for then in [Then::Killed, Then::GoesOn] {
+        for then in [AfterFailure::Killed, AfterFailure::GoesOn] {
             let mut failed = 0;
             for k in 0.. {
                 let folder = tempfile::tempdir().unwrap();
@@ -252,7 +253,7 @@ mod tests {
                     break;
                 }
                 failed += 1;
-                if then == Then::GoesOn {
+                if then == AfterFailure::GoesOn {
                     assert_eq!(names(folder.path()), ["story.eml"], "{k}");
                 }
             }

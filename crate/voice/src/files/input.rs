@@ -11,7 +11,7 @@ use anyhow::{Context as _, Result, bail, ensure};
 use raconteur_base::encoding;
 
 /// The longest text that is read where nothing else is said, bytes.
-pub const LONGEST_TEXT: u64 = 16 << 20;
+pub const MAX_TEXT_BYTES: u64 = 16 << 20;
 
 /// The bytes of a file.
 ///

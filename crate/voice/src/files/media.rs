@@ -10,7 +10,7 @@ use std::process::Command;
 use anyhow::{Context as _, Result, bail, ensure};
 
 /// Most bytes of a sound that a story brings.
-pub const MOST_BYTES: u64 = 512 << 20;
+pub const MAX_BYTES: u64 = 512 << 20;
 
 /// Begins of files that name other files or addresses: playlists and descriptions of streams.
 const PLAYLISTS: [&str; 8] = [
@@ -68,8 +68,8 @@ impl Sound {
         let about = file.metadata().with_context(told)?;
         ensure!(about.is_file(), "{} is no plain file", path.display());
         ensure!(
-            about.len() <= MOST_BYTES,
-            "the sound {} has {} bytes; at most {MOST_BYTES} are read",
+            about.len() <= MAX_BYTES,
+            "the sound {} has {} bytes; at most {MAX_BYTES} are read",
             path.display(),
             about.len()
         );

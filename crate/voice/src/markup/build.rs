@@ -1,11 +1,11 @@
 //! Puts what a document's elements mean together into a content.
 
 use super::xml::{Pieces, Tag, Token};
-use super::{DEEPEST, Problem, levels};
+use super::{MAX_DEPTH, Problem, levels};
 use crate::content::{Content, Division, Markup, Segment, Setting, is_space};
 
 /// How many markups, pauses and other points a document may have.
-const MOST_SEGMENTS: usize = 50_000;
+const MAX_SEGMENTS: usize = 50_000;
 
 /// What an element means.
 #[derive(Default)]
@@ -66,7 +66,7 @@ pub(crate) fn read(
             Token::Text(_) if is_silent => {}
             Token::Text(text) => {
                 is_behind_token = false;
-                say(&mut segments, text);
+                push_text(&mut segments, text);
             }
             Token::Start(_) if is_silent => frames.push(Frame {
                 closes: 0,
@@ -84,16 +84,16 @@ pub(crate) fn read(
                 } = meaning(&tag, &mut pieces);
                 depth += markups.len();
                 count += points.len() + markups.len() + usize::from(division.is_some());
-                if depth > DEEPEST {
-                    let message = format!("more than {DEEPEST} markups deep");
+                if depth > MAX_DEPTH {
+                    let message = format!("more than {MAX_DEPTH} markups deep");
                     return Err(pieces.problem(tag.at, message));
                 }
-                if count > MOST_SEGMENTS {
-                    let message = format!("more than {MOST_SEGMENTS} markups");
+                if count > MAX_SEGMENTS {
+                    let message = format!("more than {MAX_SEGMENTS} markups");
                     return Err(pieces.problem(tag.at, message));
                 }
                 if is_token && is_behind_token {
-                    say(&mut segments, " ".to_owned());
+                    push_text(&mut segments, " ".to_owned());
                 }
                 segments.extend(points);
                 if let Some(division) = division {
@@ -123,7 +123,7 @@ pub(crate) fn read(
     Ok((Content { segments }, pieces.into_problems()))
 }
 
-fn say(segments: &mut Vec<Segment>, text: String) {
+fn push_text(segments: &mut Vec<Segment>, text: String) {
     match segments.last_mut() {
         Some(Segment::Text(before)) => before.push_str(&text),
         _ => segments.push(Segment::Text(text)),
@@ -151,7 +151,7 @@ pub(crate) fn is_blank(segment: &Segment) -> bool {
 
 /// Tells that an element lacks something, and so means nothing.
 pub(crate) fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
-    pieces.tell(tag.at, format!("{} needs {what}", tag.name));
+    pieces.report(tag.at, format!("{} needs {what}", tag.name));
     Meaning::default()
 }
 
@@ -165,7 +165,7 @@ pub(crate) fn word<T>(
     let text = tag.get(name)?;
     let value = read(text);
     if value.is_none() {
-        pieces.tell(tag.at, format!("{name}=\"{text}\" is not understood"));
+        pieces.report(tag.at, format!("{name}=\"{text}\" is not understood"));
     }
     value
 }
@@ -197,7 +197,7 @@ pub(crate) fn exact_text(setting: Setting) -> String {
 
 /// A pause's length in whole milliseconds, with whether it was too long.
 pub(crate) fn pause_msec(msec: f64) -> (u32, bool) {
-    let longest = f64::from(levels::LONGEST_MSEC);
+    let longest = f64::from(levels::MAX_MSEC);
     (msec.clamp(0.0, longest).round() as u32, msec > longest)
 }
 
@@ -213,7 +213,7 @@ pub(crate) fn emotion(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     let mut axis = |attribute: &str, of_word: f64| match tag.get(attribute) {
         None => of_word,
         Some(text) => levels::number(text.trim()).unwrap_or_else(|| {
-            pieces.tell(tag.at, format!("{attribute}=\"{text}\" is no number"));
+            pieces.report(tag.at, format!("{attribute}=\"{text}\" is no number"));
             of_word
         }),
     };
@@ -226,7 +226,7 @@ pub(crate) fn emotion(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     };
     let says_where = ["activation", "evaluation", "power"].map(|a| tag.get(a));
     if place.is_none() && says_where.iter().all(Option::is_none) {
-        pieces.tell(tag.at, format!("the emotion {name:?} is not known"));
+        pieces.report(tag.at, format!("the emotion {name:?} is not known"));
     }
     markup
 }

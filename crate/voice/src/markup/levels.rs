@@ -11,7 +11,7 @@ use crate::content::{Boundary, Setting};
 use crate::style::NO_EMPHASIS;
 
 /// The longest pause, milliseconds.
-pub const LONGEST_MSEC: u32 = 60_000;
+pub const MAX_MSEC: u32 = 60_000;
 
 /// Emphasis of EMPH without a level.
 pub const MODERATE_EMPHASIS: f64 = 1.0;

@@ -14,10 +14,10 @@ pub(crate) mod xml;
 mod round_trip;
 
 /// The longest document, bytes.
-pub const LONGEST: usize = 4 << 20;
+pub const MAX_DOCUMENT_BYTES: usize = 4 << 20;
 
 /// How many markups may be inside each other.
-pub const DEEPEST: usize = 100;
+pub const MAX_DEPTH: usize = 100;
 
 /// The namespace of what SABLE and SSML cannot say: an attribute of its own for an exact
 /// value, an element for an emotion or an engine.

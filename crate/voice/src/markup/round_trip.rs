@@ -8,9 +8,9 @@ use crate::style::Style;
 use crate::text::{Order, SayAs};
 
 /// A generator of Marsaglia's (xorshift, 2003): the cases are the same everywhere.
-struct Chance(u64);
+struct CaseGenerator(u64);
 
-impl Chance {
+impl CaseGenerator {
     fn below(&mut self, n: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -224,7 +224,7 @@ fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
 
 #[test]
 fn sable_says_what_a_content_says() {
-    let mut chance = Chance(0x5ab1e);
+    let mut chance = CaseGenerator(0x5ab1e);
     for case in 0..4000 {
         let content = chance.content();
         let text = sable::write(&content);
@@ -240,7 +240,7 @@ fn sable_says_what_a_content_says() {
 
 #[test]
 fn ssml_says_what_a_content_says() {
-    let mut chance = Chance(0x55317);
+    let mut chance = CaseGenerator(0x55317);
     for case in 0..4000 {
         let content = chance.content();
         let text = ssml::write(&content, "en");
@@ -256,7 +256,7 @@ fn ssml_says_what_a_content_says() {
 
 #[test]
 fn each_language_says_what_the_other_said() {
-    let mut chance = Chance(77);
+    let mut chance = CaseGenerator(77);
     for _ in 0..1000 {
         let content = chance.content();
         let (of_sable, _) = sable::read(&sable::write(&content)).unwrap();

@@ -8,7 +8,7 @@ use super::divisions::{DivisionTag, tags};
 use super::xml::legal;
 use super::{NAMESPACE, build};
 use crate::content::{Content, Division, Markup, Segment, Setting};
-use crate::style::MOST_FACTOR;
+use crate::style::MAX_FACTOR;
 
 /// Attributes that are written: name and value.
 pub(crate) type Attributes = Vec<(&'static str, String)>;
@@ -66,7 +66,7 @@ impl Element {
 }
 
 /// How a language writes what a content has.
-pub(crate) trait Language {
+pub(crate) trait MarkupWriter {
     /// The element of a markup; `None` where nothing needs to be written.
     fn markup(&mut self, markup: &Markup) -> Option<Element>;
     /// The element of a pause, a recording or a mark.
@@ -78,7 +78,7 @@ pub(crate) trait Language {
 }
 
 /// The content as elements, without a root.
-pub(crate) fn body(content: &Content, language: &mut impl Language) -> String {
+pub(crate) fn body(content: &Content, language: &mut impl MarkupWriter) -> String {
     let mut out = String::new();
     // Names of the open elements; `None` for markup that is not written.
     let mut open: Vec<Option<&'static str>> = Vec::new();
@@ -196,8 +196,8 @@ pub(crate) fn emotion(markup: &Markup) -> Option<Element> {
 /// A setting of the loudness without infinities: no gain goes beyond the loudest.
 pub(crate) fn loudness(setting: Setting) -> Setting {
     match setting {
-        Setting::Value(gain) if gain > MOST_FACTOR => Setting::Value(MOST_FACTOR),
-        Setting::Factor(f64::INFINITY) => Setting::Value(MOST_FACTOR),
+        Setting::Value(gain) if gain > MAX_FACTOR => Setting::Value(MAX_FACTOR),
+        Setting::Factor(f64::INFINITY) => Setting::Value(MAX_FACTOR),
         setting => setting,
     }
 }

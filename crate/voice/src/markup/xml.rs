@@ -5,21 +5,21 @@ use quick_xml::Reader;
 use quick_xml::XmlVersion;
 use quick_xml::events::{BytesStart, Event};
 
-use super::{LONGEST, NAMESPACE, Problem};
+use super::{MAX_DOCUMENT_BYTES, NAMESPACE, Problem};
 
 /// How many elements may be nested. The output for the deepest markup, with
 /// its sentences and paragraphs, stays below.
-const DEEPEST_ELEMENT: usize = 400;
+const MAX_ELEMENT_DEPTH: usize = 400;
 /// How many elements a document may have.
-const MOST_ELEMENTS: usize = 200_000;
+const MAX_ELEMENTS: usize = 200_000;
 /// How many attributes an element may have.
-const MOST_ATTRIBUTES: usize = 32;
+const MAX_ATTRIBUTES: usize = 32;
 /// How many prefixes may be declared at one place.
-const MOST_PREFIXES: usize = 64;
+const MAX_PREFIXES: usize = 64;
 /// The longest value of an attribute, bytes: each word's style may keep some.
-const LONGEST_VALUE: usize = 1000;
+const MAX_VALUE_LENGTH: usize = 1000;
 /// How many problems are reported.
-const MOST_PROBLEMS: usize = 100;
+const MAX_PROBLEMS: usize = 100;
 
 const SSML: &str = "http://www.w3.org/2001/10/synthesis";
 
@@ -69,7 +69,7 @@ impl Tag {
     }
 
     /// The value of an attribute of [`NAMESPACE`].
-    pub(crate) fn ours(&self, name: &str) -> Option<&str> {
+    pub(crate) fn own_attribute(&self, name: &str) -> Option<&str> {
         self.find(Space::Ours, name)
     }
 
@@ -111,8 +111,8 @@ impl<'a> Pieces<'a> {
             elements: 0,
             problems: Vec::new(),
         };
-        if source.len() > LONGEST {
-            return Err(pieces.problem(0, format!("longer than {LONGEST} bytes")));
+        if source.len() > MAX_DOCUMENT_BYTES {
+            return Err(pieces.problem(0, format!("longer than {MAX_DOCUMENT_BYTES} bytes")));
         }
         Ok(pieces)
     }
@@ -161,8 +161,8 @@ impl<'a> Pieces<'a> {
     }
 
     /// Reports a problem at a byte, and goes on.
-    pub(crate) fn tell(&mut self, at: usize, message: impl Into<String>) {
-        if self.problems.len() < MOST_PROBLEMS {
+    pub(crate) fn report(&mut self, at: usize, message: impl Into<String>) {
+        if self.problems.len() < MAX_PROBLEMS {
             let problem = self.problem(at, message);
             self.problems.push(problem);
         }
@@ -195,11 +195,11 @@ impl<'a> Pieces<'a> {
 
     fn start(&mut self, tag: &BytesStart<'_>, at: usize) -> Result<Tag, Problem> {
         self.elements += 1;
-        if self.elements > MOST_ELEMENTS {
-            return Err(self.problem(at, format!("more than {MOST_ELEMENTS} elements")));
+        if self.elements > MAX_ELEMENTS {
+            return Err(self.problem(at, format!("more than {MAX_ELEMENTS} elements")));
         }
-        if self.open.len() >= DEEPEST_ELEMENT {
-            return Err(self.problem(at, format!("more than {DEEPEST_ELEMENT} elements deep")));
+        if self.open.len() >= MAX_ELEMENT_DEPTH {
+            return Err(self.problem(at, format!("more than {MAX_ELEMENT_DEPTH} elements deep")));
         }
         let written = tag.name().0;
         self.open.push(written.to_owned());
@@ -207,17 +207,17 @@ impl<'a> Pieces<'a> {
         for attribute in tag.attributes().with_checks(false) {
             let attribute = attribute.map_err(|e| self.problem(at, e.to_string()))?;
             let name = attribute.key.0;
-            if found.len() >= MOST_ATTRIBUTES {
-                let message = format!("more than {MOST_ATTRIBUTES} attributes");
+            if found.len() >= MAX_ATTRIBUTES {
+                let message = format!("more than {MAX_ATTRIBUTES} attributes");
                 return Err(self.problem(at, message));
             }
             if found.iter().any(|(n, _)| n == name) {
                 return Err(self.problem(at, format!("the attribute {name} is given twice")));
             }
-            if attribute.value.len() > LONGEST_VALUE {
-                self.tell(
+            if attribute.value.len() > MAX_VALUE_LENGTH {
+                self.report(
                     at,
-                    format!("{name} is longer than {LONGEST_VALUE} bytes, and ignored"),
+                    format!("{name} is longer than {MAX_VALUE_LENGTH} bytes, and ignored"),
                 );
                 continue;
             }
@@ -231,8 +231,8 @@ impl<'a> Pieces<'a> {
                 Some(("xmlns", prefix)) => prefix,
                 _ => continue,
             };
-            if self.prefixes.len() >= MOST_PREFIXES {
-                let message = format!("more than {MOST_PREFIXES} prefixes");
+            if self.prefixes.len() >= MAX_PREFIXES {
+                let message = format!("more than {MAX_PREFIXES} prefixes");
                 return Err(self.problem(at, message));
             }
             let space = match value.as_str() {

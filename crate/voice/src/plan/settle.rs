@@ -25,12 +25,12 @@ impl Planner<'_> {
         let Some((text, style, together)) = next else {
             return;
         };
-        let script = Script::of(text).filter(|script| !script.is_read_in(self.language));
+        let script = Script::from_word(text).filter(|script| !script.is_read_in(self.language));
         let other = self.waiting.last().is_some_and(|w| {
             w.together != together || !self.alike(w.style, style) || self.script != script
         });
         if other {
-            self.say_waiting();
+            self.flush_pending();
         }
         self.script = script;
         let word = self.plan.words.len();

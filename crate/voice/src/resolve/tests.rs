@@ -8,14 +8,14 @@ fn text(text: &str) -> Segment {
     Segment::Text(text.to_owned())
 }
 
-fn of(segments: Vec<Segment>) -> Resolved {
+fn resolve_segments(segments: Vec<Segment>) -> Resolved {
     resolve(&Content { segments }, "festival")
 }
 
 #[test]
 fn a_word_has_the_style_of_its_first_letter_and_equal_styles_are_one() {
     let strong = || Segment::Open(Markup::Emphasis(2.0));
-    let resolved = of(vec![
+    let resolved = resolve_segments(vec![
         text("a (un"),
         strong(),
         text("be)lievable b \u{ab}"),
@@ -43,11 +43,11 @@ fn a_word_has_the_style_of_its_first_letter_and_equal_styles_are_one() {
 fn what_is_closed_too_often_or_never_is_tolerated() {
     let mut segments = vec![Segment::Close, Segment::Close, text("a ")];
     let faster = Segment::Open(Markup::Rate(Setting::Factor(1.0001)));
-    segments.extend(core::iter::repeat_n(faster, DEEPEST + 5));
+    segments.extend(core::iter::repeat_n(faster, MAX_DEPTH + 5));
     segments.push(text("b "));
-    segments.extend(core::iter::repeat_n(Segment::Close, DEEPEST + 5));
+    segments.extend(core::iter::repeat_n(Segment::Close, MAX_DEPTH + 5));
     segments.push(text("c"));
-    let resolved = of(segments);
+    let resolved = resolve_segments(segments);
     let styles: Vec<_> = resolved.styled_words();
     assert!(styles[0].1 == styles[2].1 && styles[0].1 != styles[1].1);
     assert_eq!(styles.len(), 3);
@@ -67,7 +67,7 @@ fn every_emoticon_has_a_word_of_the_table() {
 #[test]
 fn emoticons_are_found_with_spaces_too() {
     let emotions = |t: &str| {
-        let resolved = of(vec![text(t)]);
+        let resolved = resolve_segments(vec![text(t)]);
         let signs = resolved.items.iter().map(|item| match item {
             Item::Emoticon(word) => (*word).to_owned(),
             Item::Word { text, .. } | Item::Punctuation(text) => text.clone(),
@@ -89,7 +89,7 @@ fn emoticons_are_found_with_spaces_too() {
 #[test]
 fn marks_inside_a_word_come_before_it_and_those_at_its_end_after_it() {
     let mark = |name: &str| Segment::Mark(name.to_owned());
-    let resolved = of(vec![
+    let resolved = resolve_segments(vec![
         text("one \u{201c}"),
         mark("a"),
         text("two"),
@@ -121,7 +121,7 @@ fn what_is_read_as_one_is_told_apart_from_its_neighbour() {
             origin: None,
         })
     };
-    let resolved = of(vec![
+    let resolved = resolve_segments(vec![
         sub(),
         text("a b"),
         Segment::Close,

@@ -95,7 +95,7 @@ pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<V
     }
     let mut found: Vec<Vec<f64>> = Vec::new();
     for &(from, to) in &runs {
-        let mut marks = stretch(&smooth, from, to, rate_hz, track);
+        let mut marks = interval(&smooth, from, to, rate_hz, track);
         // Two stretches may have grown into the same gap: the first has it.
         if let Some(end) = found.last().and_then(|before| before.last()) {
             marks.retain(|at| at - end > 0.001 * rate_hz);
@@ -156,7 +156,7 @@ const SHAPE_COST: f64 = 1.0;
 const GAP_COST: f64 = 4.0;
 
 /// The marks between two samples: the cheapest path through the peaks there.
-fn stretch(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<f64> {
+fn interval(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<f64> {
     let mut peaks = peaks(smooth, from, to, rate_hz, track);
     weigh(&mut peaks, smooth, from);
     // The path ends within the last period, at the cheapest peak there.
@@ -260,14 +260,14 @@ fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
 
 /// Most periods that a stretch grows by at either end, and how alike each must be to
 /// the one before.
-const MOST_GROWN: usize = 4;
+const MAX_GROWN: usize = 4;
 const GROWN_LIKENESS: f64 = 0.7;
 
 /// Appends periods that the track's windows were too wide to see: an end left without
 /// marks would keep its pitch when all else changes. `side` is 1 for marks that rise,
 /// −1 for marks that fall.
 fn grow(smooth: &[f64], marks: &mut Vec<f64>, side: f64) {
-    for _ in 0..MOST_GROWN {
+    for _ in 0..MAX_GROWN {
         let &[.., before, last] = &marks[..] else {
             return;
         };

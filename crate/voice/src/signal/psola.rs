@@ -89,7 +89,7 @@ pub fn change(samples: &[f64], rate_hz: f64, track: &PitchTrack, change: &Change
         let mut guarded = change.rigid.to_vec();
         guarded.extend(bursts.iter().filter(|b| free(b) && stretched(b)));
         let mut maker = Maker::new(samples, rate_hz, &times, &guarded);
-        maker.lay(&runs);
+        maker.overlap_add(&runs);
         let out = maker.out;
         // Harmonics that moved over a formant made the sound louder or softer.
         let moved: Vec<(f64, f64)> = runs
@@ -236,7 +236,7 @@ impl<'a> Maker<'a> {
     }
 
     /// Lays all grains and adds them up.
-    fn lay(&mut self, runs: &[Run]) {
+    fn overlap_add(&mut self, runs: &[Run]) {
         let edge = |source: f64, place: f64| Grain {
             source,
             place,

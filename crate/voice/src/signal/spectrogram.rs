@@ -47,7 +47,7 @@ pub struct Spectrogram {
 }
 
 /// Most columns made: longer sound gets longer steps.
-const MOST_COLUMNS: usize = 1 << 16;
+const MAX_COLUMNS: usize = 1 << 16;
 
 /// Frequency from which high frequencies are raised, by 6 dB per octave: the slope of a
 /// voice's source, so that upper formants are seen.
@@ -69,7 +69,7 @@ pub fn spectrogram(samples: &[f64], rate_hz: f64, options: &SpectrogramOptions) 
     let length_secs = samples.len() as f64 / rate_hz;
     let step_secs = options
         .step_secs
-        .max(length_secs / (MOST_COLUMNS - 1) as f64);
+        .max(length_secs / (MAX_COLUMNS - 1) as f64);
     let width = (length_secs / step_secs) as usize + 1;
     let height = options.height;
     let window = gaussian(options.window_secs, rate_hz);

@@ -24,7 +24,7 @@ impl Reader<'_> {
             .or_else(|| self.ordinal(at, word))
             .or_else(|| self.measure(at, word))
             .or_else(|| self.range(word))
-            .or_else(|| self.even(word))
+            .or_else(|| self.two_numbers(word))
             .or_else(|| self.prefixed(at, word))
             .or_else(|| self.number(at, word))
     }
@@ -33,9 +33,9 @@ impl Reader<'_> {
     pub(super) fn money(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let language = self.language;
         let next = self.next(at);
-        if let Some((currency, text)) = money::parted(&word.core) {
+        if let Some((currency, text)) = money::split_currency(&word.core) {
             if let Some((amount, magnitude)) = money::suffixed(&text, language) {
-                let amount = Number::parse(amount, language)?.spoken(language, Form::Alone);
+                let amount = Number::parse(amount, language)?.cardinal(language, Form::Alone);
                 let unit = currency.name(false, language);
                 return Some(Reading::one(format!("{amount} {magnitude} {unit}")));
             }
@@ -44,7 +44,7 @@ impl Reader<'_> {
             if let Some(magnitude) = money::magnitude(next, &number, language) {
                 let unit = currency.name(false, language);
                 return Some(Reading::several([
-                    number.spoken(language, Form::Masculine),
+                    number.cardinal(language, Form::Masculine),
                     format!("{magnitude} {unit}"),
                 ]));
             }
@@ -72,7 +72,7 @@ impl Reader<'_> {
             Form::Masculine
         };
         Some(Reading::several([
-            number.spoken(language, form),
+            number.cardinal(language, form),
             magnitude.to_owned(),
             currency.name(false, language).to_owned(),
         ]))
@@ -240,7 +240,7 @@ impl Reader<'_> {
             let whole = &core[..core.len() - last.len_utf8()];
             let fraction = grammar.fraction(numerator, denominator)?;
             if whole.is_empty() {
-                return Some(Reading::one(self.after_whole(at, &fraction)));
+                return Some(Reading::one(self.fraction_after_whole(at, &fraction)));
             }
             let whole = Number::parse(whole, self.language)?.natural()?;
             return grammar
@@ -268,11 +268,11 @@ impl Reader<'_> {
                 grammar.cardinal(denominator, Form::Alone)
             )
         });
-        Some(Reading::one(self.after_whole(at, &fraction)))
+        Some(Reading::one(self.fraction_after_whole(at, &fraction)))
     }
 
     /// "and three quarters" where a whole number stands before.
-    fn after_whole(&self, at: usize, fraction: &str) -> String {
+    fn fraction_after_whole(&self, at: usize, fraction: &str) -> String {
         let whole =
             at > 0 && self.words[at - 1].end.is_empty() && all_digits(&self.words[at - 1].core);
         match self.language {
@@ -293,9 +293,9 @@ impl Reader<'_> {
             ),
             None => (String::new(), word.core.as_str()),
         };
-        if let Some((text, unit)) = measure::parted(core) {
+        if let Some((text, unit)) = measure::split_unit(core) {
             if let Some(number) = Number::parse(text, language) {
-                let count = number.spoken(language, unit.form(language));
+                let count = number.cardinal(language, unit.form(language));
                 return Some(Reading::one(format!(
                     "{sign}{count} {}",
                     unit.name(number.is_one(), language)
@@ -311,7 +311,7 @@ impl Reader<'_> {
         let unit = measure::apart(self.next(at), marked)?;
         let (count, one) = match Number::parse(core, language) {
             Some(number) => (
-                number.spoken(language, unit.form(language)),
+                number.cardinal(language, unit.form(language)),
                 number.is_one(),
             ),
             None => (self.range_of(core)?, false),
@@ -329,7 +329,7 @@ impl Reader<'_> {
     }
 
     /// Two numbers of which the first is no part of the second: "50/50", "24/7".
-    fn even(&self, word: &Word<'_>) -> Option<Reading> {
+    fn two_numbers(&self, word: &Word<'_>) -> Option<Reading> {
         let (first, second) = word.core.split_once('/')?;
         let is_short = |text: &str| all_digits(text) && text.len() <= 3;
         if !is_short(first) || !is_short(second) {
@@ -337,7 +337,7 @@ impl Reader<'_> {
         }
         let said = [first, second].map(|part| {
             Number::parse(part, self.language)
-                .map_or_else(String::new, |n| n.spoken(self.language, Form::Alone))
+                .map_or_else(String::new, |n| n.cardinal(self.language, Form::Alone))
         });
         Some(Reading::one(said.join(" ")))
     }
@@ -388,7 +388,7 @@ impl Reader<'_> {
                 Number::parse(to, self.language)?,
             );
             let word = self.language.pick(["to", "bis", "a"]);
-            let said = |n: &Number| n.spoken(self.language, Form::Alone);
+            let said = |n: &Number| n.cardinal(self.language, Form::Alone);
             return (!to.negative).then(|| format!("{} {word} {}", said(&from), said(&to)));
         }
         if self.language == Language::Portuguese && from.len() == 4 && to.len() == 3 {
@@ -400,7 +400,7 @@ impl Reader<'_> {
             && matches!(from.as_bytes(), [b'1' | b'2', ..]);
         let said = |digits: &str| match digits.parse() {
             Ok(n) if years && digits.len() == 4 => grammar.year(n),
-            _ => number::whole(digits, self.language, Form::Alone),
+            _ => number::cardinal_of_digits(digits, self.language, Form::Alone),
         };
         Some(format!(
             "{} {} {}",
@@ -445,7 +445,7 @@ impl Reader<'_> {
             }
             _ => Form::Alone,
         };
-        let mut spoken = vec![number.spoken(language, form)];
+        let mut spoken = vec![number.cardinal(language, form)];
         spoken.extend((0..groups).map(|_| String::new()));
         Some(Reading { spoken, ends: true })
     }

@@ -62,8 +62,8 @@ pub enum LexiconProblem {
     TooLong,
 }
 
-const MOST_ENTRIES: usize = 100_000;
-const MOST_CHARS: usize = 1000;
+const MAX_ENTRIES: usize = 100_000;
+const MAX_CHARS: usize = 1000;
 
 fn without_comment(line: &str) -> &str {
     let mut before = ' ';
@@ -124,7 +124,7 @@ impl Lexicon {
                     problem,
                 }
             };
-            if whole.chars().count() > MOST_CHARS || lexicon.entries.len() >= MOST_ENTRIES {
+            if whole.chars().count() > MAX_CHARS || lexicon.entries.len() >= MAX_ENTRIES {
                 return Err(at(whole, LexiconProblem::TooLong));
             }
             let line = without_comment(whole).trim();

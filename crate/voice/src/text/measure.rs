@@ -443,7 +443,7 @@ pub(super) fn apart(text: &str, measured: bool) -> Option<&'static Unit> {
 }
 
 /// Parts `text` in its number and the unit attached to it.
-pub(super) fn parted(text: &str) -> Option<(&str, &'static Unit)> {
+pub(super) fn split_unit(text: &str) -> Option<(&str, &'static Unit)> {
     let end = text.rfind(|c: char| c.is_ascii_digit())? + 1;
     let (number, sign) = text.split_at_checked(end)?;
     let unit = UNITS.iter().find(|unit| unit.sign == sign)?;

@@ -126,7 +126,7 @@ pub fn speakable(
     }
     word::soften_ellipses(&mut words);
     word::mark_sums(&mut words);
-    let known = Language::of(language);
+    let known = Language::from_tag(language);
     let reader = known.map(|known| Reader::new(&words, known, language, say_as));
     let mut spoken: Vec<Vec<Token>> = vec![Vec::new(); words.len()];
     let mut latest = None;
@@ -236,7 +236,7 @@ fn from_lexicon(
         Entry::Ipa(ipa) => {
             // The text is for captions and alignment: the word's letters, or the reading of
             // a word that has none.
-            let mut token = Token::of(&word.core.chars().take(TOKEN_CHARS).collect::<String>());
+            let mut token = Token::parse(&word.core.chars().take(TOKEN_CHARS).collect::<String>());
             if token.is_none() {
                 let said = reader
                     .map(|reader| reader.read(at).spoken)

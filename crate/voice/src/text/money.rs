@@ -2,7 +2,7 @@
 
 use super::grammar::Form;
 use super::language::Language;
-use super::number::{Number, whole};
+use super::number::{Number, cardinal_of_digits};
 
 /// A currency's names: one and more of the unit and of its hundredth, in each language.
 pub(super) struct Currency {
@@ -122,7 +122,7 @@ pub(super) fn currency(text: &str) -> Option<&'static Currency> {
 
 /// Parts `text` in a currency and the rest, the sign standing before or after; a minus may
 /// stand before the sign.
-pub(super) fn parted(text: &str) -> Option<(&'static Currency, String)> {
+pub(super) fn split_currency(text: &str) -> Option<(&'static Currency, String)> {
     let (minus, body) = match text.strip_prefix(super::number::is_minus) {
         Some(body) => ("-", body),
         None => ("", text),
@@ -181,7 +181,7 @@ impl Currency {
             _ => None,
         };
         let Some(cents) = cents else {
-            let count = number.spoken(language, self.form(language));
+            let count = number.cardinal(language, self.form(language));
             let round = number
                 .natural()
                 .is_some_and(|n| n > 0 && n.is_multiple_of(1_000_000));
@@ -197,7 +197,7 @@ impl Currency {
             ..number.clone()
         };
         let minor = language.pick(self.cent)[usize::from(cents != 1)];
-        let count = whole(&cents.to_string(), language, Form::Masculine);
+        let count = cardinal_of_digits(&cents.to_string(), language, Form::Masculine);
         let nothing = units.whole.bytes().all(|b| b == b'0');
         match (nothing && !units.negative, cents) {
             (_, 0) => self.amount(&units, language),
@@ -210,7 +210,7 @@ impl Currency {
                     Language::German => {
                         format!(
                             "{major} {}",
-                            whole(&cents.to_string(), language, Form::Alone)
+                            cardinal_of_digits(&cents.to_string(), language, Form::Alone)
                         )
                     }
                     Language::Portuguese => format!("{major} e {count} {minor}"),

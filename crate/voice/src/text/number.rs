@@ -103,7 +103,7 @@ impl Number {
     }
 
     /// As a cardinal, read before a noun of the gender in `form`.
-    pub(super) fn spoken(&self, language: Language, form: Form) -> String {
+    pub(super) fn cardinal(&self, language: Language, form: Form) -> String {
         let mut spoken = String::new();
         if self.negative {
             spoken += "minus ";
@@ -117,7 +117,7 @@ impl Number {
             form
         };
         if !self.whole.is_empty() {
-            spoken += &whole(&self.whole, language, form);
+            spoken += &cardinal_of_digits(&self.whole, language, form);
         }
         if let Some((sign, decimals)) = &self.decimals {
             spoken += " ";
@@ -134,7 +134,7 @@ impl Number {
 }
 
 /// ASCII digits as a cardinal; one by one when they begin with 0 or are too many to name.
-pub(super) fn whole(text: &str, language: Language, form: Form) -> String {
+pub(super) fn cardinal_of_digits(text: &str, language: Language, form: Form) -> String {
     let leading_zero = text.len() > 1 && text.starts_with('0');
     match text.parse::<u64>() {
         Ok(n) if text.len() <= NAMED_DIGITS && !leading_zero => {

@@ -188,7 +188,7 @@ fn feminine(word: &str) -> String {
     }
 }
 
-fn many(count: u64, one: &str, more: &str, form: Form) -> String {
+fn counted(count: u64, one: &str, more: &str, form: Form) -> String {
     let noun = if count == 1 { one } else { more };
     format!("{} {noun}", Portuguese.cardinal(count, form))
 }
@@ -309,16 +309,16 @@ impl Grammar for Portuguese {
     }
 
     fn clock(&self, clock: &Clock) -> String {
-        let mut parts = vec![many(clock.hour, "hora", "horas", Form::Feminine)];
+        let mut parts = vec![counted(clock.hour, "hora", "horas", Form::Feminine)];
         if let Some(minute) = clock.minute
             && minute > 0
         {
-            parts.push(many(minute, "minuto", "minutos", Form::Masculine));
+            parts.push(counted(minute, "minuto", "minutos", Form::Masculine));
         }
         if let Some(second) = clock.second
             && second > 0
         {
-            parts.push(many(second, "segundo", "segundos", Form::Masculine));
+            parts.push(counted(second, "segundo", "segundos", Form::Masculine));
         }
         match parts.as_slice() {
             [hours, minutes, seconds] => format!("{hours}, {minutes} e {seconds}"),

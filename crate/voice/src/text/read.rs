@@ -4,7 +4,7 @@ use super::grammar::{Form, Grammars as _};
 use super::language::Language;
 use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};
-use raconteur_base::text::capitals::{self, Around};
+use raconteur_base::text::capitals::{self, CapitalContext};
 
 /// What words are read as: one phrase for each word that is taken, which may be empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -195,7 +195,7 @@ impl<'a> Reader<'a> {
             return Reading::one(self.language.grammar().ordinal(n, ""));
         }
         if !word.is_capital() || numeral.chars().skip(1).any(char::is_lowercase) {
-            return Reading::one(self.letters(core, Around::Nothing));
+            return Reading::one(self.letters(core, CapitalContext::Nothing));
         }
         if core.len() == 3
             && money::currency(core).is_some()
@@ -272,29 +272,29 @@ impl<'a> Reader<'a> {
     /// Letters as a word, or by their names where they are an acronym; `around` tells of the
     /// words beside it. Capitals that are a word are handed on in small letters: some engines
     /// spell the others by rules of their own.
-    pub(super) fn letters(&self, word: &str, around: Around) -> String {
+    pub(super) fn letters(&self, word: &str, around: CapitalContext) -> String {
         const HYPHENS: [char; 3] = ['-', '\u{2010}', '\u{2011}'];
         let parts: Vec<&str> = word.split(HYPHENS).collect();
         if parts.len() > 1 {
             // "US-Präsident": what is joined to something in small letters is a name.
             let around = match word.contains(char::is_lowercase) {
-                true => Around::Name,
+                true => CapitalContext::Name,
                 false => around,
             };
             let spelled = |part: &&str| capitals::is_acronym(part, around, self.language);
             if parts.iter().any(spelled) {
                 let said = parts.iter().map(|part| match part.chars().count() {
                     1 => spelling::literal(part, self.language),
-                    _ => self.part(part, around),
+                    _ => self.read_part(part, around),
                 });
                 return said.collect::<Vec<_>>().join(" ");
             }
         }
-        self.part(word, around)
+        self.read_part(word, around)
     }
 
     /// The same of a word without hyphens.
-    fn part(&self, word: &str, around: Around) -> String {
+    fn read_part(&self, word: &str, around: CapitalContext) -> String {
         let named = matches!(self.say_as, Some(SayAs::Name));
         let acronym = |word: &str| !named && capitals::is_acronym(word, around, self.language);
         if acronym(word) {

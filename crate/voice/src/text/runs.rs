@@ -6,7 +6,7 @@ use super::number::{self, Number};
 use super::read::Reader;
 use super::spelling;
 use super::word::{is_joiner, is_letter};
-use raconteur_base::text::capitals::{Around, is_capitals};
+use raconteur_base::text::capitals::{CapitalContext, is_capitals};
 
 /// Halves, thirds and so on that have a character of their own.
 const VULGAR: &[(char, u64, u64)] = &[
@@ -71,7 +71,7 @@ impl Reader<'_> {
                     1 if named => spelling::literal(word, language),
                     // "AT&T": so are capitals.
                     2 | 3 if named && is_capitals(word) => spelling::literal(word, language),
-                    _ => self.letters(word, Around::Nothing),
+                    _ => self.letters(word, CapitalContext::Nothing),
                 });
                 word.len().max(c.len_utf8())
             } else {
@@ -103,7 +103,7 @@ impl Reader<'_> {
     /// Digits of a run, as a number where they are one.
     fn digits(&self, text: &str) -> String {
         match Number::parse(text, self.language) {
-            Some(number) => number.spoken(self.language, Form::Alone),
+            Some(number) => number.cardinal(self.language, Form::Alone),
             None => number::digits(text, self.language),
         }
     }

@@ -108,7 +108,7 @@ impl Reader<'_> {
                     return Some(Reading::one(language.grammar().cardinal(n, Form::Alone)));
                 }
                 let number = Number::parse(&word.core, language)?;
-                Some(Reading::one(number.spoken(language, Form::Alone)))
+                Some(Reading::one(number.cardinal(language, Form::Alone)))
             }
             SayAs::Name => {
                 let n = roman::value(&word.core).filter(|_| at > 0)?;

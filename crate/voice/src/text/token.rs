@@ -5,7 +5,7 @@ use super::{TOKEN_CHARS, Token, WORD_TOKENS};
 
 impl Token {
     /// A token without punctuation; nothing when `text` has no letter.
-    pub(super) fn of(text: &str) -> Option<Self> {
+    pub(super) fn parse(text: &str) -> Option<Self> {
         let kept: String = text
             .chars()
             .filter_map(|c| match c {
@@ -32,7 +32,7 @@ pub(super) fn tokens(phrase: &str) -> Vec<Token> {
         let body = word.trim_end_matches([',', '.', ';', ':', '!', '?']);
         let chars: Vec<char> = body.chars().collect();
         for piece in chars.chunks(TOKEN_CHARS) {
-            tokens.extend(Token::of(&piece.iter().collect::<String>()));
+            tokens.extend(Token::parse(&piece.iter().collect::<String>()));
             if tokens.len() >= WORD_TOKENS {
                 return tokens;
             }

@@ -1,6 +1,6 @@
 //! How emotions come and go, pass into each other, and move breath and face.
 
-use super::super::basic::Basic;
+use super::super::basic::BasicEmotion;
 use super::super::expression::Expression;
 use super::*;
 use crate::parameters::ParameterTrack;
@@ -27,10 +27,10 @@ fn face(track: &EmotionTrack, t: f64) -> FaceControls {
     controls
 }
 
-fn full(basic: Basic) -> FaceControls {
+fn full(basic: BasicEmotion) -> FaceControls {
     let mut controls = FaceControls::default();
-    Expression::of(basic).add(&mut controls);
-    controls.blush = Signs::of(basic.place()).blush;
+    Expression::from_basic(basic).add(&mut controls);
+    controls.blush = EmotionSigns::from_point(basic.place()).blush;
     controls
 }
 
@@ -53,15 +53,15 @@ fn an_emotion_is_full_at_its_apex_and_gone_at_its_borders() {
     let rest = FaceControls::default();
     for t in [-5.0, 1.0, 4.0, 90.0] {
         assert_eq!(apart(&face(&track, t), &rest), 0.0, "{t}");
-        assert_eq!(track.at(t), EmotionPoint::default());
+        assert_eq!(track.sample(t), EmotionPoint::default());
         assert_eq!((track.liveliness(t), track.breath(t).depth), (1.0, 1.0));
         assert_eq!(track.strength(t), 0.0);
     }
-    assert!(apart(&face(&track, 3.0), &full(Basic::Joy)) < 1e-12);
+    assert!(apart(&face(&track, 3.0), &full(BasicEmotion::Joy)) < 1e-12);
     let middle =
         face(&track, 2.0).contraction[raconteur_body::face::Muscle::ZygomaticusMajorLeft.index()];
     assert!((middle - 0.4).abs() < 1e-12, "{middle}");
-    assert!((track.at(3.0).evaluation - 42.2).abs() < 1e-9);
+    assert!((track.sample(3.0).evaluation - 42.2).abs() < 1e-9);
     assert_eq!((track.strength(2.0), track.strength(3.0)), (0.5, 1.0));
 }
 
@@ -152,7 +152,7 @@ fn emotions_are_set_by_name() {
     let parameters = ParameterTrack::new(&script, &|_| None);
     let track = EmotionTrack::new(&[], parameters.emotions());
     assert_eq!(apart(&face(&track, 1.0), &FaceControls::default()), 0.0);
-    assert!(apart(&face(&track, 2.0), &full(Basic::Disgust)) < 1e-12);
+    assert!(apart(&face(&track, 2.0), &full(BasicEmotion::Disgust)) < 1e-12);
     let joyful = span("joy", [1.5, 2.0, 3.0, 4.0]);
     let track = EmotionTrack::new(&[joyful], parameters.emotions());
     // Half of both: joy's and disgust's corners of the mouth pull against each other.

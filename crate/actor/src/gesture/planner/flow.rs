@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, Length};
 
 use super::{HOLD_DRIFT_M, Planner};
 use crate::gesture::pace::SAME_PLACE_M;
-use crate::gesture::path::{Bow, reach_secs};
+use crate::gesture::path::{ArcPath, reach_secs};
 
 /// Height of the arch of a free movement, as a share of its length and per metre of it.
 /// Designed; people's unconstrained reaches are slightly curved, and long ones swing out
@@ -47,7 +47,7 @@ impl Planner<'_> {
     pub(super) fn arch_between(&self, a: usize, b: usize) -> DVec3 {
         let track = &self.out.wrist;
         let at = |k: usize| {
-            let rest = || self.rest.at(track.times[k]).wrist;
+            let rest = || self.rest.sample(track.times[k]).wrist;
             track.nodes[k].place.unwrap_or_else(rest)
         };
         let (p, q) = (at(a), at(b));
@@ -62,7 +62,7 @@ impl Planner<'_> {
         // Who is pressed for time takes the straight way.
         let leisure = ((track.times[b] - track.times[a]) / reach_secs(length)).min(1.0);
         let bulge = length.min(0.9) * leisure;
-        let mut bow = Bow {
+        let mut bow = ArcPath {
             along,
             arch: square * (bulge * (ARCH_SHARE + ARCH_PER_M * bulge)),
         };
@@ -71,8 +71,8 @@ impl Planner<'_> {
             let mut worst = DVec3::ZERO;
             for k in 1..12 {
                 let u = f64::from(k) / 12.0;
-                let out =
-                    self.space.wrist_way_out(p + bow.place(u)) / (4.0 * u * (1.0 - u)).max(0.35);
+                let out = self.space.wrist_exit_displacement(p + bow.place(u))
+                    / (4.0 * u * (1.0 - u)).max(0.35);
                 if out.length_squared() > worst.length_squared() {
                     worst = out;
                 }

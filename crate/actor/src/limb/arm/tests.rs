@@ -166,7 +166,7 @@ fn the_elbow_moves_steadily_with_the_hand() {
     for i in 0..4_000 {
         let mut a = random_target(&rig, i);
         a.z = rig.shoulder_in_world().z + (a.z - rig.shoulder_in_world().z).abs();
-        if rig.space.wrist_way_out(a) != DVec3::ZERO {
+        if rig.space.wrist_exit_displacement(a) != DVec3::ZERO {
             continue;
         }
         let b = a + DVec3::new(1e-4, -0.5e-4, 0.8e-4);

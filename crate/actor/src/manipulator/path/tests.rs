@@ -2,12 +2,12 @@
 
 use super::*;
 
-const NOW: Frame = Frame {
+const NOW: RigidFrame = RigidFrame {
     position: DVec3::new(0.3, 1.1, 0.2),
     rotation: DQuat::IDENTITY,
 };
 
-fn path(shape: Shape, looping: bool) -> Path {
+fn path(shape: PathShape, looping: bool) -> Path {
     Path {
         shape,
         from: Placement::default(),
@@ -17,8 +17,8 @@ fn path(shape: Shape, looping: bool) -> Path {
     }
 }
 
-fn round(turns: f64, rise: f64) -> Shape {
-    Shape::Round {
+fn round(turns: f64, rise: f64) -> PathShape {
+    PathShape::Round {
         centre: Placement::default(),
         normal: DVec3::ZERO,
         radii: [0.1, 0.2],
@@ -42,36 +42,42 @@ fn angles_and_rotations_convert_both_ways() {
 
 #[test]
 fn open_ends_are_where_the_limb_is() {
-    let mut segment = path(Shape::Segment, false);
+    let mut segment = path(PathShape::Segment, false);
     segment.to.position[1] = Some(1.5);
-    let curve = Curve::new(&segment, &NOW, true);
-    assert!(curve.at(0.0).position.distance(NOW.position) < 1e-12);
-    let middle = curve.at(1.0).position;
+    let curve = TimedPath::new(&segment, &NOW, true);
+    assert!(curve.sample(0.0).position.distance(NOW.position) < 1e-12);
+    let middle = curve.sample(1.0).position;
     assert!(middle.distance(DVec3::new(0.3, 1.3, 0.2)) < 1e-9);
-    assert!(curve.at(9.0).position.distance(DVec3::new(0.3, 1.5, 0.2)) < 1e-9);
+    assert!(
+        curve
+            .sample(9.0)
+            .position
+            .distance(DVec3::new(0.3, 1.5, 0.2))
+            < 1e-9
+    );
 }
 
 #[test]
 fn nothing_jumps_not_even_where_a_loop_closes() {
-    let mut far = path(Shape::Segment, true);
+    let mut far = path(PathShape::Segment, true);
     far.from.position = [Some(0.5), Some(1.4), Some(0.0)];
     far.to.position = [Some(0.1), Some(0.9), Some(0.4)];
     far.to.angles[0] = Some(1.0);
-    let eight = Shape::Lemniscate {
+    let eight = PathShape::Lemniscate {
         centre: Placement::default(),
         normal: DVec3::X,
         half_width: 0.2,
         tilt_rad: 0.5,
         turns: 1.0,
     };
-    let wave = Shape::Sinusoid {
+    let wave = PathShape::Sinusoid {
         across: DVec3::Y * 0.1,
         cycles: 3.0,
     };
-    let bezier = Shape::Bezier {
+    let bezier = PathShape::Bezier {
         controls: [Placement::default(); 2],
     };
-    let hermite = Shape::Hermite {
+    let hermite = PathShape::Hermite {
         tangents: [DVec3::X, DVec3::Y],
     };
     let all = [
@@ -84,11 +90,11 @@ fn nothing_jumps_not_even_where_a_loop_closes() {
     ];
     let paths = all.into_iter().map(|s| path(s, true)).chain([far]);
     for path in paths {
-        let curve = Curve::new(&path, &NOW, false);
-        assert!(curve.at(0.0).position.distance(NOW.position) < 1e-9);
-        let mut last = curve.at(0.0);
+        let curve = TimedPath::new(&path, &NOW, false);
+        assert!(curve.sample(0.0).position.distance(NOW.position) < 1e-9);
+        let mut last = curve.sample(0.0);
         for i in 1..800 {
-            let next = curve.at(f64::from(i) * 0.01);
+            let next = curve.sample(f64::from(i) * 0.01);
             let step = next.position.distance(last.position);
             assert!(step < 0.04, "{path:?} at {i}: {step}");
             assert!(next.rotation.angle_between(last.rotation) < 0.1);
@@ -100,12 +106,12 @@ fn nothing_jumps_not_even_where_a_loop_closes() {
 
 #[test]
 fn a_circle_keeps_its_radii_and_a_helix_rises() {
-    let curve = Curve::new(&path(round(1.0, 0.3), false), &NOW, false);
-    let quarter = curve.at(0.5).position - NOW.position;
+    let curve = TimedPath::new(&path(round(1.0, 0.3), false), &NOW, false);
+    let quarter = curve.sample(0.5).position - NOW.position;
     assert!(
         quarter.distance(DVec3::new(-0.1, 0.2, 0.075)) < 1e-9,
         "{quarter}"
     );
-    let end = curve.at(2.0).position - NOW.position;
+    let end = curve.sample(2.0).position - NOW.position;
     assert!(end.distance(DVec3::new(0.0, 0.0, 0.3)) < 1e-9, "{end}");
 }

@@ -8,8 +8,8 @@ use raconteur_speech::TimedUtterance;
 use super::speech::{HOUR_SECS, hour, shipped};
 use super::{distance, is_at_listener, muscle};
 use crate::nonverbal::accent;
-use crate::nonverbal::heard::{Break, Heard, Pause, Question};
-use crate::nonverbal::{HEAD_RAISE_RAD, Manner, NonVerbal, Way};
+use crate::nonverbal::speech_features::{BoundaryKind, Pause, Question, SpeechFeatures};
+use crate::nonverbal::{HEAD_RAISE_RAD, Manner, NonVerbal, PlanBasis};
 
 /// Counts of a plan.
 #[derive(Debug, Default)]
@@ -30,7 +30,8 @@ struct Counts {
 
 impl Counts {
     fn add(&mut self, speech: &[TimedUtterance], plan: &NonVerbal, seed: u64) {
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
+        let heard =
+            SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
         let end_secs = speech.last().map_or(0.0, TimedUtterance::end_secs);
         self.secs += end_secs;
         let at = |i: usize| i as f64 * 0.01;
@@ -81,7 +82,8 @@ impl Counts {
             if is_thinking(pause) {
                 self.thoughts += 1;
                 self.frowns += usize::from(muscle(plan, Muscle::CorrugatorLeft, middle) > 0.1);
-            } else if pause.parts == Break::Phrases || pause.parts == Break::Sentences {
+            } else if pause.parts == BoundaryKind::Phrases || pause.parts == BoundaryKind::Sentences
+            {
                 self.pauses += 1;
                 self.pause_glances += usize::from(is_at_listener(plan, middle));
             }
@@ -91,7 +93,7 @@ impl Counts {
 
 fn is_thinking(pause: &Pause) -> bool {
     let length_secs = pause.end_secs - pause.start_secs;
-    pause.parts < Break::Sentences && length_secs >= Manner::default().thinking_secs
+    pause.parts < BoundaryKind::Sentences && length_secs >= Manner::default().thinking_secs
 }
 
 /// Fails unless a share or rate is within a tenth of the published one.
@@ -126,7 +128,7 @@ fn check(counts: &Counts) {
 
 #[test]
 fn an_hour_of_speech_has_the_published_rates() {
-    for way in [Way::Audio, Way::Text] {
+    for way in [PlanBasis::Audio, PlanBasis::Text] {
         let manner = Manner {
             way,
             ..Manner::default()
@@ -150,7 +152,8 @@ fn a_quarter_of_the_thoughts_frown() {
     for seed in 0..20 {
         let speech = hour(seed);
         let plan = NonVerbal::new(&speech, seed, &Manner::default());
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
+        let heard =
+            SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
         for pause in heard.pauses.iter().filter(|p| is_thinking(p)) {
             let asks =
                 |q: &Question| q.start_secs <= pause.start_secs && pause.start_secs < q.end_secs;
@@ -209,9 +212,9 @@ fn the_gaze_is_never_farther_away_on_an_accent() {
 fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
     const STEP_SECS: f64 = 0.002;
     for (speech, way) in [
-        (hour(3), Way::Audio),
-        (hour(3), Way::Text),
-        (shipped(), Way::Audio),
+        (hour(3), PlanBasis::Audio),
+        (hour(3), PlanBasis::Text),
+        (shipped(), PlanBasis::Audio),
     ] {
         let plan = NonVerbal::new(
             &speech,
@@ -265,7 +268,7 @@ fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
 fn speakers_look_away_as_they_begin_and_at_the_listener_as_they_end_and_ask() {
     let speech = hour(6);
     let plan = NonVerbal::new(&speech, 9, &Manner::default());
-    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 9);
+    let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 9);
     assert!(heard.turns.len() > 20 && heard.questions.len() > 20);
     for [start, _, end] in &heard.turns {
         assert!(distance(&plan, start - 0.05) > 0.15);
@@ -296,7 +299,7 @@ fn only_the_left_brow_follows_the_pitch() {
         ..Manner::default()
     };
     let plan = NonVerbal::new(&speech, 2, &manner);
-    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 2);
+    let heard = SpeechFeatures::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 2);
     let mut tops: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for accent in &heard.stresses {
         let at = |i: i32| accent.start_secs - 0.1 + f64::from(i) * 0.01;
@@ -367,7 +370,7 @@ fn by_its_text_speech_is_accompanied_alike_however_loud_it_is() {
             u
         })
         .collect();
-    for (way, is_alike) in [(Way::Text, true), (Way::Audio, false)] {
+    for (way, is_alike) in [(PlanBasis::Text, true), (PlanBasis::Audio, false)] {
         let manner = Manner {
             way,
             ..Manner::default()

@@ -7,7 +7,7 @@ use raconteur_speech::bundle::{Accent, Phrase, Sentence, SentenceKind, Syllable}
 use raconteur_speech::{Phone, TimedUtterance, Utterance, Word};
 
 use super::speech::hour;
-use crate::nonverbal::{Manner, NonVerbal, Way};
+use crate::nonverbal::{Manner, NonVerbal, PlanBasis};
 
 /// Everything that a plan gives at a time.
 fn all(plan: &NonVerbal, t: f64) -> Vec<f64> {
@@ -147,7 +147,7 @@ fn impossible() -> Vec<TimedUtterance> {
 
 #[test]
 fn impossible_speech_is_survived() {
-    for way in [Way::Audio, Way::Text] {
+    for way in [PlanBasis::Audio, PlanBasis::Text] {
         for amount in [1.0, 0.0, -3.0, f64::NAN, 1e300] {
             let manner = Manner {
                 way,

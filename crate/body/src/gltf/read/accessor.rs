@@ -8,7 +8,7 @@ use super::document::{Accessor, Component, Document, Sparse};
 
 /// No file may make us hold more numbers than this: a figure has about two million, and
 /// views may be referenced many times.
-const MOST_NUMBERS: usize = 1 << 26;
+const MAX_NUMBERS: usize = 1 << 26;
 
 /// A document with its binary chunk.
 pub struct Source<'a> {
@@ -61,7 +61,7 @@ impl<'a> Source<'a> {
     pub fn new(root: &'a Document<'a>) -> Self {
         Self {
             root,
-            numbers_left: MOST_NUMBERS,
+            numbers_left: MAX_NUMBERS,
         }
     }
 

@@ -10,7 +10,7 @@
 use serde_json::Value;
 
 use super::ReadError;
-use super::packed::Packed;
+use super::packed::CompressedView;
 use crate::gltf::fields::{
     as_index, index, indices, items, needed_index, numbers, text, texts, whole,
 };
@@ -153,7 +153,7 @@ pub struct View {
     pub byte_offset: u64,
     pub byte_length: u64,
     pub byte_stride: Option<usize>,
-    pub packed: Option<Packed>,
+    pub packed: Option<CompressedView>,
 }
 
 /// A document and its binary chunk.
@@ -291,7 +291,7 @@ fn view(v: &Value) -> View {
         byte_offset: whole(v, "byteOffset"),
         byte_length: whole(v, "byteLength"),
         byte_stride: index(v, "byteStride"),
-        packed: Packed::of(v),
+        packed: CompressedView::from_json(v),
     }
 }
 
@@ -342,11 +342,11 @@ impl<'a> Document<'a> {
     pub fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
         let (json, bin) = chunks(glb)?;
         let root = serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
-        Self::of(&root, bin)
+        Self::from_json(&root, bin)
     }
 
     /// From a document's JSON and its one buffer.
-    pub fn of(root: &Value, bin: &'a [u8]) -> Result<Self, ReadError> {
+    pub fn from_json(root: &Value, bin: &'a [u8]) -> Result<Self, ReadError> {
         if root["asset"]["version"]
             .as_str()
             .is_none_or(|v| !v.starts_with("2."))

@@ -2,7 +2,7 @@
 
 use super::ReadError;
 use super::document::{self, Document};
-use crate::figure::{Maps, Material, MaterialKind};
+use crate::figure::{Material, MaterialKind, TextureMaps};
 
 /// The image behind a texture.
 fn map_of(root: &Document<'_>, texture: Option<usize>) -> Result<Option<usize>, ReadError> {
@@ -28,7 +28,7 @@ pub(super) fn read_material(
             base_color: [1.0; 4],
             roughness: 1.0,
             double_sided: false,
-            maps: Maps::default(),
+            maps: TextureMaps::default(),
         });
     };
     let m = root.materials.get(index).ok_or(ReadError::OutOfRange {
@@ -42,7 +42,7 @@ pub(super) fn read_material(
         base_color: m.base_color.map(|x| x as f32),
         roughness: m.roughness as f32,
         double_sided: m.double_sided,
-        maps: Maps {
+        maps: TextureMaps {
             base_color: map_of(root, m.base_color_texture)?,
             normal: map_of(root, m.normal_texture)?,
             wrinkles: map_of(root, m.wrinkle_texture)?,

@@ -14,7 +14,7 @@ use super::ReadError;
 pub const EXTENSION: &str = "EXT_meshopt_compression";
 
 /// Where the stream of a compressed view lies, and what it holds.
-pub struct Packed {
+pub struct CompressedView {
     buffer: usize,
     byte_offset: usize,
     byte_length: usize,
@@ -24,9 +24,9 @@ pub struct Packed {
     mode: Option<Mode>,
 }
 
-impl Packed {
+impl CompressedView {
     /// What a view's JSON says, if the view is compressed.
-    pub(super) fn of(view: &Value) -> Option<Self> {
+    pub(super) fn from_json(view: &Value) -> Option<Self> {
         let stream = view["extensions"].get(EXTENSION)?;
         let number = |key: &str| stream[key].as_u64().and_then(|n| usize::try_from(n).ok());
         // What must be there and is not leads nowhere.

@@ -41,7 +41,7 @@ impl Standard {
 
 /// The manifest of a package with these files, and where a system looks for it; none where its
 /// standard has none.
-pub(super) fn of(about: &About, paths: &[String]) -> Option<(&'static str, String)> {
+pub(super) fn manifest(about: &About, paths: &[String]) -> Option<(&'static str, String)> {
     match about.standard {
         Standard::Scorm12 | Standard::Scorm2004 => Some(("imsmanifest.xml", scorm(about, paths))),
         Standard::Cmi5 => Some(("cmi5.xml", cmi5(about))),
@@ -302,7 +302,7 @@ mod tests {
             (Standard::Scorm12, "adlcp:scormtype"),
             (Standard::Scorm2004, "adlcp:scormType"),
         ] {
-            let (_, text) = of(&several(standard), &paths).unwrap();
+            let (_, text) = manifest(&several(standard), &paths).unwrap();
             assert_xml(&text);
             assert_eq!(text.matches("<item ").count(), 2);
             assert_eq!(text.matches(&format!("{kind}=\"sco\"")).count(), 2);
@@ -323,13 +323,13 @@ mod tests {
                 standard == Standard::Scorm2004
             );
         }
-        let (_, text) = of(&several(Standard::Cmi5), &[]).unwrap();
+        let (_, text) = manifest(&several(Standard::Cmi5), &[]).unwrap();
         assert_xml(&text);
         assert!(
             text.contains("<au id=\"urn:a/lessons/one\"")
                 && text.contains("<url>lesson-2.html</url>")
         );
-        let (_, text) = of(&several(Standard::Xapi), &[]).unwrap();
+        let (_, text) = manifest(&several(Standard::Xapi), &[]).unwrap();
         assert_xml(&text);
         assert_eq!(text.matches("activities/lesson\"").count(), 2);
     }
@@ -360,7 +360,7 @@ mod tests {
             (Standard::Scorm12, "1.2"),
             (Standard::Scorm2004, "2004 4th Edition"),
         ] {
-            let (name, text) = of(&about(standard), &paths).unwrap();
+            let (name, text) = manifest(&about(standard), &paths).unwrap();
             assert_eq!(name, "imsmanifest.xml");
             assert_xml(&text);
             assert!(text.contains(&format!("<schemaversion>{version}</schemaversion>")));
@@ -374,7 +374,7 @@ mod tests {
     #[test]
     fn those_of_records_name_the_course_and_its_page() {
         for (standard, at) in [(Standard::Cmi5, "cmi5.xml"), (Standard::Xapi, "tincan.xml")] {
-            let (name, text) = of(&about(standard), &[]).unwrap();
+            let (name, text) = manifest(&about(standard), &[]).unwrap();
             assert_eq!(name, at);
             assert_xml(&text);
             assert!(
@@ -382,12 +382,12 @@ mod tests {
                     && text.contains(">index.html<")
             );
         }
-        assert_eq!(of(&about(Standard::Html), &[]), None);
+        assert_eq!(manifest(&about(Standard::Html), &[]), None);
         let passed = About {
             pass: Some(0.8),
             ..about(Standard::Cmi5)
         };
-        let (_, text) = of(&passed, &[]).unwrap();
+        let (_, text) = manifest(&passed, &[]).unwrap();
         assert!(text.contains("moveOn=\"CompletedAndPassed\" masteryScore=\"0.8\""));
     }
 }

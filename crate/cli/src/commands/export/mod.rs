@@ -122,7 +122,7 @@ impl Export {
         for (path, text) in page::files(&about) {
             parts.add(&path, text.into_bytes());
         }
-        if let Some((path, text)) = manifest::of(&about, &parts.paths()) {
+        if let Some((path, text)) = manifest::manifest(&about, &parts.paths()) {
             parts.add(path, text.into_bytes());
         }
         parts

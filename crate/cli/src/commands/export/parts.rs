@@ -20,7 +20,7 @@ use crate::story::{StoryFiles, USUAL_FIGURE};
 pub(super) const LIST: &str = "course.json";
 
 /// The largest file of a package, bytes.
-const LARGEST: u64 = 512 << 20;
+const MAX_FILE_BYTES: u64 = 512 << 20;
 
 /// The list, as the build of the page writes it.
 #[derive(Deserialize)]
@@ -43,7 +43,7 @@ impl Parts {
     /// The player of a built page.
     pub(super) fn of_player(named: Option<&Path>) -> Result<Self> {
         let built = player_folder(named)?;
-        let list = input::text(&built.join(LIST), input::LONGEST_TEXT)?;
+        let list = input::text(&built.join(LIST), input::MAX_TEXT_BYTES)?;
         let Built { player, speech } = serde_json::from_str(&list)
             .with_context(|| format!("the list {LIST} of the player"))?;
         let mut parts = Self {
@@ -57,7 +57,7 @@ impl Parts {
 
     fn add_built(&mut self, files: &[String]) -> Result<()> {
         for file in files {
-            let bytes = beside(&self.built, file)?
+            let bytes = read_from(&self.built, file)?
                 .with_context(|| format!("the player's build lacks {file}"))?;
             self.add(&format!("player/{file}"), bytes);
         }
@@ -106,7 +106,7 @@ impl Parts {
         own.extend(document.pictures().map(|(path, _)| path.to_owned()));
         for path in own {
             // What is not there was told as a problem of the story.
-            if let Some(bytes) = beside(folder, &path)? {
+            if let Some(bytes) = read_from(folder, &path)? {
                 self.add(&format!("{to}/{path}"), bytes);
             }
         }
@@ -143,7 +143,7 @@ impl Parts {
         let name = name.unwrap_or(USUAL_FIGURE);
         if let Some(bytes) = Path::new(name)
             .extension()
-            .map_or(Ok(None), |_| beside(files.folder(), name))?
+            .map_or(Ok(None), |_| read_from(files.folder(), name))?
         {
             self.add(&format!("{to}/{name}"), bytes);
         }
@@ -197,9 +197,11 @@ fn plain(path: &str) -> String {
 }
 
 /// A file in a folder, by its path there; none where there is none.
-fn beside(folder: &Path, path: &str) -> Result<Option<Vec<u8>>> {
+fn read_from(folder: &Path, path: &str) -> Result<Option<Vec<u8>>> {
     let found = inside::find(folder, path)?;
-    found.map(|found| input::bytes(&found, LARGEST)).transpose()
+    found
+        .map(|found| input::bytes(&found, MAX_FILE_BYTES))
+        .transpose()
 }
 
 #[cfg(test)]

@@ -9,14 +9,14 @@ use indicatif::ProgressBar;
 use raconteur_base::DVec3;
 use raconteur_body::annotation::annotations;
 use raconteur_body::read::read_figure;
-use raconteur_faces::{Editor, FaceModel, Personal};
+use raconteur_faces::{Editor, FaceModel, PersonRecord};
 use raconteur_sculpt::examples::measured_mm;
 use raconteur_sculpt::head::{KnownMeasure, Measure, known_measures};
 use raconteur_sculpt::population::known_correlation;
 
 use super::put_on::PutOn;
 use super::{crossing, pack};
-use crate::commands::telling::{self, Telling};
+use crate::commands::story_check::{self, StoryCheck};
 use crate::story::StoryFiles;
 use crate::{Outcome, assets, parallel, terminal};
 
@@ -54,7 +54,7 @@ impl Check {
         is_fine &= crossing::check(&editor, self.look)?;
         if let Some(story) = &self.story {
             let files = StoryFiles::read(story)?;
-            is_fine &= self.tell(&editor, &files)?;
+            is_fine &= self.perform_stories(&editor, &files)?;
         }
         Ok(if is_fine {
             Outcome::Fine
@@ -88,10 +88,10 @@ impl Check {
             };
             Ok(measured_mm(&place).into_iter().map(|(_, mm)| mm).collect())
         };
-        let found = Statistics::of(&parallel::each(0..self.count, of)?);
+        let found = MeasureStatistics::from_rows(&parallel::map(0..self.count, of)?);
         let all: Vec<KnownMeasure> = known_measures().collect();
         ensure!(found.mean.len() == all.len(), "the pack lacks landmarks");
-        let wanted = Statistics::expected(&all, &model.people);
+        let wanted = MeasureStatistics::expected(&all, &model.people);
         let mut out = terminal::out();
         writeln!(
             out,
@@ -138,17 +138,17 @@ impl Check {
     }
 
     /// Whether random faces tell a story without a fault.
-    fn tell(&self, editor: &Editor, files: &StoryFiles) -> Result<bool> {
+    fn perform_stories(&self, editor: &Editor, files: &StoryFiles) -> Result<bool> {
         let bytes = assets::read(&format!("figures/{}.glb", self.like))?;
         let names = annotations(&bytes)?;
         let on = PutOn::new(read_figure(&self.like, &bytes)?, editor.model())?;
         let bundle = files.bundle();
-        let telling = Telling {
+        let telling = StoryCheck {
             text: &files.text,
             bundle: bundle.as_deref(),
         };
         let bar = ProgressBar::new(self.tell);
-        let told = parallel::each(0..self.tell, |seed| {
+        let told = parallel::map(0..self.tell, |seed| {
             let figure = on
                 .figure(editor, &editor.random(seed))
                 .with_context(|| format!("face {seed}"))?;
@@ -160,7 +160,7 @@ impl Check {
         for wrong in told.iter().flat_map(|t| &t.wrong) {
             writeln!(out, "{wrong}")?;
         }
-        telling::summary(&told.iter().collect::<Vec<_>>())?;
+        story_check::summary(&told.iter().collect::<Vec<_>>())?;
         Ok(told.iter().all(|t| t.wrong.is_empty()))
     }
 }
@@ -168,7 +168,11 @@ impl Check {
 /// The place of a head's skull above the ears that is farthest to a side.
 fn broadest<'p>(model: &FaceModel, places: &'p [[f64; 3]], is_left: bool) -> Option<&'p [f64; 3]> {
     let skull = |(v, p): &(u32, &[f64; 3])| {
-        p[1] > SKULL_M && model.segments.at(*v).is_none_or(|s| s.name != "ears")
+        p[1] > SKULL_M
+            && model
+                .segments
+                .segment_of(*v)
+                .is_none_or(|s| s.name != "ears")
     };
     let out = |p: &[f64; 3]| if is_left { p[0] } else { -p[0] };
     let above = (0u32..).zip(places).filter(skull);
@@ -178,16 +182,16 @@ fn broadest<'p>(model: &FaceModel, places: &'p [[f64; 3]], is_left: bool) -> Opt
 }
 
 /// Means, deviations and products of measures.
-struct Statistics {
+struct MeasureStatistics {
     mean: Vec<f64>,
     deviation: Vec<f64>,
     /// Covariances, row by row.
     covariance: Vec<Vec<f64>>,
 }
 
-impl Statistics {
+impl MeasureStatistics {
     /// Of rows of measures.
-    fn of(rows: &[Vec<f64>]) -> Self {
+    fn from_rows(rows: &[Vec<f64>]) -> Self {
         let width = rows.first().map_or(0, Vec::len);
         let count = rows.len().max(1) as f64;
         let mean: Vec<f64> = (0..width)
@@ -209,11 +213,11 @@ impl Statistics {
 
     /// Of the population that people of these sexes and ages are drawn from: what varies within an age
     /// and a sex, and what varies between them.
-    fn expected(measures: &[KnownMeasure], people: &[Personal]) -> Self {
+    fn expected(measures: &[KnownMeasure], people: &[PersonRecord]) -> Self {
         let norms: Vec<Vec<[f64; 2]>> = people
             .iter()
             .map(|p| {
-                let norm = |m: &KnownMeasure| m.row.at(p.sex, p.age_years);
+                let norm = |m: &KnownMeasure| m.row.norm_at(p.sex, p.age_years);
                 measures
                     .iter()
                     .map(|m| [norm(m).mean, norm(m).sd])
@@ -224,7 +228,7 @@ impl Statistics {
             .iter()
             .map(|row| row.iter().map(|n| n[0]).collect())
             .collect();
-        let mut all = Self::of(&between);
+        let mut all = Self::from_rows(&between);
         let kinds: Vec<Measure> = Measure::all().collect();
         let count = norms.len().max(1) as f64;
         for i in 0..measures.len() {

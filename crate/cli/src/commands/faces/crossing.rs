@@ -5,21 +5,21 @@ use std::io::Write as _;
 
 use anyhow::Result;
 use raconteur_base::DVec3;
-use raconteur_base::crossing::crossings;
+use raconteur_base::self_intersection::crossings;
 use raconteur_faces::Editor;
 
 use crate::{parallel, terminal};
 
 /// The skin of a model with vertices at one place made one.
-pub(super) struct Joined {
+pub(super) struct WeldedSkin {
     /// The vertex that stands for each vertex.
     of: Vec<u32>,
     triangles: Vec<[u32; 3]>,
 }
 
-impl Joined {
+impl WeldedSkin {
     /// That of triangles over the vertices of a shape.
-    pub(super) fn of(shape: &[f64], triangles: &[[u32; 3]]) -> Self {
+    pub(super) fn weld(shape: &[f64], triangles: &[[u32; 3]]) -> Self {
         let mut places: BTreeMap<[u64; 3], u32> = BTreeMap::new();
         let of: Vec<u32> = (0u32..)
             .zip(shape.as_chunks::<3>().0)
@@ -54,10 +54,10 @@ impl Joined {
 /// Whether no skin passes through skin in random faces of so many seeds; prints where it does.
 pub(super) fn check(editor: &Editor, count: u64) -> Result<bool> {
     let model = editor.model();
-    let skin = Joined::of(model.shape.mean(), &model.triangles);
-    let segment = |t: usize| model.segments.at(skin.triangles[t][0]);
+    let skin = WeldedSkin::weld(model.shape.mean(), &model.triangles);
+    let segment = |t: usize| model.segments.segment_of(skin.triangles[t][0]);
     let name = |t: usize| segment(t).map_or("", |s| s.name.as_str());
-    let found = parallel::each(0..count, |seed| {
+    let found = parallel::map(0..count, |seed| {
         let mut counts: BTreeMap<[&str; 2], usize> = BTreeMap::new();
         for pair in skin.crossings(&editor.drawn(&editor.random(seed))) {
             let mut names = pair.map(name);

@@ -32,16 +32,16 @@ impl Crowd {
     pub(super) fn make(&self) -> Result<Vec<Example>> {
         let model = self.model()?;
         let crowd = Examples::new(&model, Self::like()?, self.seed)?;
-        let drafts = self.each("people", |index| Ok(crowd.draft(index)?))?;
-        let drafts = crowd.brought(drafts);
-        self.each("heads", |index| {
+        let drafts = self.map_with_progress("people", |index| Ok(crowd.draft(index)?))?;
+        let drafts = crowd.fitted_to_population(drafts);
+        self.map_with_progress("heads", |index| {
             let draft = drafts.get(index as usize).context("a person")?;
             Ok(crowd.make(draft.clone()))
         })
     }
 
     /// What is made of each number, with a bar.
-    fn each<T: Send>(
+    fn map_with_progress<T: Send>(
         &self,
         what: &'static str,
         make: impl Fn(u64) -> Result<T> + Sync,
@@ -50,7 +50,7 @@ impl Crowd {
         let bar = ProgressBar::new(self.count)
             .with_style(style)
             .with_message(what);
-        let made = parallel::each(0..self.count, |index| {
+        let made = parallel::map(0..self.count, |index| {
             let one = make(index)?;
             bar.inc(1);
             Ok(one)

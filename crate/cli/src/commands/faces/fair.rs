@@ -2,10 +2,10 @@
 //! the bridge of the nose and a nick at its root that nobody has.
 
 use anyhow::{Context as _, Result};
-use raconteur_faces::{Neighbours, SoftMask};
+use raconteur_faces::{SoftMask, VertexNeighbours};
 use raconteur_sculpt::examples::Example;
 
-use super::crossing::Joined;
+use super::crossing::WeldedSkin;
 
 /// Segments in which skin is fair.
 const FAIRED: [&str; 2] = ["nose root", "nose bridge"];
@@ -15,9 +15,10 @@ const TIMES: usize = 4;
 /// Takes ridges and nicks from the noses of heads.
 pub(super) fn fair(examples: &mut [Example]) -> Result<()> {
     let first = examples.first().context("a head")?;
-    let joined = Joined::of(&first.skin, &first.triangles);
+    let joined = WeldedSkin::weld(&first.skin, &first.triangles);
     let vertices = first.skin.len() / 3;
-    let neighbours = Neighbours::of(joined.triangles(), vertices).context("a skin")?;
+    let neighbours =
+        VertexNeighbours::from_triangles(joined.triangles(), vertices).context("a skin")?;
     let runs = first.segments.iter().filter(|s| FAIRED.contains(&s.name));
     let mut mask = vec![0.0; vertices];
     for [start, count] in runs.flat_map(|s| &s.runs) {
@@ -32,7 +33,12 @@ pub(super) fn fair(examples: &mut [Example]) -> Result<()> {
     Ok(())
 }
 
-fn take_detail(skin: &mut [f64], neighbours: &Neighbours, soft: &SoftMask, joined: &Joined) {
+fn take_detail(
+    skin: &mut [f64],
+    neighbours: &VertexNeighbours,
+    soft: &SoftMask,
+    joined: &WeldedSkin,
+) {
     for _ in 0..TIMES {
         let detail = neighbours.detail(skin);
         for (v, (place, by)) in (0u32..).zip(
@@ -44,7 +50,7 @@ fn take_detail(skin: &mut [f64], neighbours: &Neighbours, soft: &SoftMask, joine
             if joined.stands_for(v) != v {
                 continue;
             }
-            let share = soft.at(v as usize);
+            let share = soft.weight(v as usize);
             for (x, d) in place.iter_mut().zip(by) {
                 *x -= share * d;
             }

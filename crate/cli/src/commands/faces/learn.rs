@@ -7,8 +7,8 @@ use anyhow::{Context as _, Result, ensure};
 use clap::Args;
 use raconteur_base::Side;
 use raconteur_faces::{
-    Attribute, Editor, FaceModel, FaceSpace, FeatureMeasure, Follower, Half, Life, LookNumber,
-    NamedAttribute, Personal, Segment, Segments, TextureModel,
+    AgeModel, Attribute, Editor, FaceModel, FaceSpace, FeatureMeasure, Follower, Half, LookNumber,
+    NamedAttribute, PersonRecord, Segment, Segments, TextureModel,
 };
 use raconteur_sculpt::examples::{Example, Examples};
 use raconteur_sculpt::head::{FIELDS, HeadSegment, known_measures};
@@ -17,7 +17,7 @@ use raconteur_sculpt::looks::{self, Look};
 use raconteur_sculpt::people;
 use raconteur_voice::files::disk::replace;
 
-use super::crossing::Joined;
+use super::crossing::WeldedSkin;
 use super::examples::Crowd;
 use super::fair::fair;
 use super::pack::texture_beside;
@@ -87,7 +87,7 @@ impl Learn {
             [held, kept].map(|of| of.into_iter().map(|(_, face)| face.clone()).collect());
         let space = FaceSpace::learn(&kept)?;
         let errors = space.errors_by_modes(&held)?;
-        let modes = enough(&errors, self.explains);
+        let modes = required_modes(&errors, self.explains);
         let mut out = terminal::out();
         writeln!(out, "modes of {name}\trms of faces held out")?;
         for (count, error) in errors.iter().enumerate() {
@@ -135,7 +135,7 @@ impl Learn {
         let crowd = Examples::new(&model, Crowd::like()?, self.crowd.seed)?;
         let figure = |name: &&str| {
             let params = people::preset(name).with_context(|| format!("no figure {name}"))?;
-            let look = looks::of(&params);
+            let look = looks::look_of(&params);
             let texture = textured(crowd.tone(&look), &look, weights);
             Ok(((*name).to_owned(), space.coefficients(&texture)?))
         };
@@ -150,7 +150,7 @@ impl Learn {
                 .collect(),
             attributes: attributes(&space, &own, examples, Affects::Texture)?,
             figures: people::NAMES.iter().map(figure).collect::<Result<_>>()?,
-            life: Life::learn(&people(examples), &own),
+            life: AgeModel::learn(&people(examples), &own),
             examples: own,
             space,
         })
@@ -170,7 +170,7 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         let labels = label.of_all(examples);
         let labels = labels.with_context(|| format!("no head has a {}", label.name))?;
         let attribute = Attribute::learn(label.name, space, &own, &labels)?;
-        if told(space, &attribute, &own, &labels) < TOLD {
+        if explained_variance(space, &attribute, &own, &labels) < TOLD {
             signals.push(labels);
         }
     }
@@ -180,7 +180,7 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         let attribute = Attribute::learn(known.name, space, &own, &taken)?;
         let mean = taken.iter().sum::<f64>() / taken.len() as f64;
         let centred: Vec<f64> = taken.iter().map(|mm| mm - mean).collect();
-        if told(space, &attribute, &own, &centred) < TOLD {
+        if explained_variance(space, &attribute, &own, &centred) < TOLD {
             signals.push(taken);
         }
     }
@@ -195,7 +195,12 @@ fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
 }
 
 /// The share of labels' variance that an attribute explains.
-fn told(space: &FaceSpace, attribute: &Attribute, own: &[Vec<f64>], labels: &[f64]) -> f64 {
+fn explained_variance(
+    space: &FaceSpace,
+    attribute: &Attribute,
+    own: &[Vec<f64>],
+    labels: &[f64],
+) -> f64 {
     let of = |(face, label): (&Vec<f64>, &f64)| {
         let off = attribute.value(space, face) - label;
         [off * off, label * label]
@@ -236,7 +241,7 @@ fn look_weights(examples: &[Example]) -> Vec<f64> {
 }
 
 /// The least number of modes that explains a share of the variance.
-fn enough(errors: &[f64], explains: f64) -> usize {
+fn required_modes(errors: &[f64], explains: f64) -> usize {
     let all = errors[0] * errors[0];
     let is_enough = |error: &f64| error * error <= (1.0 - explains) * all;
     errors
@@ -305,7 +310,7 @@ fn shape_model(shape: FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> R
         cage: Follower::learn(&shape, &own, &cages),
         organs: Follower::learn(&shape, &own, &organs),
         attributes,
-        life: Life::learn(&people, &own),
+        life: AgeModel::learn(&people, &own),
         people,
         examples: own,
         shape,
@@ -323,7 +328,7 @@ fn reference(space: &FaceSpace, shapes: &[Vec<f64>], triangles: &[[u32; 3]]) -> 
     };
     let mut nearest: Vec<&Vec<f64>> = shapes.iter().collect();
     nearest.sort_by(|a, b| far(a).total_cmp(&far(b)));
-    let joined = Joined::of(space.mean(), triangles);
+    let joined = WeldedSkin::weld(space.mean(), triangles);
     let sound = nearest
         .iter()
         .find(|shape| joined.crossings(shape).is_empty());
@@ -333,8 +338,8 @@ fn reference(space: &FaceSpace, shapes: &[Vec<f64>], triangles: &[[u32; 3]]) -> 
 }
 
 /// Who examples are.
-fn people(examples: &[Example]) -> Vec<Personal> {
-    let person = |e: &Example| Personal {
+fn people(examples: &[Example]) -> Vec<PersonRecord> {
+    let person = |e: &Example| PersonRecord {
         sex: e.draft.traits.sex,
         age_years: e.draft.traits.age_years,
         ancestry: e.ancestry(),
@@ -383,7 +388,7 @@ fn report(model: &FaceModel, examples: &[Example]) -> Result<()> {
         };
         let explained = |space: &FaceSpace, all: &[NamedAttribute], own: &[Vec<f64>]| {
             let found = all.iter().find(|a| a.attribute.name == label.name)?;
-            Some(told(space, &found.attribute, own, &labels))
+            Some(explained_variance(space, &found.attribute, own, &labels))
         };
         let shown = |share: Option<f64>| share.map_or_else(String::new, |s| format!("{s:.2}"));
         let shape = explained(&model.shape, &model.attributes, &model.examples);
@@ -402,7 +407,7 @@ mod tests {
     fn as_many_modes_are_kept_as_explain_the_share() {
         let errors = [10.0, 5.0, 2.0, 1.0, 0.9];
         assert_eq!(
-            [0.0, 0.5, 0.95, 0.99, 0.999].map(|s| enough(&errors, s)),
+            [0.0, 0.5, 0.95, 0.99, 0.999].map(|s| required_modes(&errors, s)),
             [0, 1, 2, 3, 4]
         );
     }

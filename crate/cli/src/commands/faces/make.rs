@@ -8,7 +8,7 @@ use raconteur_body::annotation::{Annotations, annotations};
 use raconteur_body::read::read_figure;
 use raconteur_body::{Figure, write};
 use raconteur_faces::{Editor, Face, FaceModel, Part};
-use raconteur_sculpt::head::{Bound, HeadParams};
+use raconteur_sculpt::head::{HeadParams, ModelHeadShape};
 use raconteur_sculpt::looks::{self, Look};
 use raconteur_sculpt::{FigureParams, build, build_face, people};
 use raconteur_voice::files::disk::replace;
@@ -72,7 +72,8 @@ impl Make {
 pub(super) fn built_params(editor: &Editor, face: &Face, like: &str) -> Result<FigureParams> {
     let model: &FaceModel = editor.model();
     let own = editor.coefficients(face, Part::Shape)?;
-    let bound = Bound::from_numbers(&model.cage.at(&own)).context("the pack is of another head")?;
+    let bound = ModelHeadShape::from_numbers(&model.cage.evaluate(&own))
+        .context("the pack is of another head")?;
     let like = people::preset(like).with_context(|| format!("no figure {like}"))?;
     let params = FigureParams {
         head: HeadParams {
@@ -86,7 +87,7 @@ pub(super) fn built_params(editor: &Editor, face: &Face, like: &str) -> Result<F
     let Some(texture) = &model.texture else {
         return Ok(params);
     };
-    let numbers = texture.look(&face.texture);
+    let numbers = texture.look_values(&face.texture);
     ensure!(
         numbers.len() >= looks::COUNT,
         "the pack is of other textures"

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use raconteur_faces::{FaceModel, MOST_BYTES};
+use raconteur_faces::{FaceModel, MAX_BYTES};
 use raconteur_voice::files::input;
 
 /// Where the textures of a pack lie, by its file of shapes.
@@ -13,11 +13,11 @@ pub(super) fn texture_beside(shapes: &Path) -> PathBuf {
 
 /// Reads a pack, with its textures where they lie beside it.
 pub(super) fn read(shapes: &Path) -> Result<FaceModel> {
-    let bytes = input::bytes(shapes, MOST_BYTES as u64).context("the pack")?;
+    let bytes = input::bytes(shapes, MAX_BYTES as u64).context("the pack")?;
     let mut model = FaceModel::from_bytes(&bytes)?;
     let beside = texture_beside(shapes);
     if beside.exists() {
-        let bytes = input::bytes(&beside, MOST_BYTES as u64).context("the pack's textures")?;
+        let bytes = input::bytes(&beside, MAX_BYTES as u64).context("the pack's textures")?;
         model.add_texture(&bytes)?;
     }
     Ok(model)

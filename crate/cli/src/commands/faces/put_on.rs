@@ -4,7 +4,7 @@ use anyhow::{Context as _, Result};
 use raconteur_body::Figure;
 use raconteur_body::read::read_figure;
 use raconteur_faces::{Editor, Face, FaceModel};
-use raconteur_reshape::{Hair, Lender, Lenders, Look, NewFace, NewOrgans, Reshaper};
+use raconteur_reshape::{Hair, HairDonor, Lenders, Look, NewFace, NewOrgans, Reshaper};
 
 use crate::assets;
 
@@ -26,9 +26,9 @@ impl PutOn {
     }
 
     /// Has hair of the library lent, by its name.
-    pub(super) fn lend(&mut self, model: &FaceModel, name: &str) -> Result<()> {
+    pub(super) fn load_hair(&mut self, model: &FaceModel, name: &str) -> Result<()> {
         let glb = assets::read(&format!("hair/{name}.glb"))?;
-        let lender = Lender::new(&read_figure(name, &glb)?, model.vertices())?;
+        let lender = HairDonor::new(&read_figure(name, &glb)?, model.vertices())?;
         self.lenders.insert(name.to_owned(), lender);
         Ok(())
     }

@@ -15,12 +15,12 @@ use super::edits::Edits;
 use super::{pack, put_on::PutOn};
 use crate::Outcome;
 use crate::picture::{self, write_png};
-use crate::sheet::{self, Board, FaceView};
+use crate::sheet::{self, ContactSheet, FaceView};
 use crate::story::find_figure;
 
 /// What a sheet of faces shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Shown {
+enum FaceChoice {
     /// The face that the edits make.
     Face,
     /// Faces drawn at random.
@@ -49,7 +49,7 @@ pub(super) struct Sheet {
     output: PathBuf,
     /// What to show.
     #[arg(long, value_enum, default_value = "face")]
-    show: Shown,
+    show: FaceChoice,
     #[command(flatten)]
     edits: Edits,
     /// How many faces, of those that are drawn or of the database.
@@ -110,10 +110,10 @@ impl Sheet {
         let faces = self.faces(&editor)?;
         ensure!(!faces.is_empty(), "there is nothing to show");
         let columns = match self.show {
-            Shown::Attributes | Shown::Modes => 3 * self.view.len() as u32,
+            FaceChoice::Attributes | FaceChoice::Modes => 3 * self.view.len() as u32,
             _ => COLUMNS,
         };
-        let drawing = Drawing {
+        let drawing = SheetStyle {
             view: &self.view,
             like: &self.like,
             hair: &self.hair,
@@ -131,11 +131,11 @@ impl Sheet {
         let numbers = self.first..self.first + self.count;
         let base = self.edits.face(editor)?;
         match self.show {
-            Shown::Face => Ok(vec![(String::new(), base)]),
+            FaceChoice::Face => Ok(vec![(String::new(), base)]),
             // The edits are of every face of a row: constraints over the database (F&H 5.1.7).
-            Shown::Random | Shown::Database => numbers
+            FaceChoice::Random | FaceChoice::Database => numbers
                 .map(|number| {
-                    let mut face = if self.show == Shown::Random {
+                    let mut face = if self.show == FaceChoice::Random {
                         editor.random(number as u64)
                     } else {
                         editor.example(number)?
@@ -144,11 +144,11 @@ impl Sheet {
                     Ok((number.to_string(), face))
                 })
                 .collect(),
-            Shown::Attributes => self.attributes(editor, &base),
-            Shown::Segments => segments(editor, &base, &editor.random(self.first as u64)),
-            Shown::Ages => ages(editor, &base),
-            Shown::Ancestry => ancestry(editor, &base),
-            Shown::Modes => Ok(modes(editor, self.count)),
+            FaceChoice::Attributes => self.attributes(editor, &base),
+            FaceChoice::Segments => segments(editor, &base, &editor.random(self.first as u64)),
+            FaceChoice::Ages => ages(editor, &base),
+            FaceChoice::Ancestry => ancestry(editor, &base),
+            FaceChoice::Modes => Ok(modes(editor, self.count)),
         }
     }
 
@@ -170,7 +170,7 @@ impl Sheet {
 }
 
 /// How a sheet of faces is drawn.
-struct Drawing<'a> {
+struct SheetStyle<'a> {
     view: &'a [FaceView],
     like: &'a str,
     hair: &'a [String],
@@ -181,7 +181,7 @@ struct Drawing<'a> {
     columns: u32,
 }
 
-impl Drawing<'_> {
+impl SheetStyle<'_> {
     fn draw(&self, editor: &Editor, faces: &[Named], output: &Path) -> Result<()> {
         let mut figure = find_figure(self.like)?;
         if self.is_bald {
@@ -201,13 +201,13 @@ impl Drawing<'_> {
             .collect();
         let lent: BTreeSet<&str> = worn.iter().flatten().copied().collect();
         for name in lent.into_iter().filter(|n| !NOT_LENT.contains(n)) {
-            on.lend(editor.model(), name)?;
+            on.load_hair(editor.model(), name)?;
         }
         let bar = ProgressBar::new((faces.len() * worn.len()) as u64).with_style(
             ProgressStyle::with_template("{bar:30} {pos}/{len} faces, {eta} left")?,
         );
         let aspects = vec![1.0; faces.len() * worn.len() * self.view.len()];
-        let mut board = Board::new(&aspects, self.size, self.grid, self.columns);
+        let mut board = ContactSheet::new(&aspects, self.size, self.grid, self.columns);
         for (name, face) in faces {
             for &worn in &worn {
                 let figure = on.dressed(editor, face, worn)?;
@@ -233,7 +233,7 @@ pub(super) fn for_raters(model: &FaceModel, indices: &[usize], folder: &Path) ->
     let face = |index: &usize| Ok((index.to_string(), editor.example(*index)?));
     let faces: Vec<Named> = indices.iter().map(face).collect::<Result<_>>()?;
     let own = ["own".to_owned()];
-    let drawing = Drawing {
+    let drawing = SheetStyle {
         view: &[FaceView::Front, FaceView::ThreeQuarter],
         like: "kenji",
         hair: &own,
@@ -264,7 +264,7 @@ fn add(editor: &Editor, face: &mut Face, name: &str, amount: f64) -> Result<()> 
     for part in [Part::Shape, Part::Texture] {
         let mut all = editor.attributes(part).iter();
         if all.any(|a| a.attribute.name == name) {
-            let change = editor.attribute_change(part, name, &Region::whole())?;
+            let change = editor.attribute_change(part, name, &Region::whole_head())?;
             face.add(&change, amount);
         }
     }
@@ -295,7 +295,7 @@ fn ages(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
     let one = |to: f64| {
         let mut face = base.clone();
         for part in [Part::Shape, Part::Texture] {
-            let change = editor.change_of_years(part, [years, to], sex, &Region::whole())?;
+            let change = editor.change_of_years(part, [years, to], sex, &Region::whole_head())?;
             face.add(&change, 1.0);
         }
         Ok((format!("{to:.0} years"), face))

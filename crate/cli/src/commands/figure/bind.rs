@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use raconteur_sculpt::head::{Bound, deviations};
+use raconteur_sculpt::head::{ModelHeadShape, deviations};
 use raconteur_sculpt::model::{Model, Traits};
 use raconteur_voice::files::{disk::replace, input};
 
@@ -29,17 +29,19 @@ pub(super) struct Bind {
 }
 
 /// Largest file of traits that is read, bytes.
-pub(super) const LARGEST: u64 = 1 << 20;
+pub(super) const MAX_FILE_BYTES: u64 = 1 << 20;
 
 impl Bind {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let text = input::text(&self.traits, LARGEST).context("the traits")?;
+        let text = input::text(&self.traits, MAX_FILE_BYTES).context("the traits")?;
         let traits: Traits =
             serde_json::from_str(&text).with_context(|| self.traits.display().to_string())?;
         let model = Model::open(&self.model)?;
         replace(
             &self.output,
-            Bound::of(&model, &traits)?.to_text().as_bytes(),
+            ModelHeadShape::evaluate(&model, &traits)?
+                .to_text()
+                .as_bytes(),
         )?;
         let mut out = terminal::out();
         writeln!(

@@ -11,7 +11,7 @@ use raconteur_sculpt::model::{Detail, Model, Traits};
 use raconteur_sculpt::{build_face, examples, people};
 
 use super::bind::MODEL;
-use crate::commands::telling::{self, Telling, Told};
+use crate::commands::story_check::{self, FaceReport, StoryCheck};
 use crate::story::StoryFiles;
 use crate::{Outcome, parallel, terminal};
 
@@ -36,7 +36,7 @@ pub(super) struct Crowd {
 }
 
 /// What everyone shares.
-struct Stage {
+struct CrowdStage {
     model: Model,
     details: Vec<Detail>,
     binding: Binding,
@@ -46,8 +46,8 @@ struct Stage {
 }
 
 /// What was found of one person.
-struct Found {
-    told: Told,
+struct CrowdFinding {
+    told: FaceReport,
     evaluation: Duration,
 }
 
@@ -55,7 +55,7 @@ impl Crowd {
     pub(super) fn run(&self) -> Result<Outcome> {
         let model = Model::open(&self.model)?;
         let files = StoryFiles::read(&self.story)?;
-        let stage = Stage {
+        let stage = CrowdStage {
             details: model.details()?,
             binding: Binding::new(model.faces()),
             model,
@@ -63,8 +63,8 @@ impl Crowd {
             bundle: files.bundle(),
             seed: self.seed,
         };
-        let all = parallel::each(self.first..self.first + self.count, |index| {
-            let found = stage.look(index)?;
+        let all = parallel::map(self.first..self.first + self.count, |index| {
+            let found = stage.examine(index)?;
             let mut out = terminal::out();
             for wrong in &found.told.wrong {
                 writeln!(out, "{wrong}")?;
@@ -81,8 +81,8 @@ impl Crowd {
     }
 }
 
-impl Stage {
-    fn look(&self, index: u64) -> Result<Found> {
+impl CrowdStage {
+    fn examine(&self, index: u64) -> Result<CrowdFinding> {
         let traits = Traits::random(&self.details, self.seed, index);
         let shape = self.model.shape(&traits)?;
         // Again, with its targets read.
@@ -102,18 +102,18 @@ impl Stage {
         );
         let like = people::preset("sofia").context("a figure to start from")?;
         let built = build_face(&examples::params_of(&like, traits, bound));
-        let told = Telling {
+        let told = StoryCheck {
             text: &self.text,
             bundle: self.bundle.as_deref(),
         }
         .by(&who, built.figure, &built.annotations);
-        Ok(Found { told, evaluation })
+        Ok(CrowdFinding { told, evaluation })
     }
 }
 
-fn summary(all: &[Found]) -> Result<()> {
-    let told: Vec<&Told> = all.iter().map(|found| &found.told).collect();
-    telling::summary(&told)?;
+fn summary(all: &[CrowdFinding]) -> Result<()> {
+    let told: Vec<&FaceReport> = all.iter().map(|found| &found.told).collect();
+    story_check::summary(&told)?;
     let total: Duration = all.iter().map(|f| f.evaluation).sum();
     let mean = total.as_secs_f64() * 1e3 / all.len().max(1) as f64;
     writeln!(terminal::out(), "  evaluation of a head, mean {mean:.1} ms")?;

@@ -44,7 +44,7 @@ enum Layer {
 }
 
 impl Layer {
-    fn of(self, name: &str) -> Result<Figure> {
+    fn build(self, name: &str) -> Result<Figure> {
         let layer = match self {
             Self::Skin => return find_figure(name),
             Self::Bones => bones::Layer::Bones,
@@ -61,7 +61,7 @@ impl Layer {
 
 impl Export {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let figure = self.layer.of(&self.figure)?;
+        let figure = self.layer.build(&self.figure)?;
         let extension = self.output.extension().and_then(|e| e.to_str());
         let bytes = match extension.map(str::to_ascii_lowercase).as_deref() {
             Some("glb") => posed_glb(&figure, self.pose)?,

@@ -10,7 +10,7 @@ use raconteur_sculpt::head::{Measure, fit_measures};
 use raconteur_sculpt::model::{Model, Traits};
 use raconteur_voice::files::{disk::replace, input};
 
-use super::bind::{LARGEST, MODEL};
+use super::bind::{MAX_FILE_BYTES, MODEL};
 use crate::{Outcome, terminal};
 
 /// Bring a person's measures to the population's, or to wanted ones.
@@ -33,10 +33,10 @@ pub(super) struct Fit {
 
 impl Fit {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let text = input::text(&self.traits, LARGEST).context("the traits")?;
+        let text = input::text(&self.traits, MAX_FILE_BYTES).context("the traits")?;
         let traits: Traits =
             serde_json::from_str(&text).with_context(|| self.traits.display().to_string())?;
-        let wanted = self.wanted()?;
+        let wanted = self.targets()?;
         let (fitted, aims) = fit_measures(&Model::open(&self.model)?, &traits, &wanted)?;
         let mut json = terminal::json_lines(&fitted)?;
         json.push('\n');
@@ -61,11 +61,11 @@ impl Fit {
         Ok(Outcome::Fine)
     }
 
-    fn wanted(&self) -> Result<BTreeMap<Measure, f64>> {
+    fn targets(&self) -> Result<BTreeMap<Measure, f64>> {
         let Some(path) = &self.measures else {
             return Ok(Measure::all().map(|m| (m, 0.0)).collect());
         };
-        let text = input::text(path, LARGEST).context("the measures")?;
+        let text = input::text(path, MAX_FILE_BYTES).context("the measures")?;
         let named: BTreeMap<String, f64> =
             serde_json::from_str(&text).with_context(|| path.display().to_string())?;
         let mut wanted = BTreeMap::new();

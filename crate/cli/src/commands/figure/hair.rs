@@ -30,7 +30,7 @@ impl Hair {
             [] => all.clone(),
             some => some.iter().map(String::as_str).collect(),
         };
-        parallel::each(0..names.len() as u64, |i| {
+        parallel::map(0..names.len() as u64, |i| {
             let name = names[i as usize];
             let params = lenders::params(name).with_context(|| {
                 format!(

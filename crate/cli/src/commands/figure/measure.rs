@@ -9,8 +9,8 @@ use raconteur_body::annotation::{Annotations, annotations};
 use raconteur_body::{Figure, read::read_figure};
 use raconteur_sculpt::measure::{Reading, readings};
 use raconteur_sculpt::physique::body_readings;
-use raconteur_sculpt::yardstick::{Deviation, Yardstick, deviation};
-use raconteur_sculpt::{Built, FigureParams, people};
+use raconteur_sculpt::reference_face::{Deviation, ReferenceFace, deviation};
+use raconteur_sculpt::{AnnotatedFigure, FigureParams, people};
 use serde_json::json;
 
 use raconteur_voice::files::input;
@@ -18,8 +18,8 @@ use raconteur_voice::files::input;
 use crate::{Format, Outcome, terminal};
 
 /// The largest figure, and the largest table of measures, that is read, bytes.
-const LARGEST_FIGURE: u64 = 512 << 20;
-const LARGEST_YARDSTICK: u64 = 256 << 20;
+const MAX_FIGURE_BYTES: u64 = 512 << 20;
+const MAX_REFERENCE_BYTES: u64 = 256 << 20;
 
 /// Take a figure's measures and set them beside the population's.
 #[derive(Args)]
@@ -44,7 +44,7 @@ pub(super) struct Measure {
 impl Measure {
     pub(super) fn run(&self) -> Result<Outcome> {
         let (built, params) = self.load()?;
-        let Built {
+        let AnnotatedFigure {
             figure,
             annotations: names,
         } = &built;
@@ -88,19 +88,19 @@ impl Measure {
     }
 
     /// The figure with its names, and its parameters where it is one of the named.
-    fn load(&self) -> Result<(Built, Option<FigureParams>)> {
+    fn load(&self) -> Result<(AnnotatedFigure, Option<FigureParams>)> {
         if let Some(params) = people::preset(&self.figure) {
             let built = raconteur_sculpt::build(&params);
             return Ok((built, Some(params)));
         }
         let path = Path::new(&self.figure);
-        let glb = input::bytes(path, LARGEST_FIGURE).context("the figure")?;
+        let glb = input::bytes(path, MAX_FIGURE_BYTES).context("the figure")?;
         let name = path
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let figure = read_figure(&name, &glb).with_context(|| format!("in {}", path.display()))?;
         let annotations = annotations(&glb).with_context(|| format!("in {}", path.display()))?;
-        let built = Built {
+        let built = AnnotatedFigure {
             figure,
             annotations,
         };
@@ -109,9 +109,9 @@ impl Measure {
 }
 
 fn compare(path: &Path, figure: &Figure, names: &Annotations) -> Result<Deviation> {
-    let read = |p: &Path| input::text(p, LARGEST_YARDSTICK);
+    let read = |p: &Path| input::text(p, MAX_REFERENCE_BYTES);
     let list = path.with_file_name("vertex_indices.json");
-    let yardstick = Yardstick::read(&read(path)?, &read(&list)?)
+    let yardstick = ReferenceFace::read(&read(path)?, &read(&list)?)
         .with_context(|| format!("in {}", path.display()))?;
     deviation(figure, names, &yardstick).with_context(|| format!("against {}", path.display()))
 }

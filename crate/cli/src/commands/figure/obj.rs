@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use raconteur_body::{Figure, MaterialKind, Mesh};
 
-use crate::sheet::Posed;
+use crate::sheet::PosedFigure;
 use crate::skinning::{Skinned, skin, world_from_bind};
 
 /// The posed figure, one object for each mesh; metres, y up. Colours follow the positions
 /// (a common extension), linear RGB.
-pub(super) fn write(figure: &Figure, posed: &Posed) -> String {
+pub(super) fn write(figure: &Figure, posed: &PosedFigure) -> String {
     let matrices = world_from_bind(figure, &posed.world_from_joint);
     let mut out = format!("# {}, made by raconteur; metres, y up\n", figure.name);
     let mut first = 1;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use raconteur_sculpt::head::Bound;
+use raconteur_sculpt::head::ModelHeadShape;
 use raconteur_sculpt::model::Model;
 use raconteur_sculpt::people::{self, FigureParams};
 use serde_json::Value;
@@ -39,16 +39,16 @@ pub(super) fn preset(name: &str) -> Result<FigureParams> {
 
 /// Reads a description from a file; `model` is the body model's folder, for heads that are not in the program.
 pub(super) fn read(path: &Path, model: &Path) -> Result<FigureParams> {
-    let text = input::text(path, LARGEST as u64).context("the description")?;
+    let text = input::text(path, MAX_FILE_BYTES as u64).context("the description")?;
     parse(&text, model).with_context(|| path.display().to_string())
 }
 
 /// Largest description that is read, bytes; a full one has some 5 kB.
-const LARGEST: usize = 1 << 20;
+const MAX_FILE_BYTES: usize = 1 << 20;
 
 fn parse(text: &str, model: &Path) -> Result<FigureParams> {
-    if text.len() > LARGEST {
-        bail!("a description has at most {LARGEST} bytes");
+    if text.len() > MAX_FILE_BYTES {
+        bail!("a description has at most {MAX_FILE_BYTES} bytes");
     }
     let Value::Object(mut given) = serde_json::from_str(text)? else {
         bail!("a description is a JSON object");
@@ -67,7 +67,7 @@ fn parse(text: &str, model: &Path) -> Result<FigureParams> {
     params.head.bound = if *own == base.head.traits {
         base.head.bound
     } else {
-        Bound::of(&Model::open(model)?, own)?
+        ModelHeadShape::evaluate(&Model::open(model)?, own)?
     };
     Ok(params)
 }

@@ -13,12 +13,12 @@ use raconteur_sculpt::scan::Scan;
 use raconteur_voice::files::{disk::replace, input};
 use serde::Deserialize;
 
-use super::bind::LARGEST;
+use super::bind::MAX_FILE_BYTES;
 use super::params;
 use crate::{Outcome, terminal};
 
 /// The largest mesh that is read, bytes.
-const LARGEST_MESH: u64 = 256 << 20;
+const MAX_MESH_BYTES: u64 = 256 << 20;
 
 /// Give a head of your own our muscles, tissue, jaw, mouth and eyes.
 #[derive(Args)]
@@ -39,14 +39,14 @@ pub(super) struct Rig {
 
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Named {
+enum NamedFile {
     Vertex(usize),
     Place([f64; 3]),
 }
 
 impl Rig {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let mesh = input::text(&self.mesh, LARGEST_MESH).context("the mesh")?;
+        let mesh = input::text(&self.mesh, MAX_MESH_BYTES).context("the mesh")?;
         let scan = Scan::read(&mesh).with_context(|| self.mesh.display().to_string())?;
         let landmarks = self.landmarks(&scan)?;
         let mut params = params::preset(&self.like)?;
@@ -76,14 +76,14 @@ impl Rig {
 
     fn landmarks(&self, scan: &Scan) -> Result<Landmarks> {
         let path = self.landmarks.display();
-        let text = input::text(&self.landmarks, LARGEST).context("the landmarks")?;
-        let named: BTreeMap<String, Named> =
+        let text = input::text(&self.landmarks, MAX_FILE_BYTES).context("the landmarks")?;
+        let named: BTreeMap<String, NamedFile> =
             serde_json::from_str(&text).with_context(|| path.to_string())?;
         let mut all = Landmarks::new();
         for (name, place) in named {
             let at = match place {
-                Named::Place([x, y, z]) => Some(DVec3::new(x, y, z)),
-                Named::Vertex(v) => v.checked_sub(1).and_then(|i| scan.points.get(i)).copied(),
+                NamedFile::Place([x, y, z]) => Some(DVec3::new(x, y, z)),
+                NamedFile::Vertex(v) => v.checked_sub(1).and_then(|i| scan.points.get(i)).copied(),
             };
             let Some(at) = at.filter(|p| p.is_finite()) else {
                 bail!("{path}: {name} is no vertex of the mesh");

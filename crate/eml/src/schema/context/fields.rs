@@ -1,6 +1,6 @@
 //! The attributes of an element.
 
-use super::MOST_ATTRIBUTES;
+use super::MAX_ATTRIBUTES;
 use crate::Span;
 use crate::markup;
 use crate::schema::lookup::same;
@@ -17,7 +17,7 @@ pub(crate) struct Fields<'t> {
     pub(crate) name: Span,
     pub(in crate::schema) attributes: &'t [markup::Attribute<'t>],
     /// For each attribute of the table its index in `attributes`.
-    pub(super) slots: [u16; MOST_ATTRIBUTES],
+    pub(super) slots: [u16; MAX_ATTRIBUTES],
     /// How many attributes the element has in the table.
     pub(super) count: usize,
     /// Where in the table to look first for the next attribute.

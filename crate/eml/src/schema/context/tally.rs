@@ -1,6 +1,6 @@
 //! Counts the children of an element.
 
-use super::MOST_REQUIRED;
+use super::MAX_REQUIRED;
 use crate::schema::Element;
 
 /// What an element has had of its children so far.
@@ -9,7 +9,7 @@ pub(crate) struct Tally {
     /// The elements whose number is limited: few, so the first ones need no allocation.
     counts: [Option<(&'static Element, u32)>; 4],
     more_counts: Vec<(&'static Element, u32)>,
-    pub(super) seen: [bool; MOST_REQUIRED],
+    pub(super) seen: [bool; MAX_REQUIRED],
     pub(super) missing: usize,
 }
 
@@ -19,7 +19,7 @@ impl Tally {
             parent,
             counts: [None; 4],
             more_counts: Vec::new(),
-            seen: [false; MOST_REQUIRED],
+            seen: [false; MAX_REQUIRED],
             missing: parent.required_children.len(),
         }
     }

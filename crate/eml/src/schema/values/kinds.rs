@@ -8,7 +8,7 @@ use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
 
 /// The most numbers in one list.
-const MOST_NUMBERS: usize = 64;
+const MAX_NUMBERS: usize = 64;
 
 /// Reads a text by the kind of its attribute.
 pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
@@ -73,7 +73,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
             let mut numbers = Vec::new();
             for word in text.split_ascii_whitespace() {
                 numbers.push(number(word)?);
-                if numbers.len() > MOST_NUMBERS {
+                if numbers.len() > MAX_NUMBERS {
                     return wrong("eml::bad-number", "at most 64 numbers");
                 }
             }

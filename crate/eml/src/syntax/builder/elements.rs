@@ -1,6 +1,6 @@
 //! Opens and closes elements.
 
-use super::{Builder, DEEPEST, is_name_start};
+use super::{Builder, MAX_DEPTH, is_name_start};
 use crate::markup::NodeKind;
 use crate::schema::{self, Content, Role, same};
 use crate::suggest::quoted;
@@ -24,7 +24,7 @@ impl<'a> Builder<'a, '_, '_> {
         }
         let name = &raw[..name_len];
         if !name.starts_with(is_name_start) {
-            let span = Span::of(start, start + 1);
+            let span = Span::from_offsets(start, start + 1);
             self.error(
                 "eml::malformed",
                 span,
@@ -42,7 +42,7 @@ impl<'a> Builder<'a, '_, '_> {
                 let depth = self.stack.len();
                 self.error(
                     "eml::too-deep",
-                    Span::of(start, end),
+                    Span::from_offsets(start, end),
                     format!("nested deeper than {depth} elements; what is deeper is dropped"),
                 );
             }
@@ -82,10 +82,10 @@ impl<'a> Builder<'a, '_, '_> {
         empty: bool,
     ) {
         let kind = NodeKind::Element(schema::find(name));
-        let index = self.push(kind, name, Span::of(start, end));
+        let index = self.push(kind, name, Span::from_offsets(start, end));
         let count = self.tree.attributes.len() - first_attribute;
         let node = &mut self.tree.nodes[index as usize];
-        node.first_attribute = Span::of(first_attribute, 0).start;
+        node.first_attribute = Span::from_offsets(first_attribute, 0).start;
         node.attribute_count = u16::try_from(count).unwrap_or(u16::MAX);
         self.meet_body(index, !empty);
         if empty {
@@ -96,7 +96,7 @@ impl<'a> Builder<'a, '_, '_> {
     }
 
     fn most_depth(&self) -> usize {
-        self.limits.depth.min(DEEPEST)
+        self.limits.depth.min(MAX_DEPTH)
     }
 
     fn most_attributes(&self) -> usize {
@@ -115,7 +115,7 @@ impl<'a> Builder<'a, '_, '_> {
         let index = self.push(
             kind,
             name,
-            Span::of(start, start + 1 + raw.trim_end().len()),
+            Span::from_offsets(start, start + 1 + raw.trim_end().len()),
         );
         let raw = raw.trim_end();
         let closed = raw.ends_with("/>")
@@ -175,7 +175,7 @@ impl<'a> Builder<'a, '_, '_> {
         let Some(open) = exact.or_else(|| open.find(alike)) else {
             self.error(
                 "eml::stray-end",
-                Span::of(start, end),
+                Span::from_offsets(start, end),
                 format!("{} closes nothing", quoted(&self.source[start..end])),
             );
             return;
@@ -184,7 +184,7 @@ impl<'a> Builder<'a, '_, '_> {
             let opened = quoted(text(open));
             self.error(
                 "eml::mismatched-end",
-                Span::of(start, end),
+                Span::from_offsets(start, end),
                 format!("{} is closed as {}", opened, quoted(name)),
             );
         }
@@ -192,20 +192,20 @@ impl<'a> Builder<'a, '_, '_> {
             if top == open {
                 break;
             }
-            self.close(top, start, Some(Span::of(start, end)));
+            self.close(top, start, Some(Span::from_offsets(start, end)));
         }
-        let subtree_end = Span::of(self.tree.nodes.len(), 0).start;
+        let subtree_end = Span::from_offsets(self.tree.nodes.len(), 0).start;
         let node = &mut self.tree.nodes[open as usize];
-        node.end = Span::of(end, end).end;
+        node.end = Span::from_offsets(end, end).end;
         node.subtree_end = subtree_end;
         self.complete(open);
     }
 
     /// Closes an element that has no end tag of its own at byte `end`.
     pub(super) fn close(&mut self, open: u32, end: usize, by: Option<Span>) {
-        let subtree_end = Span::of(self.tree.nodes.len(), 0).start;
+        let subtree_end = Span::from_offsets(self.tree.nodes.len(), 0).start;
         let node = &mut self.tree.nodes[open as usize];
-        node.end = Span::of(end, end).end;
+        node.end = Span::from_offsets(end, end).end;
         node.subtree_end = subtree_end;
         if matches!(node.kind, NodeKind::Malformed) {
             return;

@@ -17,7 +17,7 @@ mod tests;
 use letters::{bare, composed};
 
 /// The most phones of a word: longer words are mimed from their beginning.
-pub(crate) const MOST_PHONES: usize = 64;
+pub(crate) const MAX_PHONES: usize = 64;
 
 /// Endings that leave the vowel before them long.
 const ENDINGS: [&str; 8] = ["e", "es", "ed", "er", "ers", "ing", "ings", "ely"];
@@ -40,7 +40,7 @@ pub(crate) struct Speller {
 
 impl Speller {
     /// For a BCP 47 tag, by its primary subtag; English where no language is known.
-    pub(crate) fn of(tag: Option<&str>) -> Self {
+    pub(crate) fn from_language_tag(tag: Option<&str>) -> Self {
         let tag = tag.unwrap_or("en").to_ascii_lowercase();
         let (primary, region) = tag.split_once(['-', '_']).unwrap_or((&tag, ""));
         let brazil = match region {
@@ -65,12 +65,12 @@ impl Speller {
         Self { rules, marked }
     }
 
-    /// The phones of a word, of the set `radio`: one or more, [`MOST_PHONES`] at most.
+    /// The phones of a word, of the set `radio`: one or more, [`MAX_PHONES`] at most.
     pub(crate) fn spell(&self, word: &str) -> Vec<&'static str> {
         let word = self.letters(word);
         let mut phones = Vec::new();
         let mut at = 0;
-        while at < word.len() && phones.len() < MOST_PHONES {
+        while at < word.len() && phones.len() < MAX_PHONES {
             let (taken, found) = self.rule_at(&word, at);
             let twice = at > 0 && word[at] == word[at - 1] && word[at].is_alphabetic();
             let doubled = twice && phones.last() == Some(&found);
@@ -79,7 +79,7 @@ impl Speller {
             }
             at += taken;
         }
-        phones.truncate(MOST_PHONES);
+        phones.truncate(MAX_PHONES);
         if phones.is_empty() {
             phones.push("ax");
         }
@@ -101,7 +101,7 @@ impl Speller {
     }
 
     /// A word in lower case, with the marks of letters that the rules know. What would
-    /// come behind [`MOST_PHONES`] is left out.
+    /// come behind [`MAX_PHONES`] is left out.
     fn letters(&self, word: &str) -> Vec<char> {
         let mut letters: Vec<char> = Vec::new();
         for c in word.chars().flat_map(char::to_lowercase) {
@@ -117,7 +117,7 @@ impl Speller {
                 _ if self.marked.contains(c) => letters.push(c),
                 _ => letters.push(bare(c)),
             }
-            if letters.len() == 4 * MOST_PHONES {
+            if letters.len() == 4 * MAX_PHONES {
                 break;
             }
         }

@@ -6,9 +6,9 @@ use raconteur_eml::{Diagnostic, thinned};
 
 use super::Player;
 use crate::lower::animations;
-use crate::lower::needs::Needs;
 use crate::lower::plan::ScriptPlan;
-use crate::play::layers::Layers;
+use crate::lower::requirements::Requirements;
+use crate::play::crossfade::ActorCrossfade;
 
 /// The animations that a player has.
 #[derive(Default)]
@@ -21,7 +21,7 @@ pub(super) struct Animations {
 impl Animations {
     /// Takes the text of an animation of the body, or of control parameters. Returns why it
     /// cannot be played, as a diagnostic's code and message.
-    fn take(
+    fn provide(
         &mut self,
         name: &str,
         text: Option<&str>,
@@ -113,13 +113,13 @@ impl Player {
             .collect();
         for &(name, text) in clips {
             let is_of_parameters = parameters.iter().any(|n| n == name);
-            match self.animations.take(name, text, is_of_parameters) {
+            match self.animations.provide(name, text, is_of_parameters) {
                 // A player of the body that plays one of this name cannot have it.
                 Ok(()) if is_of_parameters => self.animations.missing.push(name.to_owned()),
                 Ok(()) => {}
                 Err((code, message)) => {
                     self.animations.missing.push(name.to_owned());
-                    let needs = Needs::of(&self.script.document);
+                    let needs = Requirements::from_document(&self.script.document);
                     let span = needs.span(name, is_of_parameters);
                     let mut warning = Diagnostic::warning(code, span, message);
                     match text {
@@ -136,12 +136,12 @@ impl Player {
                 }
             }
         }
-        self.perform_anew();
+        self.rebuild_performance();
         thinned(diagnostics)
     }
 
     /// Times, lowers and rehearses the story again, now that more animations are known.
-    fn perform_anew(&mut self) {
+    fn rebuild_performance(&mut self) {
         self.script.retime(&self.animations.library);
         self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
         self.picture.retell(&self.score.story);
@@ -149,7 +149,7 @@ impl Player {
         let (actor, needs) = self.rehearse();
         let passed_secs = self.clock.passed_secs();
         if passed_secs < 0.0 && self.score.live.plans().next().is_none() {
-            self.layers = Layers::new(actor, needs, self.cast.morphs());
+            self.layers = ActorCrossfade::new(actor, needs, self.cast.morphs());
         } else {
             let from_secs = passed_secs.max(self.layers.last_change_secs());
             self.layers.change(from_secs.max(0.0), actor, needs);

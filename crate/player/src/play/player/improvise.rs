@@ -2,7 +2,7 @@
 
 use super::Player;
 use crate::live::cut::is_interrupt;
-use crate::live::{FragmentText, Performed, Scene};
+use crate::live::{FragmentOutcome, FragmentText, LiveContext};
 
 impl Player {
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
@@ -13,7 +13,7 @@ impl Player {
     ///
     /// The same fragments at the same times give the same frames, whatever frames are
     /// evaluated between.
-    pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
+    pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> FragmentOutcome {
         let now_secs = story_secs(now_secs);
         if is_interrupt(fragment) {
             let mut performed = self.score.live.admit_interrupt(mind, now_secs);
@@ -23,7 +23,7 @@ impl Player {
             return performed;
         }
         let base_secs = self.layers.next_change_secs(now_secs);
-        let scene = Scene {
+        let scene = LiveContext {
             cast: &self.cast,
             library: &self.animations.library,
             script: &self.script,
@@ -53,7 +53,7 @@ impl Player {
     ///
     /// Frames up to that time stay as they were.
     pub fn interrupt(&mut self, now_secs: f64) -> Option<f64> {
-        let told_secs = self.clock.told_secs();
+        let told_secs = self.clock.reported_secs();
         let now_secs = story_secs(now_secs).max(told_secs);
         let at_secs = self.layers.next_change_secs(now_secs);
         let (story, actor) = (&self.score.story, self.layers.actor());

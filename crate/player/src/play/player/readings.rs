@@ -2,13 +2,13 @@
 //! pose.
 
 use raconteur_base::{DAffine3, DVec3, Side};
-use raconteur_stage::{Angle, EmotionType, Illumination, Mood, Shot, SpeechNow};
+use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Shot};
 
 use super::{Manipulator, Player};
 
 /// How the environment expresses what is felt at a time (GEVH 3.5.4).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Expressed {
+pub struct EnvironmentExpression {
     /// The strongest emotion, where something is felt.
     pub emotion: Option<&'static EmotionType>,
     /// Its potential, 0 to 10.
@@ -30,12 +30,12 @@ pub struct Expressed {
 impl Player {
     /// How the environment expresses what is felt at a time.
     #[must_use]
-    pub fn expressed(&self, time_secs: f64) -> Expressed {
+    pub fn environment_expression(&self, time_secs: f64) -> EnvironmentExpression {
         let felt = self.feelings.strongest(time_secs, None);
-        let take = self.picture.shots().at(time_secs);
+        let take = self.picture.shots().sample(time_secs);
         let music = self.music().into_iter();
         let heard = music.filter(|cue| cue.level_at(time_secs) > 0.0);
-        Expressed {
+        EnvironmentExpression {
             emotion: felt.map(|f| f.kind),
             potential: felt.map_or(0.0, |f| f.potential),
             intensity: felt.map_or(0.0, |f| f.intensity_at(time_secs)),
@@ -49,7 +49,7 @@ impl Player {
 
     /// Lengths of the shots that emotions ask for, story seconds: when each begins and how long it
     /// stays until what is felt changes it.
-    pub(crate) fn felt_shots(&self) -> Vec<(f64, f64)> {
+    pub(crate) fn emotion_shots(&self) -> Vec<(f64, f64)> {
         let takes = self.picture.shots().later().windows(2);
         let lengths = takes.filter_map(|pair| {
             let [take, next] = pair else { return None };
@@ -62,16 +62,16 @@ impl Player {
 
     /// Whether an emotion has taken the shot that is kept from one time to another; none where the camera
     /// goes to another one.
-    pub(crate) fn kept_shot(&self, from_secs: f64, to_secs: f64) -> Option<bool> {
+    pub(crate) fn sustained_shot(&self, from_secs: f64, to_secs: f64) -> Option<bool> {
         let shots = self.picture.shots();
-        let take = shots.at(to_secs);
-        let is_kept = take == shots.at(from_secs) && !shots.moves(from_secs);
+        let take = shots.sample(to_secs);
+        let is_kept = take == shots.sample(from_secs) && !shots.moves(from_secs);
         is_kept.then_some(take.is_felt)
     }
 
     /// The utterance and word that are heard at a time; of several, the last to begin.
     #[must_use]
-    pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
+    pub fn speech_at(&self, time_secs: f64) -> Option<CurrentSpeech> {
         let (index, cue) = self.score.utterance_at(time_secs)?;
         let timed = &cue.timed;
         let words = &timed.utterance.words;
@@ -79,7 +79,7 @@ impl Player {
             .partition_point(|w| timed.story_secs(w.start_secs) <= time_secs)
             .checked_sub(1)
             .filter(|&w| time_secs < timed.story_secs(words[w].end_secs));
-        Some(SpeechNow {
+        Some(CurrentSpeech {
             utterance: index,
             offset_secs: timed.offset_secs(time_secs),
             word,

@@ -1,14 +1,14 @@
 //! What a moment shows: body and face, joints, hair, light and camera.
 
-use raconteur_actor::Report;
+use raconteur_actor::EvaluationReport;
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::Bone;
 use raconteur_eml::Scenery;
-use raconteur_stage::{Camera, Frame, Room, Set, SetKind, aside_in, pupil};
+use raconteur_stage::{Camera, Frame, FramingMargin, Set, SetKind, aside_in, pupil};
 
 use super::Player;
 use crate::play::fibres;
-use crate::play::picture::Subject;
+use crate::play::shot_director::FramedFigure;
 
 impl Player {
     /// The frame of a time, for a picture of `aspect` (width over height). Times outside
@@ -27,22 +27,22 @@ impl Player {
         // Where the script has moved the figure; the camera does not follow its sway.
         let moved = self.layers.actor().world_from_figure(time_secs);
         let stature_m = self.cast.figure.skeleton.stature_m();
-        let subject = Subject {
+        let subject = FramedFigure {
             floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
             stature_m,
         };
         let aside = self.set().aside();
         // What lies aside has as much less room at one side; few hands go as far as gestures are given room for.
         let held = aspect - 0.5 * aside_in(aspect, aside).abs();
-        let room = |rest| Room {
+        let room = |rest| FramingMargin {
             aside,
-            ..self.layers.room_at(time_secs, rest, stature_m, held)
+            ..self.layers.margin_at(time_secs, rest, stature_m, held)
         };
         self.picture.camera(time_secs, aspect, &subject, room)
     }
 
     /// The order of evaluation: time, body and face, joints, sound, picture.
-    pub(super) fn evaluate(&mut self, time_secs: f64) -> Report {
+    pub(super) fn evaluate(&mut self, time_secs: f64) -> EvaluationReport {
         let t = self.clock.shown_secs(time_secs, self.end_secs());
         self.frame.time_secs = t;
         let report = self.layers.evaluate(
@@ -73,13 +73,13 @@ impl Player {
                 let welcome = self.welcome.as_ref();
                 welcome.map_or(controls, |w| w.controls(t, &controls))
             };
-            soft.at(tissue, t, &controls, &mut self.frame.tissue);
+            soft.advance_to(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
         self.light(t);
         let arousal = self.layers.actor().arousal(t);
         self.frame.pupil_mm = pupil::diameter_mm(&self.frame.lighting, arousal, t);
-        self.frame.shown = self.picture.shown(t);
+        self.frame.shown = self.picture.visibility(t);
         self.draw_tissue();
         self.frame.handles.clear();
         self.frame.handles.extend(report.led.into_iter().flatten());
@@ -102,7 +102,7 @@ impl Player {
             figure.skeleton.solve(pose, out);
         };
         let of = (&figure.skeleton, &figure.springs);
-        sway.at(
+        sway.advance_to(
             of,
             time_secs,
             &mut posture,
@@ -138,10 +138,10 @@ impl Player {
     /// The place in which the story is told.
     fn set(&self) -> Set {
         if let Some(place) = self.place {
-            return Set::of(place);
+            return Set::from_kind(place);
         }
         let environment = self.script.document.environment.as_ref();
-        Set::of(match environment.map(|e| e.set).unwrap_or_default() {
+        Set::from_kind(match environment.map(|e| e.set).unwrap_or_default() {
             Scenery::Curtain => SetKind::Curtain,
             Scenery::Fireside => SetKind::Fireside,
             Scenery::Garden => SetKind::Garden,
@@ -154,7 +154,7 @@ impl Player {
     pub(super) fn direct(&mut self) {
         let library = &self.animations.library;
         self.feelings = self.score.feelings(library, self.end_secs());
-        self.picture.take(self.score.plans(), &self.feelings);
+        self.picture.rebuild(self.score.plans(), &self.feelings);
     }
 
     /// Lights the frame as it is at a story time.

@@ -49,7 +49,7 @@ impl<'a> Levels<'a> {
         (y / Self::HEIGHT_M).floor() as i32
     }
 
-    fn of(triangles: &'a [[DVec3; 3]]) -> Self {
+    fn from_triangles(triangles: &'a [[DVec3; 3]]) -> Self {
         let mut levels: BTreeMap<i32, Vec<&[DVec3; 3]>> = BTreeMap::new();
         for t in triangles {
             let low = t.iter().map(|p| p.y).fold(f64::MAX, f64::min);
@@ -74,9 +74,9 @@ fn a_collar_lies_against_the_neck_all_round() {
     /// What lies farther from a collar is not what it lies on, metres.
     const FAR_M: f64 = 0.1;
     for m in models() {
-        let skin = Levels::of(&m.skin);
+        let skin = Levels::from_triangles(&m.skin);
         let collar = m.clothes.parts.iter().find(|p| p.name == "collar");
-        let middle = m.field.neck_centre(m.joints.at(Bone::Cervical).y);
+        let middle = m.field.neck_centre(m.joints.position_of(Bone::Cervical).y);
         let mut round = vec![Vec::new(); SECTORS];
         for p in points_on(collar.unwrap()) {
             let turn = (ops::atan2(p.x, p.z - middle.z) / core::f64::consts::TAU).rem_euclid(1.0);
@@ -115,7 +115,7 @@ fn nothing_is_seen_from_behind_at_the_throat() {
     /// Rays of a view lie at most √(0.04² + 0.064²) from its middle, metres.
     const BEAM_M: f64 = 0.076;
     for m in models() {
-        let y = m.joints.at(Bone::Cervical).y;
+        let y = m.joints.position_of(Bone::Cervical).y;
         let middle = m.field.neck_centre(y);
         let near = |t: &[DVec3; 3]| t.iter().any(|p| p.distance(middle) < 0.2);
         let cloth: Vec<(&str, [DVec3; 3])> = m

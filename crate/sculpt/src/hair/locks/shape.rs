@@ -14,13 +14,13 @@ use crate::texture::space_noise;
 const TIED_M: f64 = 0.012;
 /// What is dropped: cards that turn by more within 12 mm (radians), that point outward by more
 /// of their length, that stand off farther (metres).
-const MOST_TURN: f64 = 0.70;
+const MAX_TURN: f64 = 0.70;
 /// Waves shorter than this are curls, metres.
 const CURL_M: f64 = 0.08;
-const MOST_OUTWARD: f64 = 0.55;
-const MOST_HEIGHT_M: f64 = 0.036;
+const MAX_OUTWARD: f64 = 0.55;
+const MAX_HEIGHT_M: f64 = 0.036;
 /// Hair that lies farther out on a shoulder is dropped, metres.
-const WIDEST_M: f64 = 0.122;
+const MAX_WIDTH_M: f64 = 0.122;
 
 impl Grower<'_> {
     /// Draws a path to its lock's, the farther from the root the more; depth stays.
@@ -77,7 +77,7 @@ impl Grower<'_> {
     }
 
     /// Where the hair ends, metres from its root; turns the ends of a hem in.
-    pub(super) fn cut(&self, path: &mut [DVec3], hair: &Hair<'_>, length: f64) -> Option<f64> {
+    pub(super) fn trim(&self, path: &mut [DVec3], hair: &Hair<'_>, length: f64) -> Option<f64> {
         let Hair { layer, root, .. } = hair;
         let dice = [3, 4].map(|k| hair.dice.unit(k));
         let step_m = self.step();
@@ -124,7 +124,7 @@ impl Grower<'_> {
             for (k, p) in path.iter_mut().enumerate() {
                 let e = ((k as f64 * step_m - cut + 0.05) / 0.05).clamp(0.0, 1.0);
                 // On a shoulder there is no room to turn in.
-                let e = e * step(0.012, 0.03, self.space.whole.at(*p));
+                let e = e * step(0.012, 0.03, self.space.whole.sample(*p));
                 *p -= self.space.hull_normal(*p) * (0.009 * e * e);
             }
         }
@@ -141,16 +141,16 @@ impl Grower<'_> {
             let (a, b) = (path[k] - path[k - 3], path[k + 3] - path[k]);
             // Curls turn by nature.
             let is_curl = self.style.wave[1] < CURL_M;
-            if !is_curl && a.angle_between(b) > MOST_TURN {
+            if !is_curl && a.angle_between(b) > MAX_TURN {
                 return false;
             }
             let p = path[k];
-            if p.x.abs() > WIDEST_M {
+            if p.x.abs() > MAX_WIDTH_M {
                 return false;
             }
             if p.y > -0.09 && k as f64 * step_m > 0.03 {
                 let out = tangent(path, k).dot(self.space.hull_normal(p));
-                if out > MOST_OUTWARD || self.space.height_without_ears(p) > MOST_HEIGHT_M {
+                if out > MAX_OUTWARD || self.space.height_without_ears(p) > MAX_HEIGHT_M {
                     return false;
                 }
             }

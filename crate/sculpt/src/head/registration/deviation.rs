@@ -6,7 +6,7 @@ use crate::head::cage::Zone;
 use crate::model::{Model, ModelError, Traits};
 use crate::person::Person;
 
-use super::Theirs;
+use super::ModelHead;
 
 /// Distances of the drawn vertices of a region from the model's surface, mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,14 +43,14 @@ fn region(zone: Zone) -> Option<&'static str> {
 pub fn deviations(model: &Model, traits: &Traits) -> Result<Vec<Deviation>, ModelError> {
     let shape = model.shape(traits)?;
     let binding = Binding::new(model.faces());
-    let theirs = Theirs::new(model, &binding, &shape);
+    let theirs = ModelHead::new(model, &binding, &shape);
     let person = Person {
         sex: traits.sex,
         age_years: traits.age_years,
         stature_m: 1.7,
         build: 0.0,
     };
-    let ours = Shape::of(&person, &binding.bind(&shape), 1.0);
+    let ours = Shape::build(&person, &binding.bind(&shape), 1.0);
     let mut zone_of = vec![None; ours.positions.len()];
     for (face, &zone) in ours.surface.faces.iter().zip(&ours.surface.zones) {
         for &v in face {

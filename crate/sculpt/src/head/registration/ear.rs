@@ -79,7 +79,7 @@ pub(super) fn places(theirs: &Surface) -> BTreeMap<(Key, Side), Place> {
     for side in Side::BOTH {
         for (ring, position, at) in LINES {
             let key = Key::Ear(ring, position);
-            if let Some(place) = seen(theirs, side, (ring, position), at) {
+            if let Some(place) = outermost(theirs, side, (ring, position), at) {
                 all.insert((key, side), place);
             }
         }
@@ -89,7 +89,12 @@ pub(super) fn places(theirs: &Surface) -> BTreeMap<(Key, Side), Place> {
 
 /// The ear's place at a point of its plane: the outermost from outside, or, behind the rim, the
 /// outermost that faces the head.
-fn seen(theirs: &Surface, side: Side, (ring, position): (u8, u8), at: [f64; 2]) -> Option<Place> {
+fn outermost(
+    theirs: &Surface,
+    side: Side,
+    (ring, position): (u8, u8),
+    at: [f64; 2],
+) -> Option<Place> {
     let normal = NORMAL.normalize();
     let back = DVec3::Y.cross(normal).normalize();
     let up = normal.cross(back);

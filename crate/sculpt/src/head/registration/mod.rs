@@ -79,12 +79,12 @@ fn mean_traits() -> Traits {
 }
 
 /// The model's head in the frame of ours, as triangles, mm.
-struct Theirs {
+struct ModelHead {
     refined: Refined,
     surface: Surface,
 }
 
-impl Theirs {
+impl ModelHead {
     fn new(model: &Model, binding: &Binding, shape: &[DVec3]) -> Self {
         let refined = refined(model.faces());
         let points = refined.points(&binding.in_frame(shape));
@@ -115,7 +115,7 @@ fn is_given(key: Key) -> bool {
 pub fn register(model: &Model) -> Result<Registration, ModelError> {
     let shape = model.shape(&mean_traits())?;
     let binding = Binding::new(model.faces());
-    let theirs = Theirs::new(model, &binding, &shape);
+    let theirs = ModelHead::new(model, &binding, &shape);
     let before = binding.bind(&shape);
     let cage = Cage::new();
     let ears = ear::places(&theirs.surface);
@@ -251,9 +251,9 @@ mod tests {
         let triangles = triangles.flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
         let theirs = Surface::new(points, triangles.collect(), REACH_MM);
         let limit = |v: usize| bulge(mean.limit_of(v, &mean.cage_points));
-        let given = |key: Key, side: Side| is_given(key).then(|| limit(cage.at(key, side)));
+        let given = |key: Key, side: Side| is_given(key).then(|| limit(cage.vertex(key, side)));
         // The places of before lie a millimetre and a half off.
-        let before = |key: Key, side: Side| Some(limit(cage.at(key, side)) + DVec3::Y * 1.5);
+        let before = |key: Key, side: Side| Some(limit(cage.vertex(key, side)) + DVec3::Y * 1.5);
         let bent = bend(&cage, &theirs, &before, &given);
         let mut errors: Vec<f64> = Vec::new();
         for (v, &(key, _)) in cage.keys.iter().enumerate() {

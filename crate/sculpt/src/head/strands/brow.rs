@@ -2,10 +2,10 @@
 
 use raconteur_base::{DVec3, Side, mirror_vector, noise, ops};
 
-use super::super::ride::Ride;
 use super::super::rig::smooth;
+use super::super::scalp_binding::ScalpBinding;
 use super::super::surface::nearest;
-use super::{BrowParams, Dice, Strand};
+use super::{BrowParams, Strand, StrandRandom};
 
 /// Middle line of the left brow on the unshifted head, mm, from its inner end; half width.
 const BROW: [[f64; 4]; 8] = [
@@ -66,7 +66,7 @@ impl BrowLine {
     }
 
     /// Catmull–Rom through the knots.
-    fn at(&self, t: f64) -> (DVec3, f64) {
+    fn sample(&self, t: f64) -> (DVec3, f64) {
         let last = self.knots.len() - 1;
         let i = (t.floor().max(0.0) as usize).min(last - 1);
         let f = t - i as f64;
@@ -89,7 +89,7 @@ impl BrowLine {
         let mut best = 0.0_f64;
         for i in 0..=56 {
             let t = f64::from(i) / 8.0;
-            let (c, w) = self.at(t);
+            let (c, w) = self.sample(t);
             // The hairs rise from their roots.
             let d = (c + DVec3::Y * (0.25 * w) - q).truncate().length() / w;
             let ends = smooth(-0.6, 1.8, t) * smooth(7.2, 5.0, t);
@@ -104,7 +104,7 @@ const LONG_HAIRS: f64 = 180.0;
 const SHORT_HAIRS: f64 = 160.0;
 
 /// The most a brow may have of both against the usual.
-const MOST_DENSITY: f64 = 1.6;
+const MAX_DENSITY: f64 = 1.6;
 
 /// By share of the brow's length: how steeply hairs stand over the brow's line, rad; how much
 /// the row that a hair is of turns it to the middle; its length, mm.
@@ -130,14 +130,14 @@ fn growth(s: f64) -> [f64; 3] {
 }
 
 /// The skin under a brow, seen from the front.
-struct Ground<'a> {
-    ride: &'a Ride,
+struct BrowSkin<'a> {
+    ride: &'a ScalpBinding,
     vertices: Vec<u32>,
     flat: Vec<DVec3>,
 }
 
-impl<'a> Ground<'a> {
-    fn new(ride: &'a Ride, side: Side) -> Self {
+impl<'a> BrowSkin<'a> {
+    fn new(ride: &'a ScalpBinding, side: Side) -> Self {
         let at = |v: u32| ride.positions[v as usize] * 1e3;
         let near = |v: &u32| {
             let p = at(*v);
@@ -181,7 +181,7 @@ impl Spread {
         let step = |i| {
             let s = (i as f64 + 0.5) / Self::STEPS as f64;
             let ends = smooth(-0.10, 0.26, s) * smooth(1.10, 0.78, s);
-            sum += line.at(7.0 * s).1 * ends;
+            sum += line.sample(7.0 * s).1 * ends;
             sum
         };
         Self {
@@ -189,7 +189,7 @@ impl Spread {
         }
     }
 
-    fn at(&self, share: f64) -> f64 {
+    fn sample(&self, share: f64) -> f64 {
         let wanted = share * self.sums.last().copied().unwrap_or_default();
         let i = self
             .sums
@@ -202,7 +202,7 @@ impl Spread {
 
 /// A brow that is about to grow.
 struct Brow<'a> {
-    ground: Ground<'a>,
+    ground: BrowSkin<'a>,
     line: &'a BrowLine,
     spread: Spread,
     side: Side,
@@ -224,16 +224,16 @@ impl Brow<'_> {
 
     /// Hair `hair`, which has its root where `share` of the hairs are farther in.
     fn strand(&self, hair: u64, share: f64, is_long: bool) -> Strand {
-        let mut dice = Dice {
+        let mut dice = StrandRandom {
             seed: self.seed ^ self.side.index() as u64,
             hair: hair + if is_long { 0 } else { 10_000 },
             next: 0,
         };
         let p = self.params;
-        let s = self.spread.at(share);
-        let (middle, width) = self.line.at(7.0 * s);
+        let s = self.spread.sample(share);
+        let (middle, width) = self.line.sample(7.0 * s);
         let width = width * p.height * (1.0 + 0.16 * self.own);
-        let along = self.line.at(7.0 * s + 0.05).0 - self.line.at(7.0 * s - 0.05).0;
+        let along = self.line.sample(7.0 * s + 0.05).0 - self.line.sample(7.0 * s - 0.05).0;
         let along = along.with_z(0.0).normalize();
         let row = (0.50 * dice.normal()).clamp(-1.25, 1.25);
         let aside = DVec3::new(-along.y, along.x, 0.0);
@@ -277,14 +277,14 @@ impl Brow<'_> {
 
 /// The hairs of a brow.
 pub(super) fn brow(
-    ride: &Ride,
+    ride: &ScalpBinding,
     line: &BrowLine,
     side: Side,
     seed: u64,
     params: &BrowParams,
 ) -> Vec<Strand> {
     let brow = Brow {
-        ground: Ground::new(ride, side),
+        ground: BrowSkin::new(ride, side),
         line,
         spread: Spread::new(line),
         side,
@@ -293,7 +293,7 @@ pub(super) fn brow(
         own: 0.5 * params.asymmetry * side.sign() * (noise::unit(seed, 91, 0) + 0.5),
     };
     let grown = |usual: f64, is_long: bool| {
-        let count = (usual * params.density.clamp(0.1, MOST_DENSITY)) as u64;
+        let count = (usual * params.density.clamp(0.1, MAX_DENSITY)) as u64;
         let brow = &brow;
         (0..count).map(move |hair| {
             // Spread evenly, and shaken.

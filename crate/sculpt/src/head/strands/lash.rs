@@ -3,7 +3,7 @@
 use raconteur_base::{DVec3, Side};
 
 use super::super::rig::smooth;
-use super::{BrowParams, Dice, Strand};
+use super::{BrowParams, Strand, StrandRandom};
 
 /// The lid that lashes grow from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ struct Edge<'a> {
 
 impl Edge<'_> {
     /// A place on it by the share of its points.
-    fn at(&self, s: f64) -> DVec3 {
+    fn sample(&self, s: f64) -> DVec3 {
         let x = s * (self.points.len() - 1) as f64;
         let i = (x.floor() as usize).min(self.points.len() - 2);
         self.points[i].lerp(self.points[i + 1], x - i as f64)
@@ -43,7 +43,7 @@ impl Edge<'_> {
     /// Where a lash of length 1 from there ends without neighbours, and the direction it
     /// leaves the lid in.
     fn growth(&self, s: f64) -> (DVec3, DVec3) {
-        let out = (self.at(s) - self.globe).normalize();
+        let out = (self.sample(s) - self.globe).normalize();
         // The inner ones lean in less than the outer ones lean out.
         let lean = s - 0.42;
         let fan = lean * if lean < 0.0 { 0.6 } else { 0.95 } * self.side.sign();
@@ -61,7 +61,7 @@ impl Edge<'_> {
 /// Where the tips of the clump meet that a lash is of, as a share of the lid.
 fn clump(s: f64, clumps: f64, seed: u64) -> f64 {
     let number = (s * clumps).floor().clamp(0.0, clumps - 1.0);
-    let mut dice = Dice {
+    let mut dice = StrandRandom {
         seed: seed ^ 78,
         hair: number as u64,
         next: 0,
@@ -89,7 +89,7 @@ pub(super) fn lashes(
     let seed = seed ^ 77 ^ (side.index() as u64 * 5000) ^ (1000 * u64::from(row == Row::Upper));
     (0..count)
         .map(|hair| {
-            let mut dice = Dice {
+            let mut dice = StrandRandom {
                 seed,
                 hair,
                 next: 0,
@@ -103,11 +103,18 @@ pub(super) fn lashes(
 }
 
 /// One lash, whose tip is drawn towards those that leave the lid at `meet`.
-fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &mut Dice) -> Strand {
+fn lash(
+    edge: &Edge<'_>,
+    s: f64,
+    meet: f64,
+    share: f64,
+    p: &BrowParams,
+    dice: &mut StrandRandom,
+) -> Strand {
     // Longest over the outer third.
     let ends = (0.40 + 0.60 * smooth(0.0, 0.68, s)) * (1.0 - 0.36 * smooth(0.82, 1.0, s));
     let length = LENGTH_MM * share * p.lash_length * ends * (0.74 + 0.36 * dice.unit());
-    let root = edge.at(s);
+    let root = edge.sample(s);
     let (own_end, leave) = edge.growth(s);
     let (their_end, _) = edge.growth(meet);
     let loose = 0.25 + 0.35 * dice.unit();
@@ -117,7 +124,7 @@ fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &m
         0.12 * dice.signed(),
         0.06 * dice.signed(),
     );
-    let together = (edge.at(meet) + their_end * length).lerp(root + own_end * length, loose);
+    let together = (edge.sample(meet) + their_end * length).lerp(root + own_end * length, loose);
     let tip = together + shaken * length;
     let out = (root - edge.globe).normalize();
     let from = root - out * 0.1;

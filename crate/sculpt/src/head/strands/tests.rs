@@ -8,15 +8,15 @@ use crate::head::{Head, build};
 use crate::people::{NAMES, preset};
 
 /// Triangles of the brows and lashes of one figure.
-const MOST_TRIANGLES: usize = 3_400;
+const MAX_TRIANGLES: usize = 3_400;
 
 /// Their vertices.
-const MOST_VERTICES: usize = 5_500;
+const MAX_VERTICES: usize = 5_500;
 
 /// How far a brow hair may stand off the skin and be sunk in it, mm; those of an old man are
 /// unruly.
-const MOST_OFF_SKIN_MM: f64 = 1.3;
-const MOST_SUNK_MM: f64 = 0.45;
+const MAX_OFF_SKIN_MM: f64 = 1.3;
+const MAX_SUNK_MM: f64 = 0.45;
 
 fn head(name: &str) -> Head {
     let p = preset(name).unwrap();
@@ -51,15 +51,15 @@ fn off_skin_mm(skin: &MeshPart, p: DVec3) -> Option<f64> {
 fn brows_and_lashes_keep_within_their_budget() {
     for name in NAMES {
         let found = triangles(&head(name));
-        assert!(found <= MOST_TRIANGLES, "{name}: {found}");
+        assert!(found <= MAX_TRIANGLES, "{name}: {found}");
     }
     let mut p = preset("sofia").unwrap();
     p.head.brow.density = 9.0;
     let densest = build(&p.person, &p.head);
     let found = triangles(&densest);
-    assert!(found <= MOST_TRIANGLES, "the densest: {found}");
+    assert!(found <= MAX_TRIANGLES, "the densest: {found}");
     let vertices: usize = hair_parts(&densest).map(|p| p.vertices.len()).sum();
-    assert!(vertices <= MOST_VERTICES, "the densest: {vertices}");
+    assert!(vertices <= MAX_VERTICES, "the densest: {vertices}");
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn hairs_of_brows_lie_on_the_skin() {
         for part in hair_parts(&head).filter(|p| p.name.starts_with("brow")) {
             for v in &part.vertices {
                 let off_mm = off_skin_mm(&head.parts[0], v.position).unwrap_or(f64::MAX);
-                let fits = (-MOST_SUNK_MM..MOST_OFF_SKIN_MM).contains(&off_mm);
+                let fits = (-MAX_SUNK_MM..MAX_OFF_SKIN_MM).contains(&off_mm);
                 assert!(fits, "{name}: {off_mm} at {}", v.position);
             }
         }

@@ -43,7 +43,7 @@ fn spine_label(y: f64, joints: &Joints) -> Weights {
     let mut out = Weights::bone(Bone::Sacroiliac);
     for bone in [Bone::Lumbar, Bone::Thoracic, Bone::Cervical] {
         let reach = if bone == Bone::Cervical { 1.5 } else { 3.5 } * CM;
-        let above = smooth((y - joints.at(bone).y + reach) / (2.0 * reach));
+        let above = smooth((y - joints.position_of(bone).y + reach) / (2.0 * reach));
         out = out.lerp(&Weights::bone(bone), above);
     }
     out

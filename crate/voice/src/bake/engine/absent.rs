@@ -3,18 +3,18 @@
 use crate::spoken::{Sentence, Spoken};
 use anyhow::Result;
 
-use super::super::program::Missing;
+use super::super::program::MissingPrograms;
 use super::{Engine, VoiceInfo};
 
 /// An engine that is missing.
-pub struct Absent {
+pub struct MissingEngine {
     /// What is missing.
-    pub missing: Missing,
+    pub missing: MissingPrograms,
     /// Whether its voices are called by their language.
     pub by_language: bool,
 }
 
-impl Engine for Absent {
+impl Engine for MissingEngine {
     fn version(&self) -> Result<String> {
         Ok("absent".to_owned())
     }

@@ -13,10 +13,10 @@ use super::matching;
 use super::wave::Wave;
 
 /// Share of the tokens that must be found.
-const LEAST_FOUND: f64 = 0.5;
+const MIN_FOUND: f64 = 0.5;
 
 /// So many unknown phones are named.
-const MOST_UNKNOWN: usize = 12;
+const MAX_UNKNOWN: usize = 12;
 
 /// Brings sound and alignment together. `tokens` are what was to be said; `phone_set` is
 /// what the phones are of where the alignment does not tell. Where there are mouth shapes
@@ -25,7 +25,7 @@ const MOST_UNKNOWN: usize = 12;
 ///
 /// # Errors
 /// When fewer than half of the tokens are among the words, or as [`labels::finish`].
-pub(super) fn spoken(
+pub(super) fn combine(
     alignment: &Alignment,
     wave: Wave,
     tokens: &[&str],
@@ -75,7 +75,7 @@ pub(super) fn unknown_phones<'a>(alignment: &'a Alignment, phone_set: &str) -> V
         if !label.is_empty() && !known(label) && !unknown.contains(&label) {
             unknown.push(label);
         }
-        if unknown.len() == MOST_UNKNOWN {
+        if unknown.len() == MAX_UNKNOWN {
             break;
         }
     }
@@ -98,7 +98,7 @@ fn tokens_of(alignment: &Alignment, tokens: &[&str]) -> Result<Vec<Option<usize>
     })?;
     let found = pairs.iter().flatten().count();
     ensure!(
-        alignment.words.is_empty() || found as f64 >= LEAST_FOUND * tokens.len() as f64,
+        alignment.words.is_empty() || found as f64 >= MIN_FOUND * tokens.len() as f64,
         "it has {} words, of which {found} are among the {} of the text",
         heard.len(),
         tokens.len()
@@ -275,7 +275,7 @@ mod tests {
     #[test]
     fn phones_find_tokens_through_words() {
         let alignment = read(Format::MaryXml, MARY.as_bytes()).unwrap();
-        let spoken = spoken(&alignment, silence(0.7), &["Hullo", "you"], "sampa").unwrap();
+        let spoken = combine(&alignment, silence(0.7), &["Hullo", "you"], "sampa").unwrap();
         let tokens: Vec<Option<usize>> = spoken.segments.iter().map(|s| s.token).collect();
         let expected = [Some(0), Some(0), Some(0), Some(1), Some(1), None];
         assert_eq!(tokens, expected);
@@ -286,7 +286,7 @@ mod tests {
         );
         assert_eq!(spoken.breaks, [(1, "L-L%".to_owned())]);
         assert!(
-            super::spoken(
+            combine(
                 &alignment,
                 silence(0.7),
                 &["a", "b", "c", "d", "e"],
@@ -311,7 +311,7 @@ mod tests {
             read(Format::TextGrid, text.as_bytes()).unwrap()
         };
         let rows = |alignment: &Alignment| {
-            let spoken = spoken(alignment, silence(0.6), &["you", "raise"], "radio").unwrap();
+            let spoken = combine(alignment, silence(0.6), &["you", "raise"], "radio").unwrap();
             let rows = spoken.segments.iter().filter(|s| !s.is_silent());
             let rows = rows.map(|s| phones::find(&spoken.phone_set, &s.symbol).unwrap().name);
             rows.collect::<Vec<_>>()
@@ -330,7 +330,7 @@ mod tests {
     fn a_sign_is_spelled_as_it_is_read() {
         let vtt = "WEBVTT\n\n00:00.000 --> 00:00.300\nup\n\n00:00.300 --> 00:00.600\n&\n";
         let alignment = read(Format::WebVtt, vtt.as_bytes()).unwrap();
-        let spoken = spoken(&alignment, silence(0.6), &["Up", "and"], "radio").unwrap();
+        let spoken = combine(&alignment, silence(0.6), &["Up", "and"], "radio").unwrap();
         let own = spoken.segments.iter().filter(|s| s.token == Some(1));
         let symbols: Vec<&str> = own.map(|s| s.symbol.as_str()).collect();
         assert_eq!(symbols, ["ae", "n", "d"]);
@@ -364,7 +364,7 @@ mod tests {
     fn words_alone_are_spelled() {
         let vtt = "WEBVTT\n\n00:00.100 --> 00:00.500\nmap\n\n00:00.500 --> 00:00.900\n25\n";
         let alignment = read(Format::WebVtt, vtt.as_bytes()).unwrap();
-        let spoken = spoken(&alignment, silence(1.0), &["Map", "25"], "radio").unwrap();
+        let spoken = combine(&alignment, silence(1.0), &["Map", "25"], "radio").unwrap();
         let told: Vec<(&str, Option<usize>)> = spoken
             .segments
             .iter()

@@ -6,18 +6,18 @@ mod voices;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result};
 
-pub use super::espeak_events::{Event, Synthesis, What};
+pub use super::espeak_events::{Event, EventKind, Synthesis};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
 use super::{Engine, VoiceInfo, matching, punctuation};
 use crate::ipa::{self, Set};
-pub use traced::{Traced, named};
+pub use traced::{TracedText, named};
 
 /// Loudest sample of a closure. *Designed*: a hundredth of the usual level.
 const QUIET: u16 = 100;
 
 /// Longest closure, seconds. *Designed*.
-const LONGEST_CLOSURE_SECS: f64 = 0.12;
+const MAX_CLOSURE_SECS: f64 = 0.12;
 
 /// Where espeak-ng runs.
 pub trait Host: Send + Sync {
@@ -44,7 +44,7 @@ pub trait Host: Send + Sync {
     ///
     /// # Errors
     /// When it has no such voice, or when it fails.
-    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>>;
+    fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>>;
 }
 
 /// espeak-ng.
@@ -69,14 +69,14 @@ impl<H: Host> Engine for Espeak<H> {
         let voice = &voice.replacen(base, &voices::file_of(base), 1);
         let mut texts = Vec::with_capacity(sentences.len());
         for sentence in sentences {
-            texts.push(Text::of(sentence, set)?);
+            texts.push(Text::from_sentence(sentence, set)?);
         }
         let written: Vec<String> = texts.iter().map(|t| t.written.clone()).collect();
-        let said = self.0.say(voice, &written)?;
+        let said = self.0.speak(voice, &written)?;
         texts
             .iter()
             .zip(said)
-            .map(|(text, said)| text.spoken(&said, &self.0, voice, set))
+            .map(|(text, said)| text.to_spoken(&said, &self.0, voice, set))
             .collect()
     }
 }
@@ -109,7 +109,7 @@ struct Text {
 
 impl Text {
     /// Puts tokens together. Brackets, with which phones could be written, are left out.
-    fn of(sentence: &Sentence, set: Set) -> Result<Self> {
+    fn from_sentence(sentence: &Sentence, set: Set) -> Result<Self> {
         let mut text = Self::default();
         let mut length = 0;
         for (t, token) in sentence.tokens.iter().enumerate() {
@@ -137,13 +137,19 @@ impl Text {
         Some(self.starts.get(after.checked_sub(1)?)?.1)
     }
 
-    fn spoken(&self, said: &Synthesis, host: &dyn Host, voice: &str, set: Set) -> Result<Spoken> {
+    fn to_spoken(
+        &self,
+        said: &Synthesis,
+        host: &dyn Host,
+        voice: &str,
+        set: Set,
+    ) -> Result<Spoken> {
         let rate_hz = f64::from(said.rate_hz);
         if said.samples.is_empty() || self.starts.is_empty() {
             return Ok(labels::nothing(rate_hz, phone_set(set)));
         }
         let mut labels = self.labels(said);
-        self.part(&mut labels, host, voice, set)?;
+        self.split_shared_phones(&mut labels, host, voice, set)?;
         syllables(&mut labels, &said.marked, set)?;
         let wave = Wave {
             samples: said
@@ -163,13 +169,13 @@ impl Text {
         let (mut token, mut word) = (None, None);
         for Event { sample, what } in &said.events {
             match what {
-                What::Word(position) => {
+                EventKind::Word(position) => {
                     token = self.token(*position);
                     word = Some(*sample);
                 }
                 // A change of language within a sentence.
-                What::Phone(symbol) if symbol.starts_with('(') => {}
-                What::Phone(symbol) => {
+                EventKind::Phone(symbol) if symbol.starts_with('(') => {}
+                EventKind::Phone(symbol) => {
                     // A stop's event is its burst; that of its word comes before its closure.
                     starts.push(word.take().unwrap_or(*sample));
                     labels.phones.push(Phone {
@@ -179,7 +185,7 @@ impl Text {
                         ..Phone::default()
                     });
                 }
-                What::End => {
+                EventKind::End => {
                     if let Some(last) = token
                         && labels.breaks.last().is_none_or(|b| b.0 < last)
                     {
@@ -200,7 +206,13 @@ impl Text {
 
     /// Gives tokens their phones that the library reads together with the token before
     /// (*of a*, *on the*): as it says them alone tells where they part.
-    fn part(&self, labels: &mut Labels, host: &dyn Host, voice: &str, set: Set) -> Result<()> {
+    fn split_shared_phones(
+        &self,
+        labels: &mut Labels,
+        host: &dyn Host,
+        voice: &str,
+        set: Set,
+    ) -> Result<()> {
         let tokens: Vec<usize> = self.starts.iter().map(|s| s.1).collect();
         let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
         let mut at = 0;
@@ -211,7 +223,7 @@ impl Text {
                 .count();
             if silent > 0 && has(labels, tokens[at]) {
                 let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
-                let said = host.say(voice, &words)?;
+                let said = host.speak(voice, &words)?;
                 let known: Vec<(usize, String)> = said
                     .iter()
                     .enumerate()
@@ -263,7 +275,7 @@ fn share(starts: &mut [usize], phones: &[Phone]) {
 /// some 40 ms before it (*measured*: vowels sound until 39 ms before the event of a
 /// voiceless stop) would belong to the phone before.
 fn closures(starts: &mut [usize], phones: &[Phone], samples: &[i16], rate_hz: u32) {
-    let longest = (LONGEST_CLOSURE_SECS * f64::from(rate_hz)) as usize;
+    let longest = (MAX_CLOSURE_SECS * f64::from(rate_hz)) as usize;
     for i in 1..starts.len().min(phones.len()) {
         let stop = phones[i]
             .symbol
@@ -355,7 +367,7 @@ fn readable(text: &str) -> String {
             // Combining marks are letters' parts.
             c.is_alphanumeric() || "'-.%&+@€$£°/".contains(*c) || ('\u{300}'..'\u{370}').contains(c)
         })
-        .take(super::MOST_CHARACTERS)
+        .take(super::MAX_CHARACTERS)
         .collect();
     if kept
         .chars()

@@ -2,7 +2,7 @@
 
 /// What happens at a moment of the sound.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum What {
+pub enum EventKind {
     /// A word begins, at this character of the text, counted from 1.
     Word(usize),
     /// A phone begins: its mnemonic, with marks of stress.
@@ -17,7 +17,7 @@ pub struct Event {
     /// Samples from the start.
     pub sample: usize,
     /// What happens then.
-    pub what: What,
+    pub what: EventKind,
 }
 
 /// What was said.

@@ -18,8 +18,8 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use anyhow::{Context as _, Result, ensure};
 use libloading::Library;
 
-use super::super::program::Missing;
-use super::espeak::{Event, Host, Synthesis, What};
+use super::super::program::MissingPrograms;
+use super::espeak::{Event, EventKind, Host, Synthesis};
 
 /// What the library may be called.
 const NAMES: [&str; 5] = [
@@ -43,7 +43,7 @@ const PHONEME_MODE: c_int = (SEPARATOR as c_int) << 8;
 const SEPARATOR: u8 = 1;
 
 /// Most clauses that one text may have.
-const MOST_CLAUSES: usize = 1_000;
+const MAX_CLAUSES: usize = 1_000;
 
 const EVENT_LIST_TERMINATED: c_int = 0;
 const EVENT_WORD: c_int = 1;
@@ -51,7 +51,7 @@ const EVENT_END: c_int = 5;
 const EVENT_PHONEME: c_int = 7;
 
 /// Most samples that one text may become: ten minutes at 22,050 Hz.
-const MOST_SAMPLES: usize = 600 * 22_050;
+const MAX_SAMPLES: usize = 600 * 22_050;
 
 /// `espeak_EVENT`.
 #[repr(C)]
@@ -128,7 +128,7 @@ impl Espeak {
             .iter()
             // SAFETY: loading runs the library's initialisers, as any program linked to it does.
             .find_map(|name| unsafe { Library::new(name) }.ok())
-            .ok_or_else(|| Missing::one("libespeak-ng", "libespeak-ng1 espeak-ng-data"))?;
+            .ok_or_else(|| MissingPrograms::one("libespeak-ng", "libespeak-ng1 espeak-ng-data"))?;
         let told = "libespeak-ng is not as it should be";
         // SAFETY: the types are those that `speak_lib.h` declares for these names, and the
         // library lives as long as the functions.
@@ -173,7 +173,9 @@ impl Espeak {
         u32::try_from(rate_hz)
             .ok()
             .filter(|r| *r > 0)
-            .ok_or_else(|| Missing::one("the data of libespeak-ng", "espeak-ng-data").into())
+            .ok_or_else(|| {
+                MissingPrograms::one("the data of libespeak-ng", "espeak-ng-data").into()
+            })
     }
 
     /// Version and folder of data.
@@ -209,7 +211,7 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
         if !wave.is_null()
             && let Ok(count) = usize::try_from(count)
         {
-            if said.samples.len() + count > MOST_SAMPLES {
+            if said.samples.len() + count > MAX_SAMPLES {
                 return stop;
             }
             // SAFETY: the library gives `count` samples at `wave`.
@@ -222,7 +224,7 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
             let event = unsafe { &*at };
             let what = match event.kind {
                 EVENT_LIST_TERMINATED => break,
-                EVENT_WORD => Some(What::Word(
+                EVENT_WORD => Some(EventKind::Word(
                     usize::try_from(event.text_position).unwrap_or(0),
                 )),
                 EVENT_PHONEME => {
@@ -231,11 +233,11 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
                     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
                     let name = String::from_utf8_lossy(&bytes[..end]);
                     // Since 1.52 with a mark of stress.
-                    Some(What::Phone(
+                    Some(EventKind::Phone(
                         name.trim().trim_start_matches(['\'', ',']).to_owned(),
                     ))
                 }
-                EVENT_END => Some(What::End),
+                EVENT_END => Some(EventKind::End),
                 _ => None,
             };
             said.events.extend(what.map(|what| Event {
@@ -298,12 +300,12 @@ impl Host for Installed {
     }
 
     /// The library begins anew for every text, so that none sounds different after another.
-    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
+    fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
         let name = CString::new(voice).context("the name of the voice")?;
         let mut out = Vec::with_capacity(texts.len());
         for text in texts {
             let text = CString::new(text.as_str()).context("the text")?;
-            out.push(with(|espeak| say_one(espeak, &name, &text))?);
+            out.push(with(|espeak| speak_one(espeak, &name, &text))?);
         }
         Ok(out)
     }
@@ -331,7 +333,7 @@ fn about() -> Result<(String, PathBuf)> {
     Ok(ABOUT.get_or_init(|| about).clone())
 }
 
-fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
+fn speak_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
     SAID.with(|said| said.replace(Synthesis::default()));
     // SAFETY: the strings end in 0 and live until the calls return; the size counts the 0;
     // the callback is a function. Mode "synchronous" does all work before it returns.
@@ -374,7 +376,7 @@ fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
 unsafe fn marked(espeak: &Espeak, text: &CStr) -> Vec<String> {
     let mut rest: *const c_void = text.as_ptr().cast();
     let mut out = Vec::new();
-    for _ in 0..MOST_CLAUSES {
+    for _ in 0..MAX_CLAUSES {
         if rest.is_null() {
             break;
         }

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use super::super::program::Missing;
+use super::super::program::MissingPrograms;
 use super::espeak::{Host, Synthesis};
 
 /// The library, which is not here.
@@ -21,11 +21,11 @@ impl Host for Installed {
         Err(missing())
     }
 
-    fn say(&self, _voice: &str, _texts: &[String]) -> Result<Vec<Synthesis>> {
+    fn speak(&self, _voice: &str, _texts: &[String]) -> Result<Vec<Synthesis>> {
         Err(missing())
     }
 }
 
 fn missing() -> anyhow::Error {
-    Missing::one("espeak-ng", "libespeak-ng1").into()
+    MissingPrograms::one("espeak-ng", "libespeak-ng1").into()
 }

@@ -6,7 +6,7 @@ use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Error, Result, bail, ensure};
 
-use super::super::program::{Missing, Program};
+use super::super::program::{MissingPrograms, Program};
 use super::labels::{self, Labels, Phone};
 use super::{Engine, VoiceInfo, scheme, wave};
 use crate::ipa::Set;
@@ -48,7 +48,7 @@ impl Engine for Festival {
         let folder = tempfile::tempdir().context("making a folder for the engine")?;
         let voices = voices(&run(scheme::VOICES, &folder)?);
         if voices.is_empty() {
-            return Err(Missing::one("a voice of festival", "festvox-us-slt-hts").into());
+            return Err(MissingPrograms::one("a voice of festival", "festvox-us-slt-hts").into());
         }
         Ok(voices)
     }

@@ -142,11 +142,11 @@ impl<H: Host> Engine for Flite<H> {
         sentences
             .iter()
             .map(|sentence| {
-                let text = Text::of(sentence)?;
+                let text = Text::from_sentence(sentence)?;
                 if text.words.is_empty() {
                     return Ok(labels::nothing(*rate_hz, "radio"));
                 }
-                text.spoken(&self.0, voice, *lag_secs)
+                text.to_spoken(&self.0, voice, *lag_secs)
             })
             .collect()
     }
@@ -164,7 +164,7 @@ struct Text {
 }
 
 impl Text {
-    fn of(sentence: &Sentence) -> Result<Self> {
+    fn from_sentence(sentence: &Sentence) -> Result<Self> {
         let mut text = Self::default();
         for (t, token) in sentence.tokens.iter().enumerate() {
             let word = match &token.ipa {
@@ -200,7 +200,7 @@ impl Text {
         Ok(text)
     }
 
-    fn spoken(&self, host: &dyn Host, voice: &str, lag_secs: f64) -> Result<Spoken> {
+    fn to_spoken(&self, host: &dyn Host, voice: &str, lag_secs: f64) -> Result<Spoken> {
         let Output {
             printed: timed,
             wave: sound,
@@ -384,7 +384,7 @@ mod tests {
             tokens: vec![token],
             ..Sentence::default()
         };
-        let text = Text::of(&sentence).unwrap();
+        let text = Text::from_sentence(&sentence).unwrap();
         assert_eq!(text.lexicon, "raconteuriba nil : t ax0 m aa1 t ow0\n");
         assert_eq!(text.words, [(0, "raconteuriba".to_owned())]);
     }

@@ -13,10 +13,10 @@ const CONNECT: Duration = Duration::from_secs(5);
 const LIMIT: Duration = Duration::from_secs(120);
 
 /// Most bytes of a reply.
-const MOST_BYTES: u64 = 256 << 20;
+const MAX_BYTES: u64 = 256 << 20;
 
 /// Most bytes before its body.
-const MOST_HEADER: usize = 64 << 10;
+const MAX_HEADER: usize = 64 << 10;
 
 /// What stands by its code in a value: all but the unreserved characters (RFC 3986, section 2.3).
 const CODED: &AsciiSet = &NON_ALPHANUMERIC
@@ -35,7 +35,7 @@ pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<V
     let agent: Agent = Agent::config_builder()
         .timeout_connect(Some(CONNECT))
         .timeout_global(Some(LIMIT))
-        .max_response_header_size(MOST_HEADER)
+        .max_response_header_size(MAX_HEADER)
         .max_redirects(0)
         .max_redirects_will_error(false)
         .http_status_as_error(false)
@@ -57,7 +57,7 @@ pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<V
     let body = reply
         .body_mut()
         .with_config()
-        .limit(MOST_BYTES)
+        .limit(MAX_BYTES)
         .read_to_vec()
         .with_context(told)?;
     if status != 200 {

@@ -35,7 +35,7 @@ const FEELING: f64 = 0.4;
 /// A mark of punctuation that lasts longer is heard as a pause, seconds. *Designed*.
 const PAUSE_SECS: f64 = 0.04;
 /// Most letters that it is given at a time; the network takes 510.
-const MOST_LETTERS: usize = 400;
+const MAX_LETTERS: usize = 400;
 
 /// Where it runs.
 pub trait Host: Send + Sync {
@@ -101,14 +101,17 @@ impl<H: Host> Engine for Kokoro<H> {
     }
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
-        sentences.iter().map(|s| self.say(voice, s)).collect()
+        sentences
+            .iter()
+            .map(|s| self.speak_sentence(voice, s))
+            .collect()
     }
 }
 
 impl<H: Host> Kokoro<H> {
-    fn say(&self, voice: &str, sentence: &Sentence) -> Result<Spoken> {
-        let tongue = Tongue::of(voice)?;
-        let text = Text::of(sentence, tongue, &self.0)?;
+    fn speak_sentence(&self, voice: &str, sentence: &Sentence) -> Result<Spoken> {
+        let tongue = SpokenLanguage::from_voice(voice)?;
+        let text = Text::from_sentence(sentence, tongue, &self.0)?;
         if text.marks.iter().all(|m| m.token.is_none()) {
             return Ok(labels::nothing(RATE_HZ, tongue.phone_set));
         }
@@ -116,7 +119,7 @@ impl<H: Host> Kokoro<H> {
         for part in text.parts() {
             let marks = &text.marks[part];
             let letters: String = marks.iter().map(|m| m.letter).collect();
-            let mut spoken = spoken(
+            let mut spoken = to_spoken(
                 marks,
                 tongue,
                 &self.0.infer(voice, &letters, sentence.pace * OWN_PACE)?,
@@ -133,7 +136,7 @@ impl<H: Host> Kokoro<H> {
 
 /// What a voice speaks.
 #[derive(Clone, Copy, Debug)]
-struct Tongue {
+struct SpokenLanguage {
     /// The first letter of the names of its voices.
     letter: char,
     /// A tag of BCP 47.
@@ -144,22 +147,22 @@ struct Tongue {
     espeak: Option<&'static str>,
 }
 
-const TONGUES: [Tongue; 3] = [
-    Tongue {
+const TONGUES: [SpokenLanguage; 3] = [
+    SpokenLanguage {
         letter: 'a',
         tag: "en-US",
         phone_set: "radio",
         set: Set::Radio,
         espeak: None,
     },
-    Tongue {
+    SpokenLanguage {
         letter: 'b',
         tag: "en-GB",
         phone_set: "radio",
         set: Set::Radio,
         espeak: None,
     },
-    Tongue {
+    SpokenLanguage {
         letter: 'p',
         tag: "pt-BR",
         phone_set: "espeak-pt",
@@ -168,8 +171,8 @@ const TONGUES: [Tongue; 3] = [
     },
 ];
 
-impl Tongue {
-    fn of(voice: &str) -> Result<Self> {
+impl SpokenLanguage {
+    fn from_voice(voice: &str) -> Result<Self> {
         let found = TONGUES.iter().find(|t| voice.starts_with(t.letter));
         found
             .copied()
@@ -185,7 +188,7 @@ pub(in crate::bake) fn is_name(name: &str) -> bool {
 
 /// What a voice's name tells: language, sex, speaker.
 fn info(name: &str) -> Option<VoiceInfo> {
-    let tongue = Tongue::of(name).ok()?;
+    let tongue = SpokenLanguage::from_voice(name).ok()?;
     let gender = match name.chars().nth(1)? {
         'f' => Gender::Female,
         'm' => Gender::Male,
@@ -216,7 +219,7 @@ struct Text {
 }
 
 impl Text {
-    fn of(sentence: &Sentence, tongue: Tongue, host: &dyn Host) -> Result<Self> {
+    fn from_sentence(sentence: &Sentence, tongue: SpokenLanguage, host: &dyn Host) -> Result<Self> {
         let mut marks: Vec<Mark> = Vec::new();
         let between = |letter| Mark {
             letter,
@@ -255,15 +258,15 @@ impl Text {
     fn parts(&self) -> Vec<Range<usize>> {
         let mut out = Vec::new();
         let mut from = 0;
-        while self.marks.len() - from > MOST_LETTERS {
-            let most = &self.marks[from..from + MOST_LETTERS];
+        while self.marks.len() - from > MAX_LETTERS {
+            let most = &self.marks[from..from + MAX_LETTERS];
             let after = |found: fn(char) -> bool| {
                 let at = most.iter().rposition(|m| found(m.letter));
                 at.map(|at| at + 1).filter(|length| *length > 1)
             };
             let length = after(|c| ",.;:!?".contains(c))
                 .or_else(|| after(|c| c == ' '))
-                .unwrap_or(MOST_LETTERS);
+                .unwrap_or(MAX_LETTERS);
             out.push(from..from + length);
             from += length;
         }
@@ -273,7 +276,7 @@ impl Text {
 }
 
 /// Letters with their sound.
-fn spoken(marks: &[Mark], tongue: Tongue, out: &Output) -> Result<Spoken> {
+fn to_spoken(marks: &[Mark], tongue: SpokenLanguage, out: &Output) -> Result<Spoken> {
     ensure!(
         out.frames.len() == marks.len() + 2,
         "the network told of {} letters and was given {}",
@@ -299,7 +302,7 @@ fn spoken(marks: &[Mark], tongue: Tongue, out: &Output) -> Result<Spoken> {
 }
 
 /// The phones of letters whose ends are known.
-fn labels_of(marks: &[Mark], tongue: Tongue, start: f64, ends: &[f64]) -> Labels {
+fn labels_of(marks: &[Mark], tongue: SpokenLanguage, start: f64, ends: &[f64]) -> Labels {
     let mut labels = Labels::default();
     if start > 0.0 {
         labels.phones.push(Phone {

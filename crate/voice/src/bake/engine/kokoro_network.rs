@@ -17,7 +17,7 @@ use ort::value::Tensor;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::super::program::{Missing, Program};
+use super::super::program::{MissingPrograms, Program};
 use super::flite::{self, Host as _};
 use super::kokoro::{Host, Output};
 use super::labels::is_silence;
@@ -48,7 +48,7 @@ const STYLE: usize = 256;
 static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 
 /// Looks for Kokoro in this folder; the first that is named counts.
-pub fn look_in(folder: PathBuf) {
+pub fn add_folder(folder: PathBuf) {
     FOLDER.get_or_init(|| folder);
 }
 
@@ -88,7 +88,9 @@ fn folder() -> Result<&'static Path> {
         parts.iter().all(|part| folder.join(part).is_file())
     });
     let folder = folder.ok_or_else(|| {
-        Missing::other("Kokoro's voice is not here; `npm run voice` fetches it".to_owned())
+        MissingPrograms::without_package(
+            "Kokoro's voice is not here; `npm run voice` fetches it".to_owned(),
+        )
     })?;
     Ok(folder)
 }
@@ -100,7 +102,7 @@ fn json<T: DeserializeOwned>(name: &str) -> Result<T> {
 }
 
 /// Its errors hold what threads do not share.
-fn told(error: impl core::fmt::Display) -> anyhow::Error {
+fn sync_error(error: impl core::fmt::Display) -> anyhow::Error {
     anyhow!("ONNX Runtime: {error}")
 }
 
@@ -112,21 +114,21 @@ impl Speaker {
         }
         let Letters { vocab } = json("vocab.json")?;
         let dictionaries = DICTIONARIES.into_iter().map(json);
-        let runtime = ort::init_from(folder()?.join(RUNTIME)).map_err(told)?;
+        let runtime = ort::init_from(folder()?.join(RUNTIME)).map_err(sync_error)?;
         Ok(Self {
             tokens: vocab,
             dictionaries: dictionaries.collect::<Result<_>>()?,
-            environment: runtime.with_telemetry(false).build().map_err(told)?,
+            environment: runtime.with_telemetry(false).build().map_err(sync_error)?,
         })
     }
 
     fn session(&self) -> Result<Session> {
-        let builder = Session::builder(&self.environment).map_err(told)?;
-        let builder = builder.with_intra_threads(1).map_err(told)?;
-        let mut builder = builder.with_inter_threads(1).map_err(told)?;
+        let builder = Session::builder(&self.environment).map_err(sync_error)?;
+        let builder = builder.with_intra_threads(1).map_err(sync_error)?;
+        let mut builder = builder.with_inter_threads(1).map_err(sync_error)?;
         builder
             .commit_from_file(folder()?.join(MODEL))
-            .map_err(told)
+            .map_err(sync_error)
     }
 }
 
@@ -174,18 +176,18 @@ impl Installed {
         style: &[f32],
         pace: f64,
     ) -> Result<Output> {
-        let tokens = Tensor::from_array(([1, tokens.len()], tokens)).map_err(told)?;
-        let style = Tensor::from_array(([1, STYLE], style.to_vec())).map_err(told)?;
-        let speed = Tensor::from_array(([1_usize], vec![pace as f32])).map_err(told)?;
+        let tokens = Tensor::from_array(([1, tokens.len()], tokens)).map_err(sync_error)?;
+        let style = Tensor::from_array(([1, STYLE], style.to_vec())).map_err(sync_error)?;
+        let speed = Tensor::from_array(([1_usize], vec![pace as f32])).map_err(sync_error)?;
         let inputs = ort::inputs!["tokens" => tokens, "style" => style, "speed" => speed];
-        let outputs = session.run(inputs).map_err(told)?;
+        let outputs = session.run(inputs).map_err(sync_error)?;
         let numbers = |name: &str| -> Result<Vec<f32>> {
             let output = outputs.get(name).with_context(|| {
                 format!(
                     "the model has no output {name}: it is not the one that `npm run voice` fetches"
                 )
             })?;
-            let (_, numbers) = output.try_extract_tensor::<f32>().map_err(told)?;
+            let (_, numbers) = output.try_extract_tensor::<f32>().map_err(sync_error)?;
             Ok(numbers.to_vec())
         };
         Ok(Output {

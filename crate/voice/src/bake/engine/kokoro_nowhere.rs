@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use super::super::program::Missing;
+use super::super::program::MissingPrograms;
 use super::kokoro::{Host, Output};
 
 /// The network, which is not here.
@@ -32,5 +32,5 @@ impl Host for Installed {
 }
 
 fn missing() -> anyhow::Error {
-    Missing::other("Kokoro does not run here".to_owned()).into()
+    MissingPrograms::without_package("Kokoro does not run here".to_owned()).into()
 }

@@ -8,7 +8,7 @@ use crate::spoken::{Segment, Spoken, SpokenSyllable};
 use raconteur_speech::bundle::SILENCE;
 
 /// Phones shorter than this are no phones, seconds. *Designed*: no glottal pulse fits.
-const SHORTEST_SECS: f64 = 0.0005;
+const MIN_SECS: f64 = 0.0005;
 
 /// One phone as an engine tells of it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,7 +94,7 @@ pub(super) fn finish(
         );
         told_secs = phone.end_secs;
         let next_secs = (told_secs + lag_secs).clamp(end_secs, sound_secs.max(end_secs));
-        if next_secs - end_secs < SHORTEST_SECS {
+        if next_secs - end_secs < MIN_SECS {
             continue;
         }
         end_secs = next_secs;

@@ -14,7 +14,7 @@ use raconteur_speech::bundle::SILENCE;
 
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
-pub(super) use spread::Said;
+pub(super) use spread::SpokenUnit;
 use spread::{Pause, Words};
 
 /// Time between levels, and the window of each, seconds.
@@ -27,9 +27,9 @@ const RANGE_DB: f64 = 30.0;
 /// How far over the noise of the room speech is, decibels.
 const OVER_NOISE_DB: f64 = 8.0;
 /// Quiet shorter than this is within speech (the closure of a p), seconds.
-const SHORTEST_QUIET_SECS: f64 = 0.12;
+const MIN_QUIET_SECS: f64 = 0.12;
 /// Sound shorter than this is a click, seconds.
-const SHORTEST_SOUND_SECS: f64 = 0.05;
+const MIN_SOUND_SECS: f64 = 0.05;
 /// Least fall and rise between two syllables, decibels.
 const DIP_DB: f64 = 3.0;
 /// How far under a syllable's peak its vowel reaches, decibels.
@@ -57,7 +57,7 @@ struct Peak {
 ///
 /// # Errors
 /// When nothing is heard.
-pub(super) fn spoken(wave: Wave, tokens: &[Said<'_>]) -> Result<Spoken> {
+pub(super) fn align_by_loudness(wave: Wave, tokens: &[SpokenUnit<'_>]) -> Result<Spoken> {
     let level = intensity(&wave.samples, wave.rate_hz, STEP_SECS, WINDOW_SECS);
     let mut sorted = level.db.clone();
     sorted.sort_by(f64::total_cmp);
@@ -124,11 +124,11 @@ fn stretches(level: &Intensity, least_db: f64) -> Vec<(usize, usize)> {
         .filter(|(_, db)| **db >= least_db)
     {
         match out.last_mut() {
-            Some(last) if secs(i - last.1) < SHORTEST_QUIET_SECS => last.1 = i + 1,
+            Some(last) if secs(i - last.1) < MIN_QUIET_SECS => last.1 = i + 1,
             _ => out.push((i, i + 1)),
         }
     }
-    out.retain(|(begin, end)| secs(end - begin) >= SHORTEST_SOUND_SECS);
+    out.retain(|(begin, end)| secs(end - begin) >= MIN_SOUND_SECS);
     out
 }
 
@@ -183,7 +183,7 @@ fn syllable(level: &Intensity, peak: Peak, loud: f64, labels: &mut Labels) {
 
 /// Gives the tokens their shares of what is heard, by their letters, and ends phrases where it is
 /// quiet for long.
-fn share(labels: &mut Labels, tokens: &[Said<'_>]) {
+fn share(labels: &mut Labels, tokens: &[SpokenUnit<'_>]) {
     let phones = core::mem::take(&mut labels.phones);
     // Where phones end if all quiet is left out.
     let (mut begin_secs, mut heard_secs) = (0.0, 0.0);
@@ -233,8 +233,8 @@ fn share(labels: &mut Labels, tokens: &[Said<'_>]) {
 
 /// Where all tokens but the last end in what is heard: at the pause that is theirs; else by their
 /// letters, but at a pause rather than to be torn by it, and with a phone where one ends near.
-fn token_ends(tokens: &[Said<'_>], heard: &[f64], pauses: &[Pause]) -> Vec<f64> {
-    let words = Words::of(tokens);
+fn token_ends(tokens: &[SpokenUnit<'_>], heard: &[f64], pauses: &[Pause]) -> Vec<f64> {
+    let words = Words::from_units(tokens);
     let total = heard.last().copied().unwrap_or(0.0);
     let quiet: Vec<f64> = pauses.iter().map(|p| p.at_secs).collect();
     let anchors = words.anchors(pauses, total);
@@ -294,8 +294,8 @@ mod tests {
         }
     }
 
-    fn said<'a>(words: &[&'a str]) -> Vec<Said<'a>> {
-        let of = |text: &&'a str| Said { text, ends: false };
+    fn said<'a>(words: &[&'a str]) -> Vec<SpokenUnit<'a>> {
+        let of = |text: &&'a str| SpokenUnit { text, ends: false };
         words.iter().map(of).collect()
     }
 
@@ -306,7 +306,7 @@ mod tests {
 
     #[test]
     fn the_jaw_follows_the_loudness_and_quiet_is_silence() {
-        let spoken = spoken(
+        let spoken = align_by_loudness(
             hummed(&[0.0, 0.5, 0.2, 0.5, 0.0, 0.0, 0.4, 0.1]),
             &said(&["a", "b"]),
         )
@@ -326,7 +326,8 @@ mod tests {
     #[test]
     fn every_word_has_its_share_by_its_letters_and_phrases_end_at_pauses() {
         let tokens = ["one", "two", "sixes", "I", "am"];
-        let spoken = spoken(hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]), &said(&tokens)).unwrap();
+        let spoken =
+            align_by_loudness(hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]), &said(&tokens)).unwrap();
         let length = |token: usize| {
             let mut begin_secs = 0.0;
             let mut sum = 0.0;
@@ -351,7 +352,7 @@ mod tests {
     #[test]
     fn many_words_of_a_short_sound_each_have_a_place() {
         let tokens = vec!["word"; 40];
-        let spoken = spoken(hummed(&[0.5, 0.5]), &said(&tokens)).unwrap();
+        let spoken = align_by_loudness(hummed(&[0.5, 0.5]), &said(&tokens)).unwrap();
         for token in 0..40 {
             assert!(
                 spoken.segments.iter().any(|s| s.token == Some(token)),
@@ -362,8 +363,8 @@ mod tests {
 
     #[test]
     fn nothing_heard_is_an_error_and_no_words_are_none() {
-        assert!(spoken(hummed(&[0.0, 0.0]), &said(&["a"])).is_err());
-        assert!(spoken(Wave::default(), &said(&["a"])).is_err());
-        assert!(spoken(hummed(&[0.5]), &[]).is_ok());
+        assert!(align_by_loudness(hummed(&[0.0, 0.0]), &said(&["a"])).is_err());
+        assert!(align_by_loudness(Wave::default(), &said(&["a"])).is_err());
+        assert!(align_by_loudness(hummed(&[0.5]), &[]).is_ok());
     }
 }

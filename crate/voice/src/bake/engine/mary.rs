@@ -56,7 +56,7 @@ impl Mary {
         let alignment = read(Format::MaryXml, &times).context("what MARY says of its phones")?;
         let wave = wave::decode(&ask("AUDIO")?).context("what MARY says")?;
         let tokens: Vec<&str> = sentence.tokens.iter().map(|t| t.text.as_str()).collect();
-        aligned::spoken(&alignment, wave, &tokens, "sampa")
+        aligned::combine(&alignment, wave, &tokens, "sampa")
     }
 }
 

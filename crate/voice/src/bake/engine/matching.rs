@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 
 /// Most pairs that are compared: two sequences of 4,000.
-const MOST_PAIRS: usize = 16_000_000;
+const MAX_PAIRS: usize = 16_000_000;
 
 /// Cost of a phone that only one sequence has; twice that is more than two that differ.
 const GAP: u32 = 3;
@@ -21,7 +21,7 @@ pub(super) fn matched<A, B>(
 ) -> Result<Vec<Option<usize>>> {
     let width = known.len() + 1;
     let pairs = width.saturating_mul(heard.len() + 1);
-    ensure!(pairs <= MOST_PAIRS, "{pairs} pairs of phones to compare");
+    ensure!(pairs <= MAX_PAIRS, "{pairs} pairs of phones to compare");
     // How each place was reached: 0 a pair, 1 from the left, 2 from above.
     let mut steps = vec![1_u8; pairs];
     let mut above: Vec<u32> = (0..width).map(|i| i as u32 * GAP).collect();

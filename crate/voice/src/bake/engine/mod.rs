@@ -33,9 +33,9 @@ mod scheme;
 pub mod server;
 mod wave;
 
-pub use absent::Absent;
+pub use absent::MissingEngine;
 #[cfg(not(target_arch = "wasm32"))]
-pub use kokoro_network::look_in;
+pub use kokoro_network::add_folder;
 pub use registry::{ENGINES, Machine, by_name, hosted};
 
 use std::path::{Path, PathBuf};
@@ -49,11 +49,11 @@ use crate::spoken::{Sentence, Spoken, Token};
 use raconteur_eml::nearest;
 use raconteur_speech::bundle::SentenceKind;
 
-use super::program::Missing;
+use super::program::MissingPrograms;
 use registry::LOCAL_ENGINES;
 
 /// Most characters that are read of a token; the baker parts longer ones.
-const MOST_CHARACTERS: usize = 40;
+const MAX_CHARACTERS: usize = 40;
 
 /// A voice that an engine has.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -177,7 +177,7 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
 }
 
 /// An engine that runs on this machine: its name, and its voices or what it lacks.
-type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
+type Local = (&'static str, Result<Vec<VoiceInfo>, MissingPrograms>);
 
 /// The engines that run on this machine, in the order in which they are preferred. They are queried
 /// once.
@@ -187,7 +187,10 @@ pub fn local() -> &'static [Local] {
         let options = EngineOptions::default();
         LOCAL_ENGINES.map(|name| {
             let voices = by_name(name, &options).and_then(|engine| engine.voices());
-            (name, voices.map_err(|error| Missing::of(&error)))
+            (
+                name,
+                voices.map_err(|error| MissingPrograms::from_error(&error)),
+            )
         })
     })
 }

@@ -3,12 +3,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::align::{Alignment, FORMS, MOST_BYTES, detect, read};
+use crate::align::{Alignment, FORMS, MAX_BYTES, detect, read};
 use crate::plan::Plan;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail};
 
-use super::loudness::{self, Said};
+use super::loudness::{self, SpokenUnit};
 use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
 use crate::files::{input, inside};
 
@@ -84,7 +84,7 @@ impl Engine for Recordings {
             return Ok(String::new());
         };
         let alignment =
-            beside(&sound).with_context(|| format!("the recording {}", sound.display()))?;
+            alignment_of(&sound).with_context(|| format!("the recording {}", sound.display()))?;
         let (name, times) = alignment.unwrap_or_default();
         let bytes = wave::bytes(&sound)?;
         Ok(format!(
@@ -100,13 +100,14 @@ impl Engine for Recordings {
         };
         let told = || format!("the recording {}", sound.display());
         let tokens = || plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
-        let Some((name, bytes)) = beside(&sound).with_context(told)? else {
-            let said = tokens().map(|t| Said {
+        let Some((name, bytes)) = alignment_of(&sound).with_context(told)? else {
+            let said = tokens().map(|t| SpokenUnit {
                 text: &t.text,
                 ends: !t.punctuation.is_empty(),
             });
-            let said: Vec<Said<'_>> = said.collect();
-            let spoken = loudness::spoken(wave::read(&sound)?, &said).with_context(told)?;
+            let said: Vec<SpokenUnit<'_>> = said.collect();
+            let spoken =
+                loudness::align_by_loudness(wave::read(&sound)?, &said).with_context(told)?;
             let remarks = vec![by_loudness(&sound)];
             return Ok(Some(Recorded { spoken, remarks }));
         };
@@ -118,7 +119,7 @@ impl Engine for Recordings {
             .with_context(told)?;
         let wave = wave::read(&sound)?;
         let texts: Vec<&str> = tokens().map(|t| t.text.as_str()).collect();
-        let spoken = aligned::spoken(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
+        let spoken = aligned::combine(&alignment, wave, &texts, PHONE_SET).with_context(told)?;
         let remarks = remarks(&name, &alignment);
         Ok(Some(Recorded { spoken, remarks }))
     }
@@ -172,13 +173,13 @@ fn digest(bytes: &[u8]) -> u64 {
 }
 
 /// The alignment beside a sound, if there is one: its name and content.
-fn beside(sound: &Path) -> Result<Option<(String, Vec<u8>)>> {
+fn alignment_of(sound: &Path) -> Result<Option<(String, Vec<u8>)>> {
     for ending in ENDINGS {
         let name = sound.with_extension(ending);
         let name = name.file_name().unwrap_or_default().to_string_lossy();
         let folder = sound.parent().unwrap_or(Path::new("."));
         if let Some(path) = inside::find(folder, &name)? {
-            let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
+            let bytes = input::bytes(&path, MAX_BYTES as u64).context("the alignment")?;
             return Ok(Some((name.into_owned(), bytes)));
         }
     }

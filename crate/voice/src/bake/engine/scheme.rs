@@ -40,7 +40,7 @@ pub(super) fn plain(text: &str) -> String {
     let kept: String = deunicode::deunicode(text)
         .chars()
         .filter(|c| c.is_ascii_graphic() && !matches!(c, '"' | '\\' | '[' | ']'))
-        .take(super::MOST_CHARACTERS)
+        .take(super::MAX_CHARACTERS)
         .collect();
     if kept.bytes().any(|b| b.is_ascii_alphanumeric()) {
         kept

@@ -82,7 +82,10 @@ impl<H: Host> Engine for Server<H> {
             .iter()
             .find(|v| v.name == voice)
             .with_context(|| format!("the server has no voice {voice:?}"))?;
-        sentences.iter().map(|s| self.say(voice, s)).collect()
+        sentences
+            .iter()
+            .map(|s| self.speak_sentence(voice, s))
+            .collect()
     }
 }
 
@@ -102,7 +105,7 @@ fn info(voice: Voice) -> VoiceInfo {
 }
 
 impl<H: Host> Server<H> {
-    fn say(&self, voice: &VoiceInfo, sentence: &Sentence) -> Result<Spoken> {
+    fn speak_sentence(&self, voice: &VoiceInfo, sentence: &Sentence) -> Result<Spoken> {
         let words: Vec<&str> = sentence.tokens.iter().map(|t| t.text.as_str()).collect();
         if !words.iter().any(|w| w.chars().any(char::is_alphanumeric)) {
             return Ok(labels::nothing(16_000.0, &voice.phone_set));
@@ -119,7 +122,7 @@ impl<H: Host> Server<H> {
             detect("", times).context("the server tells times in no format that is known")?;
         let alignment = read(format, times).context("what the server tells of its phones")?;
         let wave = wave::decode(&answer.sound).context("what the server says")?;
-        aligned::spoken(&alignment, wave, &words, &voice.phone_set)
+        aligned::combine(&alignment, wave, &words, &voice.phone_set)
     }
 }
 

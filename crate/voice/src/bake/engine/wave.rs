@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, ensure};
 use crate::files::input;
 
 /// Most bytes of sound that are read: half an hour of stereo at 48 kHz and 24 bits.
-pub(super) const MOST_BYTES: u64 = 512 << 20;
+pub(super) const MAX_BYTES: u64 = 512 << 20;
 
 /// Fewest and most samples a second.
 const RATES_HZ: std::ops::RangeInclusive<u32> = 4_000..=384_000;
@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path) -> Result<Wave> {
 /// # Errors
 /// When there is no such file, or it is too long.
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
-    input::bytes(path, MOST_BYTES).context("the sound")
+    input::bytes(path, MAX_BYTES).context("the sound")
 }
 
 /// Reads a WAV of 8 to 32 bits, or of floating-point numbers of 32 or 64, of any rate, in whatever

@@ -1,5 +1,5 @@
 use super::*;
-use crate::files::disk::faulty::{Faulty, Then, Unsynced as Real};
+use crate::files::disk::faulty::{AfterFailure, Faulty, Unsynced as Real};
 
 fn utterance(key: u64, content: u64, audio: Vec<AudioFile>) -> Utterance {
     Utterance {
@@ -47,7 +47,7 @@ fn is_whole(folder: &Path, sounds: &Sounds) -> bool {
                 u.audio.iter().map(read).eq(encodings.iter().cloned())
             })
     };
-    store.others(keys) == 0 && sounds.iter().all(right)
+    store.count_others(keys) == 0 && sounds.iter().all(right)
 }
 
 /// Numbers that look random.
@@ -81,7 +81,7 @@ fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
     for seed in 0..6 {
         let mut next = numbers(seed);
         let (old, new) = (some(&mut next), some(&mut next));
-        for then in [Then::Killed, Then::GoesOn] {
+        for then in [AfterFailure::Killed, AfterFailure::GoesOn] {
             for k in 0.. {
                 let dir = tempfile::tempdir().unwrap();
                 let open = || Store::open(dir.path().to_owned(), &Real);
@@ -151,8 +151,8 @@ fn every_change_of_a_sound_is_seen() {
         .write(&bundle(vec![utterance(1, 2, vec![audio])]))
         .unwrap();
     assert!(open().has(1, 2) && !open().has(1, 3) && !open().has(2, 2));
-    assert_eq!(open().others([1].into_iter()), 0);
-    assert_eq!(open().others([2].into_iter()), 1);
+    assert_eq!(open().count_others([1].into_iter()), 0);
+    assert_eq!(open().count_others([2].into_iter()), 1);
     for other in [
         &b""[..],
         b"a soun",
@@ -283,7 +283,7 @@ fn a_bundle_is_compared_and_not_believed() {
     let told = |file: &str, bytes: u64| AudioFile {
         file: file.to_owned(),
         mime: "a".to_owned(),
-        holds: Some(Holds {
+        holds: Some(FileDigest {
             bytes,
             sha256: "0".repeat(64),
         }),
@@ -314,22 +314,22 @@ fn a_sound_is_read_once_however_often_it_is_named() {
     let audio = |bytes: &[u8]| AudioFile {
         file: "a.opus".to_owned(),
         mime: "a".to_owned(),
-        holds: Some(holds(bytes)),
+        holds: Some(digest(bytes)),
     };
-    let mut sounds = super::Sounds::of(folder);
-    assert_eq!(sounds.look(&audio(b"a sound")), Sound::Whole);
+    let mut sounds = super::Sounds::from_folder(folder);
+    assert_eq!(sounds.inspect(&audio(b"a sound")), Sound::Whole);
     // What was read is known, also after the file is gone from where it was read.
     fs::write(folder.join("a.opus"), b"changed").unwrap();
-    assert_eq!(sounds.look(&audio(b"a sound")), Sound::Whole);
-    assert_eq!(sounds.look(&audio(b"a soun!")), Sound::Wrong);
+    assert_eq!(sounds.inspect(&audio(b"a sound")), Sound::Whole);
+    assert_eq!(sounds.inspect(&audio(b"a soun!")), Sound::Wrong);
     assert_eq!(
-        super::Sounds::of(folder).look(&audio(b"changed")),
+        super::Sounds::from_folder(folder).inspect(&audio(b"changed")),
         Sound::Whole
     );
     // No more is read than all sounds together may have.
     let mut sounds = super::Sounds {
         left: 6,
-        ..super::Sounds::of(folder)
+        ..super::Sounds::from_folder(folder)
     };
-    assert_eq!(sounds.look(&audio(b"changed")), Sound::Wrong);
+    assert_eq!(sounds.inspect(&audio(b"changed")), Sound::Wrong);
 }

@@ -5,11 +5,11 @@ use std::io::{self, Error, ErrorKind, Write as _};
 use std::path::Path;
 use std::sync::Mutex;
 
-use super::{Disk, Real};
+use super::{Disk, SystemDisk};
 
 /// What happens after the failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Then {
+pub enum AfterFailure {
     /// The program was killed: nothing changes any more.
     Killed,
     /// Only that step failed.
@@ -27,11 +27,11 @@ impl Disk for Unsynced {
     }
 
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
-        Real.rename(from, to)
+        SystemDisk.rename(from, to)
     }
 
     fn remove(&self, path: &Path) -> io::Result<()> {
-        Real.remove(path)
+        SystemDisk.remove(path)
     }
 
     fn sync_folder(&self, _folder: &Path) -> io::Result<()> {
@@ -41,7 +41,7 @@ impl Disk for Unsynced {
 
 /// Fails at one step, or when it is full.
 pub struct Faulty {
-    then: Then,
+    then: AfterFailure,
     state: Mutex<State>,
 }
 
@@ -55,16 +55,16 @@ struct State {
 
 impl Faulty {
     /// Fails at step `k`, counted from 0.
-    pub fn at_step(k: usize, then: Then) -> Self {
+    pub fn at_step(k: usize, then: AfterFailure) -> Self {
         Self::new(k, usize::MAX, then)
     }
 
     /// Has room for so many bytes.
     pub fn with_room(bytes: usize) -> Self {
-        Self::new(usize::MAX, bytes, Then::GoesOn)
+        Self::new(usize::MAX, bytes, AfterFailure::GoesOn)
     }
 
-    fn new(steps: usize, room: usize, then: Then) -> Self {
+    fn new(steps: usize, room: usize, then: AfterFailure) -> Self {
         let failed = false;
         let state = Mutex::new(State {
             steps,
@@ -77,7 +77,7 @@ impl Faulty {
     /// Counts a step; `Err` when it is the one that fails, or when the program is dead.
     fn step(&self) -> io::Result<()> {
         let mut state = self.state.lock().unwrap();
-        if state.failed && self.then == Then::Killed {
+        if state.failed && self.then == AfterFailure::Killed {
             return Err(Error::other("the program is dead"));
         }
         if state.steps == 0 && !state.failed {
@@ -93,7 +93,7 @@ impl Disk for Faulty {
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let dead = {
             let state = self.state.lock().unwrap();
-            state.failed && self.then == Then::Killed
+            state.failed && self.then == AfterFailure::Killed
         };
         if let Err(error) = self.step() {
             if !dead {

@@ -34,7 +34,7 @@ pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
 }
 
 fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
-    pieces.tell(
+    pieces.report(
         tag.at,
         format!("the element {} is not known; its text is kept", tag.name),
     );
@@ -74,12 +74,12 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
         let is_known =
             name.eq_ignore_ascii_case("MARK") || known.iter().any(|k| k.eq_ignore_ascii_case(name));
         if attribute.space == Space::Own && !is_known {
-            pieces.tell(tag.at, format!("{upper} has no attribute {name}"));
+            pieces.report(tag.at, format!("{upper} has no attribute {name}"));
         }
     }
     match upper.as_str() {
         "SABLE" if !is_first => {
-            pieces.tell(tag.at, "SABLE inside a document means nothing");
+            pieces.report(tag.at, "SABLE inside a document means nothing");
             Meaning::default()
         }
         "EMPH" => emphasis(tag, pieces).into(),
@@ -97,7 +97,7 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
         "ENGINE" => engine(tag, pieces),
         "MARKER" => {
             if filled(tag.get("MARK")).is_none() {
-                pieces.tell(tag.at, "MARKER needs a MARK");
+                pieces.report(tag.at, "MARKER needs a MARK");
             }
             Meaning::default()
         }
@@ -122,7 +122,7 @@ fn pronunciation(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     let attribute = |name| filled(tag.get(name));
     let (ipa, sub, origin) = (attribute("IPA"), attribute("SUB"), attribute("ORIGIN"));
     if ipa.is_none() && sub.is_none() && origin.is_none() {
-        pieces.tell(tag.at, "PRON needs IPA or SUB");
+        pieces.report(tag.at, "PRON needs IPA or SUB");
     }
     Markup::Pronunciation { ipa, sub, origin }
 }
@@ -154,7 +154,7 @@ fn setting(
     name: &str,
     ours: &str,
 ) -> Vec<Setting> {
-    if let Some(exact) = tag.ours(ours).and_then(exact) {
+    if let Some(exact) = tag.own_attribute(ours).and_then(exact) {
         return exact;
     }
     let read = word(tag, pieces, name, |text| property.read(text));
@@ -174,7 +174,7 @@ fn pause(tag: &Tag, pieces: &mut Pieces<'_>) -> Segment {
     let [.., (_, medium), _] = levels::PAUSES;
     let (msec, is_cut) = pause_msec(msec.or(of_level).unwrap_or(medium));
     if is_cut {
-        pieces.tell(tag.at, format!("a pause is cut to {msec} ms"));
+        pieces.report(tag.at, format!("a pause is cut to {msec} ms"));
     }
     Segment::Break {
         msec,
@@ -245,7 +245,7 @@ fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     };
     if known.is_none() {
         let kind = kind.unwrap_or_default();
-        pieces.tell(
+        pieces.report(
             tag.at,
             format!("MODETYPE=\"{kind}\" does not go with its MODE"),
         );

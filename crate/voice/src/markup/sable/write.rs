@@ -3,7 +3,7 @@
 use super::{AGES, GENDERS, MODES, ORDERS, word_of};
 use crate::content::{Content, Division, Markup, Segment, Setting};
 use crate::markup::levels::{EMPHASES, Property, boundary_sign};
-use crate::markup::write::{Element, Language, body, declaration, emotion, gain, loudness};
+use crate::markup::write::{Element, MarkupWriter, body, declaration, emotion, gain, loudness};
 use crate::text::SayAs;
 
 /// Writes a document of SABLE 1.0. [`super::read()`] makes of it a content whose words have the
@@ -37,7 +37,7 @@ fn set(
     }
 }
 
-impl Language for Sable {
+impl MarkupWriter for Sable {
     fn markup(&mut self, markup: &Markup) -> Option<Element> {
         Some(match markup {
             Markup::Emphasis(level) if level.is_finite() => {

@@ -50,20 +50,20 @@ pub fn read_beside(
     build::read(text, false, |tag, pieces| match tag.space {
         Space::Own if tag.name == "audio" => audio(tag, pieces, is_there),
         Space::Own => element(tag, pieces),
-        Space::Ours => ours(tag, pieces),
+        Space::Ours => own_element(tag, pieces),
         Space::Other => unknown(tag, pieces),
     })
 }
 
 fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
-    pieces.tell(
+    pieces.report(
         tag.at,
         format!("the element {} is not known; its text is kept", tag.name),
     );
     Meaning::default()
 }
 
-fn ours(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+fn own_element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     match tag.name.as_str() {
         "emotion" => emotion(tag, pieces).into(),
         "engine" => match (filled(tag.get("id")), tag.get("data")) {
@@ -73,7 +73,7 @@ fn ours(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
             }
             .into(),
             _ => {
-                pieces.tell(tag.at, "engine needs an id and data");
+                pieces.report(tag.at, "engine needs an id and data");
                 Meaning::default()
             }
         },
@@ -128,20 +128,20 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
             };
         }
         "meta" | "metadata" | "lexicon" => {
-            pieces.tell(tag.at, format!("{} is ignored", tag.name));
+            pieces.report(tag.at, format!("{} is ignored", tag.name));
             return Meaning {
                 silent: true,
                 ..Meaning::default()
             };
         }
         "lookup" => {
-            pieces.tell(tag.at, "lookup is ignored; its text is kept");
+            pieces.report(tag.at, "lookup is ignored; its text is kept");
             Meaning::default()
         }
         _ => return unknown(tag, pieces),
     };
     // Ours tells a language that is no tag, and that a root's language is not the content's.
-    let language = tag.ours("language").or(tag.get("xml:lang"));
+    let language = tag.own_attribute("language").or(tag.get("xml:lang"));
     match filled(language) {
         Some(language) => meaning.markups.insert(0, Markup::Language(language)),
         None if tag.name == "lang" && language.is_none() => {
@@ -159,14 +159,14 @@ fn settings(
     (name, ours): (&str, &str),
     read: fn(&str) -> Option<Settings>,
 ) -> Vec<Setting> {
-    if let Some(exact) = tag.ours(ours).and_then(exact) {
+    if let Some(exact) = tag.own_attribute(ours).and_then(exact) {
         return exact;
     }
     let Some((settings, note)) = word(tag, pieces, name, read) else {
         return Vec::new();
     };
     if let Some(note) = note {
-        pieces.tell(tag.at, note);
+        pieces.report(tag.at, note);
     }
     settings
 }
@@ -174,10 +174,13 @@ fn settings(
 fn prosody(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     for name in ["contour", "duration"] {
         if tag.get(name).is_some() {
-            pieces.tell(tag.at, format!("{name} is ignored"));
+            pieces.report(tag.at, format!("{name} is ignored"));
         }
     }
-    let base = tag.ours("base").and_then(exact).unwrap_or_default();
+    let base = tag
+        .own_attribute("base")
+        .and_then(exact)
+        .unwrap_or_default();
     let middle = settings(tag, pieces, ("pitch", "middle"), prosody::height);
     let range = settings(tag, pieces, ("range", "range"), prosody::height);
     let rate = settings(tag, pieces, ("rate", "rate"), prosody::rate);
@@ -192,7 +195,7 @@ fn prosody(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
 }
 
 fn emphasis(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
-    if let Some(level) = tag.ours("level").and_then(levels::emphasis) {
+    if let Some(level) = tag.own_attribute("level").and_then(levels::emphasis) {
         return Markup::Emphasis(level);
     }
     let level = word(tag, pieces, "level", |text| {
@@ -209,11 +212,11 @@ fn pause(tag: &Tag, pieces: &mut Pieces<'_>) -> Segment {
     let of_strength = strength.map_or(medium, levels::pause_of_level);
     let (msec, is_cut) = pause_msec(time.unwrap_or(of_strength));
     if is_cut {
-        pieces.tell(tag.at, format!("a pause is cut to {msec} ms"));
+        pieces.report(tag.at, format!("a pause is cut to {msec} ms"));
     }
     Segment::Break {
         msec,
-        boundary: tag.ours("type").and_then(levels::boundary),
+        boundary: tag.own_attribute("type").and_then(levels::boundary),
     }
 }
 
@@ -230,7 +233,7 @@ fn msec(text: &str) -> Option<f64> {
 fn voice(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     for name in ["languages", "variant", "required", "ordering"] {
         if tag.get(name).is_some() {
-            pieces.tell(tag.at, format!("{name} of a voice is ignored"));
+            pieces.report(tag.at, format!("{name} of a voice is ignored"));
         }
     }
     let gender = |text: &str| {
@@ -247,9 +250,9 @@ fn voice(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     // A list of names, the best first.
     let mut names = tag.get("name").unwrap_or_default().split_ascii_whitespace();
     let first = names.next().map(str::to_owned);
-    let name = filled(tag.ours("name")).or(first);
-    if tag.ours("name").is_none() && names.next().is_some() {
-        pieces.tell(tag.at, "only the first name of a voice counts");
+    let name = filled(tag.own_attribute("name")).or(first);
+    if tag.own_attribute("name").is_none() && names.next().is_some() {
+        pieces.report(tag.at, "only the first name of a voice counts");
     }
     Markup::Speaker(Speaker {
         gender: word(tag, pieces, "gender", gender).flatten(),
@@ -263,11 +266,11 @@ fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
         return needs(tag, pieces, "interpret-as");
     };
     let Some(kind) = of_word(&KINDS, text) else {
-        pieces.tell(tag.at, format!("interpret-as=\"{text}\" is not known"));
+        pieces.report(tag.at, format!("interpret-as=\"{text}\" is not known"));
         return Meaning::default();
     };
     if tag.get("detail").is_some() {
-        pieces.tell(tag.at, "detail is ignored");
+        pieces.report(tag.at, "detail is ignored");
     }
     let format = tag.get("format").map(str::to_ascii_lowercase);
     let formatted = match (&kind, format.as_deref()) {
@@ -284,7 +287,7 @@ fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     };
     if formatted.is_none() {
         let format = format.unwrap_or_default();
-        pieces.tell(tag.at, format!("format=\"{format}\" is ignored"));
+        pieces.report(tag.at, format!("format=\"{format}\" is ignored"));
     }
     Markup::SayAs(formatted.unwrap_or(kind)).into()
 }
@@ -301,7 +304,7 @@ fn phoneme(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     };
     if ipa.is_none() {
         let message = format!("a pronunciation in {alphabet:?} is not understood");
-        pieces.tell(tag.at, message);
+        pieces.report(tag.at, message);
         return Meaning::default();
     }
     Markup::Pronunciation {
@@ -320,7 +323,7 @@ fn audio(tag: &Tag, pieces: &mut Pieces<'_>, is_there: &dyn Fn(&str) -> bool) ->
     if !tag.is_empty && !is_there(&src) {
         let message =
             format!("there is no recording {src:?} beside the story; its text is said instead");
-        pieces.tell(tag.at, message);
+        pieces.report(tag.at, message);
         return Meaning::default();
     }
     for name in [
@@ -332,17 +335,17 @@ fn audio(tag: &Tag, pieces: &mut Pieces<'_>, is_there: &dyn Fn(&str) -> bool) ->
         "fetchtimeout",
     ] {
         if tag.get(name).is_some() {
-            pieces.tell(tag.at, format!("{name} of a recording is ignored"));
+            pieces.report(tag.at, format!("{name} of a recording is ignored"));
         }
     }
     let of_ours = tag
-        .ours("level")
+        .own_attribute("level")
         .and_then(|text| levels::number(text.trim()));
     let of_sound = word(tag, pieces, "soundLevel", decibels);
     Meaning {
         points: vec![Segment::Audio {
             src,
-            background: tag.ours("mode") == Some("background"),
+            background: tag.own_attribute("mode") == Some("background"),
             level: of_ours.or(of_sound).unwrap_or(1.0).max(0.0),
         }],
         silent: true,

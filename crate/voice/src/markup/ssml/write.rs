@@ -9,7 +9,7 @@ use crate::markup::build::exact_text;
 use crate::markup::levels::{EMPHASES, boundary_sign};
 use crate::markup::sable::{ORDERS, word_of};
 use crate::markup::write::{
-    Element, Language, body, declaration, emotion, escape, gain, loudness as finite,
+    Element, MarkupWriter, body, declaration, emotion, escape, gain, loudness as finite,
 };
 use crate::style::Style;
 use crate::text::SayAs;
@@ -42,7 +42,7 @@ struct Ssml {
     styles: Vec<Style>,
 }
 
-impl Language for Ssml {
+impl MarkupWriter for Ssml {
     fn markup(&mut self, markup: &Markup) -> Option<Element> {
         // No engine is named: pitch, rate and volume depend on none.
         let style = self.styles.last().map(|s| s.with(markup, ""));

@@ -12,7 +12,7 @@ const WINDOW_SECS: f64 = 0.06;
 
 /// Most that a level is corrected by, in decibels: harmonics that move over a formant
 /// cost or give a few.
-const MOST_DB: f64 = 6.0;
+const MAX_DB: f64 = 6.0;
 
 /// Gives the changed sound, within its spans (start and end in seconds of the new
 /// sound), the level that the sound had at the same places.
@@ -43,7 +43,7 @@ fn correction(old: &Intensity, new: &Intensity, old_secs: f64, new_secs: f64) ->
     if old <= SILENCE_DB || new <= SILENCE_DB {
         return 0.0;
     }
-    (old - new).clamp(-MOST_DB, MOST_DB)
+    (old - new).clamp(-MAX_DB, MAX_DB)
 }
 
 /// Multiplies by the gain at the time that a sample had, its jumps made ramps.

@@ -10,7 +10,7 @@ use raconteur_faces::FaceSpace;
 use raconteur_voice::files::input;
 
 use super::obj;
-use super::{FARTHEST, Found, MOST_FILE_BYTES, MOST_MODES, MOST_VERTICES};
+use super::{MAX_COORDINATE, MAX_FILE_BYTES, MAX_MODES, MAX_VERTICES, SourceModel};
 
 const MEAN: &str = "mean.npy";
 const MODES: &str = "modes.npy";
@@ -23,10 +23,10 @@ const MESH: &str = "mesh.obj";
 /// What every array of NumPy begins with.
 const MAGIC: &[u8] = b"\x93NUMPY";
 /// What is said about an array is not longer, bytes: NumPy's own takes 118.
-const MOST_HEADER: usize = 512;
+const MAX_HEADER: usize = 512;
 /// A plain array has no more sizes, and none of more digits.
-const MOST_SIZES: usize = 3;
-const MOST_DIGITS: usize = 6;
+const MAX_SIZES: usize = 3;
+const MAX_DIGITS: usize = 6;
 
 /// Numbers, the last size running fastest.
 #[derive(Debug)]
@@ -36,7 +36,7 @@ pub(super) struct Array {
 }
 
 /// Reads the folder.
-pub(super) fn read(folder: &Path) -> Result<Found> {
+pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     let path = |name: &str| folder.join(name);
     let mean = array(&path(MEAN))?;
     let count = mean_vertices(&mean).with_context(|| path(MEAN).display().to_string())?;
@@ -56,7 +56,7 @@ pub(super) fn read(folder: &Path) -> Result<Found> {
     } else {
         Vec::new()
     };
-    Ok(Found {
+    Ok(SourceModel {
         kind: "arrays",
         shape: FaceSpace::of_basis(mean.numbers, &basis)
             .with_context(|| folder.display().to_string())?,
@@ -90,8 +90,8 @@ fn mean_vertices(mean: &Array) -> Result<usize> {
     let count = vertices(&mean.shape)
         .with_context(|| format!("its shape is {:?}, and V × 3 or 3V is wanted", mean.shape))?;
     ensure!(
-        (1..=MOST_VERTICES).contains(&count),
-        "it has {count} vertices, and 1 to {MOST_VERTICES} are read"
+        (1..=MAX_VERTICES).contains(&count),
+        "it has {count} vertices, and 1 to {MAX_VERTICES} are read"
     );
     Ok(count)
 }
@@ -101,8 +101,8 @@ fn check_deviations(deviations: &Array) -> Result<()> {
     ensure!(shape.len() == 1, "its shape is {shape:?}, and K is wanted");
     let count = deviations.numbers.len();
     ensure!(
-        (1..=MOST_MODES).contains(&count),
-        "it has {count} deviations, and 1 to {MOST_MODES} are read"
+        (1..=MAX_MODES).contains(&count),
+        "it has {count} deviations, and 1 to {MAX_MODES} are read"
     );
     ensure!(
         deviations.numbers.iter().all(|d| *d >= 0.0),
@@ -128,7 +128,7 @@ fn check_modes(modes: &Array, count: usize, deviations: usize) -> Result<()> {
 }
 
 fn array(path: &Path) -> Result<Array> {
-    let bytes = input::bytes(path, MOST_FILE_BYTES)?;
+    let bytes = input::bytes(path, MAX_FILE_BYTES)?;
     parse(&bytes).with_context(|| path.display().to_string())
 }
 
@@ -177,8 +177,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Array> {
         "a number is not finite"
     );
     ensure!(
-        numbers.iter().all(|x| x.abs() <= FARTHEST),
-        "a number is beyond {FARTHEST}"
+        numbers.iter().all(|x| x.abs() <= MAX_COORDINATE),
+        "a number is beyond {MAX_COORDINATE}"
     );
     Ok(Array { shape, numbers })
 }
@@ -201,9 +201,9 @@ fn is_plain(text: &[u8]) -> bool {
     let words = text.split(|b| !(b.is_ascii_alphanumeric() || *b == b'_'));
     let numbers = words.filter(|word| word.first().is_some_and(u8::is_ascii_digit));
     let lengths: Vec<usize> = numbers.map(<[u8]>::len).collect();
-    text.len() <= MOST_HEADER
+    text.len() <= MAX_HEADER
         && brackets <= 2
         && !text.iter().any(|b| b"+-".contains(b))
-        && lengths.len() <= MOST_SIZES
-        && lengths.iter().all(|length| *length <= MOST_DIGITS)
+        && lengths.len() <= MAX_SIZES
+        && lengths.iter().all(|length| *length <= MAX_DIGITS)
 }

@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, ensure};
 use raconteur_faces::FaceSpace;
 
 use super::obj::{self, Mesh};
-use super::{Found, MOST_MODES, files};
+use super::{MAX_MODES, SourceModel, files};
 use crate::terminal;
 
 /// The average face.
@@ -23,7 +23,7 @@ const METRES: f64 = 0.01;
 const USUAL: usize = 100;
 
 /// Reads the folder.
-pub(super) fn read(folder: &Path) -> Result<Found> {
+pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     let paths = identities(folder)?;
     let neutral = folder.join(NEUTRAL);
     let Mesh { numbers, triangles } = obj::read(&neutral)?;
@@ -35,13 +35,13 @@ pub(super) fn read(folder: &Path) -> Result<Found> {
     let basis: Vec<Vec<f64>> = others.iter().map(difference).collect();
     let mean = numbers.iter().map(|x| METRES * x).collect();
     if basis.len() < USUAL {
-        terminal::tell(format_args!(
+        terminal::report(format_args!(
             "warning: {}: {} of the {USUAL} identities of ICT-FaceKit are there",
             folder.display(),
             basis.len()
         ));
     }
-    Ok(Found {
+    Ok(SourceModel {
         kind: "ICT-FaceKit",
         shape: FaceSpace::of_basis(mean, &basis).with_context(|| folder.display().to_string())?,
         examples: Vec::new(),
@@ -54,8 +54,8 @@ fn identities(folder: &Path) -> Result<Vec<PathBuf>> {
     let all = files(folder)?;
     let count = all.iter().filter(|path| is_identity(path)).count();
     ensure!(
-        count <= MOST_MODES,
-        "{}: it has {count} identities, and at most {MOST_MODES} are read",
+        count <= MAX_MODES,
+        "{}: it has {count} identities, and at most {MAX_MODES} are read",
         folder.display()
     );
     let path = |index: usize| folder.join(format!("identity{index:03}.obj"));

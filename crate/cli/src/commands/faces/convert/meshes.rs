@@ -6,10 +6,10 @@ use anyhow::{Context as _, Result, ensure};
 use raconteur_faces::FaceSpace;
 
 use super::obj::{self, Mesh};
-use super::{Found, MOST_MODES, arrays, files, ict};
+use super::{MAX_MODES, SourceModel, arrays, files, ict};
 
 /// Reads the folder's meshes, in the order of their names.
-pub(super) fn read(folder: &Path) -> Result<Found> {
+pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     let named = || folder.display().to_string();
     let mut paths = files(folder)?;
     paths.retain(|path| {
@@ -24,8 +24,8 @@ pub(super) fn read(folder: &Path) -> Result<Found> {
         arrays::NAMES.join(", ")
     );
     ensure!(
-        paths.len() <= MOST_MODES,
-        "{}: it holds {} meshes, and at most {MOST_MODES} are read",
+        paths.len() <= MAX_MODES,
+        "{}: it holds {} meshes, and at most {MAX_MODES} are read",
         folder.display(),
         paths.len()
     );
@@ -33,7 +33,7 @@ pub(super) fn read(folder: &Path) -> Result<Found> {
     let Mesh { numbers, triangles } = obj::read(first)?;
     let rest = obj::like(first, numbers.len(), others)?;
     let examples: Vec<Vec<f64>> = std::iter::once(numbers).chain(rest).collect();
-    Ok(Found {
+    Ok(SourceModel {
         kind: "meshes",
         shape: FaceSpace::learn(&examples).with_context(named)?,
         examples,

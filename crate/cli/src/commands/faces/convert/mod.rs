@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, ensure};
 use clap::Args;
-use raconteur_faces::{FaceModel, FaceSpace, Follower, Life, MOST_BYTES, Segments};
+use raconteur_faces::{AgeModel, FaceModel, FaceSpace, Follower, MAX_BYTES, Segments};
 use raconteur_voice::files::disk::replace;
 
 use crate::{Outcome, terminal};
@@ -35,13 +35,13 @@ pub(super) struct Convert {
 }
 
 /// A model has no more vertices.
-const MOST_VERTICES: usize = 200_000;
+const MAX_VERTICES: usize = 200_000;
 /// A model has no more modes, nor examples.
-const MOST_MODES: usize = 400;
+const MAX_MODES: usize = 400;
 /// A file of a model is not larger, bytes.
-const MOST_FILE_BYTES: u64 = 512 << 20;
+const MAX_FILE_BYTES: u64 = 512 << 20;
 /// No coordinate is farther from 0, in the units of its file: single precision holds it well.
-const FARTHEST: f64 = 1e6;
+const MAX_COORDINATE: f64 = 1e6;
 /// Modes that explain less of the variance than this are told of.
 const EXPLAINED: f64 = 0.99;
 
@@ -50,7 +50,7 @@ impl Convert {
         let found = read(&self.folder)?;
         let kind = found.kind;
         let (model, explained) = found.model(self.modes)?;
-        let bytes = pack(&model, MOST_BYTES)?;
+        let bytes = pack(&model, MAX_BYTES)?;
         replace(&self.output, &bytes)?;
         writeln!(
             terminal::out(),
@@ -65,7 +65,7 @@ impl Convert {
             bytes.len()
         )?;
         if explained < EXPLAINED {
-            terminal::tell(format_args!(
+            terminal::report(format_args!(
                 "warning: the modes that are kept explain {:.2} % of the variance; `--modes` keeps more",
                 100.0 * explained
             ));
@@ -76,7 +76,7 @@ impl Convert {
 
 /// What a folder holds, in metres.
 #[derive(Debug)]
-struct Found {
+struct SourceModel {
     /// What kind of model it is.
     kind: &'static str,
     /// Its space with all of its modes.
@@ -87,18 +87,18 @@ struct Found {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Found {
+impl SourceModel {
     /// The model with its first modes, and what share of the variance they explain.
     fn model(self, most: Option<NonZeroUsize>) -> Result<(FaceModel, f64)> {
         let all = variance(&self.shape);
         // A pack has no more.
-        let most = most.map_or(raconteur_faces::MOST_MODES, NonZeroUsize::get);
-        let shape = self.shape.truncated(most.min(raconteur_faces::MOST_MODES));
+        let most = most.map_or(raconteur_faces::MAX_MODES, NonZeroUsize::get);
+        let shape = self.shape.truncated(most.min(raconteur_faces::MAX_MODES));
         let explained = variance(&shape) / all;
         let own = self.examples.iter().map(|face| shape.coefficients(face));
         let model = FaceModel {
             reference: Vec::new(),
-            life: Life::default(),
+            life: AgeModel::default(),
             examples: own.collect::<Result<_, _>>()?,
             // Neither a cage nor organs of ours follow it.
             cage: Follower::default(),
@@ -121,7 +121,7 @@ fn variance(shape: &FaceSpace) -> f64 {
 }
 
 /// Reads a folder of any of the kinds.
-fn read(folder: &Path) -> Result<Found> {
+fn read(folder: &Path) -> Result<SourceModel> {
     let holds = |name: &&str| folder.join(name).exists();
     let found = if ict::NAMES.iter().any(holds) {
         ict::read(folder)?

@@ -8,7 +8,7 @@ use raconteur_base::DVec3;
 use raconteur_sculpt::scan::Scan;
 use raconteur_voice::files::input;
 
-use super::{FARTHEST, MOST_FILE_BYTES, MOST_VERTICES};
+use super::{MAX_COORDINATE, MAX_FILE_BYTES, MAX_VERTICES};
 use crate::parallel;
 
 /// A mesh in the units of its file.
@@ -22,7 +22,7 @@ pub(super) struct Mesh {
 
 /// Reads a mesh.
 pub(super) fn read(path: &Path) -> Result<Mesh> {
-    let text = input::text(path, MOST_FILE_BYTES)?;
+    let text = input::text(path, MAX_FILE_BYTES)?;
     parse(&text).with_context(|| path.display().to_string())
 }
 
@@ -32,8 +32,8 @@ fn parse(text: &str) -> Result<Mesh> {
     let count = scan.points.len();
     ensure!(count > 0, "it has no vertices");
     ensure!(
-        count <= MOST_VERTICES,
-        "it has {count} vertices, and at most {MOST_VERTICES} are read"
+        count <= MAX_VERTICES,
+        "it has {count} vertices, and at most {MAX_VERTICES} are read"
     );
     let is_face = |line: &&str| line.split_ascii_whitespace().next() == Some("f");
     let faces = text.lines().filter(is_face).count();
@@ -44,8 +44,8 @@ fn parse(text: &str) -> Result<Mesh> {
     );
     let numbers: Vec<f64> = scan.points.iter().flat_map(DVec3::to_array).collect();
     ensure!(
-        numbers.iter().all(|x| x.abs() <= FARTHEST),
-        "a coordinate is beyond {FARTHEST}"
+        numbers.iter().all(|x| x.abs() <= MAX_COORDINATE),
+        "a coordinate is beyond {MAX_COORDINATE}"
     );
     Ok(Mesh {
         numbers,
@@ -64,7 +64,7 @@ fn fan(face: &[u32]) -> Vec<[u32; 3]> {
 
 /// The numbers of meshes that have as many as the first one, read on all processors.
 pub(super) fn like(first: &Path, length: usize, paths: &[PathBuf]) -> Result<Vec<Vec<f64>>> {
-    parallel::each(0..paths.len() as u64, |index| {
+    parallel::map(0..paths.len() as u64, |index| {
         let path = &paths[index as usize];
         let mesh = read(path)?;
         ensure!(

@@ -186,7 +186,7 @@ fn a_pack_of_every_kind_is_read_again() {
         convert.run().unwrap();
         let model = FaceModel::from_bytes(&fs::read(output).unwrap()).unwrap();
         assert_eq!((model.shape.length(), model.shape.dimensions()), (12, 1));
-        assert!(model.cage.at(&[1.0]).is_empty());
+        assert!(model.cage.evaluate(&[1.0]).is_empty());
         assert!(model.segments.all().is_empty() && model.attributes.is_empty());
     }
 }
@@ -212,7 +212,7 @@ fn broken_folders_of_meshes_are_told_by_name() {
         ),
         (
             "identity000.obj",
-            "v 0 0 0\n".repeat(MOST_VERTICES + 1).into_bytes(),
+            "v 0 0 0\n".repeat(MAX_VERTICES + 1).into_bytes(),
             "200001 vertices",
         ),
         ("identity000.obj", b"v \xff\n".to_vec(), "0xff"),
@@ -324,7 +324,7 @@ fn broken_arrays_are_told_by_name() {
 #[test]
 fn a_pack_that_would_be_too_large_is_not_made() {
     let (model, _) = made(&ict(), 0);
-    let bytes = pack(&model, MOST_BYTES).unwrap();
+    let bytes = pack(&model, MAX_BYTES).unwrap();
     assert!(pack(&model, bytes.len()).is_ok());
     let told = pack(&model, bytes.len() - 1).unwrap_err().to_string();
     assert!(told.contains("`--modes` keeps fewer"), "{told}");

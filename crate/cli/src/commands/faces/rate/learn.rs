@@ -38,14 +38,14 @@ const GROUP: &str = "impression";
 const TERMS: [&str; 2] = ["less", "more"];
 /// Raters whose mean can be relied on less agree poorly: Cicchetti 1994
 /// (doi:10.1037/1040-3590.6.4.284) calls an intraclass correlation below 0.40 that.
-const LEAST_AGREEMENT: f64 = 0.4;
+const MIN_AGREEMENT: f64 = 0.4;
 
 impl Learn {
     pub(super) fn run(&self, out: &mut impl Write) -> Result<Outcome> {
         let mut model = read(&self.pack)?;
         let ratings = self.read_ratings(model.examples.len())?;
         let terms = terms(&self.terms)?;
-        if let Some(name) = terms.keys().find(|name| ratings.of(name).is_none()) {
+        if let Some(name) = terms.keys().find(|name| ratings.get(name).is_none()) {
             bail!("--terms names {name}, which nobody rated");
         }
         writeln!(out, "attribute\traters\tfaces\tICC(2,1)\tICC(2,k)")?;
@@ -62,7 +62,7 @@ impl Learn {
             learned.push((name, learn(&mut model, name, &labels, terms)?));
         }
         let why = format!(
-            "raters agree too little to learn {} (ICC(2,k) below {LEAST_AGREEMENT}, or unknown); \
+            "raters agree too little to learn {} (ICC(2,k) below {MIN_AGREEMENT}, or unknown); \
              --anyway does",
             refused.join(", ")
         );
@@ -75,7 +75,7 @@ impl Learn {
         if refused.is_empty() {
             return Ok(Outcome::Fine);
         }
-        terminal::tell(why);
+        terminal::report(why);
         Ok(Outcome::Errors)
     }
 
@@ -83,7 +83,7 @@ impl Learn {
     fn read_ratings(&self, examples: usize) -> Result<Ratings> {
         let mut all = Ratings::default();
         for path in &self.ratings {
-            let text = input::text(path, input::LONGEST_TEXT)?;
+            let text = input::text(path, input::MAX_TEXT_BYTES)?;
             let added = Ratings::parse(&text).and_then(|ratings| {
                 ratings.check_faces(examples)?;
                 all.merge(ratings)
@@ -122,7 +122,7 @@ fn print(name: &str, agreement: Agreement, out: &mut impl Write) -> Result<()> {
 }
 
 fn is_poor(agreement: Agreement) -> bool {
-    agreement.average.is_none_or(|x| x < LEAST_AGREEMENT)
+    agreement.average.is_none_or(|x| x < MIN_AGREEMENT)
 }
 
 /// Learns an attribute from the faces that have a label, in the place of one of that name. Returns how
@@ -161,7 +161,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    use super::super::sample::{pack, seen};
+    use super::super::sample::{pack, visible_value};
     use super::*;
 
     /// A form as a rater fills it in: a multiple of what is seen, for each attribute.
@@ -172,7 +172,7 @@ mod tests {
                 return format!("{line}\n");
             };
             let times = if attribute == "odd" { odd } else { friendly };
-            let value = times * seen(face.parse().expect("an index"));
+            let value = times * visible_value(face.parse().expect("an index"));
             format!("{rater}\t{face}\t{attribute}\t{value:.1}\n")
         };
         form.lines().map(line).collect()
@@ -219,7 +219,7 @@ mod tests {
         );
         let value = |i: usize| named.attribute.value(&model.shape, &model.examples[i]);
         let mut order: Vec<usize> = (0..40).collect();
-        order.sort_by(|a, b| seen(*a).total_cmp(&seen(*b)));
+        order.sort_by(|a, b| visible_value(*a).total_cmp(&visible_value(*b)));
         assert!(value(order[0]) < -0.3 && value(order[39]) > 0.3);
         // Once more, on the new pack: what it has is replaced.
         of.pack = of.output.clone();

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use raconteur_base::noise;
-use raconteur_faces::{FaceModel, FaceSpace, Follower, Life, Segment, Segments};
+use raconteur_faces::{AgeModel, FaceModel, FaceSpace, Follower, Segment, Segments};
 
 /// A pack of 40 faces of 12 numbers, in a folder.
 pub(super) fn pack(folder: &Path) -> PathBuf {
@@ -20,7 +20,7 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
     };
     let model = FaceModel {
         reference: Vec::new(),
-        life: Life::default(),
+        life: AgeModel::default(),
         cage: Follower::learn(&shape, &examples, &faces),
         organs: Follower::default(),
         people: Vec::new(),
@@ -38,6 +38,6 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
 }
 
 /// What raters see: the first number of a face, from −1 to 1.
-pub(super) fn seen(face: usize) -> f64 {
+pub(super) fn visible_value(face: usize) -> f64 {
     noise::signed(3, face as u64, 0)
 }

@@ -55,7 +55,7 @@ impl Sheet {
         // Raters may put their lines into one file.
         let lines = self.faces.saturating_mul(names.len());
         ensure!(
-            lines < Ratings::MOST_LINES / 2,
+            lines < Ratings::MAX_LINES / 2,
             "{lines} ratings are too many for one form"
         );
         let indices = draw(examples, self.faces, self.seed);

@@ -21,9 +21,9 @@ fn events(told: &[(usize, &str)]) -> Vec<Event> {
     let of = |(sample, what): &(usize, &str)| Event {
         sample: *sample,
         what: match what.strip_prefix('#') {
-            Some("end") => What::End,
-            Some(position) => What::Word(position.parse().unwrap()),
-            None => What::Phone((*what).to_owned()),
+            Some("end") => EventKind::End,
+            Some(position) => EventKind::Word(position.parse().unwrap()),
+            None => EventKind::Phone((*what).to_owned()),
         },
     };
     told.iter().map(of).collect()
@@ -31,7 +31,7 @@ fn events(told: &[(usize, &str)]) -> Vec<Event> {
 
 #[test]
 fn events_become_phones_of_tokens() {
-    let text = Text::of(&sentence(&["It's", "-", "25"]), Set::Espeak).unwrap();
+    let text = Text::from_sentence(&sentence(&["It's", "-", "25"]), Set::Espeak).unwrap();
     assert_eq!(text.written, "It's 25? ");
     assert_eq!(text.starts, [(0, 0), (5, 2)]);
     let said = Synthesis {
@@ -86,7 +86,7 @@ fn events_become_phones_of_tokens() {
 #[test]
 fn texts_cannot_become_phones_or_commands() {
     for nasty in ["[[f@]]", "<speak>", "a_b|c", "x\u{0}\n"] {
-        let text = Text::of(&sentence(&[nasty]), Set::Espeak).unwrap();
+        let text = Text::from_sentence(&sentence(&[nasty]), Set::Espeak).unwrap();
         assert!(
             !text
                 .written
@@ -109,9 +109,9 @@ fn pronunciations_are_mnemonics_with_stress_before_vowels() {
 }
 
 /// Has one variant, and says nothing.
-struct Mute;
+struct SilentHost;
 
-impl Host for Mute {
+impl Host for SilentHost {
     fn version(&self) -> Result<String> {
         Ok(String::new())
     }
@@ -130,19 +130,19 @@ impl Host for Mute {
         .to_owned())
     }
 
-    fn say(&self, _voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
+    fn speak(&self, _voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
         Ok(vec![Synthesis::default(); texts.len()])
     }
 }
 
 #[test]
 fn voices_are_languages_with_variants_that_exist() {
-    assert_eq!(voices::known("de", &Mute).unwrap(), "de");
-    assert_eq!(voices::known("en-us+f2", &Mute).unwrap(), "en-us");
+    assert_eq!(voices::known("de", &SilentHost).unwrap(), "de");
+    assert_eq!(voices::known("en-us+f2", &SilentHost).unwrap(), "en-us");
     for bad in ["", "+f2", "de+f9", "../x", "de+../f2", "a b", "de+f2+f2"] {
-        assert!(voices::known(bad, &Mute).is_err(), "{bad}");
+        assert!(voices::known(bad, &SilentHost).is_err(), "{bad}");
     }
-    let of = |name: &str| Espeak(Mute).voice(name).unwrap().map(|v| v.gender);
+    let of = |name: &str| Espeak(SilentHost).voice(name).unwrap().map(|v| v.gender);
     assert_eq!(of("de"), Some(Some(Gender::Male)));
     assert_eq!(of("de-DE+f2"), Some(Some(Gender::Female)));
     assert_eq!(of("pt"), None);

@@ -4,12 +4,12 @@
 use anyhow::Result;
 
 use super::super::matching;
-use super::{Event, Synthesis, What, set};
+use super::{Event, EventKind, Synthesis, set};
 use crate::ipa::{self, Set};
 
 /// A text as such a build says it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Traced {
+pub struct TracedText {
     /// Mono.
     pub samples: Vec<i16>,
     /// Samples a second.
@@ -24,14 +24,14 @@ pub struct Traced {
 ///
 /// # Errors
 /// When the text is too long.
-pub fn named(said: Traced, voice: &str) -> Result<Synthesis> {
+pub fn named(said: TracedText, voice: &str) -> Result<Synthesis> {
     let set = set(voice.split('+').next().unwrap_or_default());
     let marked = mnemonics(&said.marked);
     let mut events = said.events;
     let mut heard: Vec<&mut String> = events
         .iter_mut()
         .filter_map(|e| match &mut e.what {
-            What::Phone(symbol) => Some(symbol),
+            EventKind::Phone(symbol) => Some(symbol),
             _ => None,
         })
         .collect();
@@ -40,7 +40,7 @@ pub fn named(said: Traced, voice: &str) -> Result<Synthesis> {
         let known = pair.map(|k| &marked[k]);
         **symbol = match known.filter(|k| unlike(k, symbol, set) < 5) {
             Some(known) => super::bare(known),
-            None => alone(symbol, set).unwrap_or_else(|| "_:".to_owned()),
+            None => mnemonic_of(symbol, set).unwrap_or_else(|| "_:".to_owned()),
         };
     }
     Ok(Synthesis {
@@ -74,7 +74,7 @@ fn unlike(mnemonic: &str, letters: &str, set: Set) -> u32 {
     let own = super::bare(mnemonic);
     // A glide that is no more than a colour of its neighbours has no letter either.
     let is_mute = own.starts_with('_') || own == ";";
-    match alone(letters, set) {
+    match mnemonic_of(letters, set) {
         None => 5 * u32::from(!is_mute),
         Some(_) if is_mute => 5,
         Some(named) => super::unlike(&own, &named, set),
@@ -82,7 +82,7 @@ fn unlike(mnemonic: &str, letters: &str, set: Set) -> u32 {
 }
 
 /// The mnemonic of letters as far as they alone tell; none of silence.
-fn alone(letters: &str, set: Set) -> Option<String> {
+fn mnemonic_of(letters: &str, set: Set) -> Option<String> {
     let letters = letters.trim_matches(['ˈ', 'ˌ']);
     if letters.is_empty() {
         return None;
@@ -100,18 +100,18 @@ mod tests {
     fn said(marked: &str, heard: &[&str], voice: &str) -> Vec<String> {
         let events = heard.iter().enumerate().map(|(sample, symbol)| Event {
             sample,
-            what: What::Phone((*symbol).to_owned()),
+            what: EventKind::Phone((*symbol).to_owned()),
         });
-        let traced = Traced {
+        let traced = TracedText {
             events: events.collect(),
             marked: marked.to_owned(),
-            ..Traced::default()
+            ..TracedText::default()
         };
         let said = named(traced, voice).unwrap();
         said.events
             .into_iter()
             .map(|e| match e.what {
-                What::Phone(symbol) => symbol,
+                EventKind::Phone(symbol) => symbol,
                 other => panic!("{other:?}"),
             })
             .collect()

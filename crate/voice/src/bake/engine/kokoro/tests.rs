@@ -40,7 +40,7 @@ impl Host for Plain {
 
     fn infer(&self, _voice: &str, letters: &str, _pace: f64) -> Result<Output> {
         let count = letters.chars().count();
-        assert!(count <= MOST_LETTERS);
+        assert!(count <= MAX_LETTERS);
         let frames = std::iter::once(4.0)
             .chain(std::iter::repeat_n(2.0, count))
             .chain([4.0]);
@@ -71,7 +71,7 @@ fn sentence(words: &[&str]) -> Sentence {
 }
 
 fn letters(words: &[&str]) -> String {
-    let text = Text::of(&sentence(words), TONGUES[0], &Plain).unwrap();
+    let text = Text::from_sentence(&sentence(words), TONGUES[0], &Plain).unwrap();
     text.marks.iter().map(|m| m.letter).collect()
 }
 
@@ -92,17 +92,18 @@ fn words_are_of_the_dictionaries_with_endings_weak_forms_or_guessed() {
 fn an_authors_pronunciation_is_spoken() {
     let mut sentence = sentence(&["bird"]);
     sentence.tokens[0].ipa = Some("təˈmɑːtoʊ".to_owned());
-    let text = Text::of(&sentence, TONGUES[0], &Plain).unwrap();
+    let text = Text::from_sentence(&sentence, TONGUES[0], &Plain).unwrap();
     let letters: String = text.marks.iter().map(|m| m.letter).collect();
     assert_eq!(letters, "təmˈɑtO.");
 }
 
 #[test]
 fn frames_become_phones_of_words_with_stress() {
-    let text = Text::of(&sentence(&["the", "letter,", "bird"]), TONGUES[0], &Plain).unwrap();
+    let text =
+        Text::from_sentence(&sentence(&["the", "letter,", "bird"]), TONGUES[0], &Plain).unwrap();
     let letters: String = text.marks.iter().map(|m| m.letter).collect();
     let out = Plain.infer("af_heart", &letters, 1.0).unwrap();
-    let said = [spoken(&text.marks, TONGUES[0], &out).unwrap()];
+    let said = [to_spoken(&text.marks, TONGUES[0], &out).unwrap()];
     let told: Vec<_> = said[0]
         .segments
         .iter()
@@ -189,19 +190,19 @@ fn a_network_that_tells_nonsense_is_an_error() {
             samples: vec![0.0; 600],
             frames,
         };
-        assert!(spoken(&marks, TONGUES[0], &out).is_err());
+        assert!(to_spoken(&marks, TONGUES[0], &out).is_err());
     }
 }
 
 #[test]
 fn words_of_other_languages_have_the_phones_of_espeak() {
     let sentence = sentence(&["As", "armas", "e", "os", "barões"]);
-    let portuguese = Tongue::of("pf_dora").unwrap();
-    let text = Text::of(&sentence, portuguese, &Plain).unwrap();
+    let portuguese = SpokenLanguage::from_voice("pf_dora").unwrap();
+    let text = Text::from_sentence(&sentence, portuguese, &Plain).unwrap();
     let letters: String = text.marks.iter().map(|m| m.letter).collect();
     assert_eq!(letters, "az ˈaɾəmæz i ʊz baɾˈo\u{303}jz.");
     let out = Plain.infer("pf_dora", &letters, 1.0).unwrap();
-    let said = spoken(&text.marks, portuguese, &out).unwrap();
+    let said = to_spoken(&text.marks, portuguese, &out).unwrap();
     let of_last: Vec<&str> = said
         .segments
         .iter()
@@ -214,6 +215,6 @@ fn words_of_other_languages_have_the_phones_of_espeak() {
         tokens: sentence.tokens[..1].to_vec(),
         ..sentence
     };
-    let text = Text::of(&short, portuguese, &Plain).unwrap();
+    let text = Text::from_sentence(&short, portuguese, &Plain).unwrap();
     assert!(text.marks.len() > 10, "{:?}", text.marks);
 }

@@ -41,7 +41,7 @@ pub(super) fn written(sentence: &Sentence, host: &dyn Host) -> Result<Vec<String
             None => of_word(token, ends, host)?,
         });
     }
-    before_vowels(tokens, &mut out);
+    adapt_before_vowels(tokens, &mut out);
     Ok(out)
 }
 
@@ -177,7 +177,7 @@ fn known(word: &str, ends: bool, host: &dyn Host) -> Result<Option<String>> {
         };
         for last in stems {
             if let Some((letters, _)) = host.word(&format!("{stem}{last}"))? {
-                return Ok(Some(ended(letters, ending)));
+                return Ok(Some(with_ending(letters, ending)));
             }
         }
     }
@@ -185,7 +185,7 @@ fn known(word: &str, ends: bool, host: &dyn Host) -> Result<Option<String>> {
 }
 
 /// A word with an ending, which sounds as the end of the word makes it.
-fn ended(mut letters: String, ending: &str) -> String {
+fn with_ending(mut letters: String, ending: &str) -> String {
     let last = letters.chars().last().unwrap_or_default();
     letters.push_str(match ending {
         "ing" => "ɪŋ",
@@ -223,7 +223,7 @@ fn guessed(word: &str, host: &dyn Host) -> Result<String> {
 }
 
 /// "The" and "to" have other vowels before vowels.
-fn before_vowels(tokens: &[Token], written: &mut [String]) {
+fn adapt_before_vowels(tokens: &[Token], written: &mut [String]) {
     for t in 0..written.len().saturating_sub(1) {
         let vowel = written[t + 1]
             .chars()

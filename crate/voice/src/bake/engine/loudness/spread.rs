@@ -6,7 +6,7 @@
 
 /// What is said as one word.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in super::super) struct Said<'a> {
+pub(in super::super) struct SpokenUnit<'a> {
     /// Its letters.
     pub(in super::super) text: &'a str,
     /// Whether punctuation follows it.
@@ -23,7 +23,7 @@ pub(super) struct Pause {
 }
 
 /// Shortest pause that is the end of a word, seconds.
-const SHORTEST_SECS: f64 = 0.15;
+const MIN_SECS: f64 = 0.15;
 /// What a pause without punctuation costs, and punctuation without a pause.
 const BARE: f64 = 0.3;
 const PASSED: f64 = 0.1;
@@ -41,7 +41,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    pub(super) fn of(words: &[Said<'_>]) -> Self {
+    pub(super) fn from_units(words: &[SpokenUnit<'_>]) -> Self {
         let (mut letters, mut punctuated) = (vec![0.0], vec![0.0]);
         for word in words {
             let count = word.text.chars().filter(|c| c.is_alphanumeric()).count();
@@ -77,9 +77,9 @@ impl Words {
     }
 
     /// Pauses that are ends of words: the longest, if there are more than that.
-    fn kept(&self, pauses: &[Pause], total_secs: f64) -> Vec<f64> {
+    fn longest_pauses(&self, pauses: &[Pause], total_secs: f64) -> Vec<f64> {
         let inner = |p: &&Pause| p.at_secs > 0.0 && p.at_secs < total_secs;
-        let long = |p: &&Pause| p.length_secs >= SHORTEST_SECS;
+        let long = |p: &&Pause| p.length_secs >= MIN_SECS;
         let mut kept: Vec<&Pause> = pauses.iter().filter(inner).filter(long).collect();
         kept.sort_by(|a, b| b.length_secs.total_cmp(&a.length_secs));
         kept.truncate(self.count().saturating_sub(1));
@@ -92,7 +92,7 @@ impl Words {
     /// from none to all.
     pub(super) fn anchors(&self, pauses: &[Pause], total_secs: f64) -> Vec<(usize, f64)> {
         let mut times = vec![0.0];
-        times.extend(self.kept(pauses, total_secs));
+        times.extend(self.longest_pauses(pauses, total_secs));
         times.push(total_secs);
         let secs_a_letter = total_secs / self.between(0, self.count()).max(1.0);
         // For each time the words that may end there, with the least cost and the place of the
@@ -135,10 +135,10 @@ impl Words {
 mod tests {
     use super::*;
 
-    fn said(text: &str) -> Vec<Said<'_>> {
+    fn said(text: &str) -> Vec<SpokenUnit<'_>> {
         let words = text.split(' ');
         words
-            .map(|text| Said {
+            .map(|text| SpokenUnit {
                 text,
                 ends: text.ends_with([',', '.']),
             })
@@ -153,7 +153,7 @@ mod tests {
                 length_secs,
             })
             .collect();
-        let anchors = Words::of(&said(text)).anchors(&pauses, total);
+        let anchors = Words::from_units(&said(text)).anchors(&pauses, total);
         assert_eq!(anchors[0], (0, 0.0));
         assert!(anchors.is_sorted_by(|a, b| a.0 < b.0 && a.1 <= b.1) || anchors.len() == 2);
         anchors.into_iter().map(|a| a.0).collect()
@@ -175,7 +175,7 @@ mod tests {
             [0, 1, 2]
         );
         assert_eq!(ends("one", &[(0.5, 0.9)], 1.0), [0, 1]);
-        assert_eq!(Words::of(&[]).anchors(&[], 1.0).len(), 2);
+        assert_eq!(Words::from_units(&[]).anchors(&[], 1.0).len(), 2);
         let far = "a ".repeat(200) + "b";
         let many: Vec<(f64, f64)> = (1..100).map(|i| (0.001 * f64::from(i), 0.3)).collect();
         ends(&far, &many, 60.0);

@@ -9,7 +9,7 @@ use anyhow::{Context as _, Result, ensure};
 
 /// Lengths from here on say that the length was not known: no sound that is read is so long.
 /// Programs leave 0xFFFFFFFF, 0x7FFFFFFF and numbers a header's length below.
-const UNKNOWN: u64 = super::MOST_BYTES;
+const UNKNOWN: u64 = super::MAX_BYTES;
 /// Format tags: samples as integers, as floating-point numbers, and told further on.
 const PCM: u16 = 1;
 const FLOAT: u16 = 3;
@@ -36,7 +36,7 @@ fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 impl Form {
-    fn of(chunk: &[u8]) -> Result<Self> {
+    fn parse(chunk: &[u8]) -> Result<Self> {
         let read = || {
             let tag = match u16_at(chunk, 0)? {
                 EXTENSIBLE => u16_at(chunk, 24)?,
@@ -80,7 +80,7 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
         "no WAV: it does not begin as one"
     );
     let (form, data) = chunks(bytes)?;
-    let mut form = Form::of(form.context("no WAV: there is no chunk \"fmt \"")?)?;
+    let mut form = Form::parse(form.context("no WAV: there is no chunk \"fmt \"")?)?;
     let data = data.context("no WAV: there is no chunk \"data\"")?;
     let mut samples = match data {
         Data::Told(samples) => samples,

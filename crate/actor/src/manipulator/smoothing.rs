@@ -1,0 +1,287 @@
+//! Joints that lead a limb where its target alone would make it snap.
+//!
+//! A target is met by joints that depend on the place of the body and the target alone, which
+//! keeps play and seek the same. No such choice can be steady everywhere: the elbow's circle
+//! has no steady direction around a whole sphere, a place inside the shortest reach has two
+//! nearest ones, and beyond the limits one way of not meeting a target gives way to another.
+//! So when a script is compiled ([`super::scan`]), every limb is followed over even times, and
+//! where its joints snap or turn faster than [`MAX_RAD_PER_S`] a way through the joints is
+//! written down. Evaluation follows that record, by a uniform cubic B-spline,
+//! whose speed is a mean of the speeds between the even times, and the target everywhere else.
+
+use core::f64::consts::PI;
+
+use raconteur_base::curve::smooth;
+use raconteur_base::ops;
+
+use crate::limb::Joints;
+use crate::limb::chain::{LimbRig, ROLL};
+use crate::limb::solve::variation;
+
+/// Fastest turn of a bone that a manipulator leads, radians a second. People's knees and
+/// elbows reach 10 to 20 rad/s when they move fast without a run-up; only throws and kicks
+/// are faster (a kicking knee 28 rad/s: Lees et al. 2010, doi:10.1080/02640414.2010.481305).
+/// A clause that asks for more arrives later.
+pub const MAX_RAD_PER_S: f64 = 20.0;
+
+/// Even times a second.
+pub(super) const EVEN_HZ: f64 = 30.0;
+
+/// Weights of the uniform cubic B-spline for the even times around a share of a step.
+pub(super) fn spline(u: f64) -> [f64; 4] {
+    let v = 1.0 - u;
+    let (u2, u3) = (u * u, u * u * u);
+    [
+        v * v * v / 6.0,
+        (3.0 * u3 - 6.0 * u2 + 4.0) / 6.0,
+        (-3.0 * u3 + 3.0 * u2 + 3.0 * u + 1.0) / 6.0,
+        u3 / 6.0,
+    ]
+}
+
+/// Where a limb is at an even time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    pub(super) joints: Joints,
+    /// Whether the joints lead there, and not the target: those of the whole limb, and those of
+    /// its end.
+    pub(super) leads: [bool; 2],
+}
+
+/// Even times without a gap, from one on which a limb moves to one on which it rests.
+#[derive(Clone, Debug)]
+pub(super) struct Interval {
+    /// The even time from which it counts.
+    pub(super) from: i64,
+    /// The even time of the first sample, not after `from`.
+    pub(super) first: i64,
+    pub(super) samples: Vec<Sample>,
+    /// Whether the limb rests at its end; else it goes on in a loop, which has not been followed
+    /// farther.
+    pub(super) rests: bool,
+    /// The last even times at which the joints lead whatever comes.
+    pub(super) lead_to: [i64; 2],
+    /// Whether a command takes the limb on in it, just after `from`.
+    pub(super) takes: bool,
+}
+
+/// What leads a limb beside its target at one time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SmoothedPath {
+    pub(super) joints: Joints,
+    /// How much those of the whole limb and those of its end do, 0 to 1.
+    pub(super) weights: [f64; 2],
+    /// How much they do where the target cannot be met: a limb that rests then keeps its
+    /// joints, or the sway of the body would have it change its way of not meeting it.
+    pub(super) weight_unmet: f64,
+}
+
+/// The stretches of one limb, in order of time.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SmoothedPaths {
+    pub(super) stretches: Vec<Interval>,
+    /// When the limb is cut to other joints, in order, seconds: no stretch goes on beyond that.
+    pub(super) cuts_secs: Vec<f64>,
+}
+
+impl SmoothedPaths {
+    /// What leads at a time; none where the limb is not followed, or no joints ever lead.
+    pub(super) fn sample(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<SmoothedPath> {
+        let even = (time_secs * EVEN_HZ).floor();
+        let begun = self.stretches.partition_point(|s| s.from as f64 <= even);
+        let on = self.stretches.get(begun.checked_sub(1)?)?;
+        let cut = self.cuts_secs.partition_point(|cut| *cut <= time_secs);
+        let cut = cut.checked_sub(1).and_then(|last| self.cuts_secs.get(last));
+        if cut.is_some_and(|cut| on.from as f64 / EVEN_HZ <= *cut) {
+            return None;
+        }
+        on.sample(time_secs, rig)
+    }
+
+    /// Whether the limb is cut to other joints between an even time and the one before it.
+    pub(super) fn is_cut_before(&self, even: i64) -> bool {
+        let before_secs = (even - 1) as f64 / EVEN_HZ;
+        self.cuts_secs.last().is_some_and(|cut| *cut >= before_secs)
+    }
+}
+
+impl Interval {
+    /// Time after its end in which a limb comes to rest on its joints, even times.
+    const RESTING: f64 = 10.0;
+
+    /// Samples around which the joints lead with one of them: two for the spline to do so all the
+    /// way between two, and two for them to lead already when the target begins to snap.
+    const AROUND: usize = 4;
+
+    /// Begins at an even time.
+    pub(super) fn new(from: i64, first: i64, joints: Joints) -> Self {
+        Self {
+            from,
+            first,
+            samples: vec![Sample {
+                joints,
+                leads: [false; 2],
+            }],
+            rests: true,
+            lead_to: [first; 2],
+            takes: false,
+        }
+    }
+
+    /// Goes on by an even time.
+    pub(super) fn push(&mut self, joints: Joints, leads: [bool; 2]) {
+        let next = self.next();
+        let recent = self.samples.len().saturating_sub(Self::AROUND);
+        for (i, _) in leads.iter().enumerate().filter(|(_, leads)| **leads) {
+            for sample in &mut self.samples[recent..] {
+                sample.leads[i] = true;
+            }
+            self.lead_to[i] = next + Self::AROUND as i64;
+        }
+        self.samples.push(Sample {
+            joints,
+            leads: self.lead_to.map(|to| next <= to),
+        });
+    }
+
+    /// Lets joints that lead do so some time longer.
+    pub(super) fn follow(&mut self) {
+        let to = self.next() + Self::AROUND as i64;
+        if let Some(last) = self.samples.last() {
+            for (lead_to, leads) in self.lead_to.iter_mut().zip(last.leads) {
+                if leads {
+                    *lead_to = to;
+                }
+            }
+        }
+    }
+
+    /// Whether a command took the limb on so shortly before the next even time that joints which
+    /// lead there do so already when it comes.
+    pub(super) fn begins(&self) -> bool {
+        self.takes && self.next() - self.from <= 2 * Self::AROUND as i64
+    }
+
+    /// Has a limb that snaps just after a command took it on go on as it did before, for as long
+    /// as the spline looks ahead from there: so it begins where the limb is. The last joints of
+    /// that, and whether they are those of the next even time; none if no command took it on.
+    pub(super) fn delay_snap(&mut self, rig: Option<&LimbRig>) -> Option<(Joints, bool)> {
+        let taken = usize::try_from(self.from - self.first).ok()?;
+        let done = self.samples.len().checked_sub(taken + 1)?;
+        if !self.begins() {
+            return None;
+        }
+        let last = self.samples[taken].joints;
+        let before = nearest(&self.samples[taken.checked_sub(1)?].joints, &last, rig);
+        let on = |steps: usize| {
+            let mut joints = last;
+            for (joint, (last, before)) in joints.iter_mut().zip(last.iter().zip(&before)) {
+                *joint += steps.min(Self::AROUND) as f64 * (last - before);
+            }
+            joints
+        };
+        for (i, sample) in self.samples[taken..].iter_mut().enumerate() {
+            *sample = Sample {
+                joints: on(i),
+                leads: [true; 2],
+            };
+        }
+        Some(if done < Self::AROUND {
+            (on(done + 1), true)
+        } else {
+            (on(done), false)
+        })
+    }
+
+    /// The even time after the last sample.
+    pub(super) fn next(&self) -> i64 {
+        self.first + self.samples.len() as i64
+    }
+
+    fn sample(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<SmoothedPath> {
+        let at = time_secs * EVEN_HZ - self.first as f64;
+        let last = self.samples.len().checked_sub(1)?;
+        let after = at - last as f64;
+        let weight_unmet = if self.rests {
+            smooth(after / Self::RESTING)
+        } else {
+            0.0
+        };
+        // Later ones are as the last.
+        let at = at.clamp(0.0, last as f64 + 2.0);
+        let index = at.floor() as usize;
+        let around = [0, 1, 2, 3].map(|k| (index + k).saturating_sub(1).min(last));
+        let weights = spline(at - index as f64);
+        let mut lead = SmoothedPath {
+            joints: self.samples[around[1]].joints,
+            weights: [0.0; 2],
+            weight_unmet,
+        };
+        for (i, weight) in around.into_iter().zip(weights) {
+            for (sum, leads) in lead.weights.iter_mut().zip(self.samples[i].leads) {
+                *sum += weight * f64::from(u8::from(leads));
+            }
+        }
+        // A limb that rests is led by its target again as far as that can be met.
+        for sum in &mut lead.weights {
+            *sum *= 1.0 - weight_unmet;
+        }
+        if lead.weights[1] > 0.0 {
+            let [a, b, c, d] = around.map(|i| &self.samples[i].joints);
+            let c = nearest(c, b, rig);
+            let mut a = nearest(a, b, rig);
+            if index == 0 {
+                // Nothing is known of before: it begins where the first one is.
+                for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
+                    *a = 2.0 * b - c;
+                }
+            }
+            let around = [a, *b, c, nearest(d, &c, rig)];
+            lead.joints = Joints::default();
+            for (joints, weight) in around.iter().zip(weights) {
+                for (sum, joint) in lead.joints.iter_mut().zip(joints) {
+                    *sum += weight * joint;
+                }
+            }
+        }
+        (lead.weights[1] > 0.0 || weight_unmet > 0.0).then_some(lead)
+    }
+}
+
+/// Joints that turn the bones alike, in the one of their ways that is nearest to others.
+pub(super) fn nearest(joints: &Joints, to: &Joints, rig: Option<&LimbRig>) -> Joints {
+    let mut near = *joints;
+    // Three joints in one place turn alike in two ways, here those of wrist, ankle or skull.
+    let end = if let Some(rig) = rig {
+        near = rig.alike(joints, to, false);
+        3
+    } else {
+        2
+    };
+    let mut turned = near;
+    turned[end] += PI;
+    turned[end + 1] = PI - near[end + 1];
+    turned[end + 2] += PI;
+    if variation(&turned, to) < variation(&near, to) {
+        near = turned;
+    }
+    for (joint, to) in near.iter_mut().zip(to) {
+        *joint = to + ops::wrap_angle(*joint - to);
+    }
+    near
+}
+
+/// Joints a share of the way to others by the joints: those within limits stay there.
+pub(super) fn lerp_joints(from: &Joints, to: &Joints, share: f64, limited: bool) -> Joints {
+    let mut joints = *from;
+    for (i, (joint, to)) in joints.iter_mut().zip(to).enumerate() {
+        let way = to - *joint;
+        let way = if limited && i != ROLL {
+            way
+        } else {
+            ops::wrap_angle(way)
+        };
+        *joint += share * way;
+    }
+    joints
+}

@@ -1,0 +1,206 @@
+//! The parameters of a face that can be set one by one: its muscles, and the direct parameters of what
+//! no muscle moves.
+
+use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
+
+/// Largest turn of the eyes that a script asks for, radians: beyond, a head must follow.
+/// Designed.
+const GAZE_RAD: f64 = 0.5;
+
+/// A direct parameter: its name, and whether it goes both ways (−1 to 1) instead of
+/// one (0 to 1).
+const DIRECT: [(&str, bool); 18] = [
+    ("Jaw", false),
+    ("JawYaw", true),
+    ("JawForward", true),
+    ("JawDown", false),
+    ("UpperLidLeft", true),
+    ("UpperLidRight", true),
+    ("LowerLidLeft", false),
+    ("LowerLidRight", false),
+    ("LipProtrusionUpper", true),
+    ("LipProtrusionLower", true),
+    ("LipSeal", false),
+    ("LipBite", false),
+    ("TongueTip", false),
+    ("TongueBack", false),
+    ("TongueOut", false),
+    ("Blush", true),
+    ("GazeX", true),
+    ("GazeY", true),
+];
+
+/// How many there are.
+pub const DIALS: usize = MUSCLES + DIRECT.len();
+
+/// One of them, by its place among all: the muscles in their order, then the direct ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FaceControl(u8);
+
+impl FaceControl {
+    /// Opening of the jaw.
+    pub const JAW: Self = Self::direct(0);
+    /// The upper lid: closed (positive) or wide open (negative).
+    pub const UPPER_LID_LEFT: Self = Self::direct(4);
+    /// The lower lid raised.
+    pub const LOWER_LID_LEFT: Self = Self::direct(6);
+    /// The jaw forwards (positive) or back.
+    pub const JAW_FORWARD: Self = Self::direct(2);
+    /// The upper lip pushed forwards (positive) or drawn back and rolled in.
+    pub const LIP_PROTRUSION_UPPER: Self = Self::direct(8);
+    /// The same of the lower lip.
+    pub const LIP_PROTRUSION_LOWER: Self = Self::direct(9);
+
+    const fn direct(place: usize) -> Self {
+        Self((MUSCLES + place) as u8)
+    }
+
+    /// That of a muscle.
+    #[must_use]
+    pub const fn from_muscle(muscle: Muscle) -> Self {
+        Self(muscle.index() as u8)
+    }
+
+    /// That of a place in the order of all; `None` beyond the last.
+    #[must_use]
+    pub fn from_index(index: usize) -> Option<Self> {
+        (index < DIALS).then_some(Self(index as u8))
+    }
+
+    /// Its place among all.
+    #[must_use]
+    pub fn index(self) -> usize {
+        usize::from(self.0)
+    }
+
+    /// Its name in stories.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self.index().checked_sub(MUSCLES) {
+            Some(place) => DIRECT[place].0,
+            None => Muscle::all().nth(self.index()).map_or("", Muscle::name),
+        }
+    }
+
+    /// Whether it goes from −1 to 1 instead of from 0.
+    #[must_use]
+    pub fn is_signed(self) -> bool {
+        let place = self.index().checked_sub(MUSCLES);
+        place.is_some_and(|place| DIRECT[place].1)
+    }
+
+    /// The same on the right side of the face; itself where it is on none or on the right.
+    #[must_use]
+    pub fn with_right_half(self) -> Self {
+        // The right one of two always follows the left one.
+        if self.name().ends_with("Left") {
+            Self(self.0 + 1)
+        } else {
+            self
+        }
+    }
+
+    /// Adds a value to the controls of a face. The gaze is no part of that: see
+    /// [`gaze_rad`](Self::gaze_rad).
+    pub fn add(self, value: f64, controls: &mut FaceControls) {
+        let Some(place) = self.index().checked_sub(MUSCLES) else {
+            controls.contraction[self.index()] += value;
+            return;
+        };
+        let jaw = &mut controls.jaw;
+        let to_end = |[least, most]: [f64; 2]| {
+            if value < 0.0 {
+                -value * least
+            } else {
+                value * most
+            }
+        };
+        match place {
+            0 => jaw.pitch_rad += to_end(Jaw::RANGES[0]),
+            1 => jaw.yaw_rad += to_end(Jaw::RANGES[1]),
+            2 => jaw.forward_m += to_end(Jaw::RANGES[2]),
+            3 => jaw.down_m += to_end(Jaw::RANGES[3]),
+            4 | 5 => controls.upper_lid[place - 4] += value,
+            6 | 7 => controls.lower_lid[place - 6] += value,
+            8 | 9 => controls.protrusion[place - 8] += value,
+            10 => controls.seal += value,
+            11 => controls.bite += value,
+            12 => controls.tongue_tip += value,
+            13 => controls.tongue_back += value,
+            14 => controls.tongue_out += value,
+            15 => controls.blush += value,
+            _ => {}
+        }
+    }
+
+    /// The turn of the eyes that a value asks for: yaw to the figure's left and pitch down,
+    /// radians; `GazeX` looks to the left and `GazeY` up with positive values.
+    #[must_use]
+    pub fn gaze_rad(self, value: f64) -> [f64; 2] {
+        match self.index().checked_sub(MUSCLES) {
+            Some(16) => [GAZE_RAD * value, 0.0],
+            Some(17) => [0.0, -GAZE_RAD * value],
+            _ => [0.0; 2],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_dial_moves_what_its_name_says_and_nothing_else() {
+        let rest = FaceControls::default();
+        let mut seen: Vec<String> = Vec::new();
+        for i in 0..DIALS {
+            let dial = FaceControl::from_index(i).expect("a dial");
+            assert_eq!(dial.index(), i);
+            assert!(!dial.name().is_empty());
+            let mut asked = rest;
+            dial.add(0.5, &mut asked);
+            assert_eq!(
+                asked == rest,
+                dial.name().starts_with("Gaze"),
+                "{}",
+                dial.name()
+            );
+            seen.push(format!("{asked:?} {:?}", dial.gaze_rad(0.5)));
+            if dial.name().ends_with("Left") {
+                let right = dial.with_right_half().name().replace("Right", "Left");
+                assert_eq!(right, dial.name());
+            } else {
+                assert_eq!(dial.with_right_half(), dial);
+            }
+        }
+        seen.sort();
+        seen.dedup();
+        assert_eq!(seen.len(), DIALS, "no two move the same");
+        assert_eq!(FaceControl::from_index(DIALS), None);
+        assert_eq!(FaceControl::JAW.name(), "Jaw");
+        assert_eq!(FaceControl::UPPER_LID_LEFT.name(), "UpperLidLeft");
+        assert_eq!(FaceControl::LOWER_LID_LEFT.name(), "LowerLidLeft");
+        assert_eq!(FaceControl::JAW_FORWARD.name(), "JawForward");
+        assert_eq!(
+            FaceControl::from_muscle(Muscle::PlatysmaRight).name(),
+            "PlatysmaRight"
+        );
+    }
+
+    #[test]
+    fn full_values_reach_the_ends_of_the_ranges() {
+        let mut asked = FaceControls::default();
+        for i in 0..DIALS {
+            FaceControl::from_index(i)
+                .expect("a dial")
+                .add(1.0, &mut asked);
+        }
+        assert_eq!(asked.jaw.pitch_rad, 0.35);
+        assert_eq!(asked.jaw.forward_m, 0.008);
+        assert_eq!((asked.upper_lid, asked.blush), ([1.0; 2], 1.0));
+        assert!(asked.contraction.iter().all(|v| *v == 1.0));
+        let mut limited = asked;
+        limited.limit();
+        assert_eq!(limited, asked);
+    }
+}

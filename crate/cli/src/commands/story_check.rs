@@ -1,0 +1,144 @@
+//! What a viewer would notice of faces that tell a story: faults of rest and of movement.
+
+use std::collections::BTreeMap;
+use std::io::Write as _;
+
+use anyhow::Result;
+use raconteur_base::DVec3;
+use raconteur_base::self_intersection::crossings;
+use raconteur_body::Figure;
+use raconteur_body::annotation::Annotations;
+use raconteur_player::sweep::sweep;
+use raconteur_player::{Options, Player, StoryInput};
+use raconteur_sculpt::crossing::Skin;
+
+use crate::terminal;
+
+/// A story to be told.
+pub(crate) struct StoryCheck<'a> {
+    /// The script.
+    pub(crate) text: &'a str,
+    /// Its speech bundle.
+    pub(crate) bundle: Option<&'a [u8]>,
+}
+
+/// What was found of one face: worst values by what they are, and what is beyond its limit.
+pub(crate) struct FaceReport {
+    pub(crate) worst: BTreeMap<&'static str, f64>,
+    pub(crate) wrong: Vec<String>,
+}
+
+impl StoryCheck<'_> {
+    /// Lets a figure tell it; `who` names it in what is found.
+    pub(crate) fn by(&self, who: &str, figure: Figure, names: &Annotations) -> FaceReport {
+        let mut worst = crossed(&figure, names);
+        let mut wrong: Vec<String> = worst
+            .iter()
+            .filter(|(place, count)| **place != "crossing elsewhere" && **count > 0.0)
+            .map(|(place, count)| format!("{who}: {place}: {count} triangles"))
+            .collect();
+        let mut player = Player::load(StoryInput {
+            eml: self.text,
+            bundle: self.bundle,
+            figure: figure.into(),
+            options: Options::default(),
+        })
+        .player;
+        for check in sweep(&mut player)
+            .into_iter()
+            .filter(|c| is_of_face(c.name))
+        {
+            worst.insert(check.name, check.worst);
+            if !check.is_ok() {
+                wrong.push(format!(
+                    "{who}: {}: {:.3} of {} {} at {:.3} s, {}",
+                    check.name, check.worst, check.limit, check.unit, check.at_secs, check.location
+                ));
+            }
+        }
+        FaceReport { worst, wrong }
+    }
+}
+
+/// Whether a check of a sweep looks at the face: bodies are all alike here.
+fn is_of_face(check: &str) -> bool {
+    ["lip", "lids", "mouth", "skin"]
+        .iter()
+        .any(|start| check.starts_with(start))
+}
+
+/// How near to its landmarks a crossing belongs to lids or lips, metres, and those landmarks.
+const LIDS: (f64, [&str; 8]) = (
+    0.009,
+    [
+        "en_l", "ex_l", "ps_l", "pi_l", "en_r", "ex_r", "ps_r", "pi_r",
+    ],
+);
+const LIPS: (f64, [&str; 8]) = (
+    0.012,
+    [
+        "ch_l", "ch_r", "cph_l", "cph_r", "sto", "li", "mvi_l", "mvi_r",
+    ],
+);
+
+/// Pairs of triangles that cross at lids, at lips and elsewhere.
+fn crossed(figure: &Figure, names: &Annotations) -> BTreeMap<&'static str, f64> {
+    let skin = Skin::from_figure(figure);
+    let place = |name: &&str| {
+        let landmark = names.landmark(name)?;
+        let p = figure.meshes[landmark.mesh].positions[landmark.vertex as usize];
+        Some(DVec3::from_array(p.map(f64::from)))
+    };
+    let is_near = |p: DVec3, (most, landmarks): &(f64, [&str; 8])| {
+        landmarks
+            .iter()
+            .filter_map(place)
+            .any(|at| at.distance(p) < *most)
+    };
+    let mut counts = BTreeMap::from([
+        ("crossing at lids", 0.0),
+        ("crossing at lips", 0.0),
+        ("crossing elsewhere", 0.0),
+    ]);
+    for [a, _] in crossings(&skin.points, &skin.triangles) {
+        let p = skin.points[skin.triangles[a][0] as usize];
+        let name = if is_near(p, &LIDS) {
+            "crossing at lids"
+        } else if is_near(p, &LIPS) {
+            "crossing at lips"
+        } else {
+            "crossing elsewhere"
+        };
+        *counts.entry(name).or_default() += 1.0;
+    }
+    counts
+}
+
+/// Prints how many told it without a fault, and each value over all of them.
+pub(crate) fn summary(all: &[&FaceReport]) -> Result<()> {
+    let mut out = terminal::out();
+    let fine = all.iter().filter(|f| f.wrong.is_empty()).count();
+    writeln!(
+        out,
+        "{fine} of {} people tell it without a fault",
+        all.len()
+    )?;
+    let names = all.first().map(|f| f.worst.keys()).into_iter().flatten();
+    for name in names {
+        let mut values: Vec<f64> = all
+            .iter()
+            .filter_map(|f| f.worst.get(name))
+            .copied()
+            .collect();
+        values.sort_by(f64::total_cmp);
+        let at = |share: f64| values[((values.len() - 1) as f64 * share) as usize];
+        writeln!(
+            out,
+            "  {name:<26} median {:8.3}, 95 % {:8.3}, worst {:8.3}",
+            at(0.5),
+            at(0.95),
+            at(1.0)
+        )?;
+    }
+    Ok(())
+}

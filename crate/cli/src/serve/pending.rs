@@ -1,0 +1,133 @@
+//! Connections whose greeting is still awaited.
+//!
+//! Anybody can open a connection and say nothing, or a byte now and then. Such connections
+//! wait here, apart from the minds' places: at most [`MAX_PENDING`] at once, each until
+//! [`super::mind::PATIENCE`] is over. One more turns out the one that has waited longest. So
+//! strangers hold no mind's place, and a client that greets at once is heard at once. Those who are
+//! refused stay until they have read why.
+
+use std::collections::VecDeque;
+use std::io::{self, ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Greetings that are awaited at once, on all ports together.
+const MAX_PENDING: usize = 64;
+/// How long what a refused peer still sends is read, so that it gets to read why.
+const FAREWELL: Duration = Duration::from_secs(3);
+/// How much of it is read, bytes.
+const FAREWELL_BYTES: usize = 1 << 20;
+
+/// Where connections wait until they have greeted.
+#[derive(Clone, Default)]
+pub(crate) struct PendingConnections(Arc<Mutex<PendingConnection>>);
+
+#[derive(Default)]
+struct PendingConnection {
+    begun: u64,
+    /// The longest waiting first.
+    streams: VecDeque<(u64, TcpStream)>,
+}
+
+/// A connection's stay in the lobby; it ends with this.
+pub(crate) struct PendingGuard {
+    lobby: PendingConnections,
+    id: u64,
+}
+
+impl PendingConnections {
+    /// Takes a connection in, and turns out the one that has waited longest where there is
+    /// no room: its reads end.
+    ///
+    /// # Errors
+    /// When there are no more handles.
+    pub(crate) fn enter(&self, stream: &TcpStream) -> io::Result<PendingGuard> {
+        let handle = stream.try_clone()?;
+        let mut waiting = self.lock();
+        waiting.begun += 1;
+        let id = waiting.begun;
+        waiting.streams.push_back((id, handle));
+        if waiting.streams.len() > MAX_PENDING
+            && let Some((_, oldest)) = waiting.streams.pop_front()
+        {
+            // It may have gone by itself.
+            let _ = oldest.shutdown(Shutdown::Both);
+        }
+        Ok(PendingGuard {
+            lobby: self.clone(),
+            id,
+        })
+    }
+
+    fn lock(&self) -> MutexGuard<'_, PendingConnection> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Drop for PendingGuard {
+    fn drop(&mut self) {
+        self.lobby.lock().streams.retain(|(id, _)| *id != self.id);
+    }
+}
+
+/// A connection whose reads may have to be over at a time, however many there are: a time-out
+/// of each read alone would let a peer drip bytes for ever.
+pub(crate) struct DeadlineStream {
+    stream: TcpStream,
+    until: Option<Instant>,
+}
+
+impl DeadlineStream {
+    /// All reads together may take so long.
+    pub(crate) fn new(stream: TcpStream, patience: Duration) -> Self {
+        Self {
+            stream,
+            until: Some(Instant::now() + patience),
+        }
+    }
+
+    /// From now on reads end one by one, after this time.
+    pub(crate) fn settle(&mut self, turn: Duration) -> io::Result<()> {
+        self.until = None;
+        self.stream.set_read_timeout(Some(turn))
+    }
+
+    /// Closes the connection after what has been written. What the peer has sent is read, since
+    /// a connection that is closed with unread bytes is reset, and the peer would lose the words.
+    pub(crate) fn farewell(mut self) {
+        self.until = Some(Instant::now() + FAREWELL);
+        let _ = self.stream.shutdown(Shutdown::Write);
+        let mut bytes = [0; 4096];
+        let mut left = FAREWELL_BYTES;
+        while let Ok(n) = self.read(&mut bytes) {
+            left = left.saturating_sub(n);
+            if n == 0 || left == 0 {
+                return;
+            }
+        }
+    }
+}
+
+impl Read for DeadlineStream {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        if let Some(until) = self.until {
+            let left = until.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return Err(ErrorKind::TimedOut.into());
+            }
+            self.stream.set_read_timeout(Some(left))?;
+        }
+        self.stream.read(bytes)
+    }
+}
+
+impl Write for DeadlineStream {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.stream.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
+    }
+}

@@ -1,0 +1,139 @@
+//! What hands do while a plain text is told.
+
+use std::fmt::Write as _;
+
+use super::escaped;
+use super::sentences::Sentence;
+
+/// Between beats there are at least so many words, and before the first. *Designed*.
+const BETWEEN_BEATS: usize = 4;
+/// A hand that waves to the first words is on its way when they are said; if it came with them
+/// they would wait for it, seconds.
+const WAVE_LATER: &str = "0.65s";
+
+/// A hand is raised in greeting to these.
+const GREETINGS: &str = "hello hi hey welcome goodbye bye greetings hallo willkommen tschüss servus \
+                         olá oi tchau adeus bem-vindo bem-vindos bem-vinda bem-vindas";
+/// Words of English, German and Portuguese that no beat falls on, if they are as long as others that
+/// one falls on.
+const SMALL: &str = "a an and are as at be been but by can could did do does for from had has have he \
+    her hers him his how i if in into is it its just may me might must my no nor not of on or our \
+    shall she should so some than that the their them then there these they this those to up us was \
+    we were what when where which who whom why will with would you your \
+    aber alle als also auch auf aus bei bist dann dass dein deine dem den denn der des dich dich die \
+    dies diese dieser dir doch durch eine einem einen einer eines euch euer für gegen haben hast \
+    hatte ihre ihrem ihren ihrer immer jede jeder kann kein keine mehr mein meine meinem meinen \
+    meiner mich mit muss nach nicht noch nur oder ohne schon sein seine seinem seinen seiner sich \
+    sind so sondern soll über und uns unser unter viel vom von vor wann war waren warum was weil \
+    welche wenn wer werden wie wieder will wir wird wo wurde zum zur zwischen \
+    como com das dela dele depois dessa desse desta deste disso dos ela elas ele eles entre era eram \
+    essa esse esta está estão estas este estes eu foi foram isso isto já lhe mais mas mesmo meu meus \
+    minha muito nas nem nos nós não nossa nosso num numa onde para pela pelo por porque porquê \
+    quando que quem são se sem ser seu seus sobre sua suas também tem tenho ter teu teus tinha toda \
+    todas todo todos tua tudo uma umas você vocês";
+
+/// What a sentence says, with marks where hands move, and their gestures.
+pub(super) struct GesturedSentence {
+    pub(super) said: String,
+    pub(super) gestures: String,
+}
+
+fn has(list: &str, word: &str) -> bool {
+    list.split_ascii_whitespace().any(|own| own == word)
+}
+
+/// Letters, digits, apostrophes and hyphens of a word, small.
+fn bare(word: &str) -> String {
+    let kept = word
+        .chars()
+        .filter(|c| c.is_alphanumeric() || matches!(c, '\'' | '’' | '-'));
+    kept.collect::<String>().to_lowercase()
+}
+
+/// The sentence that is the `index`th: greetings are waved, and a beat falls on stressed and long
+/// words.
+pub(super) fn performed(sentence: &Sentence, index: usize) -> GesturedSentence {
+    let is_first = index == 0;
+    let mut since = if is_first { 0 } else { BETWEEN_BEATS };
+    let (mut said, mut gestures) = (Vec::new(), String::new());
+    for (i, word) in sentence.words.iter().enumerate() {
+        let own = bare(&word.text);
+        let mut text = escaped(&word.text);
+        if word.is_stressed {
+            text = format!("<emph>{text}</emph>");
+        }
+        since += 1;
+        let greets = has(GREETINGS, &own);
+        let is_heavy = own.chars().count() >= 4 && !has(SMALL, &own);
+        if greets || word.is_stressed && since > 1 || since >= BETWEEN_BEATS && is_heavy {
+            since = 0;
+            let mark = format!("g{index}w{i}");
+            if greets {
+                wave(&mut gestures, &mark, is_first && i < BETWEEN_BEATS);
+            } else {
+                beat(&mut gestures, &mark);
+            }
+            text = format!("<tm name='{mark}'/>{text}");
+        }
+        said.push(text);
+    }
+    GesturedSentence {
+        said: said.join(" "),
+        gestures,
+    }
+}
+
+/// A hand's shape, its palm (angle and normal) and where it goes (seconds; EML's axes).
+struct Motion {
+    hand: &'static str,
+    shape: u8,
+    palm: [f64; 4],
+    path: [[f64; 4]; 2],
+}
+
+/// One hand is raised, open.
+const WAVE: Motion = Motion {
+    hand: "right",
+    shape: 7,
+    palm: [120.0, 0.0, 0.0, -1.0],
+    path: [[0.0, -7.0, 42.0, 3.0], [0.15, -13.0, 40.0, 3.0]],
+};
+/// Both hands go down a little, half open.
+const BEAT: Motion = Motion {
+    hand: "both",
+    shape: 4,
+    palm: [90.0, 0.6, 0.8, 0.0],
+    path: [[0.0, -5.0, 14.0, -11.0], [0.2, -6.0, 11.0, -13.0]],
+};
+
+fn wave(out: &mut String, mark: &str, is_first: bool) {
+    let time = match is_first {
+        true => format!("{mark}+{WAVE_LATER}"),
+        false => format!("{mark}-0.1s"),
+    };
+    gesture(out, &time, &WAVE);
+}
+
+fn beat(out: &mut String, mark: &str) {
+    gesture(out, &format!("{mark}-0.1s"), &BEAT);
+}
+
+fn gesture(out: &mut String, time: &str, motion: &Motion) {
+    let Motion {
+        hand,
+        shape,
+        palm: [a, x, y, z],
+        path,
+    } = motion;
+    // A string takes everything.
+    let _ = write!(
+        out,
+        "<gesture-key time='{time}' duration='0.5' handedness='{hand}'><hand-shapes><key time='0' \
+         id='{shape}'/></hand-shapes><palms><key time='0' a='{a}' x='{x}' y='{y}' \
+         z='{z}'/></palms><motion coords='speaker'>"
+    );
+    for [secs, x, y, z] in path {
+        let _ = write!(out, "<key time='{secs}' x='{x}' y='{y}' z='{z}'/>");
+    }
+    out.push_str("</motion></gesture-key>");
+}

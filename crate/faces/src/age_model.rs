@@ -1,0 +1,147 @@
+//! The course of a life: how the mean face of people goes with their years. Growth is no ageing, and neither
+//! is straight, so that no direction tells them.
+
+#[cfg(any(test, feature = "learn"))]
+use crate::person::PersonRecord;
+
+/// From this age on nobody grows, years.
+pub(crate) const GROWN_YEARS: f64 = 20.0;
+/// The oldest face is as many years older.
+const AGEING_YEARS: f64 = 60.0;
+/// Ages that a life is known for, years.
+const KNOWN_YEARS: core::ops::RangeInclusive<f64> = 8.0..=80.0;
+/// What of years and sex a face goes with.
+const TERMS: usize = 6;
+
+/// Of years, and of a sex from 0 (male) to 1.
+fn terms(years: f64, sex: f64) -> [f64; TERMS] {
+    let years = years.clamp(*KNOWN_YEARS.start(), *KNOWN_YEARS.end());
+    let growth = (GROWN_YEARS - years).max(0.0) / GROWN_YEARS;
+    let ageing = (years - GROWN_YEARS).max(0.0) / AGEING_YEARS;
+    [
+        growth,
+        growth * growth,
+        ageing,
+        ageing * ageing,
+        growth * sex,
+        ageing * sex,
+    ]
+}
+
+/// How coefficients of a space go with years.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AgeModel {
+    /// For each of what a face goes with, the coefficients that one of it adds; empty where nobody knows ages.
+    pub(crate) effects: Vec<Vec<f64>>,
+}
+
+impl AgeModel {
+    /// That of people with these faces, by least squares beside sex and ancestry. Nothing where they are too few.
+    #[cfg(feature = "learn")]
+    #[must_use]
+    pub fn learn(people: &[PersonRecord], faces: &[Vec<f64>]) -> Self {
+        use faer::linalg::solvers::Solve as _;
+        // The mean, sex and two ancestries beside the terms.
+        const ALL: usize = TERMS + 4;
+        if people.len() <= 2 * ALL || people.len() != faces.len() {
+            return Self::default();
+        }
+        let known = faer::Mat::from_fn(people.len(), ALL, |i, k| {
+            let p = &people[i];
+            match k {
+                TERMS => 1.0,
+                _ if k == TERMS + 1 => p.sex,
+                _ if k > TERMS + 1 => p.ancestry[k - TERMS - 1],
+                _ => terms(p.age_years, p.sex)[k],
+            }
+        });
+        let modes = faces.first().map_or(0, Vec::len);
+        let wanted = faer::Mat::from_fn(faces.len(), modes, |i, mode| faces[i][mode]);
+        let square = known.transpose() * &known;
+        let solution = square.full_piv_lu().solve(&(known.transpose() * wanted));
+        let row = |k: usize| (0..modes).map(|mode| solution[(k, mode)]).collect();
+        Self {
+            effects: (0..TERMS).map(row).collect(),
+        }
+    }
+
+    /// Whether so many coefficients are known of each term, or none of any.
+    pub(crate) fn fits(&self, modes: usize) -> bool {
+        let is_whole = |row: &Vec<f64>| row.len() == modes && row.iter().all(|x| x.is_finite());
+        self.effects.is_empty()
+            || (self.effects.len() == TERMS && self.effects.iter().all(is_whole))
+    }
+
+    /// The coefficients that the years between two ages add to somebody of a sex; ages from 8 to 80.
+    #[must_use]
+    pub fn change(&self, from_years: f64, to_years: f64, sex: f64) -> Vec<f64> {
+        let [from, to] = [from_years, to_years].map(|years| terms(years, sex.clamp(0.0, 1.0)));
+        let mut along = vec![0.0; self.effects.first().map_or(0, Vec::len)];
+        for (k, effect) in self.effects.iter().enumerate() {
+            for (sum, by) in along.iter_mut().zip(effect) {
+                *sum += (to[k] - from[k]) * by;
+            }
+        }
+        along
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use raconteur_base::noise;
+
+    use super::*;
+
+    fn people() -> Vec<PersonRecord> {
+        let one = |i: u64| PersonRecord {
+            sex: f64::from(u8::from(i.is_multiple_of(2))),
+            age_years: 8.0 + 72.0 * noise::unit(1, i, 0),
+            ancestry: [0, 1, 2].map(|k| noise::unit(2, i, k)),
+        };
+        (0..400).map(one).collect()
+    }
+
+    #[test]
+    #[cfg(feature = "learn")]
+    fn a_life_is_told_from_people_of_all_ages() {
+        let people = people();
+        // A number that grows to 20 years, and another that begins at 20 and goes faster for women.
+        let face = |p: &PersonRecord| {
+            let noise = 0.1 * noise::signed(3, (p.age_years * 1e6) as u64, 0);
+            let late = (p.age_years - GROWN_YEARS).max(0.0) / AGEING_YEARS;
+            vec![
+                p.age_years.min(GROWN_YEARS) / GROWN_YEARS + noise,
+                late * (1.0 + p.sex) + noise,
+            ]
+        };
+        let faces: Vec<Vec<f64>> = people.iter().map(face).collect();
+        let life = AgeModel::learn(&people, &faces);
+        assert!(life.fits(2) && !life.fits(3));
+        let off = |change: Vec<f64>, wanted: [f64; 2]| {
+            change
+                .iter()
+                .zip(wanted)
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f64::max)
+        };
+        assert!(off(life.change(10.0, 20.0, 0.0), [0.5, 0.0]) < 0.05);
+        assert!(off(life.change(20.0, 80.0, 1.0), [0.0, 2.0]) < 0.05);
+        assert!(off(life.change(70.0, 10.0, 0.0), [-0.5, -50.0 / 60.0]) < 0.05);
+        assert_eq!(life.change(44.0, 44.0, 0.3), [0.0, 0.0]);
+        assert_eq!(
+            AgeModel::learn(&people[..9], &faces[..9]),
+            AgeModel::default()
+        );
+    }
+
+    #[test]
+    fn ages_that_nobody_has_are_the_nearest_ones() {
+        assert_eq!(terms(-5.0, 1.0), terms(8.0, 1.0));
+        assert_eq!(terms(500.0, 0.0), terms(80.0, 0.0));
+        assert!(
+            people()
+                .iter()
+                .all(|p| terms(p.age_years, p.sex).iter().all(|x| x.is_finite()))
+        );
+    }
+}

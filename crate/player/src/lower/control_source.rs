@@ -1,0 +1,105 @@
+//! Who leads a channel of the environment over time: the script where it says something, else the
+//! strongest emotion (GEVH 3.5.4).
+
+use raconteur_base::order::sort_by_number;
+use raconteur_eml::{Document, Fidelity, Lead};
+use raconteur_stage::{EmotionEnvelope, EmotionTimeline};
+
+/// Which channels express emotions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Channels {
+    pub(crate) camera: bool,
+    pub(crate) light: bool,
+    /// The light is that of the thesis, to the letter.
+    pub(crate) strict_light: bool,
+    pub(crate) music: bool,
+}
+
+impl Channels {
+    /// As a script has them: all where it does not say.
+    pub(crate) fn from_document(document: &Document) -> Self {
+        let on = |of: fn(&raconteur_eml::Environment) -> bool| {
+            document.environment.as_ref().is_none_or(of)
+        };
+        Self {
+            camera: on(|e| e.camera),
+            light: on(|e| e.light),
+            strict_light: document
+                .environment
+                .as_ref()
+                .is_some_and(|e| e.fidelity == Fidelity::Thesis),
+            music: on(|e| e.music),
+        }
+    }
+}
+
+/// Who has taken a channel over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ControlSource {
+    /// A cue of the script, by its place.
+    Script(usize),
+    /// The strongest emotion; none: nothing is felt.
+    Emotion(Option<EmotionEnvelope>),
+}
+
+/// Who takes a channel over, by time. `cues` are the times at which the script says something and
+/// who leads from then on, by time; `follows` whether emotions lead at first. What an emotion has taken
+/// stays for `least_secs` at least unless the script takes it, and as long as what follows is the
+/// `same`. What comes later never changes what was before.
+pub(crate) fn leaders(
+    cues: &[(f64, Lead)],
+    feelings: &EmotionTimeline,
+    follows: bool,
+    least_secs: f64,
+    same: impl Fn(Option<&EmotionEnvelope>, Option<&EmotionEnvelope>) -> bool,
+) -> Vec<(f64, ControlSource)> {
+    let felt = feelings.all();
+    let mut times: Vec<(f64, Option<usize>)> = felt
+        .iter()
+        .flat_map(|f| [f.start_secs, f.in_force_until_secs()])
+        .map(|t| (t, None))
+        .chain(cues.iter().enumerate().map(|(i, (t, _))| (*t, Some(i))))
+        .collect();
+    sort_by_number(&mut times, |(t, _)| *t);
+    let mut taken = Vec::new();
+    let mut by_script = !follows;
+    let mut now: Option<EmotionEnvelope> = None;
+    let (mut since_secs, mut due_secs) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut next = times.into_iter().peekable();
+    loop {
+        let event = next.next_if(|(t, _)| *t <= due_secs);
+        let (t, cue) = match event {
+            Some(event) => event,
+            None if due_secs.is_finite() => (std::mem::replace(&mut due_secs, f64::INFINITY), None),
+            None => break,
+        };
+        if let Some(i) = cue {
+            by_script = cues[i].1 == Lead::Script;
+            if by_script {
+                taken.push((t, ControlSource::Script(i)));
+                due_secs = f64::INFINITY;
+                continue;
+            }
+            // Emotions have it again, from whatever the script left.
+            now = feelings.strongest(t, None);
+            (since_secs, due_secs) = (t, f64::INFINITY);
+            taken.push((t, ControlSource::Emotion(now)));
+            continue;
+        }
+        if by_script {
+            continue;
+        }
+        let strongest = feelings.strongest(t, now.as_ref());
+        if same(now.as_ref(), strongest.as_ref()) {
+            continue;
+        }
+        if t < since_secs + least_secs {
+            due_secs = since_secs + least_secs;
+            continue;
+        }
+        now = strongest;
+        (since_secs, due_secs) = (t, f64::INFINITY);
+        taken.push((t, ControlSource::Emotion(now)));
+    }
+    taken
+}

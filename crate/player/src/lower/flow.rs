@@ -1,0 +1,222 @@
+//! Ways through a story, at their times.
+
+use raconteur_eml::{ClauseKind, TimedClause};
+
+use crate::lower::script::Script;
+
+/// Something on the way through a story.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WayCue {
+    /// Its place among all that the story comes to, for what lies at one time.
+    pub order: u32,
+    /// The place of the answer, condition or item of a pool around it.
+    pub within: Option<u32>,
+    /// Where it begins, seconds.
+    pub at_secs: f64,
+    /// Where it ends, seconds; of what takes no time, where it begins.
+    pub end_secs: f64,
+    /// What it is.
+    pub kind: WayKind,
+}
+
+/// What is on the way.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WayKind {
+    /// A part of the story.
+    Part {
+        /// Gotos lead to it by it.
+        name: String,
+        /// What is read.
+        title: String,
+    },
+    /// What is passed over unless all of these hold.
+    If {
+        /// A variable, a question, or `score`.
+        name: String,
+        /// It is this.
+        is: Option<String>,
+        /// It is not this.
+        not: Option<String>,
+        /// It is greater.
+        above: Option<f64>,
+        /// It is smaller.
+        below: Option<f64>,
+    },
+    /// A variable takes a value.
+    Set {
+        /// The variable.
+        name: String,
+        /// Its value.
+        value: Option<String>,
+        /// What is added to its number.
+        by: Option<f64>,
+    },
+    /// Some of the items in it are performed.
+    Pool {
+        /// How many.
+        count: u32,
+    },
+    /// A clause of a pool, before what it is itself, at the same place.
+    Item {
+        /// The place of the pool.
+        pool: u32,
+    },
+    /// The story goes on at a part.
+    Goto {
+        /// Its name.
+        to: String,
+    },
+}
+
+impl Script {
+    /// What is on the ways through the story, in the order in which it is come to.
+    #[must_use]
+    pub fn flow_entries(&self) -> Vec<WayCue> {
+        let timed = (0_u32..).zip(&self.timeline.clauses);
+        timed
+            .flat_map(|(order, at)| {
+                let itself = self.flow_entry_kind(at).map(|kind| WayCue {
+                    order,
+                    within: self.optional_around(order, at),
+                    at_secs: at.start_secs,
+                    end_secs: at.end_secs,
+                    kind,
+                });
+                self.item(order, at).into_iter().chain(itself)
+            })
+            .collect()
+    }
+
+    fn flow_entry_kind(&self, at: &TimedClause) -> Option<WayKind> {
+        Some(match &self.document.clause(at.clause).kind {
+            ClauseKind::Part(part) => WayKind::Part {
+                name: part.heading.name.clone(),
+                title: part.heading.title.clone(),
+            },
+            ClauseKind::If(branch) => {
+                let condition = &branch.condition;
+                WayKind::If {
+                    name: condition.name.clone(),
+                    is: condition.is.clone(),
+                    not: condition.not.clone(),
+                    above: condition.above,
+                    below: condition.below,
+                }
+            }
+            ClauseKind::Set(set) => WayKind::Set {
+                name: set.name.clone(),
+                value: set.value.clone(),
+                by: set.by,
+            },
+            ClauseKind::Goto(goto) => WayKind::Goto {
+                to: goto.to.clone(),
+            },
+            ClauseKind::Pool(pool) => WayKind::Pool {
+                count: pool.draw.count,
+            },
+            _ => return None,
+        })
+    }
+
+    /// What a clause directly in a pool is to that pool.
+    fn item(&self, order: u32, at: &TimedClause) -> Option<WayCue> {
+        let pool = at.container?;
+        let around = self.timeline.clauses.get(pool as usize)?;
+        self.is_pool(around).then(|| WayCue {
+            order,
+            within: self.optional_around(pool, around),
+            at_secs: at.start_secs,
+            end_secs: at.end_secs,
+            kind: WayKind::Item { pool },
+        })
+    }
+
+    fn is_pool(&self, timed: &TimedClause) -> bool {
+        matches!(self.document.clause(timed.clause).kind, ClauseKind::Pool(_))
+    }
+
+    /// The place of the innermost answer, condition or item of a pool that a clause at a place
+    /// stands in, or is: what is in it may be passed over.
+    pub(super) fn optional_around(&self, order: u32, timed: &TimedClause) -> Option<u32> {
+        let mut inner = order;
+        let mut container = timed.container;
+        while let Some(at) = container {
+            let around = self.timeline.clauses.get(at as usize)?;
+            if self.is_pool(around) {
+                return Some(inner);
+            }
+            let kind = &self.document.clause(around.clause).kind;
+            if matches!(kind, ClauseKind::Answer(_) | ClauseKind::If(_)) {
+                return Some(at);
+            }
+            inner = at;
+            container = around.container;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ways_lie_where_their_clauses_do() {
+        let text = "<eml xmlns:r='urn:raconteur:eml:1'><body><seq time='0'><r:set time='0' name='x' value='2'/>\
+            <r:if time='1' name='x' above='1'><r:goto time='2' to='end'/></r:if>\
+            <r:part time='0' name='end' title='The end'><null time='4'/></r:part></seq></body></eml>";
+        let script = Script::read(text, None);
+        assert_eq!(script.diagnostics, []);
+        let ways = script.flow_entries();
+        let spans: Vec<_> = ways
+            .iter()
+            .map(|w| (w.order, w.at_secs, w.end_secs))
+            .collect();
+        assert_eq!(
+            spans,
+            [(1, 0.0, 0.0), (2, 1.0, 3.0), (3, 3.0, 3.0), (4, 3.0, 7.0)]
+        );
+        let within: Vec<_> = ways.iter().map(|w| w.within).collect();
+        assert_eq!(within, [None, None, Some(2), None]);
+        assert_eq!(ways[2].kind, WayKind::Goto { to: "end".into() });
+    }
+
+    #[test]
+    fn items_of_a_pool_are_what_all_in_them_stands_in() {
+        let ask = "<r:ask time='0.1' name='N' prompt='?'><r:option name='a' text='A' right='true'/></r:ask>";
+        let text = format!(
+            "<eml xmlns:r='urn:raconteur:eml:1'><body><r:pool time='1' count='2'>{}             <seq time='0.1'><null time='2'/>{}</seq><r:if time='0.1' name='one' is='right'><null time='1'/></r:if></r:pool></body></eml>",
+            ask.replace('N', "one"),
+            ask.replace('N', "two"),
+        );
+        let script = Script::read(&text, None);
+        assert_eq!(script.diagnostics, []);
+        let ways: Vec<_> = script
+            .flow_entries()
+            .into_iter()
+            .map(|w| {
+                (
+                    w.order,
+                    w.within,
+                    matches!(w.kind, WayKind::Item { pool: 0 }),
+                )
+            })
+            .collect();
+        assert_eq!(
+            ways,
+            [
+                (0, None, false),
+                (1, None, true),
+                (2, None, true),
+                (5, None, true),
+                (5, Some(5), false)
+            ]
+        );
+        let questions: Vec<_> = script
+            .questions()
+            .into_iter()
+            .map(|q| (q.order, q.within))
+            .collect();
+        assert_eq!(questions, [(1, Some(1)), (4, Some(2))]);
+    }
+}

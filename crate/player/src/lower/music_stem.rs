@@ -1,0 +1,39 @@
+//! A piece of music as the voices that it is made of, and when it is to be heard.
+
+use raconteur_eml::Lead;
+
+/// One of the files that make a piece of music.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MusicStem {
+    pub(crate) file: String,
+    pub(crate) library: bool,
+    /// Whether it begins again when it is over.
+    pub(crate) loops: bool,
+    /// Its level against the piece at story times, by time, straight between them; none: 1.
+    pub(crate) share: Vec<(f64, f64)>,
+}
+
+/// What is heard from a time on.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MusicClause {
+    pub(crate) start_secs: f64,
+    /// Who leads from then on.
+    pub(crate) by: Lead,
+    /// None: silence.
+    pub(crate) voices: Vec<MusicStem>,
+    pub(crate) volume: f64,
+    pub(crate) fade_secs: f64,
+}
+
+impl MusicClause {
+    /// Music fades to silence.
+    pub(crate) fn silence(start_secs: f64, fade_secs: f64) -> Self {
+        Self {
+            start_secs,
+            by: Lead::Emotion,
+            voices: Vec::new(),
+            volume: 1.0,
+            fade_secs,
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! What the clauses of a document need from elsewhere: animations that the page has to bring.
+
+use raconteur_actor::animation::stem;
+use raconteur_eml::{
+    Clause, ClauseKind, Document, LoadControlParameterAnimation, PrimitiveKind, Span,
+};
+
+/// Most animations of control parameters that a script may use; more are left out.
+const MAX_PARAMETER_ANIMATIONS: usize = 100;
+
+/// What a document needs, each name once, with the clause that needs it first.
+#[derive(Default)]
+pub(crate) struct Requirements<'d> {
+    /// Animations of the body: of the library by name, beside the story by path.
+    pub(crate) body_animations: Vec<(&'d str, Span)>,
+    /// Animations of control parameters, those that are loaded before those of the library.
+    pub(crate) parameter_animations: Vec<(&'d str, Span)>,
+}
+
+/// What one clause needs.
+enum Requirement<'d> {
+    /// All that it needs is here.
+    Nothing,
+    BodyAnimation(&'d str),
+    /// An animation of control parameters under the name of its text.
+    LoadedParameters(&'d str),
+    /// One under the name by which it was loaded, else of the library.
+    PlayedParameters(&'d str),
+}
+
+impl<'d> Requirements<'d> {
+    /// What a document needs.
+    pub(crate) fn from_document(document: &'d Document) -> Self {
+        let mut needs = Self::default();
+        let mut played = Vec::new();
+        for (_, clause) in document.iter() {
+            let span = clause.tag_span;
+            match Requirement::from_clause(clause) {
+                Requirement::Nothing => {}
+                Requirement::BodyAnimation(name) => {
+                    add_once(&mut needs.body_animations, name, span)
+                }
+                Requirement::LoadedParameters(name) => needs.add_parameters(name, span),
+                Requirement::PlayedParameters(name) => played.push((name, span)),
+            }
+        }
+        let loaded = needs.parameter_animations.clone();
+        let is_loaded = |id: &str| loaded.iter().any(|(n, _)| *n == id || stem(n) == id);
+        for (name, span) in played {
+            if !is_loaded(name) {
+                needs.add_parameters(name, span);
+            }
+        }
+        needs
+    }
+
+    /// All animations, those of control parameters first.
+    pub(crate) fn animations(&self) -> impl Iterator<Item = &'d str> {
+        let parameters = self.parameter_animations.iter();
+        parameters
+            .chain(&self.body_animations)
+            .map(|(name, _)| *name)
+    }
+
+    /// The clause that first needs an animation; the document's start where none does.
+    pub(crate) fn span(&self, name: &str, is_of_parameters: bool) -> Span {
+        let needed = if is_of_parameters {
+            &self.parameter_animations
+        } else {
+            &self.body_animations
+        };
+        let used = needed.iter().find(|(n, _)| *n == name);
+        used.map(|(_, span)| *span).unwrap_or_default()
+    }
+
+    fn add_parameters(&mut self, name: &'d str, span: Span) {
+        if self.parameter_animations.len() < MAX_PARAMETER_ANIMATIONS {
+            add_once(&mut self.parameter_animations, name, span);
+        }
+    }
+}
+
+impl<'d> Requirement<'d> {
+    fn from_clause(clause: &'d Clause) -> Self {
+        match &clause.kind {
+            ClauseKind::DeterministicPrimitive(primitive) => {
+                match (primitive.primitive, primitive.animation.as_deref()) {
+                    (PrimitiveKind::Push | PrimitiveKind::Exchange, Some(name)) => {
+                        Self::BodyAnimation(name)
+                    }
+                    _ => Self::Nothing,
+                }
+            }
+            ClauseKind::LoadControlParameterAnimation(load) => Self::LoadedParameters(source(load)),
+            ClauseKind::AnimateControlParameter(animate) => {
+                Self::PlayedParameters(&animate.animation)
+            }
+            _ => Self::Nothing,
+        }
+    }
+}
+
+/// The name of the text of a loaded animation: of the library that of its file alone, beside the
+/// story its path.
+fn source(load: &LoadControlParameterAnimation) -> &str {
+    if load.is_resources_relative {
+        stem(&load.file)
+    } else {
+        &load.file
+    }
+}
+
+fn add_once<'d>(needed: &mut Vec<(&'d str, Span)>, name: &'d str, span: Span) {
+    if !needed.iter().any(|(n, _)| *n == name) {
+        needed.push((name, span));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Script;
+
+    #[test]
+    fn loaded_animations_are_needed_by_file_and_others_by_name() {
+        let load = |file: &str, library: bool| {
+            format!(
+                "<body-load-control-parameter-animation time='0' file='{file}' \
+                 isResourcesRelative='{library}'/>"
+            )
+        };
+        let play =
+            |id: &str| format!("<body-animate-control-parameter time='0' animationId='{id}'/>");
+        let body = [
+            load("faces/visemes-1.xml", true),
+            load("own/wink.json", false),
+            play("visemes-1"),
+            play("wink"),
+            play("own/wink.json"),
+            play("grin"),
+            play("grin"),
+        ]
+        .concat();
+        let script = Script::read(&format!("<eml><body>{body}</body></eml>"), None);
+        let names: Vec<&str> = Requirements::from_document(&script.document)
+            .animations()
+            .collect();
+        assert_eq!(names, ["visemes-1", "own/wink.json", "grin"]);
+        assert_eq!(script.needed_animations(), names);
+    }
+}

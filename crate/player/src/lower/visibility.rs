@@ -1,0 +1,100 @@
+//! From body-configure-geometry (GEVH D.3.4) to what a frame shows of the figure.
+
+use raconteur_base::order::sort_by_number;
+use raconteur_eml::{ClauseKind, ConfigureGeometry, Document, FillMode, Timeline, VisibleMeshes};
+use raconteur_stage::{Fill, Visibility};
+
+/// Switches that are remembered one by one; of a live performance that sends more, the
+/// earliest become where the others start from.
+const MAX_SWITCHES: usize = 256;
+
+/// A switch and its time, story seconds.
+pub(crate) type Switch = (f64, ConfigureGeometry);
+
+/// The switches of a performance, and what they come to at any time.
+#[derive(Default)]
+pub(crate) struct VisibilityTrack {
+    /// The drawing before the first switch.
+    before: Visibility,
+    /// Whether it came while the story played, when, and what; by time.
+    switches: Vec<(bool, f64, ConfigureGeometry)>,
+}
+
+/// What a script switches, by time.
+pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<Switch> {
+    let clauses = timeline.clauses.iter();
+    clauses
+        .filter_map(|timed| match &document.clause(timed.clause).kind {
+            ClauseKind::ConfigureGeometry(switch) => Some((timed.start_secs, switch.clone())),
+            _ => None,
+        })
+        .collect()
+}
+
+impl VisibilityTrack {
+    /// Takes what the story switches, in place of what it switched before.
+    pub(crate) fn retell(&mut self, story: &[Switch]) {
+        self.switches.retain(|(live, ..)| *live);
+        self.add(false, story);
+    }
+
+    /// Takes what a fragment of the live performance switches, for good.
+    pub(crate) fn join(&mut self, fragment: &[Switch]) {
+        self.add(true, fragment);
+    }
+
+    /// Leaves out what the live performance would switch after a time.
+    pub(crate) fn interrupt(&mut self, at_secs: f64) {
+        self.switches
+            .retain(|(live, secs, _)| !live || *secs < at_secs);
+    }
+
+    fn add(&mut self, live: bool, switches: &[Switch]) {
+        let new = switches
+            .iter()
+            .map(|(at, switch)| (live, *at, switch.clone()));
+        self.switches.extend(new);
+        sort_by_number(&mut self.switches, |(_, time_secs, _)| *time_secs);
+        let over = self.switches.len().saturating_sub(MAX_SWITCHES);
+        for (.., switch) in self.switches.drain(..over) {
+            turn(&mut self.before, &switch);
+        }
+    }
+
+    /// The drawing at a time.
+    pub(crate) fn sample(&self, time_secs: f64) -> Visibility {
+        let mut shown = self.before;
+        for (.., switch) in self.switches.iter().take_while(|(_, t, _)| *t <= time_secs) {
+            turn(&mut shown, switch);
+        }
+        shown
+    }
+}
+
+/// Sets what a switch names.
+fn turn(shown: &mut Visibility, switch: &ConfigureGeometry) {
+    if let Some(fill) = switch.fill_mode {
+        shown.fill = match fill {
+            FillMode::Solid => Fill::Solid,
+            FillMode::Wireframe => Fill::Wireframe,
+            FillMode::Point => Fill::Points,
+        };
+    }
+    if let Some(meshes) = switch.meshes {
+        shown.body = meshes != VisibleMeshes::Bones;
+        shown.bones = meshes != VisibleMeshes::Body;
+    }
+    for (flag, said) in [
+        (&mut shown.frames, switch.frames_visible),
+        (&mut shown.centers, switch.centers_visible),
+        (&mut shown.materials, switch.materials_active),
+        (&mut shown.textures, switch.textures_active),
+        (&mut shown.manipulators, switch.manipulators_visible),
+        (&mut shown.body, switch.body_visible),
+        (&mut shown.springs, switch.springs_visible),
+        (&mut shown.muscles, switch.muscles_visible),
+        (&mut shown.skull, switch.skull_visible),
+    ] {
+        *flag = said.unwrap_or(*flag);
+    }
+}

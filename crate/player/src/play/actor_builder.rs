@@ -1,0 +1,168 @@
+//! Prepares an actor for all that is known of a performance.
+
+use raconteur_actor::animation::PlayerCommand;
+use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript};
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DVec3, Side};
+use raconteur_stage::{FramingMargin, Gesture, TakenSpace};
+
+use crate::lower::cast::Cast;
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::{clips, face, gestures, manipulators};
+use crate::options::Options;
+
+/// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
+const HAND_LENGTH: f64 = 0.12;
+
+/// What a performance needs of the picture.
+#[derive(Clone, Debug)]
+pub(crate) struct FramingNeeds {
+    /// Room for everything that the hands do.
+    pub(crate) room: FramingMargin,
+    /// What they do, and when.
+    pub(crate) gestures: Vec<Gesture>,
+}
+
+/// What an actor is prepared for.
+pub(crate) struct ActorBuilder<'a> {
+    pub(crate) cast: &'a Cast,
+    pub(crate) options: &'a Options,
+    pub(crate) library: &'a Library,
+    /// What forgotten fragments have left behind.
+    pub(crate) carried: &'a CarriedCommands,
+    /// The least room in the picture, so that the picture does not breathe with every gesture.
+    pub(crate) least_room: FramingMargin,
+}
+
+impl ActorBuilder<'_> {
+    /// The actor of all plans together, and what they need of the picture.
+    pub(crate) fn actor<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+    ) -> (Actor, FramingNeeds) {
+        let skeleton = &self.cast.figure.skeleton;
+        let stature_m = skeleton.stature_m();
+        let needs = self.needs(plans.clone(), stature_m);
+        let shot = self.options.shot;
+        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.room);
+        let performance = self.performance(plans, camera.eye_in_world);
+        (Actor::new(&performance, skeleton), needs)
+    }
+
+    /// What gestures, manipulators and animations of all plans need of the picture.
+    fn needs<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        stature_m: f64,
+    ) -> FramingNeeds {
+        let hand_m = HAND_LENGTH * stature_m;
+        let mut gestures: Vec<Gesture> = plans
+            .clone()
+            .flat_map(|p| {
+                let strokes = p.strokes.iter().flatten();
+                strokes
+                    .filter_map(|s| gestures::space(s, hand_m, stature_m))
+                    .chain(manipulators::space(&p.manipulators, hand_m))
+            })
+            .map(|g| Gesture {
+                space: g.space.within_reach(stature_m),
+                ..g
+            })
+            .collect();
+        let room = gestures
+            .iter()
+            .fold(self.least_room, |room, g| FramingMargin {
+                top_m: room.top_m.max(g.space.top_m),
+                half_width_m: room.half_width_m.max(g.space.half_width_m),
+                ..room
+            });
+        let least = self.options.room;
+        if least != FramingMargin::default() {
+            gestures.push(Gesture {
+                from_secs: f64::NEG_INFINITY,
+                to_secs: f64::INFINITY,
+                // Whoever asks for room sees all of it, in a narrow picture too.
+                space: TakenSpace {
+                    top_m: least.top_m,
+                    bottom_m: 0.0,
+                    half_width_m: least.half_width_m,
+                }
+                .within_reach(stature_m)
+                .with_margin(),
+            });
+        }
+        let commands = self.player_commands(plans);
+        gestures.extend(clips::spaces(&commands, self.library, stature_m));
+        FramingNeeds { room, gestures }
+    }
+
+    /// What all plans ask of animation players.
+    fn player_commands<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan>,
+    ) -> Vec<(f64, PlayerCommand)> {
+        let players = plans.flat_map(|p| p.players.iter());
+        self.carried
+            .players
+            .iter()
+            .chain(players)
+            .cloned()
+            .collect()
+    }
+
+    /// What the figure does when all plans are performed together.
+    fn performance<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        listener_in_world: DVec3,
+    ) -> Performance {
+        let mut switches: Vec<(f64, bool)> = plans
+            .clone()
+            .flat_map(|p| p.switches.iter().copied())
+            .collect();
+        sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
+        let on = gestures::on_spans(&switches);
+        let character = plans.clone().find_map(|p| p.face.character.as_ref());
+        let parameters = plans.clone().flat_map(|p| p.face.parameters.iter());
+        Performance {
+            players: PlayerScript {
+                commands: self.player_commands(plans.clone()),
+            },
+            emotions: plans
+                .clone()
+                .flat_map(|p| p.face.emotions.iter().map(|felt| felt.span))
+                .collect(),
+            parameters: ParameterScript {
+                commands: self
+                    .carried
+                    .parameters
+                    .iter()
+                    .chain(parameters)
+                    .cloned()
+                    .collect(),
+            },
+            library: self.library.clone(),
+            arms: Side::BOTH.map(|side| ArmScript {
+                strokes: plans
+                    .clone()
+                    .flat_map(|p| p.strokes[side.index()].iter().cloned())
+                    .collect(),
+                on: on.clone(),
+            }),
+            manipulators: manipulators::together(plans.clone().map(|p| &p.manipulators)),
+            speech: plans
+                .flat_map(|p| &p.utterances)
+                .map(|u| u.timed.clone())
+                .collect(),
+            seed: self.options.seed,
+            motion_amount: self.options.motion_amount,
+            manner: character.map_or(self.options.manner, |of| {
+                face::manner(of, self.options.manner)
+            }),
+            listener_in_world,
+            build: self.cast.build,
+            dominant: self.cast.hands.dominant,
+            welcomes: false,
+        }
+    }
+}

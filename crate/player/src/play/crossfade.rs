@@ -1,0 +1,222 @@
+//! One actor after another: a performance that changes while it is performed.
+//!
+//! An actor is a function of time over the whole performance, so a clause that comes of a
+//! sudden needs another actor, who may have prepared for it before it came. The figure eases
+//! from the one to the other instead of jumping. Which actors are on at a time depends on
+//! the time alone: seeking shows what playing showed.
+
+use raconteur_actor::EvaluationReport;
+use raconteur_actor::{Actor, FaceRig};
+use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_body::face::FaceControls;
+use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_stage::{FramingMargin, Span};
+
+use super::actor_builder::FramingNeeds;
+
+/// Time in which the body changes over, seconds. Designed: as quick as a flinch is slow.
+const BODY_SECS: f64 = 0.4;
+/// The same for eyes, lids and mouth, seconds: the silence that begins every baked utterance.
+const FACE_SECS: f64 = 0.12;
+/// The same for the picture's frame, seconds. Designed: a calm zoom.
+const ROOM_SECS: f64 = 1.2;
+/// Actors that are kept: as many as can be on at once at [`Layers::APART_SECS`], and one for
+/// a seek back to before them.
+const MAX_ACTORS: usize = 4;
+
+struct FadingActor {
+    from_secs: f64,
+    actor: Actor,
+    needs: FramingNeeds,
+}
+
+/// The actors of a performance by time. There is always one.
+pub(crate) struct ActorCrossfade {
+    first: FadingActor,
+    later: Vec<FadingActor>,
+    /// Room to evaluate a second actor in.
+    room: EvaluatedPose,
+}
+
+/// What an actor is evaluated into.
+pub(crate) struct EvaluatedPose {
+    pub(crate) pose: Pose,
+    pub(crate) morph_weights: Vec<f32>,
+}
+
+impl EvaluatedPose {
+    /// Room for a figure of so many morph targets.
+    pub(crate) fn new(morphs: usize) -> Self {
+        Self {
+            pose: Pose::zero(),
+            morph_weights: vec![0.0; morphs],
+        }
+    }
+}
+
+impl ActorCrossfade {
+    /// Shortest time between two changes, seconds: no more than three actors are evaluated
+    /// for a frame.
+    const APART_SECS: f64 = 0.2;
+
+    pub(crate) fn new(actor: Actor, needs: FramingNeeds, morphs: usize) -> Self {
+        let first = FadingActor {
+            from_secs: f64::NEG_INFINITY,
+            actor,
+            needs,
+        };
+        Self {
+            first,
+            later: Vec::new(),
+            room: EvaluatedPose::new(morphs),
+        }
+    }
+
+    /// When the last actor takes over; minus infinity while the first one acts.
+    pub(crate) fn last_change_secs(&self) -> f64 {
+        self.last().from_secs
+    }
+
+    /// When a change that is requested now takes place: those within one change share it, one
+    /// soon after waits for the next, and after a seek to earlier times it takes place at once.
+    pub(crate) fn next_change_secs(&self, now_secs: f64) -> f64 {
+        let last_secs = self.last_change_secs();
+        if last_secs - now_secs > Self::APART_SECS {
+            now_secs
+        } else if last_secs >= now_secs {
+            last_secs
+        } else {
+            now_secs.max(last_secs + Self::APART_SECS)
+        }
+    }
+
+    /// The actor of the latest performance.
+    pub(crate) fn actor(&self) -> &Actor {
+        &self.last().actor
+    }
+
+    /// The picture's frame that the last actor needs.
+    pub(crate) fn last_margin(&self) -> FramingMargin {
+        self.last().needs.room
+    }
+
+    fn last(&self) -> &FadingActor {
+        self.later.last().unwrap_or(&self.first)
+    }
+
+    /// Lets `actor` take over at a time; one that takes over at the same time or later is
+    /// replaced.
+    pub(crate) fn change(&mut self, from_secs: f64, actor: Actor, needs: FramingNeeds) {
+        let layer = FadingActor {
+            from_secs,
+            actor,
+            needs,
+        };
+        while self.later.pop_if(|l| l.from_secs >= from_secs).is_some() {}
+        self.later.push(layer);
+        if self.later.len() >= MAX_ACTORS {
+            self.first = self.later.remove(0);
+        }
+    }
+
+    /// The picture's frame at a time, for a figure of a stature in a picture of `aspect`; it shows
+    /// `rest` while no gesture needs more, and zooms as fast as `zoom` for one.
+    pub(crate) fn margin_at(
+        &self,
+        time_secs: f64,
+        (rest, zoom): (Span, f64),
+        stature_m: f64,
+        aspect: f64,
+    ) -> FramingMargin {
+        let of = |layer: &FadingActor| FramingMargin {
+            span: rest.visible_span(&layer.needs.gestures, zoom, time_secs, stature_m, aspect),
+            ..layer.needs.room
+        };
+        self.later.iter().fold(of(&self.first), |room, layer| {
+            let to = of(layer);
+            let s = minimum_jerk((time_secs - layer.from_secs) / ROOM_SECS);
+            FramingMargin {
+                top_m: lerp(room.top_m, to.top_m, s),
+                half_width_m: lerp(room.half_width_m, to.half_width_m, s),
+                span: room.span.towards(to.span, s),
+                ..room
+            }
+        })
+    }
+
+    /// Controls of the face at a time; allocates nothing.
+    pub(crate) fn controls(&self, time_secs: f64) -> FaceControls {
+        let begun = self.later.partition_point(|l| l.from_secs < time_secs);
+        let done = self
+            .later
+            .partition_point(|l| l.from_secs + FACE_SECS <= time_secs);
+        let base = match done.checked_sub(1) {
+            Some(i) => &self.later[i],
+            None => &self.first,
+        };
+        let first = base.actor.controls(time_secs);
+        self.later[done..begun]
+            .iter()
+            .fold(first, |controls, layer| {
+                let share = minimum_jerk((time_secs - layer.from_secs) / FACE_SECS);
+                controls.lerp(&layer.actor.controls(time_secs), share)
+            })
+    }
+
+    /// As [`Actor::evaluate`]; allocates nothing.
+    pub(crate) fn evaluate(
+        &mut self,
+        skeleton: &Skeleton,
+        face: &FaceRig,
+        time_secs: f64,
+        pose: &mut Pose,
+        morph_weights: &mut [f32],
+    ) -> EvaluationReport {
+        let begun = self.later.partition_point(|l| l.from_secs < time_secs);
+        let alone = self
+            .later
+            .partition_point(|l| l.from_secs + BODY_SECS <= time_secs);
+        let base = match alone.checked_sub(1) {
+            Some(i) => &self.later[i],
+            None => &self.first,
+        };
+        let mut report = base
+            .actor
+            .evaluate(skeleton, face, time_secs, pose, morph_weights);
+        for layer in &self.later[alone..begun] {
+            self.room.morph_weights.copy_from_slice(morph_weights);
+            let (other, weights) = (&mut self.room.pose, &mut self.room.morph_weights);
+            let before = report.controls;
+            report = layer
+                .actor
+                .evaluate(skeleton, face, time_secs, other, weights);
+            let since_secs = time_secs - layer.from_secs;
+            let body = minimum_jerk(since_secs / BODY_SECS);
+            let face = minimum_jerk(since_secs / FACE_SECS);
+            ease(pose, other, body, face);
+            report.controls = before.lerp(&report.controls, face);
+            for (weight, to) in morph_weights.iter_mut().zip(weights) {
+                *weight = lerp(f64::from(*weight), f64::from(*to), face) as f32;
+            }
+        }
+        report
+    }
+}
+
+/// Takes a pose a share of the way to another.
+pub(crate) fn ease(pose: &mut Pose, to: &Pose, body: f64, face: f64) {
+    pose.root_offset_in_world = pose
+        .root_offset_in_world
+        .lerp(to.root_offset_in_world, body);
+    pose.root_rotation = pose.root_rotation.slerp(to.root_rotation, body);
+    for bone in Bone::ALL {
+        let share = if bone == Bone::Chin { face } else { body };
+        pose.set(bone, pose.rotation(bone).slerp(to.rotation(bone), share));
+    }
+    pose.jaw_offset_in_skull = pose.jaw_offset_in_skull.lerp(to.jaw_offset_in_skull, face);
+    for i in 0..2 {
+        pose.eyes[i] = pose.eyes[i].slerp(to.eyes[i], face);
+        pose.upper_lid_rad[i] = lerp(pose.upper_lid_rad[i], to.upper_lid_rad[i], face);
+        pose.lower_lid_rad[i] = lerp(pose.lower_lid_rad[i], to.lower_lid_rad[i], face);
+    }
+}

@@ -1,0 +1,102 @@
+//! Hair that swings, over time: steps of its chains behind the clock.
+
+use raconteur_base::DAffine3;
+use raconteur_base::curve::minimum_jerk;
+use raconteur_body::springs::{STEPS_PER_S, SpringState};
+use raconteur_body::{Skeleton, Springs};
+
+use super::segments::{SegmentGrid, Segments, Simulation, WarmUpPolicy};
+
+/// 1.6 s and 0.8 s: of how a chain swung before a hundredth is left, and the way into the next
+/// segment takes that in.
+const CUT: SegmentGrid = SegmentGrid {
+    segment: 96,
+    warm_up: 48,
+    pace: WarmUpPolicy::Together,
+};
+/// The last steps of a segment, over which the next one's run takes over.
+const BLEND: i64 = 24;
+
+/// Solves the joints at a time, seconds, with every chain at rest.
+pub(crate) type Posture<'a> = dyn FnMut(f64, &mut Vec<DAffine3>) + 'a;
+
+/// Chains on a figure that moves.
+struct DrivenChains<'a, 'p> {
+    springs: &'a Springs,
+    skeleton: &'a Skeleton,
+    posture: &'a mut Posture<'p>,
+    world: &'a mut Vec<DAffine3>,
+    /// The step for which `world` is solved; its chains hang as they were left.
+    solved: Option<i64>,
+}
+
+impl DrivenChains<'_, '_> {
+    fn solve(&mut self, step: i64) {
+        (self.posture)(step as f64 / STEPS_PER_S, self.world);
+        self.solved = Some(step);
+    }
+}
+
+impl Simulation<SpringState> for DrivenChains<'_, '_> {
+    fn rest(&mut self, swing: &mut SpringState, step: i64) {
+        self.solve(step);
+        self.springs.rest(self.world, swing);
+    }
+
+    fn step(&mut self, swing: &mut SpringState, step: i64) {
+        // Both runs take the same step one after the other.
+        if self.solved != Some(step) {
+            self.solve(step);
+        }
+        self.springs.step(self.skeleton, self.world, swing);
+    }
+}
+
+/// What swings on one figure, at any time.
+pub(crate) struct SwingingParts {
+    segments: Segments<SpringState>,
+    /// Room to solve joints in.
+    world: Vec<DAffine3>,
+}
+
+impl SwingingParts {
+    /// None where nothing swings.
+    pub(crate) fn new(springs: &Springs, joints: usize) -> Option<Self> {
+        (!springs.is_empty()).then(|| Self {
+            segments: Segments::new(CUT, springs.swing()),
+            world: Vec::with_capacity(joints),
+        })
+    }
+
+    /// Forgets what was simulated: the figure moves otherwise.
+    pub(crate) fn forget(&mut self) {
+        self.segments.forget();
+    }
+
+    /// Turns the chains of joints that are solved for a time; `posture` tells of other times.
+    pub(crate) fn advance_to(
+        &mut self,
+        (skeleton, springs): (&Skeleton, &Springs),
+        time_secs: f64,
+        posture: &mut Posture<'_>,
+        joints: &mut [DAffine3],
+    ) {
+        let exact = time_secs * STEPS_PER_S;
+        let step = exact.ceil();
+        let share = 1.0 - (step - exact);
+        let mut carried = DrivenChains {
+            springs,
+            skeleton,
+            posture,
+            world: &mut self.world,
+            solved: None,
+        };
+        let step = step as i64;
+        self.segments.advance_to(step, &mut carried);
+        let left = CUT.segment - step.rem_euclid(CUT.segment);
+        let way = minimum_jerk((BLEND - left) as f64 / BLEND as f64);
+        let (now, next) = self.segments.states_mut();
+        let other = (left < BLEND).then_some((next, share, way));
+        springs.show(skeleton, joints, now, share, other);
+    }
+}

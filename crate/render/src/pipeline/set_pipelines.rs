@@ -1,0 +1,92 @@
+//! What draws the stage: one program for each place, compiled when a story first goes there.
+
+use raconteur_stage::SetKind;
+use wgpu::{Device, RenderPipeline};
+
+use super::{
+    BEHIND, PipelineDescription, Pipelines, SharedResources, full_screen, pipeline_layout,
+};
+
+/// What draws one place.
+pub(crate) struct SetPipelines {
+    entry: &'static str,
+    /// Behind the figure.
+    pub(crate) behind: RenderPipeline,
+    /// As a still, where that is done.
+    pub(crate) still: Option<RenderPipeline>,
+}
+
+/// The fragment shader of a place. Each is a program of its own, so that none pays for another's
+/// branches where a rasteriser runs both sides.
+fn theatre_entry(kind: SetKind) -> &'static str {
+    match kind {
+        SetKind::Curtain | SetKind::Studio => "fs_theatre",
+        SetKind::Fireside => "fs_fireside",
+        SetKind::Garden => "fs_garden",
+        SetKind::Night => "fs_night",
+        SetKind::School => "fs_school",
+    }
+}
+
+impl Pipelines {
+    /// Compiles what draws a place, if it was not drawn yet, and makes it the stage.
+    pub(crate) fn prepare_theatre(
+        &mut self,
+        device: &Device,
+        shared: &SharedResources,
+        kind: SetKind,
+    ) {
+        while self.make_theatre(device, shared, kind) {}
+        let entry = theatre_entry(kind);
+        let known = self.theatres.iter().position(|t| t.entry == entry);
+        self.theatre = known.unwrap_or_default();
+    }
+
+    /// Compiles the first that a place lacks; whether something was missing.
+    pub(super) fn make_theatre(
+        &mut self,
+        device: &Device,
+        shared: &SharedResources,
+        kind: SetKind,
+    ) -> bool {
+        let entry = theatre_entry(kind);
+        let target = self.target;
+        let known = self.theatres.iter_mut().find(|t| t.entry == entry);
+        if known
+            .as_ref()
+            .is_some_and(|t| t.still.is_some() || !target.is_direct)
+        {
+            return false;
+        }
+        let layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
+        let make = |constants: &[(&str, f64)], samples, depth| {
+            PipelineDescription {
+                label: "theatre",
+                constants,
+                vertex: "vs_theatre",
+                fragment: Some(entry),
+                samples,
+                depth,
+                ..full_screen(&shared.stage, &layout, target.format)
+            }
+            .build(device)
+        };
+        match known {
+            Some(theatre) => theatre.still = Some(make(&self.constants, 1, None)),
+            None => {
+                let behind = make(&self.constants, target.samples, BEHIND);
+                self.theatres.push(SetPipelines {
+                    entry,
+                    behind,
+                    still: None,
+                });
+            }
+        }
+        true
+    }
+
+    /// What draws the stage.
+    pub(crate) fn theatre(&self) -> Option<&SetPipelines> {
+        self.theatres.get(self.theatre)
+    }
+}

@@ -1,0 +1,100 @@
+//! What grows on skin moves with it: joint weights and morphs are those of the skin beneath.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::DVec3;
+
+use super::surface::nearest;
+use crate::part::{JointRef, MeshPart, PartMorph};
+use raconteur_base::surface::vertex_normals;
+
+/// The skin that hairs are rooted in; metres, frame of the head.
+pub(crate) struct ScalpBinding {
+    pub(crate) positions: Vec<DVec3>,
+    pub(crate) normals: Vec<DVec3>,
+    weights: Vec<Vec<(JointRef, f64)>>,
+    morphs: Vec<(String, Vec<DVec3>)>,
+    /// What of the tissue each vertex follows.
+    bound: Vec<Vec<(u32, f64)>>,
+}
+
+/// Vertices of the skin with their shares.
+pub(crate) type Holds = Vec<(u32, f64)>;
+
+impl ScalpBinding {
+    pub(crate) fn new(skin: &MeshPart) -> Self {
+        let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+        let dense = |m: &PartMorph| {
+            let mut all = vec![DVec3::ZERO; positions.len()];
+            for &(v, d) in &m.deltas {
+                all[v as usize] = d;
+            }
+            (m.name.clone(), all)
+        };
+        let mut bound = vec![Vec::new(); positions.len()];
+        for (v, row) in &skin.bound {
+            bound[*v as usize].clone_from(row);
+        }
+        Self {
+            bound,
+            normals: vertex_normals(&positions, &skin.faces),
+            weights: skin.vertices.iter().map(|v| v.weights.clone()).collect(),
+            morphs: skin.morphs.iter().map(dense).collect(),
+            positions,
+        }
+    }
+
+    /// The `count` nearest vertices.
+    pub(crate) fn nearest_vertices(&self, root: DVec3, count: usize) -> Holds {
+        nearest(&self.positions, root, count, 1.5e-4)
+    }
+
+    /// Joint weights of what these vertices hold.
+    pub(crate) fn weights(&self, holds: &Holds) -> Vec<(JointRef, f64)> {
+        let mut weights: Vec<(JointRef, f64)> = Vec::new();
+        for &(v, share) in holds {
+            for &(joint, w) in &self.weights[v as usize] {
+                match weights.iter_mut().find(|k| k.0 == joint) {
+                    Some(k) => k.1 += w * share,
+                    None => weights.push((joint, w * share)),
+                }
+            }
+        }
+        weights
+    }
+
+    /// What of the tissue the vertices of a part follow that are held so.
+    pub(crate) fn bound(&self, holds: &[Holds]) -> Vec<(u32, Vec<(u32, f64)>)> {
+        let row = |h: &Holds| {
+            let mut sums: BTreeMap<u32, f64> = BTreeMap::new();
+            for &(v, share) in h {
+                for &(node, weight) in &self.bound[v as usize] {
+                    *sums.entry(node).or_insert(0.0) += share * weight;
+                }
+            }
+            sums.into_iter().collect::<Vec<_>>()
+        };
+        let rows = (0u32..).zip(holds.iter().map(row));
+        rows.filter(|(_, row)| !row.is_empty()).collect()
+    }
+
+    /// Morphs of a part whose vertices are held so; movements below `least` metres are
+    /// left out.
+    pub(crate) fn morphs(&self, holds: &[Holds], least: f64) -> Vec<PartMorph> {
+        let of = |deltas: &[DVec3]| -> Vec<(u32, DVec3)> {
+            (0u32..)
+                .zip(holds)
+                .map(|(i, h)| (i, h.iter().map(|&(v, w)| deltas[v as usize] * w).sum()))
+                .filter(|(_, d): &(u32, DVec3)| d.length() > least)
+                .collect()
+        };
+        self.morphs
+            .iter()
+            .map(|(name, deltas)| PartMorph {
+                name: name.clone(),
+                deltas: of(deltas),
+            })
+            .filter(|m| !m.deltas.is_empty())
+            .collect()
+    }
+}

@@ -1,0 +1,70 @@
+//! What of a figure is drawn, for those who look at its making (GEVH D.3.4).
+
+/// What of a surface is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fill {
+    /// The surface.
+    #[default]
+    Solid,
+    /// The edges of its triangles.
+    Wireframe,
+    /// Their corners.
+    Points,
+}
+
+/// Switches of the drawing. A story shows the body alone, in its materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "switches that know nothing of each other"
+)]
+pub struct Visibility {
+    /// What of the body's surface is drawn.
+    pub fill: Fill,
+    /// The body.
+    pub body: bool,
+    /// The bones, over the body.
+    pub bones: bool,
+    /// The axes of every bone's frame, over the body: x red, y green, z blue.
+    pub frames: bool,
+    /// The joint of every bone, over the body.
+    pub centers: bool,
+    /// The body is drawn in its materials, else as if cast in clay.
+    pub materials: bool,
+    /// Its materials are drawn with their pictures.
+    pub textures: bool,
+    /// Where the manipulators are sent, over the body: [`Frame::handles`](crate::Frame).
+    pub manipulators: bool,
+    /// The springs of the face's tissue, over the body: [`Frame::lines`](crate::Frame).
+    pub springs: bool,
+    /// The fibres of the face's muscles, over the body: [`Frame::lines`](crate::Frame).
+    pub muscles: bool,
+    /// The bone under the face's tissue, over the body: [`Frame::lines`](crate::Frame).
+    pub skull: bool,
+}
+
+impl Default for Visibility {
+    fn default() -> Self {
+        Self {
+            fill: Fill::Solid,
+            body: true,
+            bones: false,
+            frames: false,
+            centers: false,
+            materials: true,
+            textures: true,
+            manipulators: false,
+            springs: false,
+            muscles: false,
+            skull: false,
+        }
+    }
+}
+
+impl Visibility {
+    /// Whether anything is drawn over the body.
+    #[must_use]
+    pub fn has_overlay(&self) -> bool {
+        self.bones || self.frames || self.centers || self.manipulators
+    }
+}

@@ -1,0 +1,178 @@
+//! What a story wants said: its texts and files, planned and cast.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use crate::content::Content;
+use crate::markup::{Problem, plain, sable, ssml};
+use crate::{Source, SpeechRequest};
+use anyhow::{Context as _, Result, anyhow};
+use raconteur_base::printable::printable;
+
+use super::cast::Role;
+use super::digest::Digest;
+use super::speak::{self, Casting, RenderInput};
+use super::{BakeOptions, REVISION, sounds};
+use crate::files::{input, inside, media};
+
+/// An utterance that is wanted.
+pub(super) struct PlannedUtterance<'a> {
+    /// The key of the utterance.
+    pub(super) key: u64,
+    /// Stands for everything that goes into its sound.
+    pub(super) digest: u64,
+    /// Stands for the story's share in that.
+    pub(super) source: u64,
+    /// Its place among what the story says, from 0.
+    pub(super) place: usize,
+    pub(super) content: Content,
+    pub(super) said: &'a SpeechRequest,
+    pub(super) role: Role,
+    pub(super) casting: Casting,
+    pub(super) sounds: Vec<PathBuf>,
+}
+
+/// All that the story says and that is to be spoken, each once, and the files that were to be
+/// said and are not there.
+///
+/// # Errors
+/// When a file cannot be read, or a text cannot be planned.
+pub(super) fn all<'a>(
+    said: &'a [SpeechRequest],
+    folder: &Path,
+    options: &BakeOptions,
+    library: &dyn Fn(&str) -> Result<PathBuf>,
+) -> Result<(Vec<PlannedUtterance<'a>>, Vec<PathBuf>)> {
+    let mut seen = BTreeSet::new();
+    let mut wanted = Vec::new();
+    let mut absent = Vec::new();
+    for (place, said) in said.iter().enumerate() {
+        // Two clauses that say the same share an utterance; the first keeps its place.
+        if seen.insert(said.key) {
+            match content(said, folder, library)? {
+                Ok(content) => {
+                    let one = plan_utterance(said, content, place, folder, options)?;
+                    for warning in &one.casting.warnings {
+                        let told = format!("{:?}: {warning}", short(&one.content.plain_text()));
+                        eprintln!("{}", printable(&told));
+                    }
+                    wanted.push(one);
+                }
+                Err(file) => absent.push(file),
+            }
+        }
+    }
+    // A dance without a word has no voice.
+    wanted.retain(|w| !w.content.words().is_empty() || !w.sounds.is_empty());
+    Ok((wanted, absent))
+}
+
+/// The content, or the path of the file beside the story that should hold it: its
+/// absence does not keep the rest from being reported, as it may be brought later.
+fn content(
+    said: &SpeechRequest,
+    folder: &Path,
+    library: &dyn Fn(&str) -> Result<PathBuf>,
+) -> Result<Result<Content, PathBuf>> {
+    Ok(Ok(match &said.source {
+        Source::Content(content) => content.clone(),
+        Source::Sable(text) => sable_document("the document in the script", text)?,
+        Source::File {
+            path,
+            sable,
+            library: from_library,
+        } => {
+            let told = || format!("cannot read what is to be said, {path}");
+            // The library, and for files beside the story that folder as well.
+            let file = match inside::find(folder, path).with_context(told)? {
+                Some(file) => file,
+                None if *from_library => library(path)?,
+                None => return Ok(Err(folder.join(path))),
+            };
+            let text = input::text(&file, input::MAX_TEXT_BYTES).with_context(told)?;
+            if *sable {
+                sable_document(path, &text)?
+            } else if path.ends_with(".ssml") {
+                let is_there = |src: &str| sounds::find(folder, src).is_ok();
+                document(path, ssml::read_beside(&text, &is_there))?
+            } else {
+                plain::read(&text)
+            }
+        }
+    }))
+}
+
+/// Casts and plans one utterance.
+pub(super) fn plan_utterance<'a>(
+    said: &'a SpeechRequest,
+    content: Content,
+    place: usize,
+    folder: &Path,
+    options: &BakeOptions,
+) -> Result<PlannedUtterance<'a>> {
+    let role = match &said.voice {
+        Some(name) => options.cast.named(name)?,
+        None => options.cast.lead.clone(),
+    };
+    let work = RenderInput {
+        content: &content,
+        role: &role,
+        emotion: said.emotion.as_ref(),
+        tension: said.tension,
+        pace: options.pace,
+    };
+    let casting = speak::cast(&work, &options.cast, &options.lexicon)
+        .with_context(|| format!("planning {:?}", short(&content.plain_text())))?;
+    let mut sounds = Vec::new();
+    let mut digest = Digest::new();
+    digest.number(u64::from(REVISION));
+    digest.text(&format!(
+        "{} {:?} {:?}",
+        options.pace, said.emotion, said.tension
+    ));
+    digest.text(&options.lexicon_text);
+    let mut source = digest.clone();
+    source.text(&format!("{:?} {:?}", said.voice, content));
+    digest.text(&format!("{:?}", casting.plan));
+    for role in [&role].into_iter().chain(&casting.roles) {
+        digest.text(options.cast.version(role)?);
+        digest.text(&role.voice.name);
+        digest.text(&options.cast.engine(role)?.state(said.key, place)?);
+    }
+    for sound in &casting.plan.sounds {
+        let path = sounds::find(folder, &sound.src)?;
+        let bytes = input::bytes(&path, media::MAX_BYTES)?;
+        digest.bytes(&bytes);
+        source.bytes(&bytes);
+        sounds.push(path);
+    }
+    Ok(PlannedUtterance {
+        key: said.key,
+        digest: digest.value(),
+        source: source.value(),
+        place,
+        content,
+        said,
+        role,
+        casting,
+        sounds,
+    })
+}
+
+fn sable_document(name: &str, text: &str) -> Result<Content> {
+    document(name, sable::read(text))
+}
+
+/// What was read of a document; its problems are reported.
+fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
+    let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
+    for problem in problems {
+        eprintln!("{}", printable(&format!("{name}: {problem}")));
+    }
+    Ok(content)
+}
+
+/// The begin of a text, for messages.
+pub(super) fn short(text: &str) -> String {
+    text.chars().take(60).collect()
+}

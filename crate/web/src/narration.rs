@@ -1,0 +1,55 @@
+//! Plain text as scripts, for pages: what stands between the tags, what somebody types, and words
+//! that come piece by piece.
+
+use raconteur_player::eml::narration::{self, NarrationOptions};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::player::plain;
+
+/// A text in clauses.
+#[derive(Serialize)]
+struct ClauseSplit<'t> {
+    clauses: Vec<&'t str>,
+    rest: &'t str,
+}
+
+/// A fragment, and what is felt at its end.
+#[derive(Serialize)]
+struct NarratedFragment {
+    fragment: String,
+    feels: String,
+}
+
+/// The script that tells a text in a language (BCP 47), up to so many characters, phrase by phrase
+/// or not; undefined where it has no word.
+#[wasm_bindgen]
+#[must_use]
+pub fn narrate(text: &str, language: &str, phrased: bool, most: usize) -> Option<String> {
+    let options = NarrationOptions {
+        language,
+        is_phrased: phrased,
+        most,
+    };
+    narration::narrate(text, &options)
+}
+
+/// `{fragment, feels}`: the fragment that goes on telling after a text that has left the feeling
+/// `felt`, and the one that this leaves; undefined where it has no word.
+#[wasm_bindgen(js_name = continueNarration)]
+pub fn continue_narration(text: &str, language: &str, felt: &str) -> Result<JsValue, JsError> {
+    match narration::continue_narration(text, language, felt) {
+        Some(narration::NarratedFragment { fragment, feels }) => {
+            plain(&NarratedFragment { fragment, feels })
+        }
+        None => Ok(JsValue::UNDEFINED),
+    }
+}
+
+/// `{clauses, rest}`: the clauses of a text that comes piece by piece, and what may go on; with
+/// `whole` nothing more comes.
+#[wasm_bindgen(js_name = splitClauses)]
+pub fn split_clauses(text: &str, language: &str, whole: bool) -> Result<JsValue, JsError> {
+    let narration::ClauseSplit { clauses, rest } = narration::split_clauses(text, language, whole);
+    plain(&ClauseSplit { clauses, rest })
+}
