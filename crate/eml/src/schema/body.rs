@@ -3,7 +3,7 @@
 use super::{Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the clauses of a script. Their times count from its start."),
+    doc: super::shown("Contains the clauses of a script. Their times count from its start."),
     source: super::shown("GEVH D.1.3"),
     example: super::shown("<eml><body><null time='2'/></body></eml>"),
     content: Content::Elements,

@@ -4,9 +4,9 @@ use super::{Attribute, Content, Element};
 use crate::{ClauseKind, PrimitiveKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Puts an animation on the stack of a player, exchanges or removes it."),
+    doc: super::shown("Pushes an animation onto the stack of a player, exchanges or removes it."),
     decision: super::shown(
-        "The example writes operation for primitive. Without tracks all tracks are meant, without a style the animation loops.",
+        "The example writes operation for primitive. Without tracks, all tracks are used; without a style, the animation loops.",
     ),
     source: super::shown("GEVH D.3.17"),
     example: super::shown(
@@ -14,10 +14,10 @@ pub(super) static ELEMENT: Element = Element {
     ),
     content: Content::Elements,
     attributes: &[
-        Attribute::choice("primitive", PrimitiveKind::WORDS, "What to do.")
+        Attribute::choice("primitive", PrimitiveKind::WORDS, "The operation.")
             .required()
             .aliases(&["operation"]),
-        Attribute::identifier("player", "The player; the first one when it is left out."),
+        Attribute::identifier("player", "The player; by default the first one."),
         Attribute::identifier(
             "animationSetName",
             "The animation, for push and exchange: a name of the library or a path in the story's folder (docs/animation.md).",

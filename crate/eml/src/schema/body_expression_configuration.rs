@@ -3,7 +3,7 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the configuration of body expression."),
+    doc: super::shown("Contains the configuration of body expression."),
     source: super::shown("GEVH D.3.1"),
     example: super::shown(
         "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>",

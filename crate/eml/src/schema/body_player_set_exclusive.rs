@@ -5,7 +5,7 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Replaces all animation players by one."),
+    doc: super::shown("Replaces all animation players with one."),
     source: super::shown("GEVH D.3.12"),
     example: super::shown("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
     content: Content::Elements,

@@ -6,7 +6,7 @@ use crate::{DivKind, TextSegment};
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Marks a division of spoken text."),
     decision: super::shown(
-        "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest.",
+        "Some examples in GEVH seem to have overlapping tags; EML is XML, so elements nest.",
     ),
     source: super::shown("GEVH D.4.6"),
     example: super::shown(
@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[Attribute::choice(
         "type",
         &["sentence", "paragraph"],
-        "What the division is.",
+        "The type of division.",
     )],
     ..Element::new("div", VOICE_PARENTS, Role::Voice(read))
 };

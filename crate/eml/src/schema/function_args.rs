@@ -3,7 +3,7 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds the arguments of a function."),
+    doc: super::shown("Contains the arguments of a function."),
     source: super::shown("GEVH D.1.7"),
     example: super::shown(
         "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>",

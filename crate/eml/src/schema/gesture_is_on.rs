@@ -4,8 +4,8 @@ use super::{Attribute, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Turns the gesture model on or off. Off releases the arms."),
-    decision: super::shown("It is printed is0n, with a zero, which is an alias."),
+    doc: super::shown("Turns the gesture model on or off. Turning it off releases the arms."),
+    decision: super::shown("The source prints is0n, with a zero, which is an alias."),
     source: super::shown("GEVH D.5.1"),
     example: super::shown("<gesture-is-on time='0' isOn='true'/>"),
     attributes: &[

@@ -4,7 +4,7 @@ use super::{Content, Context, Element, Role};
 use crate::{Environment, Performer, Set};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Holds configuration that applies to the whole script."),
+    doc: super::shown("Contains the configuration of the whole script."),
     source: super::shown("GEVH D.1.2"),
     example: super::shown("<eml><head/><body><null time='2'/></body></eml>"),
     content: Content::Elements,

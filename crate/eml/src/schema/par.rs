@@ -5,9 +5,11 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Plays its clauses together. A plain time counts from the start of the par."),
+    doc: super::shown(
+        "Plays its clauses simultaneously. A plain time counts from the start of the par.",
+    ),
     decision: super::shown(
-        "GEVH only says that times are relative. An expression that names a moment counts from the start of the script all the same.",
+        "GEVH only says that times are relative. An expression that names a time still counts from the start of the script.",
     ),
     source: super::shown("GEVH D.2.5, D.2.6"),
     example: super::shown(

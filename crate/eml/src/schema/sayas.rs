@@ -4,18 +4,18 @@ use super::{Attribute, Element};
 use crate::{Markup, SayAsMode, SayAsType};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Says what a text is, and so how it is read out."),
-    decision: super::shown("GEVH says that it is SABLE's rate; SAYAS is meant."),
+    doc: super::shown("Specifies the type of a text, and so how it is read out."),
+    decision: super::shown("GEVH calls it SABLE's rate; SAYAS is meant."),
     source: super::shown("GEVH D.4.12"),
     example: super::shown(
         "<voice-text time='0'>A year <sayas mode='date' modetype='YMD'>1998</sayas>, an ordinal <sayas mode='ordinal'>1998</sayas></voice-text>",
     ),
     attributes: &[
-        Attribute::choice("mode", SayAsMode::WORDS, "What the text is.").required(),
+        Attribute::choice("mode", SayAsMode::WORDS, "The type of the text.").required(),
         Attribute::choice(
             "modetype",
             SayAsType::WORDS,
-            "The order of the parts of a date or a time, or the kind of address on the net.",
+            "The order of the parts of a date or a time, or the kind of internet address.",
         ),
     ],
     ..Element::container("sayas", || Markup::SayAs(Default::default()))

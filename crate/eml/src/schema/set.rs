@@ -4,9 +4,9 @@ use super::{Attribute, Content, Element};
 use crate::SetKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::shown("Names a set of layers or of body groups, which may hold other sets."),
+    doc: super::shown("Names a set of layers or of body groups, which may contain other sets."),
     decision: super::shown(
-        "A reference to a set that is not defined is a warning and counts as empty, as in the example of GEVH; sets that contain each other are an error. Besides the groups of the example, left_leg and right_leg exist.",
+        "A reference to an undefined set is a warning and counts as empty, as in the example in GEVH; sets that contain each other are an error. In addition to the groups of the example, left_leg and right_leg exist.",
     ),
     source: super::shown("GEVH D.3.3"),
     example: super::shown(
@@ -18,7 +18,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "type",
             SetKind::WORDS,
-            "What it consists of: layers of a player (multiple) or body groups (bodyGroup).",
+            "Its members: layers of a player (multiple) or body groups (bodyGroup).",
         )
         .required(),
     ],
