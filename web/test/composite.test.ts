@@ -65,7 +65,7 @@ test('sessions that cannot be used are refused by their fault', () => {
     [{ ...good, format: 'other' }, /not a session/],
     [{ ...good, version: 3 }, /newer/],
     [{ ...good, pack: { faces: 9, vertices: 5 } }, /another pack/],
-    [{ ...good, steps: [] }, /no steps/],
+    [{ ...good, steps: [] }, /no readable steps/],
     [{ ...good, steps: [...good.steps, { ...step, parent: 1 }] }, /Step 1:/],
     [{ ...good, steps: [...good.steps, { ...step, act: add(Number.NaN) }] }, /Step 1:/],
     [{ ...good, steps: [...good.steps, { parent: 0, act: { kind: 'eval' } }] }, /Step 1:/],

@@ -67,7 +67,7 @@ fn section(out: &mut String, element: &Element) {
         Content::Elements if is_clause => "contains clauses".to_owned(),
         Content::Elements => format!("contains {}", names(children.into_iter())),
     };
-    let _ = write!(out, "{}, {holds}", capital(&parents));
+    let _ = write!(out, "{}; {holds}", capital(&parents));
     if !element.required_children.is_empty() {
         let required = element.required_children.iter().map(|c| (*c).to_owned());
         let _ = write!(out, "; requires at least one {}", names(required));
