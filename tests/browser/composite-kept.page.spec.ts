@@ -147,7 +147,7 @@ test('two tabs have each its work, and both are found, opened and deleted', asyn
   await reopen.click();
   await expect.poll(async () => (await saved(page)).steps.length).toBe(4);
   await page.getByRole('button', { name: /^Delete: / }).click();
-  await page.getByRole('button', { name: /^Delete for good: / }).click();
+  await page.getByRole('button', { name: /^Delete permanently: / }).click();
   await expect(page.getByRole('list', { name: 'Stored sessions' }).getByRole('listitem')).toHaveCount(1);
   // Another session leaves this one as it is.
   await page.getByRole('button', { name: 'New session' }).click();

@@ -68,7 +68,7 @@ export class KeptPanel {
         isHere
           ? nothing
           : html`<span class="group"><button type="button" class="plain" aria-label="${isTaken ? 'Open a copy' : 'Open'}: ${name}, ${date}" @click=${() => this.#do(() => this.sessions.open(id))}>${isTaken ? 'Open a copy' : 'Open'}</button>
-          ${isTaken ? nothing : html`<button type="button" class="plain" aria-label="${this.#doomed === id ? 'Delete for good' : 'Delete'}: ${name}, ${date}" @click=${remove}>${this.#doomed === id ? 'Delete for good' : 'Delete'}</button>`}</span>`
+          ${isTaken ? nothing : html`<button type="button" class="plain" aria-label="${this.#doomed === id ? 'Delete permanently' : 'Delete'}: ${name}, ${date}" @click=${remove}>${this.#doomed === id ? 'Delete permanently' : 'Delete'}</button>`}</span>`
       }</li>`;
   }
 }

@@ -126,7 +126,7 @@ export function features(app: App, index: Index): TemplateResult {
 
 /** How features change. */
 function manner(app: App): TemplateResult {
-  return html`${check('With what goes with it in people', app.withAll, (on) => {
+  return html`${check('With correlated features', app.withAll, (on) => {
     app.withAll = on;
     app.redraw();
   })}

@@ -35,7 +35,7 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
         app.chosen();
       }}>Whole head</button>
     </div>
-    ${check('Lit on the face', app.lit, (on) => {
+    ${check('Highlight on the face', app.lit, (on) => {
       app.lit = on;
       app.chosen();
     })}

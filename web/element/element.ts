@@ -259,7 +259,7 @@ export class RaconteurPlayer extends PlayerAttributes {
    */
   async setFace(face: FigureFace | undefined): Promise<void> {
     const { show, advance } = this.#context;
-    if (show === undefined) throw new PlayerError('Nobody is on stage.');
+    if (show === undefined) throw new PlayerError('No figure is on stage.');
     await show.picture.setFace(face, await this.#figures.lent(face));
     advance();
   }

@@ -163,13 +163,13 @@ function shapePanel(app: App, key: Key): TemplateResult {
   };
   const picking = app.second ? second : shape.id;
   return html`<div class="slots">
-      ${slot('Shape', shape.id, !app.second, () => pick(false))} ${slot('Mixed with', second, app.second, () => pick(true))}
+      ${slot('Shape', shape.id, !app.second, () => pick(false))} ${slot('Blended with', second, app.second, () => pick(true))}
     </div>
     ${
       second === undefined
         ? nothing
         : html`${numberField({ label: 'Share of the second', value: shape.weight, min: 0, max: 1, step: 0.01, text: `${Math.round(shape.weight * 100)} percent`, set: (weight) => set({ weight: Math.min(1, Math.max(0, weight)) }), done: () => app.done() })}
-          <button type="button" class="plain" @click=${alone}>Do not mix</button>`
+          <button type="button" class="plain" @click=${alone}>No blend</button>`
     }
     ${shapePicker(`shape-${app.second ? 2 : 1}`, app.second ? 'Blended shape' : 'Shape of the hand', picking, (id) => {
       set(app.second ? { second: id } : { id });
@@ -322,7 +322,7 @@ function phasePanel(app: App, phase: Phase): TemplateResult {
     ${choice('hands', 'Hands', toldApart(phase) ? 'apart' : phase.hands, { right: 'Right', left: 'Left', both: 'Both, mirrored', apart: 'Both, separately' } as Record<Handedness, string>, (hands) => app.change(setHands(app.editor.text, gesture, phase, hands)))}
     ${
       own === undefined
-        ? html`<p class="hint">It starts at a moment that the text names; change it there.</p>`
+        ? html`<p class="hint">It starts at a time that the text defines; change it there.</p>`
         : numberField({
             label: inSequence(phase) ? 'Pause before it' : 'Starts at',
             value: own,

@@ -10,7 +10,7 @@ import { ends, GROUP_NAMES, GROUPS, MOST_LAYERS, track, type Mechanism, type Sta
 const MECHANISMS: Readonly<Record<Mechanism, string>> = { layers: 'Layers', groups: 'Body groups', stances: 'Stances', none: 'None' };
 
 const ABOUT: Readonly<Record<Mechanism, string>> = {
-  layers: 'Several animations at once, each with a weight. Together the weights count as a whole.',
+  layers: 'Several animations at once, each with a weight. The weights are scaled to a sum of 1.',
   groups: 'Each part of the body plays its own animation.',
   stances: 'Two stances, and the blend between them.',
   none: 'No animation plays; only idle motion remains.',
