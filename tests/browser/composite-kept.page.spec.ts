@@ -26,8 +26,8 @@ async function beside(context: BrowserContext): Promise<Page> {
 
 async function listed(page: Page): Promise<string[]> {
   await page.getByRole('tab', { name: 'History' }).click();
-  await page.getByText('Kept sessions', { exact: true }).click();
-  const list = page.getByRole('list', { name: 'Kept sessions' }).getByRole('listitem');
+  await page.getByText('Stored sessions', { exact: true }).click();
+  const list = page.getByRole('list', { name: 'Stored sessions' }).getByRole('listitem');
   await expect(list.first()).toBeVisible();
   return await list.locator('small').allTextContents();
 }
@@ -140,15 +140,15 @@ test('two tabs have each its work, and both are found, opened and deleted', asyn
   // The browser takes a moment to give back what a tab held that is closed; the list is read when it is opened.
   const reopen = page.getByRole('button', { name: /^Open: / });
   await expect(async () => {
-    await page.getByText('Kept sessions', { exact: true }).click();
-    await page.getByText('Kept sessions', { exact: true }).click();
+    await page.getByText('Stored sessions', { exact: true }).click();
+    await page.getByText('Stored sessions', { exact: true }).click();
     await expect(reopen).toBeVisible({ timeout: 2000 });
   }).toPass();
   await reopen.click();
   await expect.poll(async () => (await saved(page)).steps.length).toBe(4);
   await page.getByRole('button', { name: /^Delete: / }).click();
-  await page.getByRole('button', { name: /^Delete for good: / }).click();
-  await expect(page.getByRole('list', { name: 'Kept sessions' }).getByRole('listitem')).toHaveCount(1);
+  await page.getByRole('button', { name: /^Delete permanently: / }).click();
+  await expect(page.getByRole('list', { name: 'Stored sessions' }).getByRole('listitem')).toHaveCount(1);
   // Another session leaves this one as it is.
   await page.getByRole('button', { name: 'New session' }).click();
   expect((await saved(page)).steps).toHaveLength(1);

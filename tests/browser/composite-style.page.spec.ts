@@ -137,7 +137,7 @@ test.describe('in one visit', () => {
     const bare = await picture(page);
     await press(page, 'Scar');
     await page.mouse.click(...(await at(page, 0.03, 0.1)));
-    await expect(page.locator('#trouble')).toContainText('beside the head');
+    await expect(page.locator('#trouble')).toContainText('outside the head');
     await page.mouse.click(...(await at(page, 0.57, 0.6)));
     const scar = page.getByRole('region', { name: 'Scar 1' });
     await expect(scar).toBeVisible();
@@ -191,7 +191,7 @@ test.describe('in one visit', () => {
     for (const [act, told] of faults) {
       await put(page, act);
       await expect(trouble).toContainText(told);
-      await expect(trouble).toContainText('What you had is still here');
+      await expect(trouble).toContainText('Your work is unchanged');
       await expect(page.getByLabel('weight, exactly')).toHaveValue('0.5');
     }
     expect(asked.filter((url) => url.includes('example.com'))).toEqual([]);

@@ -142,7 +142,7 @@ test('two editors stand on a strict page of somebody else, each for itself', asy
     await document.querySelector<RaconteurComposite>(other)?.open(e.save());
     return await e.open({ format: 'nothing' }).catch((error: Error) => error.message);
   }, '#two');
-  expect(moved).toBe('This is no session of the composite editor.');
+  expect(moved).toBe('This is not a session of the composite editor.');
   expect(await two.changes()).toBe('{"label":"weight +0.01","steps":1}');
 });
 
@@ -190,7 +190,7 @@ test('an editor begins with a saved session, and says what it cannot open', asyn
   await stage.open(body('mine.json'), { 'mine.json': saved });
   await one.ready();
   await one.editor.getByRole('tab', { name: 'History' }).click();
-  await expect(one.editor.locator('[aria-current="step"]')).toContainText('A face by chance');
+  await expect(one.editor.locator('[aria-current="step"]')).toContainText('A random face');
   // Nothing is kept where the page did not ask for it.
   expect(await page.evaluate(async () => (await indexedDB.databases()).length)).toBe(0);
 });
@@ -227,7 +227,7 @@ test.describe('in one visit', () => {
     await expect(value(page, 'breadth of the alar wings')).toHaveValue('0.8');
     await expect(value(page, 'length of the nose')).toHaveValue('0.2');
     await page.getByRole('tab', { name: 'Held' }).click();
-    await expect(page.getByRole('button', { name: 'Let go of breadth of the alar wings' })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Release breadth of the alar wings' })).toBeVisible();
     await page.getByRole('tab', { name: 'Features' }).click();
     for (let i = 0; i < 4; i += 1) await page.getByRole('button', { name: 'Undo', exact: true }).click();
     await expect(value(page, 'breadth of the alar wings')).toHaveValue('0');
@@ -317,7 +317,7 @@ test.describe('in one visit', () => {
       const steps = [...(good?.steps ?? []), { parent: 0, act: { kind: 'hold', held: both } }];
       return await e.open({ ...good, steps, here: steps.length - 1 }).catch((error: Error) => error.message);
     }, held);
-    expect(told).toBe('No face has both: weight +0.20, and weight +0.90. Let go of one of them.');
+    expect(told).toBe('No face has both: weight +0.20, and weight +0.90. Release one of them.');
   });
 
   test('sessions out of all bounds are refused by what is wrong with them, and nothing changes', async () => {

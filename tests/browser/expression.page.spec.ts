@@ -71,7 +71,7 @@ test('anger comes near from below in red, and each channel can be turned off', a
   await page.keyboard.press('Control+z');
   await expect.poll(() => eml(page)).toContain('camera="true" light="true" music="true" set="curtain"');
   await choose(page, 'neutral');
-  await expect(rules).toContainText('Nothing is felt: no rule fires');
+  await expect(rules).toContainText('No emotion: no rule applies');
 });
 
 test('two settings stand side by side and play as one', async ({ stage, page }) => {

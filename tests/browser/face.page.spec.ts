@@ -105,7 +105,7 @@ test('every muscle has a slider, both sides together or each for itself', async 
   await expect.poll(() => eml(page)).toContain('parameterId="ZygomaticusMajorLeft" value="0.9"');
   await expect.poll(() => control(page, SMILE_RIGHT)).toBeLessThan(0.2);
   expect(await control(page, SMILE_LEFT)).toBeGreaterThan(0.85);
-  await press(page, 'All to rest');
+  await press(page, 'Reset all');
   await expect.poll(() => eml(page)).not.toContain('Zygomaticus');
 
   await turnTo(page, 'Jaw & more');
@@ -140,10 +140,10 @@ test('a sentence of a story is spoken in its voice, with phones and curves under
   // What accompanies it follows the sound or the text.
   const brows = async (): Promise<readonly number[]> => (await curves(page, (p) => [0, p.duration, 200])).muscles[INNER_BROW] ?? [];
   const bySound = await brows();
-  await page.getByText('By its text').evaluate((b: HTMLElement) => b.click());
+  await page.getByText('From its text').evaluate((b: HTMLElement) => b.click());
   await expect.poll(async () => (await brows()).some((v, i) => Math.abs(v - (bySound[i] ?? 0)) > 0.05)).toBe(true);
 
-  await page.getByLabel('A line of your own').fill('Peter Piper');
+  await page.getByLabel('Your own line').fill('Peter Piper');
   await press(page, 'Speak');
   await expect.poll(() => eml(page)).toContain('Peter Piper');
   await expect.poll(() => page.locator('.phone').count()).toBeLessThan(30);

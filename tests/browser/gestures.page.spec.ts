@@ -124,7 +124,7 @@ test('typed EML moves the controls, and controls keep what they do not understan
   await type(page, mine);
   await step(page, 'Hand shape');
   await expect(page.getByRole('button', { name: 'Shape 19 pointing index', exact: true })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Mixed with 14 fist', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Blended with 14 fist', exact: true })).toBeVisible();
   await expect(page.getByRole('slider', { name: 'Share of the second' })).toHaveValue('0.25');
   await page.getByRole('slider', { name: 'Share of the second' }).fill('0.5');
   await expect.poll(() => text(page)).toBe(mine.replace('0.25', '0.5'));

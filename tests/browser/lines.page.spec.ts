@@ -81,7 +81,7 @@ test('what a story says twice is there twice, another one has its own lines and 
   await expect.poll(() => text(page)).toBe(told('virtual-poets/zwei-parallelen').join(' '));
   await expect(page.locator('#lines ol')).toHaveAttribute('lang', /^de/);
   await page.getByRole('button', { name: /Mathematical dance/ }).click();
-  await expect(page.locator('#lines')).toHaveText('Nothing is said in this story.');
+  await expect(page.locator('#lines')).toHaveText('This story has no speech.');
 });
 
 test('the lines of a text of one’s own are lit as they are said', async ({ stage, page }) => {

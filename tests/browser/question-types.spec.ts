@@ -225,8 +225,8 @@ test('where nothing is performed, what was right is read and said, and can be cl
   await form.getByLabel('B', { exact: true }).check();
   await form.getByRole('button', { name: 'Answer' }).click();
   await expect(form.locator('legend')).toHaveText('Two?');
-  await expect(form.locator('[part~=feedback]')).toHaveText('That is not right. Right is: A');
-  await expect(stage.player.locator('.unseen')).toHaveText('That is not right. Right is: A Question: Two?');
+  await expect(form.locator('[part~=feedback]')).toHaveText('That is not right. Correct answer: A');
+  await expect(stage.player.locator('.unseen')).toHaveText('That is not right. Correct answer: A Question: Two?');
   await hasNoBarriers(stage);
   await form.getByLabel('A', { exact: true }).check();
   await form.getByRole('button', { name: 'Answer' }).click();

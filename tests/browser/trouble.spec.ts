@@ -192,7 +192,7 @@ test('without any picture the story is heard and captioned, and the user may ask
   await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
   expect(await page.evaluate(() => window.record.contexts.map((c) => c.state))).toEqual(['running']);
   await page.evaluate(() => void ((window as unknown as { fake: { broken: boolean } }).fake.broken = false));
-  await note.getByRole('button', { name: 'Bring it back' }).click();
+  await note.getByRole('button', { name: 'Restore it' }).click();
   await expect(note).toHaveCount(0, { timeout: 60_000 });
   expect((await stage.picture()).spread).toBeGreaterThan(8);
 });

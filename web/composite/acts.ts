@@ -83,7 +83,7 @@ function hold(faces: Faces, all: readonly FaceConstraint[]): void {
     const both = contradiction(faces, all);
     if (both === undefined) throw error;
     const [one, other] = both.map((h) => `${h.name} ${signed(h.value)}${h.part === 'texture' ? ', texture' : ''}${where(h)}`);
-    throw new Error(`No face has both: ${one}, and ${other}. Let go of one of them.`, { cause: error });
+    throw new Error(`No face has both: ${one}, and ${other}. Release one of them.`, { cause: error });
   }
 }
 
@@ -182,7 +182,7 @@ export function label(act: Act): string {
     case 'average':
       return 'Average face';
     case 'random':
-      return 'A face by chance';
+      return 'A random face';
     case 'example':
       return `Face ${act.index + 1} of the database`;
     case 'add':

@@ -14,7 +14,7 @@ const isRecord = (x: unknown): x is Record<string, unknown> => typeof x === 'obj
 const first = (...faults: readonly Fault[]): Fault => faults.find((fault) => fault !== undefined);
 
 function number(name: string, x: unknown, least: number, most: number): Fault {
-  if (typeof x !== 'number' || Number.isNaN(x)) return `${name} is no number`;
+  if (typeof x !== 'number' || Number.isNaN(x)) return `${name} is not a number`;
   if (x > most) return `${name} ${x} is more than ${most}`;
   return x < least ? `${name} ${x} is less than ${least}` : undefined;
 }
@@ -22,26 +22,26 @@ function number(name: string, x: unknown, least: number, most: number): Fault {
 const amount = (name: string, x: unknown): Fault => number(name, x, -LIMITS.amount, LIMITS.amount);
 
 function three(name: string, x: unknown, least: number, most: number): Fault {
-  if (!Array.isArray(x) || x.length !== 3) return `${name} is no three numbers`;
+  if (!Array.isArray(x) || x.length !== 3) return `${name} is not three numbers`;
   return first(...x.map((one: unknown) => number(name, one, least, most)));
 }
 
 function count(name: string, x: unknown, below: number): Fault {
-  return Number.isSafeInteger(x) ? number(name, x, 0, below - 1) : `${name} is no whole number`;
+  return Number.isSafeInteger(x) ? number(name, x, 0, below - 1) : `${name} is not a whole number`;
 }
 
 function text(name: string, x: unknown): Fault {
-  if (typeof x !== 'string') return `${name} is no text`;
+  if (typeof x !== 'string') return `${name} is not a text`;
   return x.length < LIMITS.letters ? undefined : `${name} has more than ${LIMITS.letters} letters`;
 }
 
 function list(name: string, x: unknown, most: number, one: (entry: unknown) => Fault): Fault {
-  if (!Array.isArray(x)) return `${name} is no list`;
+  if (!Array.isArray(x)) return `${name} is not a list`;
   if (x.length > most) return `${name} has ${x.length} entries, more than ${most}`;
   return first(...x.map(one));
 }
 
-const oneOf = (name: string, x: unknown, words: readonly string[]): Fault => (words.includes(x as string) ? undefined : `${name} is none of ${words.join(', ')}`);
+const oneOf = (name: string, x: unknown, words: readonly string[]): Fault => (words.includes(x as string) ? undefined : `${name} is not one of ${words.join(', ')}`);
 const part = (x: unknown): Fault => oneOf('part', x, ['shape', 'texture']);
 const flag = (name: string, x: unknown): Fault => (x === undefined || typeof x === 'boolean' ? undefined : `${name} is neither true nor false`);
 
@@ -55,7 +55,7 @@ function region(x: unknown): Fault {
 }
 
 function held(x: unknown): Fault {
-  if (!isRecord(x)) return 'what is held cannot be read';
+  if (!isRecord(x)) return 'the held values cannot be read';
   return first(part(x['part']), text('name', x['name']), amount('value', x['value']), region(x));
 }
 
@@ -77,12 +77,12 @@ const CHECKS: Readonly<Record<Act['kind'], (act: Fields) => Fault>> = {
       region(act['region']),
     ),
   detail: ({ strength }) => amount('detail', strength),
-  hold: (act) => list('what is held', act['held'], LIMITS.held, held),
-  look: ({ what, look }) => first(text('name', what), isLook(look) ? undefined : 'its hair, or what is worn, is none that there is'),
+  hold: (act) => list('the list of held values', act['held'], LIMITS.held, held),
+  look: ({ what, look }) => first(text('name', what), isLook(look) ? undefined : 'its hair or an accessory is unknown'),
   marks: ({ what, marks }) =>
     first(
       text('name', what),
-      list('marks', marks, MAX_MARKS, (mark) => (isMark(mark) ? undefined : 'a mark is none that there is')),
+      list('marks', marks, MAX_MARKS, (mark) => (isMark(mark) ? undefined : 'a mark is unknown')),
     ),
 };
 
@@ -104,7 +104,7 @@ export function faultOf(act: unknown): Fault {
   const fault = shape(act);
   if (fault !== undefined) return fault;
   const kind = isRecord(act) ? act['kind'] : undefined;
-  if (!isRecord(act) || typeof kind !== 'string' || !Object.hasOwn(CHECKS, kind)) return 'it is nothing that can be done to a face';
+  if (!isRecord(act) || typeof kind !== 'string' || !Object.hasOwn(CHECKS, kind)) return 'it is not an edit of a face';
   return CHECKS[kind as Act['kind']](act);
 }
 

@@ -24,7 +24,7 @@ type Kind = keyof typeof NAMES;
 const PLACES: Readonly<Record<Exclude<Kind, 'tab'>, readonly [tab: Tab, section?: string]>> = {
   hair: ['look', 'Hair'],
   beard: ['look', 'Beard'],
-  worn: ['look', 'Worn'],
+  worn: ['look', 'Accessories'],
   mark: ['marks'],
 };
 
@@ -83,6 +83,6 @@ function proposals(app: App, index: Index, typed: string): TemplateResult {
     app.search = word;
     app.redraw();
   };
-  return html`<p class="none">Nothing is called so. Do you mean one of these?</p>
-    <div class="ways" role="group" aria-label="Written alike">${nearest(index, typed).map((word) => html`<button type="button" class="plain" @click=${take(word)}>${word}</button>`)}</div>`;
+  return html`<p class="none">Nothing has that name. Do you mean one of these?</p>
+    <div class="ways" role="group" aria-label="Similar spellings">${nearest(index, typed).map((word) => html`<button type="button" class="plain" @click=${take(word)}>${word}</button>`)}</div>`;
 }

@@ -65,7 +65,7 @@ export class HistoryPanel {
       this.#asked = { first: first + by, here: history.here, history };
       this.app.redraw();
     };
-    return html`<div class="group" role="group" aria-label="Steps that are listed">
+    return html`<div class="group" role="group" aria-label="Listed steps">
       <button type="button" class="plain" ?disabled=${first === 0} @click=${() => leaf(-LISTED)}>Earlier</button>
       <button type="button" class="plain" ?disabled=${first + LISTED >= length} @click=${() => leaf(LISTED)}>Later</button>
       <span class="range">${first} to ${Math.min(length, first + LISTED) - 1}</span>

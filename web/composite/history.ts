@@ -166,20 +166,20 @@ export class History {
   /** The history that was saved; throws an `Error` that says what is wrong with it. */
   static read(saved: unknown, pack: Saved['pack']): History {
     const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof Saved, unknown>>;
-    if (format !== 'raconteur-composite') throw new Error('This is no session of the composite editor.');
+    if (format !== 'raconteur-composite') throw new Error('This is not a session of the composite editor.');
     if (version !== 1 && version !== 2) throw new Error('This session was saved by a newer version of the composite editor.');
     const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<Saved['pack']>;
     if (faces !== pack.faces || vertices !== pack.vertices) throw new Error('This session was made with another pack of faces.');
-    if (!Array.isArray(steps) || steps.length === 0) throw new Error('This session has no steps that can be read.');
+    if (!Array.isArray(steps) || steps.length === 0) throw new Error('This session has no readable steps.');
     if (steps.length > LIMITS.steps) throw new Error(`This session has ${steps.length} steps, more than ${LIMITS.steps}.`);
     const read = steps.map((step: unknown, i): Step => {
       const { parent, act, name } = (typeof step === 'object' && step !== null ? step : {}) as Partial<Step>;
       const follows = i === 0 ? parent === -1 : Number.isSafeInteger(parent) && (parent as number) >= 0 && (parent as number) < i;
-      const fault = follows ? faultOf(act) : 'it follows none of the steps before it';
+      const fault = follows ? faultOf(act) : 'it does not follow any earlier step';
       if (fault !== undefined) throw new Error(`This session cannot be read. Step ${i}: ${fault}.`);
       return { parent: parent as number, act: act as Act, ...(typeof name === 'string' && name !== '' ? { name: name.slice(0, 100) } : {}) };
     });
-    if (!Number.isSafeInteger(here) || (here as number) < 0 || (here as number) >= read.length) throw new Error('This session does not say which face it shows.');
+    if (!Number.isSafeInteger(here) || (here as number) < 0 || (here as number) >= read.length) throw new Error('This session does not specify which face it shows.');
     const history = new History();
     history.#steps = read;
     history.go(here as number);

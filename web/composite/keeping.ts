@@ -30,7 +30,7 @@ export class Keeping implements Sessions {
   /** Begins with what the browser has kept; what cannot be read stays there as it is. */
   goOn({ saved, isCopy }: Opened): void {
     if (!reopen(this.app, saved, this.tell)) void this.session.begin();
-    else if (isCopy) this.tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Kept sessions.');
+    else if (isCopy) this.tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Stored sessions.');
     else this.session.adopt(this.app.save());
   }
 
@@ -39,7 +39,7 @@ export class Keeping implements Sessions {
     const { app, session, tell } = this;
     try {
       const saved = await session.read(id);
-      if (saved === undefined) throw new Error('It is not there any more.');
+      if (saved === undefined) throw new Error('It no longer exists.');
       session.settle();
       app.open(saved);
       const isOwn = await session.goOn(id, undefined);

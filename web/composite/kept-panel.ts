@@ -28,10 +28,10 @@ export class KeptPanel {
     const toggled = (event: Event): void => {
       if ((event.target as HTMLDetailsElement).open) void this.#read();
     };
-    return html`<details class="kept" @toggle=${toggled}><summary>Kept sessions</summary>
-      <p class="about">The browser keeps every step as you do it, on this machine alone.</p>
+    return html`<details class="kept" @toggle=${toggled}><summary>Stored sessions</summary>
+      <p class="about">The browser stores every step as you do it, on this machine only.</p>
       ${this.#listed.length === 0 ? html`<p class="none">None yet.</p>` : nothing}
-      <ul class="kept-list" aria-label="Kept sessions">${this.#listed.map((one) => this.#entry(one))}</ul>
+      <ul class="kept-list" aria-label="Stored sessions">${this.#listed.map((one) => this.#entry(one))}</ul>
       <button type="button" class="plain" @click=${() => this.#do(() => this.sessions.begin())}>New session</button>
     </details>`;
   }
@@ -68,7 +68,7 @@ export class KeptPanel {
         isHere
           ? nothing
           : html`<span class="group"><button type="button" class="plain" aria-label="${isTaken ? 'Open a copy' : 'Open'}: ${name}, ${date}" @click=${() => this.#do(() => this.sessions.open(id))}>${isTaken ? 'Open a copy' : 'Open'}</button>
-          ${isTaken ? nothing : html`<button type="button" class="plain" aria-label="${this.#doomed === id ? 'Delete for good' : 'Delete'}: ${name}, ${date}" @click=${remove}>${this.#doomed === id ? 'Delete for good' : 'Delete'}</button>`}</span>`
+          ${isTaken ? nothing : html`<button type="button" class="plain" aria-label="${this.#doomed === id ? 'Delete permanently' : 'Delete'}: ${name}, ${date}" @click=${remove}>${this.#doomed === id ? 'Delete permanently' : 'Delete'}</button>`}</span>`
       }</li>`;
   }
 }

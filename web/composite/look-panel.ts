@@ -44,7 +44,7 @@ export class LookPanel {
         ${this.#select('Style', HAIR, look.hair?.from ?? 'own', (from, name) => this.#do({ ...look, hair: { ...look.hair, from } }, `hair: ${name}`))} ${this.#colour('hair')}
       </section>
       <section class="region" aria-label="Brows and lashes"><h3>Brows and lashes</h3>${this.#colour('brows')}</section>
-      <section class="region" aria-label="Worn"><h3>Worn</h3>
+      <section class="region" aria-label="Accessories"><h3>Accessories</h3>
         <div class="worn">${(Object.keys(WEAR) as WearKind[]).map((kind) => this.#worn(kind))}</div>
       </section>
       <section class="region" aria-label="Beard"><h3>Beard</h3>

@@ -37,7 +37,7 @@ export function lookFacts({ look, marks, light }: Pick<App, 'look' | 'marks' | '
     ['Hair', joined(styleOf(HAIR, hair?.from), colourWords(hair?.colour, natural))],
     ['Beard', joined(styleOf(BEARDS, beard?.from), colourWords(beard?.colour, natural))],
     ['Brows and lashes', colourWords(look.brows, natural) ?? 'as they are'],
-    ['Worn', worn.join(', ') || 'nothing'],
+    ['Accessories', worn.join(', ') || 'nothing'],
     ['Marks', marks.map(markOf).join('; ') || 'none'],
     ['Light', joined(LIGHTS[light.name], turned === 0 ? undefined : `turned by ${Math.abs(turned)}° to the ${turned > 0 ? 'left' : 'right'}`)],
   ];

@@ -43,8 +43,8 @@ function told({ placing, marks: all }: App, full: boolean): string {
   if (full) return `A face has at most ${MAX_MARKS} marks.`;
   const what = typeof placing === 'number' ? (all[placing]?.kind ?? 'scar') : placing;
   if (what !== undefined)
-    return `Press on the face where the ${MARKS[what].name.toLowerCase()} goes; or turn the head by arrow keys until the place is in the middle of the picture, and press Enter there.`;
-  return all.length === 0 ? 'Choose what to place, then press on the face.' : 'What is placed can be made longer, turned and taken away.';
+    return `Click on the face where the ${MARKS[what].name.toLowerCase()} goes; or turn the head with the arrow keys until the position is in the middle of the picture, and press Enter.`;
+  return all.length === 0 ? 'Choose a mark, then click on the face.' : 'You can lengthen, turn and remove marks.';
 }
 
 /** The controls of one mark. */
@@ -72,7 +72,7 @@ function entry(app: App, mark: FaceMark, i: number): TemplateResult {
     app.redraw();
   };
   const gone = (): void => {
-    app.do({ kind: 'marks', marks: app.marks.filter((_, k) => k !== i), what: `${name.toLowerCase()} taken away` });
+    app.do({ kind: 'marks', marks: app.marks.filter((_, k) => k !== i), what: `${name.toLowerCase()} removed` });
   };
   return html`<section class="region" aria-label=${title}><h3>${title}</h3>
     ${field('Length', 1000 * mark.size, [2, 1000 * MAX_MARK_LENGTH], 1, 'mm', (mm) => ({ size: mm / 1000 }))}
@@ -81,7 +81,7 @@ function entry(app: App, mark: FaceMark, i: number): TemplateResult {
     ${mark.kind === 'tattoo' ? motif(mark, title, alter) : nothing}
     <div class="group">
       <button type="button" class="plain" aria-label="Move ${title.toLowerCase()}" aria-pressed=${app.placing === i} @click=${move}>Move</button>
-      <button type="button" class="plain" aria-label="Take ${title.toLowerCase()} away" @click=${gone}>Take away</button>
+      <button type="button" class="plain" aria-label="Remove ${title.toLowerCase()}" @click=${gone}>Remove</button>
     </div>
   </section>`;
 }

@@ -126,7 +126,7 @@ export function features(app: App, index: Index): TemplateResult {
 
 /** How features change. */
 function manner(app: App): TemplateResult {
-  return html`${check('With what goes with it in people', app.withAll, (on) => {
+  return html`${check('With correlated features', app.withAll, (on) => {
     app.withAll = on;
     app.redraw();
   })}
@@ -141,21 +141,21 @@ function manner(app: App): TemplateResult {
 function target(app: App): string {
   const of = app.half === undefined ? '' : `, ${app.half} half`;
   if (app.segments.size > 0) return `Changes ${[...app.segments].join(', ')}${of}.`;
-  return app.withAll ? `The rest of the face goes along${of}, as it does in people.` : `A feature changes alone${of}: its own part of the face moves, and nothing else.`;
+  return app.withAll ? `The rest of the face changes too${of}, as it does in people.` : `A feature changes alone${of}: its own part of the face moves, and nothing else.`;
 }
 
 // --- what is held ---
 
 export function heldList(app: App): TemplateResult {
   const { held } = app;
-  if (held.length === 0) return html`<p class="none">Nothing is held. <em>Hold</em> beside a feature keeps its value, whatever else you change.</p>`;
+  if (held.length === 0) return html`<p class="none">Nothing is held. <em>Hold</em> next to a feature keeps its value, whatever else you change.</p>`;
   return html`<ul class="held">
       ${held.map(
         (
           h,
         ) => html`<li><span><b>${h.name}</b>, ${PARTS[h.part].toLowerCase()}: ${h.value.toFixed(2)}${(h.segments ?? []).length === 0 ? '' : ` by ${(h.segments ?? []).join(', ')}`}</span>
-          <button type="button" class="plain" aria-label="Let go of ${h.name}" @click=${() => app.do({ kind: 'hold', held: held.filter((other) => other !== h) })}>Let go</button></li>`,
+          <button type="button" class="plain" aria-label="Release ${h.name}" @click=${() => app.do({ kind: 'hold', held: held.filter((other) => other !== h) })}>Release</button></li>`,
       )}
     </ul>
-    <button type="button" class="plain" @click=${() => app.do({ kind: 'hold', held: [] })}>Let go of all</button>`;
+    <button type="button" class="plain" @click=${() => app.do({ kind: 'hold', held: [] })}>Release all</button>`;
 }

@@ -20,7 +20,7 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
     else app.segments.delete(name);
     app.chosen();
   };
-  return html`<p class="about">Press on the face, with Shift for more than one: features, moves, ageing and caricature keep to what is chosen, and blend at its border.</p>
+  return html`<p class="about">Click on the face, with Shift for more than one segment: features, moves, ageing and caricature are limited to the selection, and blend at its border.</p>
     <fieldset class="segments"><legend class="unseen">Segments of the face</legend>
       ${segments.map(({ name }) => tile(name, pictures.of(name), app.segments.has(name), (on) => toggle(name, on)))}
     </fieldset>
@@ -35,7 +35,7 @@ export function parts(app: App, pictures: SegmentPictures): TemplateResult {
         app.chosen();
       }}>Whole head</button>
     </div>
-    ${check('Lit on the face', app.lit, (on) => {
+    ${check('Highlight on the face', app.lit, (on) => {
       app.lit = on;
       app.chosen();
     })}
@@ -89,7 +89,7 @@ function wholes(app: App): TemplateResult {
       )}
       ${slider({ name: 'Detail of the skin', most: 150, unit: '%', text: told('softer', 'sharper'), act: (s) => ({ kind: 'detail', strength: s / 100 }) })}
     </div>
-    <p class="about">Dragging shows what would be; letting go is one step. Detail is that of the whole head.</p>
+    <p class="about">Dragging shows a preview; releasing makes one step. Detail applies to the whole head.</p>
   </section>`;
 }
 

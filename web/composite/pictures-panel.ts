@@ -60,12 +60,12 @@ export class Pictures {
       this.app.redraw();
     };
     const { frame, plain } = this.#framing;
-    return html`<section class="region" aria-label="Picture for paper"><h3>Picture for paper</h3>
+    return html`<section class="region" aria-label="Picture for print"><h3>Picture for print</h3>
         ${choice('side', 'From', this.#from, FROM_NAMES, choose)}
         ${choice('frame', 'Of', frame, FRAME_NAMES, (to) => framed({ frame: to }))}
         ${choice('ground', 'Before', plain ? 'plain' : 'stage', GROUNDS, (to) => framed({ plain: to === 'plain' }))}
         <div class="group">${button('Save picture', () => void this.#print())}</div>
-        <p class="about">PNG, 10 × 12.5 cm at 300 dots per inch, drawn with everything however simply the stage is: without a graphics card that takes some seconds.</p>
+        <p class="about">PNG, 10 × 12.5 cm at 300 dots per inch, rendered at full quality, however simply the stage is rendered; without a graphics card this takes some seconds.</p>
       </section>
       <section class="region" aria-label="Film"><h3>Film</h3>
         <div class="group">${button('Save film', () => void this.#film())}</div>
@@ -73,7 +73,7 @@ export class Pictures {
       </section>
       <section class="region" aria-label="Report"><h3>Report</h3>
         <div class="group">${button('Print report', () => void this.#printReport())} ${button('Save report', () => void this.#saveReport())}</div>
-        <p class="about">Three pictures, framed as above, hair, marks and light, all features that differ from the average, what is held, and every step. The file is a web page that needs nothing else.</p>
+        <p class="about">Three pictures, framed as above, hair, marks and light, all features that differ from the average, held values, and every step. The file is a self-contained web page.</p>
       </section>
       <section class="region" aria-label="Figure file"><h3>Figure file</h3>
         <div class="line"><label class="select"><span>Name of the figure</span><input type="text" maxlength="40" .value=${this.#name} autocomplete="off" @input=${(
@@ -81,7 +81,7 @@ export class Pictures {
         ) => {
           this.#name = (event.target as HTMLInputElement).value;
         }} /></label>${button('Save figure', () => void this.#figure())}</div>
-        <p class="about">A figure that tells any story with this face: choose it as <em>Yours</em> beside a story, or lay it into a story's folder and name it there, as in <code>&lt;r:performer figure="${fileName(this.#name)}.glb"/&gt;</code>.</p>
+        <p class="about">A figure that performs any story with this face: choose it as <em>Yours</em> next to a story, or put it into a story's folder and name it there, as in <code>&lt;r:performer figure="${fileName(this.#name)}.glb"/&gt;</code>.</p>
       </section>
       ${this.#progress()}`;
   }

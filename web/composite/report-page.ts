@@ -24,7 +24,7 @@ function page({ name, date, facts, groups, held, steps }: Report, pictures: read
         <thead><tr><th scope="col">Feature</th><th scope="col">Look</th><th scope="col">Value</th></tr></thead>
         <tbody>${rows.map((row) => html`<tr><th scope="row">${row.name}</th><td>${row.term}</td><td>${row.value}</td></tr>`)}</tbody></table>`,
     )}</div>
-    <h2>What is held</h2>
+    <h2>Held values</h2>
     ${held.length === 0 ? html`<p>Nothing.</p>` : list(held)}
     <h2>How the face was made</h2>
     <ul class="steps">${steps.map(({ step, text }) => html`<li><span>${step}</span>${text}</li>`)}</ul>`;

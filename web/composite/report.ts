@@ -42,7 +42,7 @@ export function reportOf(app: Reported, date: Date): Report {
     facts: [
       ['Step', `${history.here} of ${history.steps.length - 1}`],
       ['Faces were chosen by', [SEXES[person.sex], AGES[person.age].toLowerCase(), person.ancestry === 'any' ? 'any ancestry' : ANCESTRIES[person.ancestry]].join(', ')],
-      ['Changed', [...changed].join(', ') || 'no part by itself'],
+      ['Changed', [...changed].join(', ') || 'no individual part'],
       ...lookFacts(app, app.player.naturalHair()),
       ['Face model', `${pack.faces} faces with ${pack.vertices} points each`],
     ],

@@ -8,7 +8,7 @@ export function parse(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error('This is no session of the composite editor.');
+    throw new Error('This is not a session of the composite editor.');
   }
 }
 

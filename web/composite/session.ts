@@ -260,6 +260,6 @@ export class Session {
 
   #fail(error: unknown): void {
     const why = error instanceof DOMException && error.name === 'QuotaExceededError' ? 'its storage is full' : error instanceof Error ? error.message : String(error);
-    this.trouble(`The browser does not keep this session: ${why}. Save it as a file to keep it.`);
+    this.trouble(`The browser cannot store this session: ${why}. Save it as a file.`);
   }
 }

@@ -47,7 +47,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
   return html`<div class="row bar">
       <div class="group" role="group" aria-label="Begin with">
         <button type="button" class="plain" @click=${() => app.do({ kind: 'average' })}>Average face</button>
-        <button type="button" class="plain" @click=${chance}>By chance</button>
+        <button type="button" class="plain" @click=${chance}>Random</button>
       </div>
     </div>
     <div class="whom">
@@ -58,7 +58,7 @@ export function start(app: App, portraits: Portraits): TemplateResult {
         app.redraw();
       })}
     </div>
-    <p class="about">${like.length} of ${people.length} faces. ${whole && app.taken === 'both' ? 'A press begins with that face.' : `A press takes over ${of}${[...app.segments].join(', ') || 'the face'}${app.half === undefined ? '' : `, ${app.half} half`}.`}</p>
+    <p class="about">${like.length} of ${people.length} faces. ${whole && app.taken === 'both' ? 'Click a face to start with it.' : `Click a face to take over ${of}${[...app.segments].join(', ') || 'the face'}${app.half === undefined ? '' : `, ${app.half} half`}.`}</p>
     <ul class="sheet">
       ${shown.map((index) => {
         const person = people[index];
@@ -68,9 +68,9 @@ export function start(app: App, portraits: Portraits): TemplateResult {
           ${picture === undefined ? html`<span class="blank" aria-hidden="true"></span>` : html`<img src=${picture} width="120" height="150" alt="" />`}<span>${words}</span></button></li>`;
       })}
     </ul>
-    ${portraits.busy ? html`<p class="busy"><progress aria-label="Faces are being drawn" max=${shown.length} .value=${portraits.done(shown)}></progress>Faces are being drawn</p>` : nothing}
+    ${portraits.busy ? html`<p class="busy"><progress aria-label="Rendering faces" max=${shown.length} .value=${portraits.done(shown)}></progress>Rendering faces</p>` : nothing}
     <div class="group" role="group" aria-label="More faces">
-      <button type="button" class="plain" ?disabled=${app.first === 0} @click=${() => leaf(-SHOWN)}>Before</button>
+      <button type="button" class="plain" ?disabled=${app.first === 0} @click=${() => leaf(-SHOWN)}>Previous</button>
       <button type="button" class="plain" ?disabled=${app.first + SHOWN >= like.length} @click=${() => leaf(SHOWN)}>Next</button>
     </div>`;
 }

@@ -35,7 +35,7 @@ export const teller: TemplateResult = html`<div class="teller" part="teller">
       <span id="own-name">Yours</span>
     </label>
   </div>
-  <p class="cast-note" id="own-note">Yours is a .glb, .gltf or .vrm file: choose it, or drop it on the stage. It stays on your machine.</p>
+  <p class="cast-note" id="own-note">Use your own .glb, .gltf or .vrm file: choose it, or drop it on the stage. It stays on your machine.</p>
   <p class="cast-trouble" id="cast-trouble" role="status"></p>
   <details class="cast-remarks" id="own-remarks" hidden>
     <summary></summary>

@@ -14,7 +14,7 @@ export const TABS: Readonly<Record<Tab, string>> = {
   history: 'History',
   pictures: 'Export',
 };
-const PAD = 'View: drag or press arrow keys to turn the head, plus and minus to come nearer; F, T and P for front, three-quarter and profile';
+const PAD = 'View: drag or press arrow keys to turn the head, plus and minus to zoom; F, T and P for front, three-quarter and profile';
 
 /** What the template is filled with; what needs a face is not there until one is. */
 export interface Layout {
@@ -64,5 +64,5 @@ export function template({ tools, views, panel, speaking, placing, share, troubl
 
 function opening(share: number | undefined): TemplateResult | typeof nothing {
   if (share === undefined) return nothing;
-  return html`<p class="busy"><progress aria-label="The faces are being fetched" .value=${share}></progress>The faces are being fetched…</p>`;
+  return html`<p class="busy"><progress aria-label="Fetching the faces" .value=${share}></progress>Fetching the faces…</p>`;
 }

@@ -22,7 +22,7 @@ export function tools(app: App, editor: RaconteurComposite, tell: Tell): Templat
       app.tab = 'history';
       tell.say(`${file.name} is open.`);
     } catch (error) {
-      tell.trouble(`${file.name} could not be opened: ${reason(error)} What you had is still here.`);
+      tell.trouble(`${file.name} could not be opened: ${reason(error)} Your work is unchanged.`);
     }
   };
   const picture = (): void => {
@@ -35,5 +35,5 @@ export function tools(app: App, editor: RaconteurComposite, tell: Tell): Templat
     <button type="button" class="plain" @click=${() => save(new Blob([JSON.stringify(app.save())], { type: 'application/json' }), 'face.composite.json')}>Save</button>
     <label class="plain file"><input type="file" accept=".json,application/json" @change=${load} /><span>Open</span></label>
     <button type="button" class="plain" @click=${picture}>Picture</button>
-    <button type="button" class="plain" ?disabled=${history.here === 0} @click=${() => app.goTo(0)} title="From the average again; what you have stays in the history">New face</button>`;
+    <button type="button" class="plain" ?disabled=${history.here === 0} @click=${() => app.goTo(0)} title="Starts from the average; the current face stays in the history">New face</button>`;
 }

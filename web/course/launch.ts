@@ -33,7 +33,7 @@ export interface Launch {
 export function linkOf(address: string, courseId: string): Link {
   const asked = new URL(address).searchParams;
   const [endpoint, actor, fetch] = ['endpoint', 'actor', 'fetch'].map((name) => asked.get(name));
-  if (endpoint == null || actor == null) throw new RecordError('no-store', 'The address of the page names no record store.');
+  if (endpoint == null || actor == null) throw new RecordError('no-store', 'The address of the page does not name a record store.');
   const activityId = asked.get('activityId') ?? asked.get('activity_id') ?? courseId;
   return {
     endpoint: endpoint.endsWith('/') ? endpoint : `${endpoint}/`,
@@ -48,7 +48,7 @@ function parsed(json: string): unknown {
   try {
     return JSON.parse(json) as unknown;
   } catch {
-    throw new RecordError('no-learner', 'The address of the page names no learner.');
+    throw new RecordError('no-learner', 'The address of the page does not name a learner.');
   }
 }
 

@@ -46,19 +46,19 @@ const EN: CourseWords = {
   saved: 'Everything is saved.',
   best: (points, most) => `Your best attempt: ${points} of ${most} points`,
   leaving: 'Saving…',
-  unsaved: 'Press once more to leave all the same.',
+  unsaved: 'Press again to leave anyway.',
   absences: {
     'no-store': 'This course was opened without a record store. Nothing is recorded.',
-    'no-learner': 'The address of this course names no learner. Nothing is recorded.',
-    'no-launch': 'The record store does not say how this course is to be opened. Nothing is recorded.',
-    'not-let-in': 'The system that has opened this course did not let it in: what you do is kept in this browser. Open the course there anew to have it recorded.',
+    'no-learner': 'The address of this course does not name a learner. Nothing is recorded.',
+    'no-launch': 'The record store does not specify how to open this course. Nothing is recorded.',
+    'not-let-in': 'The system that opened this course refused access: your work is stored in this browser. Open the course there again to have it recorded.',
     'no-system': 'No learning management system was found around this page; nothing is recorded.',
   },
   troubles: {
-    away: 'Not saved yet: the system cannot be reached. What you do is kept in this browser, and saved as soon as it can be.',
-    denied: 'Not saved: the system does not let this course in any more. What you do is kept in this browser; open the course there anew.',
-    refused: 'Not all is saved: the system has refused a part of it. It is kept in this browser, and tried again.',
-    unkept: 'This browser keeps nothing here: what is not saved yet would be lost if you closed this page.',
+    away: 'Not saved yet: the system cannot be reached. Your work is stored in this browser, and saved as soon as possible.',
+    denied: 'Not saved: the system no longer accepts this course. Your work is stored in this browser; open the course there again.',
+    refused: 'Not everything is saved: the system refused part of it. That part is stored in this browser and will be retried.',
+    unkept: 'This browser stores nothing here: unsaved work is lost if you close this page.',
   },
 };
 

@@ -52,46 +52,46 @@ import {
 } from './base/types.js';
 
 /**
- * The custom element: a media element whose medium is a story that somebody performs. Attributes set properties; the player writes
- * none of its own, so that the markup stays as the page, or its server, wrote it. What it is to screen readers it tells by
- * `ElementInternals`, which an author's `role` and `aria-label` override.
+ * The custom element: a media element whose medium is a story performed by a figure. Attributes set properties. The player
+ * sets no attributes on itself, so the markup stays as the page, or its server, wrote it. `ElementInternals` exposes its
+ * role and name to assistive technology; an author's `role` and `aria-label` override them.
  *
  * @tag raconteur-player
- * @cssprop --raconteur-accent - Of what is chosen, the played part of the time line and the ring of the focus
- * @cssprop --raconteur-control-color - Of signs and texts
- * @cssprop --raconteur-background - Behind the stage, and before there is a picture
- * @cssprop --raconteur-bar-background - Behind the controls
- * @cssprop --raconteur-radius - Of the corners
- * @cssprop --raconteur-caption-size - Of the letters of captions
- * @cssprop --raconteur-caption-color - Of captions
- * @cssprop --raconteur-caption-background - Behind captions
- * @cssprop --raconteur-caption-word - Of the word that is being said
- * @csspart stage - All that the picture takes
- * @csspart poster - The picture before the story is played
- * @csspart big-play - The button over the stage
- * @csspart controls - The bar below
- * @csspart button - Each button of it, and those that try again
- * @csspart play - Its button that plays and pauses
- * @csspart seek - Its time line
- * @csspart time - Its times
- * @csspart mute - Its button that mutes
- * @csspart volume - Its slider of loudness
- * @csspart speed - Its list of speeds
- * @csspart captions-button - Its button of captions
- * @csspart fullscreen - Its button of the whole screen
+ * @cssprop --raconteur-accent - Colour of selections, the played part of the time line and the focus ring
+ * @cssprop --raconteur-control-color - Colour of icons and text
+ * @cssprop --raconteur-background - Background of the stage, also before the first frame
+ * @cssprop --raconteur-bar-background - Background of the controls
+ * @cssprop --raconteur-radius - Radius of the corners
+ * @cssprop --raconteur-caption-size - Font size of captions
+ * @cssprop --raconteur-caption-color - Colour of captions
+ * @cssprop --raconteur-caption-background - Background of captions
+ * @cssprop --raconteur-caption-word - Colour of the current word in captions
+ * @csspart stage - The whole image area
+ * @csspart poster - The image shown before playback
+ * @csspart big-play - The play button over the stage
+ * @csspart controls - The control bar
+ * @csspart button - Each button of the control bar, and the retry buttons
+ * @csspart play - The play and pause button
+ * @csspart seek - The time line
+ * @csspart time - Current time and duration
+ * @csspart mute - The mute button
+ * @csspart volume - The volume slider
+ * @csspart speed - The list of speeds
+ * @csspart captions-button - The captions button
+ * @csspart fullscreen - The full-screen button
  * @csspart captions - The captions
- * @csspart caption-word - The word that is being said
+ * @csspart caption-word - The current word in captions
  * @csspart question - The form of a question
- * @csspart option - What one may answer there
- * @csspart picture - Each picture there
- * @csspart submit - Its button
- * @csspart more - Its button that gives more time
- * @csspart feedback - What is read of an answer, in a form and while the story goes on
- * @csspart marker - Each mark of what may be pointed at
+ * @csspart option - Each answer option
+ * @csspart picture - Each image of a question
+ * @csspart submit - The submit button of a question
+ * @csspart more - The button that gives more time
+ * @csspart feedback - The feedback on an answer, in a form and while the story continues
+ * @csspart marker - Each marker of a place that can be pointed at
  * @csspart diagnostics - The list of `remarks`
- * @csspart error - What is shown where the story cannot be played
- * @csspart picture-lost - What is shown where the picture is lost
- * @csspart retry - The button that tries again
+ * @csspart error - The message shown if the story cannot be played
+ * @csspart picture-lost - The message shown if rendering fails
+ * @csspart retry - The retry button
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the interface types the listeners of events that the class dispatches.
 export class RaconteurPlayer extends PlayerAttributes {
@@ -209,23 +209,23 @@ export class RaconteurPlayer extends PlayerAttributes {
     return this.#diagnostics.list;
   }
 
-  /** Name of the figure on stage; differs from `figure` while that one is loading, and when it could not be used. */
+  /** Name of the figure on stage; differs from `figure` while that one is loading, and if it could not be used. */
   get currentFigure(): string | undefined {
     return this.#context.show?.figure;
   }
 
-  /** Times, bytes and draw calls, once a picture was shown. */
+  /** Times, bytes and draw calls, once a frame has been shown. */
   get statistics(): Statistics | undefined {
     const { show } = this.#context;
     return show && statisticsOf(show);
   }
 
-  /** How camera, light and music express what is felt at the present moment (GEVH 3.5.4), once a story is loaded. */
+  /** How camera, light and music express the current emotion (GEVH 3.5.4), once a story is loaded. */
   get expressed(): EnvironmentExpression | undefined {
     return this.#context.show?.picture.environmentExpression(this.currentTime);
   }
 
-  /** Lets a file of the user's own perform, a `.glb` or `.vrm`; it stays on this machine. */
+  /** Uses a file of the user, a `.glb` or `.vrm`, as the figure; it stays on this machine. */
   useFigure(file: File): void {
     this.#figures.given = file;
     // The same name may stand for another file than before.
@@ -235,16 +235,16 @@ export class RaconteurPlayer extends PlayerAttributes {
     this.requestUpdate('figure', '');
   }
 
-  /** The build in use, once loaded. */
+  /** The rendering back end in use, once loaded. */
   get activeBackend(): Backend | undefined {
     return this.#context.show?.picture.backend;
   }
 
   /**
-   * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Gives
-   * accepted and refused clauses; rejects only when there is no stage. Where there is no story an empty stage is
-   * opened, whose time has no end: a figure that waits for lines, and says them while the player plays. What speaks waits until nobody
-   * else does, or with `interrupt` ends what fragments before it say and do.
+   * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Returns accepted and
+   * refused clauses; rejects only if there is no stage. Without a story, an empty stage of unlimited duration opens:
+   * the figure waits for lines, and speaks them while the player plays. A speaking fragment waits until nobody else
+   * speaks, or with `interrupt` ends the speech and actions of earlier fragments.
    */
   async perform(fragment: string, { interrupt = false }: { readonly interrupt?: boolean } = {}): Promise<readonly Answer[]> {
     const show = await this.#stories.stage();
@@ -253,37 +253,40 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Gives the figure on stage a face of a face model, as `Faces` of `faces.js` makes it, or its own again
-   * by `undefined`; what is played goes on. It goes with the figure: another one comes with its own. Resolves
-   * when it is shown; rejects where there is no stage, or the figure's head is not the model's.
+   * Gives the figure on stage a face of a face model, as made by `Faces` of `faces.js`, or with `undefined` its own
+   * again; playback continues. The face belongs to the figure: another figure has its own. Resolves when the face is
+   * shown; rejects if there is no stage, or if the figure's head is not the model's.
    */
   async setFace(face: FigureFace | undefined): Promise<void> {
     const { show, advance } = this.#context;
-    if (show === undefined) throw new PlayerError('Nobody is on stage.');
+    if (show === undefined) throw new PlayerError('No figure is on stage.');
     await show.picture.setFace(face, await this.#figures.lent(face));
     advance();
   }
 
-  /** The place of the skin that is seen at a place of the window, once the figure has got a face; undefined beside the head. */
+  /**
+   * Returns the position on the skin at a point of the viewport, once the figure has been given a face; undefined
+   * outside the head.
+   */
   pickFace(clientX: number, clientY: number): FaceSpot | undefined {
     const { left, top, width, height } = this.getBoundingClientRect();
     return this.#context.show?.picture.pickFace((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
   }
 
-  /** The natural colours of hair, from dark to pale; empty while nobody is on stage. */
+  /** Returns the natural hair colours, from dark to pale; empty while no figure is on stage. */
   naturalHair(): readonly NaturalHair[] {
     return this.#context.show?.picture.naturalHair() ?? [];
   }
 
-  /** Lights the stage, the lamps turned about the figure to its left, radians. */
+  /** Sets the lighting of the stage; `turn` rotates the lamps around the figure to its left, in radians. */
   light(name: Light, turn = 0): void {
     this.#context.show?.picture.light(name, turn);
     if (this.paused) this.#frames.advance();
   }
 
   /**
-   * The figure with the face that `setFace` gave it, as a figure file for `figure` and `useFigure`; its voice and
-   * body are those of the figure on stage. Rejects while that has its own face.
+   * Returns the figure with the face set by `setFace`, as a figure file for `figure` and `useFigure`; voice and body
+   * are those of the figure on stage. Rejects while the figure has its own face.
    */
   async figureFile(name: string): Promise<Blob> {
     const file = await this.#context.show?.picture.faceFile(name);
@@ -291,7 +294,10 @@ export class RaconteurPlayer extends PlayerAttributes {
     return new Blob([file as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
   }
 
-  /** A copy of the picture on stage, as large as it is drawn; with a `view` from there, as `look` has it. Undefined where there is none. */
+  /**
+   * Returns a copy of the image on stage at its rendered size; with a `view`, from there, as in `look`. Undefined if
+   * there is none.
+   */
   snapshot(view?: View): HTMLCanvasElement | undefined {
     if (view !== undefined) this.#view(view);
     this.#frames.advance();
@@ -299,8 +305,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Ends what fragments say and do, those that wait and texts of `tell` included; the story goes on. The
-   * voice fades out, hands and face ease back. Something new may be performed at once.
+   * Ends the speech and actions of fragments, including waiting ones and texts of `tell`; the story continues. The
+   * voice fades out, hands and face ease back. A new performance may start immediately.
    */
   interrupt(): void {
     const { show } = this.#context;
@@ -308,8 +314,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Says plain words that come piece by piece, for example from a language model: clause by clause, each as
-   * soon as it is whole, with hands and feelings from its signs and small words. Says nothing while the
+   * Speaks plain words that arrive piece by piece, for example from a language model: clause by clause, each as soon as
+   * it is complete, with gestures and emotions derived from punctuation and function words. Speaks nothing while the
    * player is paused.
    */
   tell(words: Words): Telling {
@@ -317,53 +323,62 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Puts another text in the place of the one on stage; figure, picture, time and whether it plays
-   * stay. Works without `src`, too. What is wrong with the text is in the answer and in
-   * `diagnostics`, the rest plays; rejects only when there is no stage. Live fragments end.
-   * `motion` is the amount of idle life, 0 to 1, of this text and those that come later; the user's wish without.
-   * The picture has room for every place that a hand may be brought to, for those who edit; `roomy: false` frames it as a story.
+   * Replaces the text on stage; figure, view, time and playback state stay. Also works without `src`. Problems of the
+   * text are in the result and in `diagnostics`, and the rest plays; rejects only if there is no stage. Live fragments
+   * end. `motion` is the amount of idle motion, 0 to 1, of this and later texts; by default the user's preference. The
+   * framing leaves space for every position that a hand may reach, for editors; `roomy: false` frames it as a story.
    */
   rehearse(eml: string, { motion, roomy = true }: { readonly motion?: number; readonly roomy?: boolean } = {}): Promise<readonly Diagnostic[]> {
     return this.#stories.rehearse(eml, motion, roomy);
   }
 
-  /** The parts of the story that have titles, by time; they are chapters among its text tracks, too. */
+  /** The titled parts of the story, by time; they are also chapters among its text tracks. */
   get chapters(): readonly Part[] {
     return this.#questioner.lesson.parts;
   }
 
-  /** All that the story asks, by time. */
+  /** All questions of the story, by time. */
   get questions(): readonly Question[] {
     const all = this.#context.show?.story.questions ?? [];
     return all.filter((question) => this.#questioner.lesson.isDrawn(question));
   }
 
-  /** What the story asks now, while it rests for that. */
+  /** The current question, while the story halts for it. */
   get question(): Question | undefined {
     return this.#questioner.lesson.asked;
   }
 
-  /** Answers what is asked, as `QuestionKind` has it: by the names of options, or by what is written; undefined where nothing is, or where that is no answer. The story goes on once it is answered for good. */
+  /**
+   * Answers the current question, as specified by `QuestionKind`: by the names of options, or by text. Returns
+   * undefined if there is no question, or if that is no answer. The story continues once the question is answered for
+   * good.
+   */
   answer(...given: readonly string[]): Answered | undefined {
     return this.#questioner.answer(given);
   }
 
-  /** Points so far, and the most that there are. */
+  /** Points so far, and the maximum. */
   get score(): Score {
     return this.#questioner.lesson.score;
   }
 
-  /** What not everybody comes to, from one second to another: what follows from answers, or under conditions, and what this learner was led over. */
+  /**
+   * Spans, in seconds, that not every learner reaches: those that depend on answers or conditions, and those that this
+   * learner skipped.
+   */
   get optional(): readonly Span[] {
     return this.#questioner.lesson.optional;
   }
 
-  /** Where the learner is and what they have answered, as data for `restore`: for pages that keep it themselves. */
+  /** Returns the learner's position and answers as data for `restore`, for pages that store it themselves. */
   state(): PlayerState {
     return { placeSecs: this.currentTime, ...this.#questioner.lesson.state() };
   }
 
-  /** Brings back what `state` told, once the story is there. What does not fit the story is left out. Without a place (`NaN`) the learner stays, and what they have done here is added to. */
+  /**
+   * Restores data returned by `state`, once the story is loaded. Data that does not fit the story is left out. Without
+   * a position (`NaN`) the learner stays, and the data is added to what they have done here.
+   */
   restore({ placeSecs, ...lesson }: PlayerState): void {
     const stays = !Number.isFinite(placeSecs);
     this.#questioner.restore(lesson, stays ? this.currentTime : undefined);
@@ -371,7 +386,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     this.requestUpdate();
   }
 
-  /** Shows the whole figure from another side, for pages that look behind the scenes. */
+  /** Shows the whole figure from another side, for behind-the-scenes views. */
   look(view: View): void {
     this.#view(view);
     if (this.paused) this.#frames.advance();
@@ -383,17 +398,23 @@ export class RaconteurPlayer extends PlayerAttributes {
     this.#context.show?.picture.look(view);
   }
 
-  /** What a page needs to draw over the picture shown last; `readPose` of `pose.ts` decodes it. Undefined without a story. */
+  /**
+   * Returns the data for drawing over the last frame shown; `readPose` of `pose.ts` decodes it. Undefined without a
+   * story.
+   */
   pose(): PoseNumbers | undefined {
     return this.#context.show?.picture.pose();
   }
 
-  /** What a page needs to draw how the face speaks from one time to another; `course.ts` decodes it. Undefined without a story. */
+  /**
+   * Returns the data for plotting the face's speech movements from one time to another; `course.ts` decodes it.
+   * Undefined without a story.
+   */
   course(from: number, to: number, count: number): FaceCourse | undefined {
     return this.#context.show?.picture.course(from, to, count);
   }
 
-  /** Gives the keyboard's focus to the player, whose keys then work. */
+  /** Moves the keyboard focus to the player, so its keys work. */
   override focus(options?: FocusOptions): void {
     // What takes it is drawn a moment after the element was put into the page.
     if (this.isConnected && !this.hasUpdated) this.performUpdate();

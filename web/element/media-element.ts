@@ -55,9 +55,9 @@ export abstract class MediaElement extends PromptElement {
   // --- what is played ---
 
   /**
-   * Address of the story's EML file, absolute; its voice lies in `voice/` beside it. Without it, `''`, the story is what
-   * stands between the tags: plain text, or EML in a `<script type="application/eml+xml">`. With it that is for readers
-   * without scripts.
+   * Address of the story's EML file, absolute; its speech bundle is in `voice/` next to it. Without it, `''`, the story
+   * is the element's content: plain text, or EML in a `<script type="application/eml+xml">`. With it, the content is
+   * for readers without scripts.
    */
   get src(): string {
     const address = this.getAttribute('src');
@@ -69,12 +69,15 @@ export abstract class MediaElement extends PromptElement {
     this.#set('src', address);
   }
 
-  /** The address of the story that was chosen last; `''` where it has none. */
+  /** Address of the current story; `''` if it has none. */
   get currentSrc(): string {
     return this.parts.stories.address;
   }
 
-  /** Whether cookies and the like are sent to servers of other origins that have the story's files: `null` and `anonymous` send none. */
+  /**
+   * Whether requests for the story's files to other origins include credentials such as cookies: `null` and `anonymous`
+   * send none.
+   */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null {
     return crossOriginOf(this.getAttribute('crossorigin'));
   }
@@ -83,7 +86,10 @@ export abstract class MediaElement extends PromptElement {
     this.#set('crossorigin', value);
   }
 
-  /** `none`: nothing is fetched before the story is to be played. `metadata`, the default, and `auto`: as `loading` says. */
+  /**
+   * `none`: nothing is fetched before playback is requested. `metadata`, the default, and `auto`: as specified by
+   * `loading`.
+   */
   get preload(): 'none' | 'metadata' | 'auto' {
     return preloadOf(this.getAttribute('preload'));
   }
@@ -92,18 +98,24 @@ export abstract class MediaElement extends PromptElement {
     this.setAttribute('preload', value);
   }
 
-  /** How sure it is that a story of a MIME type can be told: `probably`, `maybe` or `''`. Throws `TypeError` without one. */
+  /**
+   * Returns how likely the player can play a story of a MIME type: `probably`, `maybe` or `''`. Throws `TypeError`
+   * without an argument.
+   */
   canPlayType(type: string): CanPlayTypeResult {
     if ((type as string | undefined) === undefined) throw new TypeError('A MIME type is needed.');
     return canPlay(String(type));
   }
 
-  /** Why the story cannot be played, or null. */
+  /** The reason why the story cannot be played, or null. */
   get error(): PlayerError | null {
     return this.parts.stories.error ?? null;
   }
 
-  /** `NETWORK_NO_SOURCE` when the story cannot be had or is about to be looked for, `NETWORK_LOADING` while it is fetched. */
+  /**
+   * `NETWORK_NO_SOURCE` if the story is unavailable or source selection is pending, `NETWORK_LOADING` while it is
+   * fetched.
+   */
   get networkState(): number {
     if (this.error !== null) return this.NETWORK_NO_SOURCE;
     const { network } = this.parts.stories;
@@ -111,7 +123,9 @@ export abstract class MediaElement extends PromptElement {
     return { empty: this.NETWORK_EMPTY, idle: this.NETWORK_IDLE, loading: this.NETWORK_LOADING }[network];
   }
 
-  /** `HAVE_NOTHING` before a story is there, `HAVE_CURRENT_DATA` while its sound is waited for, else `HAVE_ENOUGH_DATA`. */
+  /**
+   * `HAVE_NOTHING` before a story is loaded, `HAVE_CURRENT_DATA` while its audio is missing, else `HAVE_ENOUGH_DATA`.
+   */
   get readyState(): number {
     const { show } = this.parts.context;
     if (show === undefined) return this.HAVE_NOTHING;
@@ -119,8 +133,8 @@ export abstract class MediaElement extends PromptElement {
   }
 
   /**
-   * Lets go of the story and loads it anew, also after an error; where there is a `src`, that takes the place of a
-   * text that was rehearsed. A player that comes near the window loads by itself.
+   * Discards the story and loads it again, also after an error. If there is a `src`, it replaces a text passed to
+   * `rehearse`. A player that comes near the viewport loads automatically.
    */
   async load(): Promise<void> {
     this.#look();
@@ -130,7 +144,7 @@ export abstract class MediaElement extends PromptElement {
     await this.parts.stories.ensure();
   }
 
-  /** Lets go of the story for another one. */
+  /** Discards the story for another one. */
   protected renew(): void {
     const moved = this.currentTime !== 0;
     this.parts.stories.close();
@@ -141,7 +155,10 @@ export abstract class MediaElement extends PromptElement {
 
   // --- time ---
 
-  /** Story time that is heard now, seconds; setting it seeks. Before the story is there, where it will begin. Throws `TypeError` for NaN. */
+  /**
+   * Audible story time in seconds; setting it seeks. Before a story is loaded, its start time. Throws `TypeError` for
+   * NaN.
+   */
   get currentTime(): number {
     return this.parts.context.show?.transport.position ?? this.#startSecs;
   }
@@ -158,25 +175,27 @@ export abstract class MediaElement extends PromptElement {
     context.show.transport.seek(secs);
   }
 
-  /** As setting `currentTime`, which is as fast. */
+  /** Sets `currentTime`, which is equally fast. */
   fastSeek(secs: number): void {
     this.currentTime = secs;
   }
 
-  /** The story is being moved to another time. */
+  /** Whether a seek is in progress. */
   get seeking(): boolean {
     // Its end is told by both.
     return isPending(this, 'timeupdate') && isPending(this, 'seeked');
   }
 
-  /** Length of the story and of what has joined it, seconds; NaN until it is loaded, infinite while a mind is there. */
+  /**
+   * Length of the story and of additions to it, in seconds; NaN until it is loaded, infinite while a mind is connected.
+   */
   get duration(): number {
     const transport = this.parts.context.show?.transport;
     if (transport === undefined) return NaN;
     return transport.openEnded ? Infinity : transport.endSecs;
   }
 
-  /** The times whose sound is here. */
+  /** Time ranges whose audio is loaded. */
   get buffered(): TimeRanges {
     const { show } = this.parts.context;
     if (show === undefined) return new Ranges([]);
@@ -184,32 +203,32 @@ export abstract class MediaElement extends PromptElement {
     return new Ranges(without(show.transport.endSecs, missing));
   }
 
-  /** All of the story, once it is there. */
+  /** The whole story, once loaded. */
   get seekable(): TimeRanges {
     const { show } = this.parts.context;
     return new Ranges(show === undefined ? [] : [[0, show.transport.endSecs]]);
   }
 
-  /** The times that were heard. */
+  /** Time ranges that have been played. */
   get played(): TimeRanges {
     return this.parts.context.show?.transport.played ?? new Ranges([]);
   }
 
   // --- playing ---
 
-  /** The story does not play, nor is about to. */
+  /** Whether the story neither plays nor is about to play. */
   get paused(): boolean {
     return this.parts.playback.paused;
   }
 
-  /** It has come to its end, and does not begin again. */
+  /** Whether the story has reached its end and does not loop. */
   get ended(): boolean {
     // Nothing that lasts no time begins again.
     const repeats = this.loop && this.duration > 0;
     return !repeats && (this.parts.context.show?.transport.ended ?? false);
   }
 
-  /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
+  /** Starts playback after loading, if the browser allows audio and the user does not prefer reduced motion. */
   get autoplay(): boolean {
     return this.hasAttribute('autoplay');
   }
@@ -218,7 +237,7 @@ export abstract class MediaElement extends PromptElement {
     this.toggleAttribute('autoplay', Boolean(value));
   }
 
-  /** It begins again at its end. */
+  /** Restarts the story at its end. */
   get loop(): boolean {
     return this.hasAttribute('loop');
   }
@@ -228,9 +247,9 @@ export abstract class MediaElement extends PromptElement {
   }
 
   /**
-   * Begins or goes on; resolves when it plays. Rejects with `AbortError` when `pause()` or another
-   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first,
-   * with `NotSupportedError` when the story cannot be played, and with `InvalidStateError` while it waits for an answer.
+   * Starts or resumes playback; resolves when the story plays. Rejects with `AbortError` if `pause()` or another story
+   * comes first, with `NotAllowedError` if the browser requires a user gesture first, with `NotSupportedError` if the
+   * story cannot be played, and with `InvalidStateError` while a question awaits an answer.
    */
   play(): Promise<void> {
     this.#look();
@@ -240,14 +259,17 @@ export abstract class MediaElement extends PromptElement {
     return this.parts.playback.play();
   }
 
-  /** Rests where it is; promises of `play()` that are not kept yet are rejected. */
+  /** Pauses the story; pending promises of `play()` are rejected. */
   pause(): void {
     this.#look();
     this.settleAttributes();
     this.parts.playback.pause();
   }
 
-  /** Speed, 0.25 to 4, or 0, at which time stands still. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
+  /**
+   * Playback speed, 0.25 to 4, or 0, which stops time. Throws `NotSupportedError` outside this range, and `TypeError`
+   * for NaN.
+   */
   get playbackRate(): number {
     return this.#rate;
   }
@@ -258,7 +280,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#rate && this.parts.context.show === undefined) dispatch(this, 'ratechange');
   }
 
-  /** The speed that the next story begins with. Throws as `playbackRate`. */
+  /** Initial speed of the next story. Throws like `playbackRate`. */
   get defaultPlaybackRate(): number {
     return this.#defaultRate;
   }
@@ -269,7 +291,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#defaultRate) dispatch(this, 'ratechange');
   }
 
-  /** The pitch stays at other speeds. */
+  /** Whether the pitch stays the same at other speeds. */
   get preservesPitch(): boolean {
     return this.#keepsPitch;
   }
@@ -285,7 +307,7 @@ export abstract class MediaElement extends PromptElement {
 
   // --- what is heard ---
 
-  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for NaN. */
+  /** Volume, 0 to 1. Throws `IndexSizeError` outside this range, and `TypeError` for NaN. */
   get volume(): number {
     return this.#volume;
   }
@@ -296,7 +318,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#volume) dispatch(this, 'volumechange');
   }
 
-  /** The story is silent; `volume` stays. */
+  /** Whether the story is silent; does not change `volume`. */
   get muted(): boolean {
     return this.#muted;
   }
@@ -308,7 +330,7 @@ export abstract class MediaElement extends PromptElement {
     if (before !== this.#muted) dispatch(this, 'volumechange');
   }
 
-  /** The attribute `muted`: whether the player is silent at first. */
+  /** The attribute `muted`: whether the player is initially silent. */
   get defaultMuted(): boolean {
     return this.hasAttribute('muted');
   }
@@ -317,12 +339,15 @@ export abstract class MediaElement extends PromptElement {
     this.toggleAttribute('muted', Boolean(value));
   }
 
-  /** The device that plays the sound; `''` is the user's usual one. */
+  /** Audio output device; `''` is the user's default. */
   get sinkId(): string {
     return this.#device;
   }
 
-  /** Plays the sound on another device. Rejects with `NotFoundError` for one that there is not, and with `NotSupportedError` where a browser has no choice. */
+  /**
+   * Selects another audio output device. Rejects with `NotFoundError` if the device does not exist, and with
+   * `NotSupportedError` if the browser offers no choice.
+   */
   async setSinkId(device: string): Promise<void> {
     await openDevice(String(device));
     this.#device = String(device);
@@ -340,49 +365,49 @@ export abstract class MediaElement extends PromptElement {
     this.toggleAttribute('controls', Boolean(value));
   }
 
-  /** Width of the picture, device pixels; 0 before there is one. */
+  /** Width of the rendered image in device pixels; 0 before the first frame. */
   get videoWidth(): number {
     return this.#outputs.size.width;
   }
 
-  /** Height of the picture, device pixels; 0 before there is one. */
+  /** Height of the rendered image in device pixels; 0 before the first frame. */
   get videoHeight(): number {
     return this.#outputs.size.height;
   }
 
-  /** The story's captions, while there is a story, and what `addTextTrack` added. */
+  /** The story's captions, if there is a story, and tracks added by `addTextTrack`. */
   get textTracks(): StoryTextTracks {
     return this.#tracks;
   }
 
-  /** Adds a track for cues of the page's own, which are told at their times. Throws `TypeError` for a kind that there is not. */
+  /** Adds a track for the page's own cues, which fire at their times. Throws `TypeError` for an unknown kind. */
   addTextTrack(kind: TextTrackKind, label = '', language = ''): StoryTextTrack {
     return this.#tracks.add(kind, String(label), String(language));
   }
 
-  /** Calls back when the next picture has been drawn; gives a handle for `cancelVideoFrameCallback`. */
+  /** Calls back when the next frame has been rendered; returns a handle for `cancelVideoFrameCallback`. */
   requestVideoFrameCallback(callback: VideoFrameRequestCallback): number {
     return this.#outputs.frames.request(callback);
   }
 
-  /** Takes such a call back. */
+  /** Cancels such a callback. */
   cancelVideoFrameCallback(handle: number): void {
     this.#outputs.frames.cancel(handle);
   }
 
-  /** How many pictures were drawn since the player was made. */
+  /** Returns the number of frames rendered since the player was created. */
   getVideoPlaybackQuality(): VideoPlaybackQuality {
     return { creationTime: performance.now(), totalVideoFrames: this.#outputs.frames.count, droppedVideoFrames: 0, corruptedVideoFrames: 0 };
   }
 
-  /** Picture and sound as a stream, with at most so many pictures a second; volume and mute count. */
+  /** Returns image and audio as a stream, with at most `rate` frames per second; volume and mute apply. */
   captureStream(rate?: number): MediaStream {
     const stream = this.#outputs.capture.open(rate, true);
     this.parts.context.keepTime();
     return stream;
   }
 
-  /** The page wants no window over others. */
+  /** Disables picture-in-picture. */
   get disablePictureInPicture(): boolean {
     return this.hasAttribute('disablepictureinpicture');
   }
@@ -391,14 +416,17 @@ export abstract class MediaElement extends PromptElement {
     this.toggleAttribute('disablepictureinpicture', Boolean(value));
   }
 
-  /** Shows the picture in a window over all others. Rejects as a `<video>` does: `InvalidStateError` where there is no picture or it is disabled. */
+  /**
+   * Shows the image in a picture-in-picture window. Rejects like a `<video>`: `InvalidStateError` if there is no image
+   * or picture-in-picture is disabled.
+   */
   async requestPictureInPicture(): Promise<PictureInPictureWindow> {
     const opened = await this.#outputs.openWindow(this.renderRoot as ShadowRoot, this.disablePictureInPicture, (event) => this.dispatchEvent(event));
     this.parts.context.keepTime();
     return opened;
   }
 
-  /** Attribute `playsinline`, for scripts that set it of any media element: a story plays in its page with and without it. */
+  /** Attribute `playsinline`, for scripts that set it on any media element; a story always plays inline. */
   get playsInline(): boolean {
     return this.hasAttribute('playsinline');
   }

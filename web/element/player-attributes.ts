@@ -4,45 +4,52 @@ import { attributes } from './media/attributes.js';
 import { MediaElement } from './media-element.js';
 import type { Backend, Hand, Quality } from './base/types.js';
 
-/** A property for each of `attributes`, with what it is without one; `assets` is the player's, which knows where its script lies. */
+/**
+ * A property for each entry of `attributes`, with its default; `assets` gets its default from the player, which knows
+ * its script's address.
+ */
 export abstract class PlayerAttributes extends MediaElement {
   static override properties = attributes;
 
   /**
-   * Name of a figure of the library, or the address of a `.glb` or `.vrm`. Without it the figure that
-   * the story chooses performs (`r:performer`), else `sofia`; `currentFigure` tells who does. The
-   * figure before stays on stage until this one is ready, and for good when it cannot be used.
+   * Name of a figure in the library, or the address of a `.glb` or `.vrm`. Without it, the figure that the story
+   * chooses performs (`r:performer`), else `sofia`; `currentFigure` is the current one. The previous figure stays on
+   * stage until this one is ready, and permanently if this one cannot be used.
    */
   declare figure: string | undefined;
-  /** The dominant hand of who performs; otherwise the story says it, or else the figure. */
+  /** Dominant hand of the performer; by default the story's, else the figure's. */
   declare handedness: Hand | undefined;
-  /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it receives events. See docs/live.md. */
+  /**
+   * Address (`ws:` or `wss:`) of a mind. The player performs the EML that it sends, and sends it events. See
+   * docs/live.md.
+   */
   declare mind: string | undefined;
   /**
-   * Who says what has no recording. `here`, the default: an engine in the page where one speaks the language, which
-   * is fetched when such a thing is played, else the browser's own voice. `browser`: the browser's own voice alone.
+   * Speech source for text without a recording. `here`, the default: an engine in the page if one speaks the language,
+   * fetched when such a text is played; otherwise the browser's own voice. `browser`: only the browser's own voice.
    */
   declare speech: 'here' | 'browser';
-  /** Address of the asset library, which holds `figures/`; by default the folder `assets/` beside the script. */
+  /** Address of the asset library, which contains `figures/`; by default the folder `assets/` next to the script. */
   declare assets: string;
-  /** A picture to show before the story is played, and where none can be drawn. */
+  /** Address of an image that is shown before the story is played, and if rendering is impossible. */
   declare poster: string | undefined;
   /**
-   * Address of a film of the story, as `raconteur render --video` makes it, or several of the same film in other
-   * encodings with spaces between them: shown in time with the sound where no picture can be drawn, fetched only there.
+   * Address of a film of the story, as written by `raconteur render --video`, or several addresses of the same film in
+   * other encodings, separated by spaces. If rendering is impossible, the film is fetched and shown in sync with the
+   * audio.
    */
   declare film: string | undefined;
-  /** What the player is called by screen readers; say which story it tells. */
+  /** Accessible name of the player. Name the story that it performs. */
   declare label: string;
-  /** Forces a back end; by default WebGPU where the browser has it. */
+  /** Forces a rendering back end; by default WebGPU if the browser has it. */
   declare backend: Backend | undefined;
-  /** How much work goes into a picture; `auto`, the default, follows what the device can do. */
+  /** Rendering quality; `auto`, the default, follows the device's performance. */
   declare quality: Quality;
-  /** `lazy` loads when the player comes near the window, `eager` at once. */
+  /** `lazy` loads when the player comes near the viewport, `eager` immediately. */
   declare loading: 'lazy' | 'eager';
-  /** Shows what is said. */
+  /** Shows captions. */
   declare captions: boolean;
-  /** Lists what is wrong with story, voice and figure over the stage, folded: for those who write them. */
+  /** Shows a collapsed list of problems of story, voice and figure over the stage, for authors. */
   declare remarks: boolean;
 
   constructor() {

@@ -113,13 +113,13 @@ export class Shell<S extends object, T extends string> {
   #reset(): void {
     this.#app.set((s) => Object.assign(s, this.#app.beginning()));
     this.#page.reset?.();
-    this.say('Everything is as in the beginning. Undo brings it back.');
+    this.say('Everything is reset. Undo restores it.');
   }
 
   #toggle(): void {
     const { player } = this.#app;
     if (!player.paused) player.pause();
-    else player.play().catch(() => this.say('The browser allows playing only after a press.'));
+    else player.play().catch(() => this.say('The browser allows playback only after a click.'));
   }
 
   #transport(): TemplateResult {

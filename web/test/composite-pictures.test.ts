@@ -79,7 +79,7 @@ test('a report has what differs from the average, what is held, and the way to t
   expect(facts.get('Changed')).toBe('chin');
   expect(facts.get('Hair')).toBe('Long, red, 60 percent grey');
   expect(facts.get('Beard')).toBe('Moustache');
-  expect(facts.get('Worn')).toBe('hat');
+  expect(facts.get('Accessories')).toBe('hat');
   expect(facts.get('Marks')).toBe('scar, 35 mm; tattoo anchor, 20 mm');
   expect(facts.get('Light')).toBe('Lamp, turned by 30° to the right');
   expect(facts.get('Faces were chosen by')).toBe('A woman, 18 to 35, any ancestry');

@@ -60,12 +60,12 @@ test('sessions that cannot be used are refused by their fault', () => {
   const good = new History().save(pack);
   const step = { parent: 0, act: add(1) };
   const faults: [unknown, RegExp][] = [
-    [undefined, /no session/],
-    ['text', /no session/],
-    [{ ...good, format: 'other' }, /no session/],
+    [undefined, /not a session/],
+    ['text', /not a session/],
+    [{ ...good, format: 'other' }, /not a session/],
     [{ ...good, version: 3 }, /newer/],
     [{ ...good, pack: { faces: 9, vertices: 5 } }, /another pack/],
-    [{ ...good, steps: [] }, /no steps/],
+    [{ ...good, steps: [] }, /no readable steps/],
     [{ ...good, steps: [...good.steps, { ...step, parent: 1 }] }, /Step 1:/],
     [{ ...good, steps: [...good.steps, { ...step, act: add(Number.NaN) }] }, /Step 1:/],
     [{ ...good, steps: [...good.steps, { parent: 0, act: { kind: 'eval' } }] }, /Step 1:/],
@@ -107,11 +107,11 @@ test('what nobody does by hand is refused by its name', () => {
     [add(Number.NEGATIVE_INFINITY), 'Step 1: amount -Infinity is less than -20.'],
     [{ kind: 'caricature', part: 'shape', level: 1e9, region }, 'Step 1: level 1000000000 is more than 4.'],
     [{ kind: 'hold', held: [{ part: 'shape', name: 'lips', value: 1e9 }] }, 'Step 1: value 1000000000 is more than 20.'],
-    [{ kind: 'hold', held: Array.from({ length: 300 }, () => ({ part: 'shape', name: 'lips', value: 0 })) }, 'Step 1: what is held has 300 entries, more than 200.'],
+    [{ kind: 'hold', held: Array.from({ length: 300 }, () => ({ part: 'shape', name: 'lips', value: 0 })) }, 'Step 1: the list of held values has 300 entries, more than 200.'],
     [{ kind: 'average', more: deep(100_000) }, 'Step 1: it is nested more than 8 deep.'],
     [{ kind: 'average', more: Array.from({ length: 1_000_000 }, () => 0) }, 'Step 1: it has more than 5000 values.'],
-    [{ kind: 'detail', strength: '1' }, 'Step 1: detail is no number.'],
-    [{ kind: '__proto__' }, 'Step 1: it is nothing that can be done to a face.'],
+    [{ kind: 'detail', strength: '1' }, 'Step 1: detail is not a number.'],
+    [{ kind: '__proto__' }, 'Step 1: it is not an edit of a face.'],
   ];
   for (const [act, fault] of hostile) expect(() => History.read({ ...good, steps: [...good.steps, { parent: 0, act }] }, pack)).toThrow(fault);
   const many = [...good.steps, ...Array.from({ length: 1_000_000 }, (_, i) => ({ parent: i, act: add(0) }))];

@@ -93,7 +93,11 @@ function read(asked: Question, given: readonly string[] | undefined, language = 
 
 describe('What is read of an answer', () => {
   it('is whether it was right, and what is right, in the language of the story', () => {
-    expect([read(choice, ['a']), read(choice, ['b']), read(choice, undefined)]).toEqual(['That is right.', 'That is not right. Right is: A', 'The time is over. Right is: A']);
+    expect([read(choice, ['a']), read(choice, ['b']), read(choice, undefined)]).toEqual([
+      'That is right.',
+      'That is not right. Correct answer: A',
+      'Time is up. Correct answer: A',
+    ]);
     for (const [language, tag] of [
       ['de', 'de-AT'],
       ['pt', 'pt'],
@@ -103,7 +107,7 @@ describe('What is read of an answer', () => {
       expect(wrong).not.toBe(EN.wrong);
     }
     const several = question('several', [option('a', { isRight: true }), option('b', { isRight: true }), option('c')]);
-    expect(read(several, ['a'])).toBe('That is partly right: 2 of 4 points. Right is: A; B');
+    expect(read(several, ['a'])).toBe('That is partly right: 2 of 4 points. Correct answer: A; B');
     expect(read({ ...choice, isUngraded: true, points: 0 }, ['b'])).toBe('Thank you.');
     expect(read({ ...choice, tries: 2 }, ['b'])).toBe('');
   });
@@ -117,7 +121,7 @@ describe('What is read of an answer', () => {
 
   it('is nothing where the story or whoever asks says something', () => {
     const answers = [{ order: 2, to: 'right', startSecs: 1, endSecs: 2 }];
-    expect([read({ ...choice, answers }, ['a']), read({ ...choice, answers }, ['b'])]).toEqual(['', 'That is not right. Right is: A']);
+    expect([read({ ...choice, answers }, ['a']), read({ ...choice, answers }, ['b'])]).toEqual(['', 'That is not right. Correct answer: A']);
     expect(read({ ...choice, order: LIVE }, ['b'])).toBe('');
   });
 

@@ -32,7 +32,7 @@ describe('the rules that fire', () => {
       'Anger → low angle (3.5.4.1, rule 1)',
       'Potential 3.5 in [2.5; 4.5) → close-up (3.5.4.1, rule 5)',
       'Anger → red key light (table 3.2)',
-      'Bad: attenuation max(0.25, 3.5/10) = 0.35 → 87 % as bright (equation 3.2)',
+      'Negative: attenuation max(0.25, 3.5/10) = 0.35 → 87 % as bright (equation 3.2)',
       'Mood −2.1 (below −1, bad), arousal 1.2 (above 0.6, active) → negative-heavy, with its livelier voices (3.5.4.3)',
     ]);
     expect(rulesOf(ANGER, ALL).find((rule) => rule.color !== undefined)?.color).toBe('rgb(255 0 0)');
@@ -56,7 +56,7 @@ describe('the rules that fire', () => {
       'Hope has no angle of its own → eye height',
       'Potential 7.0 from 4.5 on → extreme close-up (3.5.4.1, rule 6)',
       'Hope → bright yellow key light (table 3.2)',
-      'Good: attenuation min(0.5, 1 − 7.0/10) = 0.30 → 140 % as bright (equation 3.1)',
+      'Positive: attenuation min(0.5, 1 − 7.0/10) = 0.30 → 140 % as bright (equation 3.1)',
       'Mood 0.4 (within ±1, neutral), arousal 0.1 (not above 0.6, calm) → neutral (3.5.4.3)',
     ]);
     expect(texts({ ...ANGER, emotion: 'fear', angle: 'high' })).toContain('Fear → high angle (3.5.4.1, rule 2)');
@@ -72,7 +72,7 @@ describe('the rules that fire', () => {
       { ...ANGER, potential: 0 },
     ]) {
       const rules = rulesOf(nothing, ALL);
-      expect(rules[0]?.text).toBe('Nothing is felt: no rule fires');
+      expect(rules[0]?.text).toBe('No emotion: no rule applies');
       expect(rules.every((rule) => rule.source === '')).toBe(true);
     }
   });

@@ -1,5 +1,5 @@
-// What the element is, read from its source: `custom-elements.json` for editors and catalogues of components, and the
-// reference in docs/element.md. `node web/tools/elements.mjs` writes the reference anew.
+// Describes the element from its source: `custom-elements.json` for editors and component catalogues, and the reference
+// in docs/element.md. `node web/tools/elements.mjs` regenerates the reference.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { runnerImport } from 'vite';
 import { main, root } from './steps.mjs';
 
 const SOURCES = ['element', 'player-attributes', 'media-element', 'base/events'];
-/** What comes from this class is told as a media element's; what comes from the others, as the player's own. */
+/** Members of this class are listed as a media element's, those of the others as the player's own. */
 const INHERITED = 'MediaElement';
 const CLASS = 'RaconteurPlayer';
 const reference = join(root, 'docs/element.md');
@@ -37,7 +37,7 @@ async function attributesOf(members) {
   });
 }
 
-/** What a page may use: no private parts, nothing that is there for the parts of the player. */
+/** Members for pages: neither private ones nor those for the parts of the player. */
 const isPublic = ({ privacy, name, static: isStatic }) => privacy === undefined && !isStatic && !/^(#|update|render|willUpdate|performUpdate|connected|disconnected|attributeChanged)/.test(name);
 
 /** The manifest (custom-elements.json, schema 1.0.0); `script` is the module that defines the element, `version` that of the package. */
@@ -74,18 +74,19 @@ export async function referenceText() {
   const own = (list) => list.filter(({ inheritedFrom }) => inheritedFrom === undefined);
   const media = (list) => list.filter(({ inheritedFrom }) => inheritedFrom !== undefined);
   const named = new Set(attributes.map(({ fieldName }) => fieldName));
-  const fields = (list) => table(['property', 'type', 'is'], list.filter(({ kind }) => kind === 'field').map(({ name, type, readonly, description }) => [code(name), code(type?.text), `${readonly ? 'Read only. ' : ''}${line(description)}`]));
-  const methods = (list) => table(['method', 'gives', 'does'], list.filter(({ kind }) => kind === 'method').map((method) => [code(call(method)), code(method.return?.type?.text ?? 'void'), line(method.description)]));
-  const told = (list) => table(['event', 'what a listener is given', 'when'], list.map(({ name, type, description }) => [code(name), code(type.text), line(description)]));
-  const plain = (list) => table(['name', 'is'], list.map(({ name, description }) => [code(name), line(description)]));
+  const fields = (list) => table(['property', 'type', 'description'], list.filter(({ kind }) => kind === 'field').map(({ name, type, readonly, description }) => [code(name), code(type?.text), `${readonly ? 'Read only. ' : ''}${line(description)}`]));
+  const methods = (list) => table(['method', 'returns', 'description'], list.filter(({ kind }) => kind === 'method').map((method) => [code(call(method)), code(method.return?.type?.text ?? 'void'), line(method.description)]));
+  const told = (list) => table(['event', 'type', 'description'], list.map(({ name, type, description }) => [code(name), code(type.text), line(description)]));
+  const plain = (list) => table(['name', 'description'], list.map(({ name, description }) => [code(name), line(description)]));
   return `# \`<raconteur-player>\`
 
-The reference of the element, made from its source by \`web/tools/elements.mjs\`. It has the interface of a media element of HTML, so
-that what is made for \`<video>\` drives it, and that of a storyteller. How it comes into a page is told in [embedding](embedding.md).
+The reference of the element, generated from its source by \`web/tools/elements.mjs\`. The element implements the
+interface of an HTML media element, so code written for \`<video>\` can drive it, and that of a storyteller. See
+[embedding](embedding.md) for how to add it to a page.
 
 ## Attributes
 
-${table(['attribute', 'type', 'is'], attributes.map(({ name, type, description }) => [code(name), code(type?.text), line(description)]))}
+${table(['attribute', 'type', 'description'], attributes.map(({ name, type, description }) => [code(name), code(type?.text), line(description)]))}
 
 ## As a media element
 
@@ -103,7 +104,7 @@ ${methods(own(members))}
 
 ${told(own(events))}
 
-## Its look
+## Styling
 
 Custom properties:
 

@@ -70,7 +70,7 @@ export const CELLS = {
     build: [['esbuild', 'main.js', '--bundle', '--outdir=dist']],
     served: 'dist',
     script: MAIN,
-    refused: 'was built as a script that does not know where it is: build it as a module (esbuild: --format=esm)',
+    refused: 'was built as a script without an address of its own: build it as a module (esbuild: --format=esm)',
   },
   'rollup-plain': {
     bundler: 'rollup 4.68.8',

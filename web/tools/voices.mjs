@@ -84,10 +84,10 @@ function table(measured, wanted) {
 function tables(measured) {
   return `## Measured
 
-Each field says what was heard and by how much it is off what was asked. What is not as asked is bold;
-a dash is a setting that the voice was not asked for. Lengths, paces, pitches, ranges and amplitudes are
-factors on the plain voice. Of semitones and decibels 15 % of what was asked may be missing, or half
-of one, which is less than listeners notice.
+Each field gives the measured value and its difference from the request. Settings that fail are bold; a dash is a
+setting that was not requested of the voice. Lengths, paces, pitches, ranges and amplitudes are factors on the plain
+voice. Semitones and decibels may differ by 15 % of the request, or by half a semitone or decibel, which is less than
+listeners notice.
 
 ### Markup
 
@@ -95,7 +95,7 @@ ${table(measured, (row) => !isEmotion(row))}
 
 ### Emotions
 
-One dimension alone, half way up and down.
+One dimension alone, at +50 and −50.
 
 ${table(measured, isEmotion)}`;
 }

@@ -73,20 +73,20 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
         |layers: &Option<u32>, kind| layers.is_some() && kind != PlayerKind::Multiple;
     match &clause.kind {
         ClauseKind::PlayerAdd(add) if layers_only_for_multiple(&add.layers, add.kind) => {
-            ignored("`numberOfLayers` only counts with type='multiple'");
+            ignored("`numberOfLayers` only applies with type='multiple'");
         }
         ClauseKind::PlayerSetExclusive(set) if layers_only_for_multiple(&set.layers, set.kind) => {
-            ignored("`numberOfLayers` only counts with type='multiple'");
+            ignored("`numberOfLayers` only applies with type='multiple'");
         }
         ClauseKind::DeterministicTrackProperty(property)
             if property.property == TrackProperty::Enable && property.duration_secs > 0.0 =>
         {
-            ignored("`duration` does not count for property='enable'");
+            ignored("`duration` has no effect with property='enable'");
         }
         ClauseKind::JointInterpolation(motion)
             if motion.static_time_secs.is_some() && motion.static_velocity_rad_per_s.is_some() =>
         {
-            ignored("`staticVelocity` does not count beside `staticTime`");
+            ignored("`staticVelocity` has no effect with `staticTime`");
         }
         ClauseKind::ForwardKinematics(fk) => {
             joints_given(fk, &mut ignored);
@@ -123,7 +123,7 @@ fn primitive_animation(primitive: &DeterministicPrimitive, tag_span: Span, sink:
         Some(_) if !needs => {
             sink.push(ignored_attribute(
                 tag_span,
-                &format!("`animationSetName` does not count for primitive='{word}'"),
+                &format!("`animationSetName` has no effect with primitive='{word}'"),
             ));
         }
         _ => {}
@@ -140,7 +140,7 @@ fn joints_given(fk: &ForwardKinematics, ignored: &mut dyn FnMut(&str)) {
         ignored("no joint is given, so nothing moves");
     } else if let Some(last) = last.filter(|&last| last >= count.min(most)) {
         ignored(&format!(
-            "`{}` does not count: the manipulator has {} joints here",
+            "`{}` has no effect: the manipulator has {} joints here",
             JOINTS[last],
             count.min(most)
         ));
@@ -155,11 +155,11 @@ fn target_or_velocity(jacobian: &Jacobian, ignored: &mut dyn FnMut(&str)) {
         zero(&jacobian.velocity) && zero(&jacobian.angular_velocity_deg),
     );
     if jacobian.is_static_target && !still {
-        ignored("velocities do not count with isStaticTarget='true'");
+        ignored("velocities have no effect with isStaticTarget='true'");
     }
     let no_target = zero(&target.position) && zero(&target.angles_deg);
     if !(jacobian.is_static_target || no_target) {
-        ignored("a target does not count with isStaticTarget='false'");
+        ignored("a target has no effect with isStaticTarget='false'");
     }
 }
 
@@ -279,7 +279,7 @@ fn sets<'d>(sets: &'d [Set], sink: &mut Sink) -> Index<'d> {
         let message = format!("these sets contain each other: {}", chain.join(" -> "));
         sink.push(
             Diagnostic::error("eml::set-cycle", sets[cycle[0]].span, message)
-                .hint("a set that is met again counts once"),
+                .hint("a repeated set counts once"),
         );
     }
     index
@@ -359,8 +359,8 @@ fn check_group(name: &str, span: Span, sink: &mut Sink) {
 
 fn check_layer(name: &str, span: Span, sink: &mut Sink) {
     if layer_number(name).is_none() {
-        let message = format!("{} names no layer", quoted(name));
-        let hint = "a layer is meant by the number that ends its name, such as layer1";
+        let message = format!("{} is not the name of a layer", quoted(name));
+        let hint = "the name of a layer ends in its number, such as layer1";
         sink.push(Diagnostic::warning("eml::unknown-layer", span, message).hint(hint));
     }
 }

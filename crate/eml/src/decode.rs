@@ -60,7 +60,7 @@ fn undecoded(bytes: &[u8], at: usize, places: usize) -> Diagnostic {
     let message = if encoding::is_utf16(bytes) {
         format!("this is UTF-16, not UTF-8 text{more}")
     } else {
-        format!("byte {at} is not UTF-8 text{more}; what stood there is lost")
+        format!("byte {at} is not UTF-8 text{more}; the bytes there are lost")
     };
     let span = Span::from_offsets(at, at + char::REPLACEMENT_CHARACTER.len_utf8());
     Diagnostic::error("eml::not-utf8", span, message).hint(encoding::SAVE_AS_UTF8)

@@ -65,7 +65,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         };
     }
     if let Some(what) = reject_binary(source) {
-        let message = format!("this is {what}, not UTF-8 text; nothing of it is read");
+        let message = format!("this is {what}, not UTF-8 text; it is not read");
         let diagnostic = Diagnostic::error("eml::not-utf8", Span::new(0, 0), message);
         sink.push(diagnostic.hint(encoding::SAVE_AS_UTF8));
         return Parsed {
@@ -398,7 +398,8 @@ impl Context<'_> {
     ) -> Option<()> {
         // What follows from an answer is then for whoever asks to send.
         if self.is_fragment && fields.element.name != "ask" {
-            let message = "questions and ways through a story belong in stories; a performance that goes on has no place for them";
+            let message =
+                "questions and branching are only allowed in stories, not in a live performance";
             self.sink
                 .push(Diagnostic::error("eml::wrong-parent", fields.tag, message));
             return None;

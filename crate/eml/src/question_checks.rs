@@ -56,13 +56,14 @@ pub(crate) fn lesson(document: &Document, is_fragment: bool, sink: &mut Sink) {
             ClauseKind::Pool(pool) => {
                 let (count, all) = (pool.draw.count as usize, pool.content.children.len());
                 if count > all {
-                    let message = format!("{count} are to be drawn of {all}; all are performed");
+                    let message =
+                        format!("{count} clauses are to be drawn from {all}; all are performed");
                     sink.push(Diagnostic::warning("eml::small-pool", span, message));
                 }
             }
             ClauseKind::Goto(goto) if !names.parts.contains(goto.to.as_str()) => {
                 let message = format!(
-                    "no part has the name {}; this goto leads nowhere",
+                    "there is no part {}; this goto has no effect",
                     quoted(&goto.to)
                 );
                 let near = names.looks.suggest(&goto.to, &names.parts);
@@ -110,7 +111,7 @@ impl<'d> LessonNames<'d> {
             ClauseKind::Goto(_) | ClauseKind::Set(_) => {
                 self.gotos = true;
                 if is_fragment {
-                    let message = "ways through a story belong in stories; a performance that goes on has none";
+                    let message = "branching is only allowed in stories, not in a live performance";
                     sink.push(Diagnostic::error("eml::wrong-parent", span, message));
                 }
                 return;
@@ -154,7 +155,7 @@ impl<'d> LessonNames<'d> {
             None if self.questions.contains(name) => VariableType::Text,
             None => {
                 let message = format!(
-                    "nothing sets {}, and no question has the name",
+                    "nothing sets {}, and no question has this name",
                     quoted(name)
                 );
                 let known = self.variables.keys().chain(&self.questions);

@@ -43,7 +43,7 @@ pub(crate) fn check(
     picture(&asked.picture, &asked.alt, span, sink);
     if matches!(asked.kind, AskKind::Order | AskKind::Match) && asked.options.len() == 1 {
         let name = quoted(&asked.name);
-        let message = format!("{name} has nothing to put together: it needs two options");
+        let message = format!("{name} needs at least two options");
         sink.push(Diagnostic::error("eml::ask-right", span, message));
     }
     for &id in &ask.answers.children {
@@ -63,7 +63,7 @@ pub(crate) fn check(
             );
         } else if !OUTCOMES.contains(&to) && !names.contains(to) {
             let message = format!(
-                "no option has the name {}; this answer is never performed",
+                "there is no option {}; this answer is never performed",
                 quoted(to)
             );
             let near = looks.suggest(to, names.iter().chain(&OUTCOMES));
@@ -103,7 +103,7 @@ fn check_option(
 
 /// Names in lines that are short enough to be shown whole.
 fn listed(names: &[&str]) -> Vec<String> {
-    let mut lines = vec!["it may be, the nearest first:".to_owned()];
+    let mut lines = vec!["valid names, nearest first:".to_owned()];
     for name in names {
         let last = lines.len() - 1;
         if lines[last].len() + name.len() > HINT_LENGTH {
@@ -143,7 +143,7 @@ fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
             Some("needs `least` or `most`")
         }
         AskKind::Number if option.least.zip(option.most).is_some_and(|(l, m)| l > m) => {
-            Some("takes no number: `least` is greater than `most`")
+            Some("accepts no number: `least` is greater than `most`")
         }
         AskKind::Point if option.at.is_none() || is_mute => Some("needs `at` and `text`"),
         _ => None,
@@ -160,25 +160,25 @@ fn right_options(asked: &Question, span: Span, sink: &mut Sink) {
         // The second one is one too many.
         (AskKind::Choice, count) => (
             right().nth(1).map_or(span, |option| option.span),
-            format!("of the options of {name} {count} are right, and one has to be"),
+            format!("{count} options of {name} are right, but exactly one must be"),
         ),
         (_, 0) => (
             span,
-            format!("of the options of {name} none is right, and at least one has to be"),
+            format!("no option of {name} is right, but at least one must be"),
         ),
         _ => return,
     };
     let told = Diagnostic::error("eml::ask-right", at, message);
     sink.push(match right().next() {
         Some(_) => told,
-        None => told.hint("graded='false' asks what has no right answer"),
+        None => told.hint("a question with graded='false' has no right answer"),
     });
 }
 
 /// Reports what means nothing where nothing is right.
 fn ungraded(asked: &Question, span: Span, sink: &mut Sink) {
     for option in asked.options.iter().filter(|option| option.is_right) {
-        ignored("right", option.span, "where nothing is graded", sink);
+        ignored("right", option.span, "if nothing is graded", sink);
     }
     let given = [
         ("points", (asked.points - 1.0).abs() > 0.0),
@@ -189,7 +189,7 @@ fn ungraded(asked: &Question, span: Span, sink: &mut Sink) {
         ("feedbackWrong", asked.feedback_wrong.is_some()),
     ];
     for (attribute, _) in given.into_iter().filter(|(_, is_given)| *is_given) {
-        ignored(attribute, span, "where nothing is graded", sink);
+        ignored(attribute, span, "if nothing is graded", sink);
     }
 }
 
@@ -211,12 +211,9 @@ fn picture(file: &Option<String>, alt: &Option<String>, span: Span, sink: &mut S
             Diagnostic::warning(
                 "eml::missing-alt",
                 span,
-                format!(
-                    "the picture {} says nothing to those who do not see it",
-                    quoted(file)
-                ),
+                format!("the picture {} has no text alternative", quoted(file)),
             )
-            .hint("write what it shows into `alt`, or alt='' where the text says it already"),
+            .hint("describe it in `alt`, or write alt='' if the text already says it"),
         ),
         (None, Some(_)) => ignored("alt", span, "without `picture`", sink),
         _ => {}
@@ -224,6 +221,6 @@ fn picture(file: &Option<String>, alt: &Option<String>, span: Span, sink: &mut S
 }
 
 fn ignored(attribute: &str, span: Span, beside: &str, sink: &mut Sink) {
-    let message = format!("`{attribute}` means nothing {beside}");
+    let message = format!("`{attribute}` has no effect {beside}");
     sink.push(Diagnostic::warning("eml::ignored-attribute", span, message));
 }

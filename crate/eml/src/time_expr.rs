@@ -268,7 +268,7 @@ impl<'a> Lexer<'a> {
             "h" => 3600.0,
             _ => {
                 let message = format!("{} is not a unit of time", crate::suggest::quoted(unit));
-                let hint = "units are s (seconds, when left out), m (minutes) and h (hours)";
+                let hint = "units are s (seconds, the default), m (minutes) and h (hours)";
                 return problem("eml::bad-time", self.position, message, hint);
             }
         };
@@ -292,7 +292,7 @@ impl<'a> Lexer<'a> {
             end: self.position + next.map_or(0, char::len_utf8),
             message: format!("expected {wanted} in the time expression, found {found}"),
             hint: match next {
-                Some(',') => "decimals are written with a point",
+                Some(',') => "use a point as the decimal separator",
                 _ => "times look like 2.5, t1, t1-0.1s or 5+t1",
             }
             .into(),

@@ -51,9 +51,13 @@ fn most_words(piece: &TextSegment) -> usize {
 
 fn too_many(rest: Span, is_story: bool, limits: &Limits) -> Diagnostic {
     let (most, what, hint) = if is_story {
-        (limits.words, "story", "make several stories of it")
+        (limits.words, "story", "split it into several stories")
     } else {
-        (limits.clause_words, "clause", "say it in several clauses")
+        (
+            limits.clause_words,
+            "clause",
+            "split it into several clauses",
+        )
     };
     let message = format!("more than {most} words in one {what}; the rest is not spoken");
     Diagnostic::error("eml::too-many-words", rest, message).hint(hint)

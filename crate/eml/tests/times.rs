@@ -69,7 +69,7 @@ fn a_phone_that_the_word_lacks_is_told_and_its_start_is_used() {
         "<voice-text time='0'>one <tm name='m' event='onPhone' phone='zh'/>two</voice-text>",
     );
     assert_eq!(mark(&resolved, "m"), 1.0);
-    let message = "the word that follows has no phone `zh`; its start is used";
+    let message = "the next word has no phone `zh`; its start is used";
     assert_eq!(
         told(&resolved.diagnostics),
         [("eml::phone-not-in-word", message)]
@@ -107,7 +107,7 @@ fn cycles_and_names_that_nothing_has_print_the_whole_chain() {
     let resolved = resolve(
         "<null time='b+1' timeId='a'/><null time='c' timeId='b'/><null time='a' timeId='c'/>",
     );
-    let cycle = "these times wait for each other: `a` -> `b` -> `c` -> `a`";
+    let cycle = "these times depend on each other: `a` -> `b` -> `c` -> `a`";
     assert_eq!(told(&resolved.diagnostics), [("eml::time-cycle", cycle)]);
 
     let resolved = resolve(
@@ -119,17 +119,17 @@ fn cycles_and_names_that_nothing_has_print_the_whole_chain() {
         [
             (
                 "eml::no-time",
-                "this `null` is left out because a moment that it counts from has no time: \
+                "this `null` is left out because its time depends on an undefined time: \
                  `b` -> `c` -> `nowhere`"
             ),
             (
                 "eml::no-time",
-                "this `par` is left out because a moment that it counts from has no time: \
+                "this `par` is left out because its time depends on an undefined time: \
                  `c` -> `nowhere`"
             ),
             (
                 "eml::unknown-name",
-                "`nowhere` names no moment; this `null` is left out"
+                "`nowhere` is not defined; this `null` is left out"
             ),
         ]
     );

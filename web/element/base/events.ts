@@ -5,94 +5,99 @@ import type { Cue } from './performance.js';
 import type { Question } from './questions.js';
 import type { Diagnostic, MindState, Word } from './types.js';
 
-/** Those of a media element (HTML, 4.8.11.16), which do not bubble. */
+/** Events of a media element (HTML, 4.8.11.16). They do not bubble. */
 export interface MediaEventMap {
-  /** A story is looked for. */
+  /** Fires when the player starts to load a story. */
   loadstart: Event;
-  /** Something of it has come; at most three times a second. */
+  /** Fires when more data has arrived, at most three times per second. */
   progress: Event;
-  /** Nothing has come for three seconds, and it is waited for. */
+  /** Fires when no data has arrived for three seconds while the player still expects some. */
   stalled: Event;
-  /** Nothing more is fetched: all has come, or the story waits to be played. */
+  /** Fires when fetching stops: everything has arrived, or the story waits to be played. */
   suspend: Event;
-  /** The story was let go before all of it had come. */
+  /** Fires when the story is discarded before it has fully loaded. */
   abort: Event;
-  /** There is no story any more. */
+  /** Fires when the player no longer has a story. */
   emptied: Event;
-  /** The story cannot be played; the player's `error` tells why. */
+  /** Fires when the story cannot be played; the player's `error` gives the reason. */
   error: Event;
-  /** `duration` is another. */
+  /** Fires when `duration` changes. */
   durationchange: Event;
-  /** The picture has another size. */
+  /** Fires when the size of the rendered image changes. */
   resize: Event;
-  /** The story is on stage, and its duration known. */
+  /** Fires when the story is on stage and its duration is known. */
   loadedmetadata: Event;
-  /** Its first picture can be drawn. */
+  /** Fires when the first frame can be rendered. */
   loadeddata: Event;
-  /** It can be played. */
+  /** Fires when the story can be played. */
   canplay: Event;
-  /** It can be played to its end. */
+  /** Fires when the story can be played to its end. */
   canplaythrough: Event;
-  /** It is to be played. */
+  /** Fires when playback is requested. */
   play: Event;
-  /** It plays, for the first time or again. */
+  /** Fires when playback starts or resumes. */
   playing: Event;
-  /** It is to be played, and waits for what has not come yet. */
+  /** Fires when playback stops because data is missing. */
   waiting: Event;
-  /** It was paused. */
+  /** Fires when the story is paused. */
   pause: Event;
-  /** Another time was set. */
+  /** Fires when a seek starts. */
   seeking: Event;
-  /** The picture of that time is there. */
+  /** Fires when the frame at the new time is rendered. */
   seeked: Event;
-  /** Time has passed; about four times a second, and after a seek. */
+  /** Fires as time passes, about four times per second, and after a seek. */
   timeupdate: Event;
-  /** It has come to its end. */
+  /** Fires when the story reaches its end. */
   ended: Event;
-  /** `playbackRate` or `defaultPlaybackRate` is another. */
+  /** Fires when `playbackRate` or `defaultPlaybackRate` changes. */
   ratechange: Event;
-  /** `volume` or `muted` is another. */
+  /** Fires when `volume` or `muted` changes. */
   volumechange: Event;
-  /** The picture is in a window of its own. */
+  /** Fires when the image enters a picture-in-picture window. */
   enterpictureinpicture: Event;
-  /** It is back. */
+  /** Fires when the image leaves the picture-in-picture window. */
   leavepictureinpicture: Event;
 }
 
-/** Those of a storyteller, which bubble and leave shadow trees. */
+/** Events of a storyteller. They bubble and cross shadow boundaries. */
 export interface PlayerEventMap {
-  /** A word begins to be said. */
+  /** Fires when a spoken word starts. */
   word: CustomEvent<{ word: Word; utterance: number; index: number }>;
-  /** A phone begins to be said. */
+  /** Fires when a spoken phone starts. */
   phone: CustomEvent<Extract<Cue, { kind: 'phone' }>>;
-  /** An utterance begins or ends. */
+  /** Fires when an utterance starts or ends. */
   utterance: CustomEvent<Extract<Cue, { kind: 'utterance' }>>;
-  /** A clause of the story begins or ends. */
+  /** Fires when a clause of the story starts or ends. */
   clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
-  /** The story says something to the page (`r:event`). */
+  /** Fires when the story sends an event to the page (`r:event`). */
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
-  /** The story rests and asks something. */
+  /** Fires when the story halts and asks a question. */
   question: CustomEvent<Question>;
-  /** The story goes on elsewhere by itself: over what a learner has not chosen, or to another part. `seeking` and `seeked` follow. */
+  /**
+   * Fires when the story jumps automatically: over parts that a learner has not chosen, or to another part. `seeking`
+   * and `seeked` follow.
+   */
   leap: CustomEvent<{ fromSecs: number; toSecs: number }>;
-  /** Somebody has answered. */
+  /** Fires when a question is answered. */
   answer: CustomEvent<Answered>;
-  /** A question was answered for good: points so far, and the most that there are. */
+  /** Fires when a question is answered for good; gives the points so far and the maximum. */
   score: CustomEvent<Score>;
-  /** Something is wrong with story, voice or figure; the rest is played. */
+  /** Fires when story, voice or figure has a problem; the rest still plays. */
   diagnostic: CustomEvent<Diagnostic>;
-  /** The mind at `mind` came or went. */
+  /** Fires when the mind at `mind` connects or disconnects. */
   mindchange: CustomEvent<{ state: MindState }>;
-  /** How much of what speaks here is fetched, 0 to 1. */
+  /** Fires as the page fetches a speech engine; gives the fetched share, 0 to 1. */
   voiceprogress: CustomEvent<{ share: number }>;
-  /** Something in the page begins to speak a text: its name, and what it is in a sentence. */
+  /**
+   * Fires when a speech source in the page starts to speak a text; gives its name, and a sentence that describes it.
+   */
   voicechange: CustomEvent<{ name: string; about: string; license: string }>;
-  /** Another figure took the stage. */
+  /** Fires when another figure takes the stage. */
   figurechange: CustomEvent<{ figure: string }>;
 }
 
-/** All of them, and those of every element. */
+/** All of these events, and those of every element. */
 export type ElementEventMap = Omit<HTMLElementEventMap, keyof MediaEventMap | keyof PlayerEventMap> & MediaEventMap & PlayerEventMap;
 
-/** A listener for one of them. */
+/** A listener for one of these events. */
 export type Listener<Element, K extends keyof ElementEventMap> = (this: Element, event: ElementEventMap[K]) => unknown;

@@ -94,7 +94,7 @@ class Watch {
     if (signal?.aborted) return signal.reason;
     // What has come is not what it should be.
     if (error instanceof WebAssembly.CompileError) return error;
-    return this.#why ?? new FetchError(`${what} could not be fetched from ${shown(this.#url)}: is the network there?`, { cause: error });
+    return this.#why ?? new FetchError(`${what} could not be fetched from ${shown(this.#url)}: is the network available?`, { cause: error });
   }
 
   close(): void {
@@ -105,7 +105,7 @@ class Watch {
   #listen(): void {
     const { what, silenceMs = SILENCE_MS } = this.#fetching;
     clearTimeout(this.#timer);
-    const silent = () => this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: nothing has come for ${Math.round(silenceMs / 1000)} seconds.`));
+    const silent = () => this.#end(new FetchError(`${what} could not be fetched from ${shown(this.#url)}: no data for ${Math.round(silenceMs / 1000)} seconds.`));
     this.#timer = setTimeout(silent, silenceMs);
   }
 
@@ -148,7 +148,7 @@ export async function fetchText(url: URL, fetching: Fetching): Promise<string> {
 
 // Older kinds of scripts have no such address.
 if ((import.meta.url as string | undefined) === undefined) {
-  throw new PlayerError('The player was built as a script that does not know where it is: build it as a module (esbuild: --format=esm).');
+  throw new PlayerError('The player was built as a script without an address of its own: build it as a module (esbuild: --format=esm).');
 }
 
 /** Some bundlers write here where the file was on their own machine, and addresses from the page's. */

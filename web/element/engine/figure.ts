@@ -47,7 +47,7 @@ export function isNative(bytes: Uint8Array): boolean {
 export async function prepareFigure(name: string, where: string, bytes: Uint8Array): Promise<FigureFile> {
   if (isNative(bytes)) return { name, where, glb: bytes, diagnostics: [] };
   const { convertAvatar } = await import('../face/avatar.js').catch((error: unknown) => {
-    throw new PlayerError('The part that reads avatars made elsewhere could not be fetched: is the network there?', { cause: error });
+    throw new PlayerError('The part that reads imported avatars could not be fetched: is the network available?', { cause: error });
   });
   try {
     return { name, where, ...(await convertAvatar(where, bytes)) };

@@ -48,7 +48,7 @@ export interface FaceFile {
 /** A fresh instance each time: a hostile file can at worst end this one. */
 async function open(): Promise<Instance> {
   const instance = instantiate() as unknown as Instance;
-  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads avatars made elsewhere', most: MAX_BYTES });
+  const module = await fetchModule(new URL(wasmUrl, SCRIPT), { what: 'The part that reads imported avatars', most: MAX_BYTES });
   await instance({ module_or_path: module });
   return instance;
 }

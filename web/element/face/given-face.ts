@@ -41,7 +41,7 @@ export class GivenFace {
     const parts = { name, glb, face, lent, painted: await this.#paint.file() };
     // Most players never write figures.
     const { faceFile } = await import('./avatar.js').catch((error: unknown) => {
-      throw new PlayerError('The part that writes figures could not be fetched: is the network there?', { cause: error });
+      throw new PlayerError('The part that writes figures could not be fetched: is the network available?', { cause: error });
     });
     return await faceFile(parts);
   }

@@ -49,7 +49,7 @@ export class MindConnection {
         },
       });
     } catch {
-      diagnostics.report({ code: 'mind-lost', severity: 'warning', message: 'What connects to minds could not be fetched.', hints: [] });
+      diagnostics.report({ code: 'mind-lost', severity: 'warning', message: 'The module for minds could not be fetched.', hints: [] });
     }
     this.#awaited = false;
   }

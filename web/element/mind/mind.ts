@@ -63,7 +63,7 @@ export class MindLink {
       host.report({
         code: 'mind-address',
         severity: 'error',
-        message: 'The address of the mind is not one of a WebSocket.',
+        message: 'The address of the mind is not a WebSocket address.',
         hints: ['Write mind="wss://…", or a path on this server.'],
       });
       return undefined;
@@ -133,7 +133,12 @@ export class MindLink {
   #again(): void {
     this.#socket = undefined;
     if (this.#openedMs > 0 || this.#failures === 0) {
-      this.#host.report({ code: 'mind-lost', severity: 'warning', message: `There is no connection to the mind at ${this.#url.host}.`, hints: ['It is tried again by itself.'] });
+      this.#host.report({
+        code: 'mind-lost',
+        severity: 'warning',
+        message: `There is no connection to the mind at ${this.#url.host}.`,
+        hints: ['The player retries automatically.'],
+      });
     }
     this.#openedMs = 0;
     const wait = Math.min(WAIT_MS.longest, WAIT_MS.first * 2 ** this.#failures) * (0.5 + Math.random() / 2);

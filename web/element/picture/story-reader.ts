@@ -49,7 +49,7 @@ export class StoryReader {
   /** Has the figure on stage read the text as one that is edited. */
   reread(engine: Engine, files = this.files): Story {
     const story = engine.rehearse(files.eml, files.bundle, this.#asked.life, this.#asked.roomy);
-    if (story === undefined) throw new PlayerError('Nobody is on stage.');
+    if (story === undefined) throw new PlayerError('No figure is on stage.');
     engine.setOpenEnded(this.#asked.openEnded);
     return this.animate(engine, story, files) ?? story;
   }

@@ -195,7 +195,7 @@ export class RecordedVoice implements Voice {
       this.#music.keepPitch(this.#keepsPitch);
       this.#music.set(pieces);
     } catch {
-      this.#onMissing('sound', 'What plays music could not be fetched.');
+      this.#onMissing('sound', 'The module that plays music could not be fetched.');
     }
     this.#awaited = false;
   }
@@ -441,7 +441,7 @@ export class RecordedVoice implements Voice {
       this.#stretcher = (await import('./stretch.js')).paced;
     } catch {
       this.#stretcher = null;
-      this.#onMissing('sound', 'What keeps the pitch at other speeds could not be fetched.');
+      this.#onMissing('sound', 'The module that keeps the pitch at other speeds could not be fetched.');
     }
     if (this.#run && !this.#abort.signal.aborted) {
       for (const [utterance, sound] of this.#sounds) if (sound !== null && sound !== 'pending') this.#plan(utterance, sound);

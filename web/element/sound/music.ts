@@ -172,7 +172,7 @@ export class Music {
         return;
       }
       playing.settled = playing.missing = true;
-      this.#onMissing(`The music ${piece.file} cannot be played; the story goes on without it.`);
+      this.#onMissing(`The music ${piece.file} cannot be played; the story continues without it.`);
     };
     sound.addEventListener('error', () => sound.hasAttribute('src') && next());
     sound.addEventListener('canplay', () => (playing.settled = true));

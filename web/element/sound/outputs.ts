@@ -30,9 +30,9 @@ export class Outputs {
 
   /** Shows the picture in a window over all others; `tell` is told when it comes and goes. Rejects as a `<video>` does. */
   async openWindow(root: ShadowRoot, isDisabled: boolean, tell: (event: Event) => void): Promise<PictureInPictureWindow> {
-    if (!document.pictureInPictureEnabled) throw new DOMException('This browser, or this page, has no picture in picture.', 'NotSupportedError');
+    if (!document.pictureInPictureEnabled) throw new DOMException('This browser or page does not support picture-in-picture.', 'NotSupportedError');
     if (this.#size.width === 0) throw new DOMException('There is no picture yet.', 'InvalidStateError');
-    if (isDisabled) throw new DOMException('The page does not want it.', 'InvalidStateError');
+    if (isDisabled) throw new DOMException('The page disables it.', 'InvalidStateError');
     return await this.#window.open(root, tell);
   }
 }

@@ -68,7 +68,7 @@ export class FigureLoader {
     } catch (error) {
       if (signal.aborted) return;
       const message = error instanceof Error ? error.message : String(error);
-      diagnostics.report({ code: 'figure-unusable', severity: 'error', message, hints: ['The figure before stays on stage.'] });
+      diagnostics.report({ code: 'figure-unusable', severity: 'error', message, hints: ['The previous figure stays on stage.'] });
       say(message);
     } finally {
       if (!signal.aborted) this.#coming = undefined;

@@ -60,7 +60,7 @@ function performFragment(context: PlayerContext, show: Show, sender: number, fra
   const nowSecs = show.transport.position + (ends ? 0 : LIVE_LEAD_SECS);
   if (ends) endTurn(show);
   const performed = show.picture.perform(sender, String(fragment), nowSecs);
-  if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
+  if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is temporarily unavailable.' }];
   if (performed.cut !== undefined) applyCut(context, show, performed.cut);
   if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs), languageOf(player, show.story));
   context.questioner.lesson.add(performed.questions);

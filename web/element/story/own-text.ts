@@ -50,15 +50,15 @@ function written(host: Element): Written | undefined {
 const MANGLED: Diagnostic = {
   code: 'text-as-html',
   severity: 'warning',
-  message: 'The EML between the tags was read as HTML, which drops parts of it; its words alone are told.',
+  message: 'The EML between the tags was read as HTML, which drops parts of it; only its text is performed.',
   hints: [`Put it into <script type="${EML_TYPE}">, or write &lt; for each <.`],
 };
 
 const TOO_LONG: Diagnostic = {
   code: 'text-too-long',
   severity: 'warning',
-  message: `The text between the tags has more than ${MAX_CHARACTERS} characters; it is told so far.`,
-  hints: ['Make a story of it, in a file of its own.'],
+  message: `The text between the tags has more than ${MAX_CHARACTERS} characters; the rest is left out.`,
+  hints: ['Put it into a story file of its own.'],
 };
 
 export class OwnText {

@@ -56,7 +56,7 @@ export class StandIn {
     // It stays the one that is wanted, so that it is not asked for again and again.
     this.#film?.close();
     this.#film = undefined;
-    const message = `The film ${wanted} cannot be played; the story goes on without a picture.`;
+    const message = `The film ${wanted} cannot be played; the story continues without a picture.`;
     this.#context.diagnostics.report({ code: 'film-missing', severity: 'warning', message, hints: ['Make one with “raconteur render --video”.'] });
   }
 

@@ -23,7 +23,7 @@ import { SilentVoice } from '../sound/voice.js';
 const EMPTY = "<eml><body><null time='0'/></body></eml>";
 
 /** The answer where there is no engine to read an edited text. */
-const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
+const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is temporarily unavailable.', hints: [] };
 
 /** Pages hear of what has come no more often than this. */
 const PROGRESS_MS = 350;

@@ -98,8 +98,8 @@ function piecesOf(words: Words): Pieces {
 const tooMuch: Diagnostic = {
   code: 'tell-too-long',
   severity: 'warning',
-  message: `A text of more than ${MAX_CHARACTERS} characters is told so far; the rest is left out.`,
-  hints: ['Tell it in parts.'],
+  message: `A text has more than ${MAX_CHARACTERS} characters; the rest is left out.`,
+  hints: ['Split it into parts.'],
 };
 
 /** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */

@@ -60,5 +60,5 @@ export function disc(app: App): TemplateResult {
       <span class="thumb" ${vars(place)}></span>
     </button>
     <p class="felt" aria-hidden="true">${said}</p>
-    <p class="about">Bad to the left, good to the right, each side in the order of F&amp;H table 4.4 and spread evenly. At the rings the camera comes nearer.</p>`;
+    <p class="about">Negative emotions on the left, positive on the right, each side in the order of F&amp;H table 4.4 and spread evenly. The camera moves closer at each ring.</p>`;
 }

@@ -18,7 +18,7 @@ export function types(app: App): TemplateResult {
   const { emotion } = app.edited;
   const choose = (to: EmotionName): void => app.set(app.edit((s) => (s.emotion = to)));
   const group = (label: string, names: readonly EmotionName[]): TemplateResult => choice<EmotionName>('emotion', label, emotion, named(names), choose);
-  return html`<div class="types">${group('Good', GOOD)}${group('Bad', BAD)}${group('None', ['neutral'])}</div>`;
+  return html`<div class="types">${group('Positive', GOOD)}${group('Negative', BAD)}${group('None', ['neutral'])}</div>`;
 }
 
 /** Where on the slider the shot changes. */
@@ -41,8 +41,8 @@ export function setting(app: App): TemplateResult {
       })}
       <ul class="ticks" aria-hidden="true">${BANDS.slice(1).map(tick)}</ul>
     </div>
-    <div class="channels" role="group" aria-label="What expresses it besides the face"><span class="name" aria-hidden="true">Channels</span>${(Object.keys(CHANNELS) as (keyof Channels)[]).map(channel)}</div>
-    <div class="channels" role="group" aria-label="How closely the light keeps to the thesis">
+    <div class="channels" role="group" aria-label="Channels in addition to the face"><span class="name" aria-hidden="true">Channels</span>${(Object.keys(CHANNELS) as (keyof Channels)[]).map(channel)}</div>
+    <div class="channels" role="group" aria-label="How closely the light follows the thesis">
       <span class="name" aria-hidden="true">Colour</span>${check('To the letter', app.edited.thesis, (on) => app.set(app.edit((s) => (s.thesis = on))))}
     </div>
     ${choice('set', 'Set', set, SETS, (to) => app.set(app.edit((s) => (s.set = to))))}`;
@@ -57,7 +57,7 @@ export function comparison(app: App): TemplateResult {
   </div>`;
 }
 
-const NAMES: Readonly<Record<Rule['channel'], string>> = { feeling: 'Feeling', ...CHANNELS };
+const NAMES: Readonly<Record<Rule['channel'], string>> = { feeling: 'Emotion', ...CHANNELS };
 
 function rule({ channel, text, source, color }: Rule): TemplateResult {
   const lamp = color === undefined ? nothing : html`<span class="lamp" ${vars({ '--lamp': color })}></span>`;

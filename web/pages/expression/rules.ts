@@ -78,7 +78,7 @@ function colorRule({ emotion, color }: EnvironmentExpression): Rule {
 function lossRule({ emotion, intensity, attenuation, brightness }: EnvironmentExpression): Rule {
   const isGood = GOOD.some((name) => name === emotion);
   const share = `${told(intensity)}/${STRONGEST}`;
-  const [sense, how, equation] = isGood ? ['Good', `min(0.5, 1 − ${share})`, '3.1'] : ['Bad', `max(0.25, ${share})`, '3.2'];
+  const [sense, how, equation] = isGood ? ['Positive', `min(0.5, 1 − ${share})`, '3.1'] : ['Negative', `max(0.25, ${share})`, '3.2'];
   return { channel: 'light', text: `${sense}: attenuation ${how} = ${told(attenuation, 2)} → ${told(100 * brightness, 0)} % as bright`, source: `equation ${equation}` };
 }
 
@@ -118,7 +118,7 @@ export function rulesOf(expressed: EnvironmentExpression, channels: Channels): r
   const isFelt = [...GOOD, ...BAD].some((name) => name === emotion) && potential > 0;
   const feeling: Rule = {
     channel: 'feeling',
-    text: isFelt ? `${capital(emotion)}, potential ${told(potential)}, intensity ${told(expressed.intensity)}` : 'Nothing is felt: no rule fires',
+    text: isFelt ? `${capital(emotion)}, potential ${told(potential)}, intensity ${told(expressed.intensity)}` : 'No emotion: no rule applies',
     source: isFelt ? '3.5.4' : '',
   };
   const of = (channel: keyof Channels, rules: () => readonly Rule[]): readonly Rule[] => {

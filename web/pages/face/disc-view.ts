@@ -117,7 +117,7 @@ export function disc(app: App): TemplateResult {
       <button type="button" class="plain" ?disabled=${shares.length === 0 && emotion.power === 0} @click=${() => choose(app, '')}>Neutral</button>
     </div>
     <div class="numbers">${number('evaluation', 'Evaluation')}${number('activation', 'Activation')}</div>
-    ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are where F&amp;H table 4.4 has them; the face follows within their outline.</p>`}`;
+    ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are placed as in F&amp;H table 4.4; the face follows within their outline.</p>`}`;
 }
 
 /** Goes to a word's own place; words at one place may look different. */

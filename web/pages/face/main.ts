@@ -28,9 +28,9 @@ const muscles = MUSCLES.flatMap((region) => region.dials).flatMap(namesOf).lengt
 const shell = new Shell<State, Tab>(app, {
   panels: {
     emotion: () => disc(app),
-    muscles: () => regions(app, MUSCLES, `Contraction of each of the ${muscles} mimic muscles, from relaxed to full.`),
-    direct: () => regions(app, DIRECT, 'What no muscle moves here: jaw, lips as a ring, lids and eyes, tongue and the blood in the skin.'),
-    visemes: () => regions(app, VISEMES, 'Mouths of the sounds of speech; the player blends them by dominance when it speaks.'),
+    muscles: () => regions(app, MUSCLES, `Contraction of each of the ${muscles} facial muscles, from relaxed to full.`),
+    direct: () => regions(app, DIRECT, 'Parameters without a muscle: jaw, lips as a ring, lids and eyes, tongue and the blood in the skin.'),
+    visemes: () => regions(app, VISEMES, 'Mouth shapes of the phones; the player blends them by dominance when it speaks.'),
     manner: () => manner(app),
   },
   views: () => views(app),

@@ -25,21 +25,21 @@ export const AMOUNTS: readonly AmountGroup[] = [
   {
     title: 'Head',
     amounts: [
-      share('head', 'Raises', 'how far the head is raised and tilted', 1),
-      share('tilts', 'Tilts', 'in which share of the raises it tilts to a side', 0.75),
-      share('headByLoudness', 'Follows loudness', 'how far the loudness rules its raises', 0.4),
+      share('head', 'Raises', 'amount of head raises and tilts', 1),
+      share('tilts', 'Tilts', 'share of raises with a tilt to a side', 0.75),
+      share('headByLoudness', 'Follows loudness', 'influence of loudness on its raises', 0.4),
     ],
   },
   {
     title: 'Brows',
     amounts: [
-      { name: 'brows', label: 'Movement', note: 'how far the brows are raised and drawn together', least: 0, most: 2, step: 0.01, usual: 1 },
-      share('browShare', 'At high pitches', 'at which share of the highest pitches they are raised', 0.71),
-      share('browsByLoudness', 'Follow loudness', 'how far the loudness rules them', 0.25),
+      { name: 'brows', label: 'Movement', note: 'amount of brow raises and frowns', least: 0, most: 2, step: 0.01, usual: 1 },
+      share('browShare', 'At high pitches', 'share of pitch maxima with a brow raise', 0.71),
+      share('browsByLoudness', 'Follow loudness', 'influence of loudness on them', 0.25),
       {
         name: 'pitchThreshold',
-        label: 'Threshold of pitch',
-        note: 'semitones that a pitch stands out to be shown, by head and brows',
+        label: 'Pitch threshold',
+        note: 'semitones by which a pitch maximum must stand out, for head and brows',
         least: 0.1,
         most: 24,
         step: 0.1,
@@ -50,18 +50,18 @@ export const AMOUNTS: readonly AmountGroup[] = [
   {
     title: 'Eyes',
     amounts: [
-      { name: 'blinks', label: 'Blinks', note: 'against 22 a minute in speech', least: 0, most: 4, step: 0.01, usual: 1 },
-      { name: 'gaze', label: 'Looks aside', note: 'how far the gaze goes', least: 0, most: 2, step: 0.01, usual: 1 },
-      share('accentGlances', 'Glances at accents', 'on which share of accented syllables one looks at the listener', 0.7),
-      share('pauseGlances', 'Glances in pauses', 'the same of pauses between phrases', 0.7),
+      { name: 'blinks', label: 'Blinks', note: 'relative to 22 per minute in speech', least: 0, most: 4, step: 0.01, usual: 1 },
+      { name: 'gaze', label: 'Looks aside', note: 'amount of gaze aversion', least: 0, most: 2, step: 0.01, usual: 1 },
+      share('accentGlances', 'Glances at accents', 'share of accented syllables with a look at the listener', 0.7),
+      share('pauseGlances', 'Glances in pauses', 'the same share for pauses between phrases', 0.7),
     ],
   },
   {
     title: 'Thinking and lips',
     amounts: [
-      { name: 'thinkingPause', label: 'Thinking from', note: 'seconds of a pause that is one for thinking', least: 0.15, most: 5, step: 0.05, usual: 0.7 },
-      share('thinking', 'Thinking shows', 'in which share of such pauses', 1),
-      share('frowns', 'Frowns', 'which share of them is a look down with a frown', 0.25),
+      { name: 'thinkingPause', label: 'Thinking from', note: 'minimum length of a thinking pause, in seconds', least: 0.15, most: 5, step: 0.05, usual: 0.7 },
+      share('thinking', 'Thinking shows', 'share of such pauses that show thinking', 1),
+      share('frowns', 'Frowns', 'share of these with a frown at the floor', 0.25),
       { name: 'lickInterval', label: 'Moistens lips every', note: 'seconds between two moistenings', least: 1, most: 120, step: 1, usual: 25 },
     ],
   },

@@ -34,7 +34,7 @@ export function regions(app: App, list: readonly Region[], note: string): Templa
   const used = all.flatMap(namesOf).filter((name) => values[name]);
   return html`<div class="row bar">
       ${all.some((d) => d.paired) ? check('Left and right together', linked, (on) => link(app, on)) : nothing}
-      <button type="button" class="plain" ?disabled=${used.length === 0} @click=${() => app.set((s) => used.forEach((name) => delete s.values[name]))}>All to rest</button>
+      <button type="button" class="plain" ?disabled=${used.length === 0} @click=${() => app.set((s) => used.forEach((name) => delete s.values[name]))}>Reset all</button>
     </div>
     <p class="about">${note}</p>
     ${list.map(
@@ -73,9 +73,9 @@ function amount(app: App, own: Amount): TemplateResult {
 export function manner(app: App): TemplateResult {
   const isUsual = Object.keys(app.state.manner).length === 0;
   return html`<div class="row bar">
-      <button type="button" class="plain" ?disabled=${isUsual} @click=${() => app.set((s) => (s.manner = {}))}>All as usual</button>
+      <button type="button" class="plain" ?disabled=${isUsual} @click=${() => app.set((s) => (s.manner = {}))}>Reset to defaults</button>
     </div>
-    <p class="about">What head, brows and eyes do beside speech: the published amounts where nothing is changed. Let it speak to see them.</p>
+    <p class="about">Movements of head, brows and eyes during speech. The defaults are the published amounts. Let the figure speak to see them.</p>
     ${AMOUNTS.map(
       (group) => html`<section class="region" aria-label=${group.title}>
         <h3>${group.title}</h3>

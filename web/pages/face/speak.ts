@@ -13,7 +13,7 @@ const STORIES: Readonly<Record<string, string>> = {
   'virtual-poets/zwei-parallelen': 'Die zwei Parallelen',
   'virtual-poets/os-lusiadas': 'Os Lusíadas',
 };
-const WAYS: Readonly<Record<Way, string>> = { sound: 'By its sound', text: 'By its text' };
+const WAYS: Readonly<Record<Way, string>> = { sound: 'From its audio', text: 'From its text' };
 /** As long as a line is. */
 const MAX_LETTERS = 300;
 
@@ -26,7 +26,7 @@ const address = (story: string): string => `../assets/stories/${story}/story.eml
 async function offer(app: App, story: string, say: (text: string) => void): Promise<void> {
   const src = address(story);
   if (!fetched.has(src)) {
-    app.busy = 'The story is being fetched…';
+    app.busy = 'Fetching the story…';
     app.redraw();
     try {
       const response = await fetch(src);
@@ -64,7 +64,7 @@ export function speaking(app: App, say: (text: string) => void): TemplateResult 
     speak(app, '', input?.value.trim().slice(0, MAX_LETTERS) ?? '');
   };
   return html`<form class="line" @submit=${submit}>
-      <label class="select"><span>A line of your own</span><input type="text" name="line" maxlength=${MAX_LETTERS} .value=${mine} placeholder="Once upon a time, my dear …" autocomplete="off" /></label>
+      <label class="select"><span>Your own line</span><input type="text" name="line" maxlength=${MAX_LETTERS} .value=${mine} placeholder="Once upon a time, my dear …" autocomplete="off" /></label>
       <button type="submit" class="play">Speak</button>
     </form>
     <label class="select"><span>A story</span>

@@ -74,7 +74,7 @@ function curve({ values }: Curve, i: number, secs: number): TemplateResult {
 /** The strip with its names at the side; a press on it goes there. */
 export function strip(app: App, now: Strip | undefined): TemplateResult {
   if (now === undefined)
-    return html`<p class="about none">Write a line, or take a sentence of a story: its phones, the dominance of each over the opening of the lips, and what the muscles make of it are drawn here.</p>`;
+    return html`<p class="about none">Write a line, or choose a sentence of a story, to plot its phones, the dominance of each over the opening of the lips, and the resulting muscle contractions.</p>`;
   const { secs, segments, curves } = now;
   const height = PHONES + DOMINANCE + 8 + curves.length * ROW;
   const width = secs * SECOND;
@@ -86,7 +86,7 @@ export function strip(app: App, now: Strip | undefined): TemplateResult {
   };
   return html`<div class="strip" ${vars({ '--row': `${ROW}px`, '--phones': `${PHONES}px`, '--dominance': `${DOMINANCE + 8}px` })}>
     <ul class="names" aria-hidden="true"><li class="phones">Phones</li><li class="dominance">Dominance<br />over opening</li>${curves.map(({ name }) => html`<li>${name}</li>`)}</ul>
-    <div class="scroll" tabindex="0" role="group" aria-label="What is said over time: ${spoken.length} phones, ${spoken.join(' ')}. Moving most: ${curves.map((c) => c.name).join('; ')}.">
+    <div class="scroll" tabindex="0" role="group" aria-label="Speech over time: ${spoken.length} phones, ${spoken.join(' ')}. Moving most: ${curves.map((c) => c.name).join('; ')}.">
       <div class="sheet" ${vars({ '--wide': `${n(width)}px` })} @click=${seek}>
         <svg viewBox="0 0 ${n(width)} ${height}" width=${n(width)} height=${height} aria-hidden="true">
           ${segments.map((s) => hill(s, secs, most))} ${segments.map((s) => phone(s, secs))} ${curves.map((c, i) => curve(c, i, secs))}

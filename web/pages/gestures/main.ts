@@ -73,7 +73,7 @@ function replace(text: string, name: string): void {
   if (change === undefined) return;
   app.change([change]);
   app.selectPhase(0);
-  say(`${name} is on stage. Undo brings the gesture before back.`);
+  say(`${name} is on stage. Undo restores the previous gesture.`);
 }
 
 function tools(): TemplateResult {
@@ -121,7 +121,7 @@ function sides(): TemplateResult {
 }
 
 function toggle(): void {
-  if (player.paused) player.play().catch(() => say('The browser allows playing only after a press.'));
+  if (player.paused) player.play().catch(() => say('The browser allows playback only after a click.'));
   else player.pause();
 }
 
@@ -139,7 +139,7 @@ function transport(): TemplateResult {
 
 function problems(): TemplateResult {
   const { diagnostics } = app;
-  if (diagnostics.length === 0) return html`<p class="fine">The text is understood.</p>`;
+  if (diagnostics.length === 0) return html`<p class="fine">The text is valid.</p>`;
   const count = (severity: string, name: string): string[] => {
     const n = diagnostics.filter((d) => d.severity === severity).length;
     return n === 0 ? [] : [`${n} ${name}${n === 1 ? '' : 's'}`];

@@ -69,7 +69,7 @@ function panel(app: App, phase: Phase): TemplateResult {
   return html`${hands(app, phase)}
     ${
       key === undefined
-        ? html`<p class="none">${phase.name === 'retraction' || phase.name === 'partial-retraction' ? `In ${name} the hand goes back to rest by itself.` : `${capital(name)} says nothing here: the ${LANES[feature].toLowerCase()} stays as it was.`}</p>`
+        ? html`<p class="none">${phase.name === 'retraction' || phase.name === 'partial-retraction' ? `In ${name} the hand returns to rest automatically.` : `${capital(name)} has no key here: the ${LANES[feature].toLowerCase()} stays unchanged.`}</p>`
         : keyRow(app, phase, feature, key)
     }
     ${key === undefined ? nothing : feature === 'shape' ? shapePanel(app, key) : feature === 'palm' ? palmPanel(app, key) : placePanel(app, key)}
@@ -163,15 +163,15 @@ function shapePanel(app: App, key: Key): TemplateResult {
   };
   const picking = app.second ? second : shape.id;
   return html`<div class="slots">
-      ${slot('Shape', shape.id, !app.second, () => pick(false))} ${slot('Mixed with', second, app.second, () => pick(true))}
+      ${slot('Shape', shape.id, !app.second, () => pick(false))} ${slot('Blended with', second, app.second, () => pick(true))}
     </div>
     ${
       second === undefined
         ? nothing
         : html`${numberField({ label: 'Share of the second', value: shape.weight, min: 0, max: 1, step: 0.01, text: `${Math.round(shape.weight * 100)} percent`, set: (weight) => set({ weight: Math.min(1, Math.max(0, weight)) }), done: () => app.done() })}
-          <button type="button" class="plain" @click=${alone}>Do not mix</button>`
+          <button type="button" class="plain" @click=${alone}>No blend</button>`
     }
-    ${shapePicker(`shape-${app.second ? 2 : 1}`, app.second ? 'Shape that is mixed in' : 'Shape of the hand', picking, (id) => {
+    ${shapePicker(`shape-${app.second ? 2 : 1}`, app.second ? 'Blended shape' : 'Shape of the hand', picking, (id) => {
       set(app.second ? { second: id } : { id });
       app.done();
     })}`;
@@ -229,7 +229,7 @@ function palmPanel(app: App, key: Key): TemplateResult {
   };
   return html`<div class="palm">
       ${palms === undefined ? nothing : onBall(app, palms, palm, set)}
-      <div class="ways" role="group" aria-label="Palm looks">
+      <div class="ways" role="group" aria-label="Palm faces">
         ${Object.entries(WAYS).map(([name, normal]) => html`<button type="button" class="plain" @click=${() => choose(normal)}>${name}</button>`)}
       </div>
     </div>
@@ -254,7 +254,7 @@ function placePanel(app: App, key: Key): TemplateResult {
       },
       done: () => app.done(),
     });
-  return html`<p class="hint">Drag the light in the picture; with the shift key held it goes to the front and back. The speaker is about 77 units tall, and places count from ${world ? 'the floor of the scene' : 'the pelvis'}.</p>
+  return html`<p class="hint">Drag the light in the picture; hold Shift to move it to the front and back. The speaker is about 77 units tall, and positions are relative to ${world ? 'the floor of the scene' : 'the pelvis'}.</p>
     ${axis('To the left', 0, -30, 30)} ${axis('Up', 1, world ? 20 : -20, world ? 90 : 50)} ${axis('To the back', 2, -30, 15)}
     ${app.player.paused && app.pose !== undefined ? reached(app, key) : nothing}`;
 }
@@ -264,7 +264,9 @@ function reached(app: App, key: Key): TemplateResult | typeof nothing {
   const target = app.pose?.targets.find((t) => t.name === `${app.hand}Arm`);
   const start = app.phase?.startSecs;
   const there = start !== undefined && Math.abs(app.secs - start - key.secs) < 0.02;
-  return target !== undefined && there && target.error > 0.005 ? html`<p class="trouble">The arm is ${Math.round(target.error * 100)} cm too short for this place.</p>` : nothing;
+  return target !== undefined && there && target.error > 0.005
+    ? html`<p class="trouble">The arm is ${Math.round(target.error * 100)} cm too short for this position.</p>`
+    : nothing;
 }
 
 function coursePanel(app: App): TemplateResult {
@@ -296,7 +298,7 @@ function coursePanel(app: App): TemplateResult {
         ${
           feature === 'shape'
             ? nothing
-            : choice('space', 'On the way', track.space ?? 'free', { free: 'As is natural', cartesian: 'Straight', joint: 'By the joints' }, (space) =>
+            : choice('space', 'On the way', track.space ?? 'free', { free: 'Natural', cartesian: 'Straight', joint: 'By joints' }, (space) =>
                 app.change(setSpace(gesture, track, space === 'free' ? undefined : space)),
               )
         }`
@@ -308,7 +310,7 @@ function firstWords(app: App, feature: Feature): string | undefined {
   const { name } = app.phase ?? {};
   const stroke = name === undefined || name === 'stroke';
   return stroke && app.keyIndex(feature) === 0 && (app.track(feature)?.keys.length ?? 0) > 1
-    ? 'The phase begins with this key, so there is no way to it in this phase; choose a later one.'
+    ? 'The phase begins with this key, so there is no path to it in this phase; choose a later one.'
     : undefined;
 }
 
@@ -317,10 +319,10 @@ function phasePanel(app: App, phase: Phase): TemplateResult {
   const own = ownTime(phase);
   const names = { plain: 'None', ...PHASES };
   return html`${choice('phase-name', 'This phase is a', phase.name ?? 'plain', names, (name) => app.change(setPhase(gesture, phase, name === 'plain' ? undefined : (name as PhaseName))))}
-    ${choice('hands', 'Hands', toldApart(phase) ? 'apart' : phase.hands, { right: 'Right', left: 'Left', both: 'Both, mirrored', apart: 'Both, each its own' } as Record<Handedness, string>, (hands) => app.change(setHands(app.editor.text, gesture, phase, hands)))}
+    ${choice('hands', 'Hands', toldApart(phase) ? 'apart' : phase.hands, { right: 'Right', left: 'Left', both: 'Both, mirrored', apart: 'Both, separately' } as Record<Handedness, string>, (hands) => app.change(setHands(app.editor.text, gesture, phase, hands)))}
     ${
       own === undefined
-        ? html`<p class="hint">It starts at a moment that the text names; change it there.</p>`
+        ? html`<p class="hint">It starts at a time that the text defines; change it there.</p>`
         : numberField({
             label: inSequence(phase) ? 'Pause before it' : 'Starts at',
             value: own,

@@ -71,7 +71,7 @@ export class Lines {
     this.#isBegun = false;
     this.#readsUntilMs = 0;
     this.#set(new Map());
-    this.#places.note.textContent = this.#own === undefined ? '' : 'Your words appear here as they are said.';
+    this.#places.note.textContent = this.#own === undefined ? '' : 'Your words appear here as they are spoken.';
   }
 
   /** Takes in what the text on stage will say, and when. */
@@ -84,7 +84,7 @@ export class Lines {
       this.#set(new Map(scriptOfTexts(own, course).entries()));
     } else if (course.names.length === 0) {
       this.#set(new Map());
-      this.#places.note.textContent = 'Nothing is said in this story.';
+      this.#places.note.textContent = 'This story has no speech.';
     } else if (src !== '') {
       const script = await this.#fetch(src, course);
       if (script !== undefined && src === this.#player.src && this.#own === undefined) this.#set(new Map(script.entries()));

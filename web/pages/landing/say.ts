@@ -80,13 +80,13 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   keep.addEventListener('click', async () => {
     if (script === undefined) return;
     keep.disabled = true;
-    note.textContent = 'The story is being packed…';
+    note.textContent = 'Packing the story…';
     try {
       const { pack } = await import('./keep.js');
       save(await pack(script, player.currentFigure ?? '', language.value), 'my-story.zip');
       note.textContent = 'Script and voice are in my-story.zip: a folder that any page can play.';
     } catch (error) {
-      note.textContent = `It could not be kept: ${error instanceof Error ? error.message : String(error)}`;
+      note.textContent = `It could not be saved: ${error instanceof Error ? error.message : String(error)}`;
     }
     keep.disabled = false;
   });

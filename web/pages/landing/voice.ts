@@ -37,7 +37,7 @@ export class Voices {
     });
     player.addEventListener('voiceprogress', ({ detail }) => {
       const { share } = detail;
-      places.note.textContent = share < 1 ? `A voice is being fetched, once: ${Math.round(100 * share)} %` : this.#speaks;
+      places.note.textContent = share < 1 ? `Fetching a voice, once: ${Math.round(100 * share)} %` : this.#speaks;
     });
     places.better.querySelector('button')?.addEventListener('click', () => void this.#use());
   }
@@ -50,7 +50,7 @@ export class Voices {
   /** Says what will speak a language, before anything is fetched. */
   choose(language: string): void {
     this.#places.note.textContent =
-      language === 'en' ? '' : 'espeak-ng will speak: a program of its own under the GPL, version 3 or later. It is fetched, once, with the first words.';
+      language === 'en' ? '' : 'espeak-ng will speak. It is a separate program under the GPL, version 3 or later, and is fetched once, with the first words.';
   }
 
   /** Brings what speaks a language, where the page's own voice does not. */

@@ -10,20 +10,20 @@ import { ends, GROUP_NAMES, GROUPS, MAX_LAYERS, track, type Mechanism, type Stat
 const MECHANISMS: Readonly<Record<Mechanism, string>> = { layers: 'Layers', groups: 'Body groups', stances: 'Stances', none: 'None' };
 
 const ABOUT: Readonly<Record<Mechanism, string>> = {
-  layers: 'Several animations at once, each with a weight. Together the weights count as a whole.',
-  groups: 'Each part of the body plays an animation of its own.',
-  stances: 'Two ways of standing, and how far from the one to the other.',
-  none: 'Nothing is played: what is left is idle life.',
+  layers: 'Several animations at once, each with a weight. The weights are scaled to a sum of 1.',
+  groups: 'Each part of the body plays its own animation.',
+  stances: 'Two stances, and the blend between them.',
+  none: 'No animation plays; only idle motion remains.',
 };
 
 const STYLES: Readonly<Record<Style, string>> = {
-  loop: 'over and over',
-  loopReverse: 'backwards, over and over',
-  pingPong: 'to and fro',
-  iterations: 'so often, then stay',
-  iterationsReverse: 'backwards so often, then stay',
-  temporaryIterations: 'so often, then leave',
-  temporaryIterationsReverse: 'backwards so often, then leave',
+  loop: 'repeatedly',
+  loopReverse: 'backwards, repeatedly',
+  pingPong: 'back and forth',
+  iterations: 'a number of times, then hold',
+  iterationsReverse: 'backwards a number of times, then hold',
+  temporaryIterations: 'a number of times, then remove',
+  temporaryIterationsReverse: 'backwards a number of times, then remove',
 };
 
 export function animations(app: App): TemplateResult {
@@ -81,7 +81,7 @@ function layers(app: App): TemplateResult {
         return html`<li class=${layer.on ? '' : 'off'}>
           <div class="row">
             ${clipMenu(`Layer ${i + 1}`, layer.clip, undefined, (clip) => put(app, of, { clip }))}
-            <button type="button" class="switch" aria-pressed=${layer.on} @click=${() => app.set((s) => (of(s).on = !layer.on))} aria-label="Layer ${i + 1} is heard">${layer.on ? 'On' : 'Off'}</button>
+            <button type="button" class="switch" aria-pressed=${layer.on} @click=${() => app.set((s) => (of(s).on = !layer.on))} aria-label="Layer ${i + 1} enabled">${layer.on ? 'On' : 'Off'}</button>
             <button type="button" class="plain" ?disabled=${layers.length === 1} @click=${() => app.set((s) => s.layers.splice(i, 1))} aria-label="Remove layer ${i + 1}">Remove</button>
           </div>
           <p class="about">${aboutClip(layer.clip)}</p>
@@ -92,7 +92,7 @@ function layers(app: App): TemplateResult {
             min: 0,
             max: 1,
             step: 0.01,
-            text: `${layer.weight}, ${share} percent of the whole`,
+            text: `${layer.weight}, ${share} percent of the total`,
             set: (weight) => app.change((s) => (of(s).weight = weight)),
             done: () => app.done(),
           })}

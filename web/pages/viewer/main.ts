@@ -18,7 +18,7 @@ const drawOverlay = (): void => {
 const app = new App(player, () => shell.draw(), drawOverlay);
 const shell = new Shell<State, Tab>(app, {
   panels: { animations: () => animations(app), manipulators: () => manipulators(app), look: () => look(app) },
-  playing: () => html`<button type="button" class="plain" @click=${() => app.restart()} title="Begin again">From the start</button>`,
+  playing: () => html`<button type="button" class="plain" @click=${() => app.restart()} title="Restart">From the start</button>`,
   views: () => views(app),
   reset: () => app.look(FRONT),
   typed: ['number'],

@@ -9,9 +9,9 @@ import { LIMB_NAMES, RANGES, type Lead, type Limb, type State, type Way } from '
 const LEADS: Readonly<Record<Lead, string>> = { free: 'Nobody', place: 'A target', joints: 'Its joints' };
 
 const ABOUT: Readonly<Record<Lead, string>> = {
-  free: 'It moves with animations and idle life. Drag its handle in the picture, or choose what leads it.',
-  place: 'Drag the handle in the picture. Arrow keys on it move it, too; page up and page down bring it nearer and farther.',
-  joints: 'Each joint by itself, as far as people turn it.',
+  free: 'It moves with animations and idle motion. Drag its handle in the picture, or choose what drives it.',
+  place: 'Drag the handle in the picture, or move it with the arrow keys, page up and page down.',
+  joints: 'Each joint separately, within human limits.',
 };
 
 const WAYS: Readonly<Record<Way, string>> = { joints: 'joint by joint', line: 'in a straight line', velocity: 'by inverse velocity' };
@@ -32,7 +32,7 @@ export function manipulators(app: App): TemplateResult {
     app.limb = next;
     app.redraw();
   })}
-    ${choice('lead', 'Led by', limb.lead, LEADS, lead)}
+    ${choice('lead', 'Driven by', limb.lead, LEADS, lead)}
     <p class="about">${ABOUT[limb.lead]}</p>
     ${limb.lead === 'place' ? target(app, of, who) : limb.lead === 'joints' ? joints(app, of, who) : nothing}
     ${
@@ -43,9 +43,9 @@ export function manipulators(app: App): TemplateResult {
           ${limb.lead === 'place' && name !== 'head' ? check('Hold it there', limb.lock, (on) => app.set((s) => (of(s).lock = on)), ' while the body moves') : nothing}
         </div>
         <div class="row">
-          ${limb.lead === 'place' ? menu('Gets there', limb.way, WAYS, (way) => app.set((s) => (of(s).way = way))) : nothing}
+          ${limb.lead === 'place' ? menu('Movement', limb.way, WAYS, (way) => app.set((s) => (of(s).way = way))) : nothing}
           <button type="button" class="plain" @click=${() => watch(app)}>Watch it move</button>
-          <button type="button" class="plain" @click=${() => lead('free')}>Let go</button>
+          <button type="button" class="plain" @click=${() => lead('free')}>Release</button>
         </div>`
     }`;
 }
@@ -75,10 +75,10 @@ function target(app: App, of: (state: State) => Limb, who: string): TemplateResu
     [0, 100],
     [-50, 50],
   ] as const;
-  return html`<div class="numbers" role="group" aria-label="Place of the target, units of the figure, who stands 77 high">
+  return html`<div class="numbers" role="group" aria-label="Position of the target, in units of the figure, which is 77 tall">
       ${AXES.map((label, i) => field('place', i, label, ranges[i]?.[0] ?? 0, ranges[i]?.[1] ?? 0, 'u'))}
     </div>
-    <div class="numbers" role="group" aria-label="How the target is turned">
+    <div class="numbers" role="group" aria-label="Orientation of the target">
       ${ANGLES.map((label, i) => field('angles', i, label, -180, 180, '°'))}
     </div>`;
 }

@@ -74,7 +74,7 @@ pub const BONES: &[&str] = &[
 ];
 
 /// The number of a layer by its name, which ends in it (`layer1`) or is it (`1`); none when it
-/// names no layer.
+/// is not the name of a layer.
 #[must_use]
 pub fn layer_number(name: &str) -> Option<usize> {
     let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());

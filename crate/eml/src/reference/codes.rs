@@ -1,26 +1,26 @@
 //! Every kind of problem that reading and timing a script can report.
 
-/// The codes of diagnostics, by name, each with what is wrong.
+/// The codes of diagnostics, by name, each with a description of the problem.
 pub const CODES: &[(&str, &str)] = &[
     (
         "eml::alias",
-        "Another spelling than the reference's; it is understood.",
+        "An alternative spelling is understood, but is not the canonical one.",
     ),
     (
         "eml::ask-option",
-        "An option lacks what the type of its question needs, or can never be answered.",
+        "An option lacks an attribute that its question's type requires, or can never be answered.",
     ),
     (
         "eml::ask-right",
-        "Of the options of a question none is right, or more than one where one is to be chosen.",
+        "A question has no right option, or more than one where one must be chosen.",
     ),
     (
         "eml::bad-boolean",
-        "A truth value is none of true, false, 1 and 0.",
+        "A boolean is none of true, false, 1 and 0.",
     ),
     (
         "eml::bad-choice",
-        "A value is none of the words that the attribute allows.",
+        "A value is not one of the attribute's keywords.",
     ),
     (
         "eml::bad-color",
@@ -36,7 +36,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::bad-number",
-        "A number is none, is too large, or is not whole where it must be.",
+        "A value is not a number, is too large, or is not whole as required.",
     ),
     (
         "eml::bad-path",
@@ -44,87 +44,87 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::bad-reference",
-        "A character reference names no character of XML.",
+        "A character reference does not refer to an XML character.",
     ),
     (
         "eml::bad-time",
-        "A time expression or a length in seconds cannot be read, or comes to an absurd time.",
+        "A time expression or a length in seconds cannot be parsed, or gives an implausible time.",
     ),
     (
         "eml::bad-url",
-        "An address is neither relative nor by http or https.",
+        "An address is neither relative nor http or https.",
     ),
-    ("eml::bare-ampersand", "An `&` starts no reference."),
+    ("eml::bare-ampersand", "An `&` does not start a reference."),
     (
         "eml::control-character",
-        "The text holds a control character, as binary files do.",
+        "The text contains a control character, as binary files do.",
     ),
     (
         "eml::doctype",
-        "There is a document type declaration; EML has none.",
+        "There is a document type declaration, which EML does not allow.",
     ),
     (
         "eml::duplicate-argument",
-        "A function has an argument twice; the last one counts.",
+        "A function has the same argument twice; the last one counts.",
     ),
     (
         "eml::duplicate-attribute",
-        "An element has an attribute twice; the first one counts.",
+        "An element has the same attribute twice; the first one counts.",
     ),
     (
         "eml::duplicate-name",
-        "Two moments, questions, parts, or options of a question have one name; the first one counts.",
+        "Two times, questions, parts, or options of a question have the same name; the first one counts.",
     ),
     (
         "eml::duplicate-player",
-        "An animation player is added under a name that another has.",
+        "An animation player is added under an existing name.",
     ),
     (
         "eml::duplicate-set",
-        "Two sets have one name; the first one counts.",
+        "Two sets have the same name; the first one counts.",
     ),
     (
         "eml::duplicate-track",
-        "A gesture has two tracks of one feature for one hand; the first one counts.",
+        "A gesture has two tracks of the same feature for one hand; the first one counts.",
     ),
     (
         "eml::emotion-word",
-        "A word of emotion beyond the table's; it is felt at its place on the disc.",
+        "An emotion word is not in the table; it is expressed at its point on the disc.",
     ),
     ("eml::empty-body", "The body is empty."),
-    ("eml::empty-voice", "There is nothing to speak."),
+    ("eml::empty-voice", "There is no text to speak."),
     (
         "eml::endless-ring",
-        "A goto leads round without a question on the way, or to where no way comes to an end.",
+        "A goto forms a loop without a question, or leads to a place from which no path ends.",
     ),
     (
         "eml::foreign-element",
-        "An element is of another namespace; it is dropped.",
+        "An element belongs to another namespace; it is dropped.",
     ),
     (
         "eml::handedness",
-        "A track is for a hand that takes no part in the gesture; it is ignored.",
+        "A track is for a hand that does not take part in the gesture; it is ignored.",
     ),
     (
         "eml::ignored-attribute",
-        "An attribute does not count beside another one.",
+        "An attribute is overridden by another one and has no effect.",
     ),
     (
         "eml::key-order",
         "The keys of a track are not in the order of their times; they are sorted.",
     ),
-    ("eml::late-key", "A key lies after the end of its gesture."),
+    ("eml::late-key", "A key is after the end of its gesture."),
     (
         "eml::letter-case",
-        "A name is written in other letters, capital or small, than the reference's; it is understood.",
+        "A name differs from the reference in letter case; it is understood.",
     ),
     (
         "eml::malformed",
-        "Markup cannot be read; reading goes on behind it.",
+        "Markup cannot be parsed; parsing continues after it.",
     ),
     (
         "eml::malformed-attribute",
-        "An attribute is not name='value'; it is mended where its meaning is plain.",
+        "An attribute does not have the form name='value'; it is corrected if its meaning is clear.",
     ),
     (
         "eml::malformed-tag",
@@ -132,52 +132,49 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::mismatched-end",
-        "An end tag differs from its start tag in capital letters.",
+        "An end tag differs from its start tag in letter case.",
     ),
     (
         "eml::missing-alt",
-        "A picture of a question has no words for those who do not see it.",
+        "A picture of a question has no text alternative.",
     ),
     (
         "eml::missing-attribute",
-        "An element lacks an attribute that it needs; it is dropped, or does nothing.",
+        "An element lacks a required attribute; it is dropped, or has no effect.",
     ),
-    (
-        "eml::missing-child",
-        "An element lacks a child that it needs.",
-    ),
+    ("eml::missing-child", "An element lacks a required child."),
     (
         "eml::missing-time",
-        "A clause right in the body has no time; it starts at 0.",
+        "A clause directly in the body has no time; it starts at 0.",
     ),
     (
         "eml::more",
-        "There were more problems of a kind than are listed one by one.",
+        "There are more problems of one kind than are listed individually.",
     ),
     (
         "eml::no-root",
-        "Clauses stand without `eml` and `body` around them; they are read as a script.",
+        "Clauses are not enclosed in `eml` and `body`; they are read as a script.",
     ),
     (
         "eml::no-time",
-        "A clause is left out because a moment that its time counts from has no time.",
+        "A clause is left out because its time depends on an undefined time.",
     ),
     (
         "eml::not-utf8",
-        "The text is not UTF-8: a place in it, or, as UTF-16, all of it.",
+        "The text is not UTF-8, in one place or, if it is UTF-16, as a whole.",
     ),
-    ("eml::not-xml", "There is no element at all."),
+    ("eml::not-xml", "The text contains no element."),
     (
         "eml::out-of-range",
         "A number is smaller or larger than the attribute allows.",
     ),
     (
         "eml::phone",
-        "`phone` and event='onPhone' do not go together here.",
+        "`phone` and event='onPhone' are not used together.",
     ),
     (
         "eml::phone-not-in-word",
-        "The word that a `tm` is for does not have its phone; the word's start is used.",
+        "The word of a `tm` does not contain its phone; the start of the word is used.",
     ),
     (
         "eml::set-cycle",
@@ -185,13 +182,13 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::small-pool",
-        "More is to be drawn of a pool than is in it.",
+        "A pool has fewer clauses than are to be drawn.",
     ),
-    ("eml::stray-end", "An end tag closes nothing."),
-    ("eml::stray-text", "Text stands where it means nothing."),
+    ("eml::stray-end", "An end tag has no start tag."),
+    ("eml::stray-text", "Text has no meaning at its position."),
     (
         "eml::surplus-element",
-        "There are more elements of a kind than their parent may hold.",
+        "There are more elements of a kind than their parent allows.",
     ),
     (
         "eml::surplus-joints",
@@ -199,13 +196,10 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::time-cycle",
-        "Times wait for each other; the chain is printed.",
+        "Times depend on each other in a cycle; the chain is printed.",
     ),
-    ("eml::too-deep", "Elements are nested too deep."),
-    (
-        "eml::too-large",
-        "The text or what is in it exceeds a limit.",
-    ),
+    ("eml::too-deep", "Elements are nested too deeply."),
+    ("eml::too-large", "The text or its content exceeds a limit."),
     (
         "eml::too-many-attributes",
         "An element has too many attributes.",
@@ -217,15 +211,15 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::too-many-repetitions",
-        "Repetitions come to too many clauses; they play once.",
+        "Repetitions produce too many clauses; they play once.",
     ),
     (
         "eml::too-many-words",
-        "A clause or the whole story speaks too many words.",
+        "A clause or the whole story has too many words.",
     ),
     (
         "eml::unbound-prefix",
-        "No xmlns binds the prefix of a name.",
+        "The prefix of a name is not bound by xmlns.",
     ),
     ("eml::unclosed", "An element has no end tag."),
     (
@@ -238,26 +232,23 @@ pub const CODES: &[(&str, &str)] = &[
         "eml::unknown-element",
         "The language does not have this element.",
     ),
-    (
-        "eml::unknown-entity",
-        "An entity other than the five of XML.",
-    ),
-    (
-        "eml::unknown-hand-shape",
-        "There is no hand shape of this number.",
-    ),
+    ("eml::unknown-entity", "An entity is not one of XML's five."),
+    ("eml::unknown-hand-shape", "No hand shape has this number."),
     (
         "eml::unknown-layer",
-        "A name of a layer does not end in its number.",
+        "The name of a layer does not end in its number.",
     ),
-    ("eml::unknown-name", "A time expression names no moment."),
+    (
+        "eml::unknown-name",
+        "A time expression refers to an undefined name.",
+    ),
     (
         "eml::unknown-option",
-        "A question has no such option; this answer is never performed.",
+        "The question has no such option; this answer is never performed.",
     ),
     (
         "eml::unknown-part",
-        "A goto names no part; it leads nowhere.",
+        "A goto refers to an undefined part; it has no effect.",
     ),
     (
         "eml::unknown-player",
@@ -269,19 +260,19 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::unknown-variable",
-        "A condition names no variable and no question; it never holds.",
+        "A condition refers to neither a variable nor a question; it never holds.",
     ),
     (
         "eml::unreachable",
-        "No way through the story leads to this clause; it is never performed.",
+        "No path through the story reaches this clause; it is never performed.",
     ),
     (
         "eml::variable-type",
-        "A variable is used as another type than where it is set first.",
+        "A variable is used with another type than that of its first assignment.",
     ),
     (
         "eml::wrong-parent",
-        "An element may not stand where it does.",
+        "An element is not allowed in its parent.",
     ),
     ("eml::wrong-root", "The outermost element is not `eml`."),
     ("eml::zero-axis", "The normal of a palm is zero."),

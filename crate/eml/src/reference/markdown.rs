@@ -30,7 +30,7 @@ pub fn markdown() -> String {
             }
         }
     }
-    out.push_str("\n## Diagnostics\n\n| code | what is wrong |\n|---|---|\n");
+    out.push_str("\n## Diagnostics\n\n| code | description |\n|---|---|\n");
     for (code, doc) in super::CODES {
         let _ = writeln!(out, "| `{code}` | {doc} |");
     }
@@ -53,28 +53,31 @@ fn section(out: &mut String, element: &Element) {
         .map(|e| display_name(e.extension, e.name))
         .collect();
     let parents = match element.parents {
-        [] => "the root".to_owned(),
-        parents => format!("in {}", names(parents.iter().map(|p| (*p).to_owned()))),
+        [] => "root element".to_owned(),
+        parents => format!(
+            "allowed in {}",
+            names(parents.iter().map(|p| (*p).to_owned()))
+        ),
     };
     let is_clause = children.len() > 20;
     let holds = match element.content {
-        Content::Empty => "holds nothing".to_owned(),
-        Content::Text => "holds text".to_owned(),
-        Content::Mixed => "holds text and markup of speech".to_owned(),
-        Content::Elements if is_clause => "holds clauses".to_owned(),
-        Content::Elements => format!("holds {}", names(children.into_iter())),
+        Content::Empty => "empty".to_owned(),
+        Content::Text => "contains text".to_owned(),
+        Content::Mixed => "contains text and speech markup".to_owned(),
+        Content::Elements if is_clause => "contains clauses".to_owned(),
+        Content::Elements => format!("contains {}", names(children.into_iter())),
     };
-    let _ = write!(out, "{}, {holds}", capital(&parents));
+    let _ = write!(out, "{}; {holds}", capital(&parents));
     if !element.required_children.is_empty() {
         let required = element.required_children.iter().map(|c| (*c).to_owned());
-        let _ = write!(out, "; at least one {}", names(required));
+        let _ = write!(out, "; requires at least one {}", names(required));
     }
     if let Some(most) = element.most_per_parent {
-        let _ = write!(out, "; at most {most} in one parent");
+        let _ = write!(out, "; at most {most} per parent");
     }
     if !element.one_of.is_empty() {
         let some = element.one_of.iter().map(|c| (*c).to_owned());
-        let _ = write!(out, "; needs one of {}", names(some));
+        let _ = write!(out, "; requires one of {}", names(some));
     }
     out.push_str(".\n");
     if !element.aliases.is_empty() {
@@ -136,7 +139,7 @@ fn kind(kind: Kind) -> String {
     };
     match kind {
         Kind::Text => "text".to_owned(),
-        Kind::Name => "name of a moment".to_owned(),
+        Kind::Name => "name of a time".to_owned(),
         Kind::Identifier => "name".to_owned(),
         Kind::Path => "relative path".to_owned(),
         Kind::Url => "address".to_owned(),

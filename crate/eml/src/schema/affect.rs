@@ -178,12 +178,11 @@ pub(super) fn report_place(
     span: Span,
 ) -> Diagnostic {
     let message = format!(
-        "{} is none of the words of emotion; it is felt at its place, activation {activation} and \
-         evaluation {evaluation}",
+        "{} is not in the table of emotions; it is expressed at its point on the disc, activation {activation} and evaluation {evaluation}",
         quoted(word)
     );
     Diagnostic::warning("eml::emotion-word", span, message)
-        .hint("write activation and evaluation to choose another place, or one of the words")
+        .hint("write activation and evaluation to choose another point, or use one of the words in the table")
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::{Attribute, Element};
 use crate::PlaybackStyle;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Says how an animation plays."),
+    doc: super::reference_text("Specifies how an animation plays."),
     decision: super::reference_text(
         "GEVH has styles that end after a number of iterations but no attribute for the number; it is an extension. Temporary animations leave the stack when they end.",
     ),
@@ -14,12 +14,12 @@ pub(super) static ELEMENT: Element = Element {
     ),
     most_per_parent: Some(1),
     attributes: &[
-        Attribute::choice("playbackStyle", PlaybackStyle::WORDS, "In which way.").required(),
+        Attribute::choice("playbackStyle", PlaybackStyle::WORDS, "The playback style.").required(),
         Attribute::integer(
             "iterations",
             1,
             100_000,
-            "How often, for the styles with iterations.",
+            "The number of iterations, for the styles with iterations.",
         )
         .default("1")
         .extension(),

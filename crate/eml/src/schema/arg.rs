@@ -4,21 +4,21 @@ use super::{Attribute, Element, Kind};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "One argument of a function. The functions segment, sinusoid, bezier and hermite go from startX, startY, startZ to endX and so on in timePeriod seconds; all turn from startYaw, startPitch, startRoll to endYaw and so on; what is left out stays as it is. sinusoid has a wave of amplitude in the direction acrossX and so on (up when left out), cycles times. bezier has control1X and so on and control2X, hermite startVelocityX and endVelocityX in units a second. circle, ellipse and helix go turns times round centerX and so on, at radius (the ellipse at radiusX and radiusY) in the plane that faces normalX and so on (the front when left out), from startAngle, counted from the figure's left upwards; the helix rises by rise along the normal. lemniscate is a lying eight of radius to either side, turned by tilt. Without a center they begin where the limb is.",
+        "One argument of a function. segment, sinusoid, bezier and hermite go from startX, startY, startZ to endX, endY, endZ in timePeriod seconds. All functions turn from startYaw, startPitch, startRoll to endYaw, endPitch, endRoll. Omitted values stay unchanged. sinusoid adds a wave of amplitude in the direction acrossX, acrossY, acrossZ (up by default), with the given number of cycles. bezier has the control points control1X… and control2X…, hermite has startVelocityX… and endVelocityX… in units per second. circle, ellipse and helix make the given number of turns around centerX…, at radius (ellipse: radiusX and radiusY), in the plane that faces normalX… (the front by default), from startAngle, counted from the figure's left upwards. helix rises by rise along the normal. lemniscate is a horizontal figure of eight with radius to either side, rotated by tilt. Without a center, these begin at the limb's current position.",
     ),
     decision: super::reference_text(
-        "Of several with one name the last counts, and a warning says so: the example of GEVH repeats endX where startX, endY and endZ are meant.",
+        "If several arguments have the same name, the last one counts, with a warning: the example in GEVH repeats endX where startX, endY and endZ are meant.",
     ),
     source: super::reference_text("GEVH D.1.8"),
     example: super::reference_text(
         "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='4'/><arg name='endYaw' value='90'/></function-args></vh-move>",
     ),
     attributes: &[
-        Attribute::identifier("name", "The argument's name.").required(),
+        Attribute::identifier("name", "The name of the argument.").required(),
         Attribute::new(
             "value",
             Kind::NumberOrText,
-            "Its value: a number, or a text.",
+            "The value: a number or a text.",
         )
         .required(),
     ],

@@ -7,19 +7,19 @@ use crate::clauses::asking::AskKind;
 const PICTURE: Attribute = Attribute::new(
     "picture",
     Kind::Path,
-    "A picture beside the story that is shown with it.",
+    "An image shown with it, stored next to the story.",
 );
 const ALT: Attribute = Attribute::text(
     "alt",
-    "What the picture shows, for those who do not see it; empty where the text says it already.",
+    "A text alternative for the image; empty if the text already says it.",
 );
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Asks something: the story rests until it is answered, then performs the answer that fits and goes on.",
+        "Asks a question: the story halts until it is answered, then performs the matching answer and continues.",
     ),
     decision: super::reference_text(
-        "What the storyteller says to ask it comes before, in a voice-text; the prompt is what is read. A number and a text that are not graded need no options. Its answers lie one after another in the timeline, a second apart, so that a story may be sought and baked; the player passes over those that do not fit. A film shows them all.",
+        "The spoken question precedes the element, in a voice-text; the prompt is for reading. A number or text that is not graded needs no options. The answers follow each other in the timeline, a second apart, so that a story can be seeked and baked; the player skips those that do not match. A film shows all of them.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -30,55 +30,55 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::identifier(
             "name",
-            "A name that no other question has: results are kept by it.",
+            "A unique name among the questions; results are stored under it.",
         )
         .required(),
         Attribute::choice(
             "type",
             AskKind::WORDS,
-            "How it is answered: by one option, by all that are right, by putting all in order (they are written in it), by giving each its partner, by filling the gaps of the prompt, where the names of options stand in square brackets, by a number, by pointing at the figure, or by a text of one's own.",
+            "How the question is answered: by one option, by all that are right, by ordering all options (they are written in the right order), by giving each its partner, by filling the gaps of the prompt, where the names of options are written in square brackets, by a number, by pointing at the figure, or by a free text.",
         )
         .default("choice"),
-        Attribute::text("prompt", "What is asked, to be read and to be read aloud.").required(),
+        Attribute::text("prompt", "The question, to be read and to be read aloud.").required(),
         PICTURE,
         ALT,
         Attribute::flag(
             "graded",
-            "Whether answers are right or wrong. A question that is not graded, as in a survey or a reflection, takes whatever is answered, at once and for good, and counts no points.",
+            "Whether answers are right or wrong. A question that is not graded, as in a survey or a reflection, accepts any answer, immediately and finally, and counts no points.",
         )
         .default("true"),
-        Attribute::between("points", 0.0, 1000.0, "What a right answer counts.").default("1"),
+        Attribute::between("points", 0.0, 1000.0, "The points for a right answer.").default("1"),
         Attribute::flag(
             "partial",
-            "Whether an answer that is right in part counts in part, with type='several' (what is right less what is wrong, of all that is right), match and gap (the share that is right), and order (the share of neighbours in their order).",
+            "Whether a partly right answer earns part of the points: with type='several', the right minus the wrong choices as a share of all right ones; with match and gap, the share that is right; with order, the share of neighbours in the right order.",
         )
         .default("false"),
         Attribute::flag(
             "shuffle",
-            "Whether each learner has the options in an order by chance, the same whenever they come back. Those of order, and partners of match, are mixed in any case, else alike for all learners.",
+            "Whether each learner gets the options in a random order, which stays the same when they come back. The options of order and the partners of match are always shuffled; without this flag, in the same order for all learners.",
         )
         .default("false"),
-        Attribute::integer("tries", 1, 100, "How often one may answer.").default("1"),
+        Attribute::integer("tries", 1, 100, "The number of attempts.").default("1"),
         Attribute::text(
             "hint",
-            "What is read after a wrong answer, while there are tries left.",
+            "Text to read after a wrong answer while attempts remain.",
         ),
         Attribute::text(
             "feedback",
-            "What is read once it is answered for good. Where no answer is performed, it is by itself whether that was right, and what is right.",
+            "Text to read once the question is answered for good. By default, if no answer is performed, it states whether the answer was right, and the right answer.",
         ),
         Attribute::text(
             "feedbackRight",
-            "What is read in its place after a right answer.",
+            "Text to read instead of feedback after a right answer.",
         ),
         Attribute::text(
             "feedbackWrong",
-            "What is read in its place after a wrong answer.",
+            "Text to read instead of feedback after a wrong answer.",
         ),
         Attribute::seconds_up_to(
             "limit",
             86_400.0,
-            "How long one may think about it; then it counts as answered wrong. Who asks for more time gets it.",
+            "The time limit, after which the question counts as answered wrong. Learners can request more time.",
         ),
     ],
     ..Element::new(
@@ -89,9 +89,9 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static OPTION: Element = Element {
-    doc: super::reference_text("Something that one may answer, or a rule for what one may."),
+    doc: super::reference_text("A possible answer, or a rule for accepted answers."),
     decision: super::reference_text(
-        "A text is compared by its letters and digits alone, in small letters and without accents, so that nobody fails by a comma. Of the rules of a number or a text the first one that fits decides.",
+        "A text is compared by its letters and digits only, in lower case and without accents, so punctuation does not matter. Of the rules of a number or a text, the first match decides.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -99,45 +99,45 @@ pub(super) static OPTION: Element = Element {
     ),
     extension: true,
     attributes: &[
-        Attribute::identifier("name", "A name that no other option of the question has.")
+        Attribute::identifier("name", "A unique name among the options of the question.")
             .required(),
         Attribute::text(
             "text",
-            "What is read; gaps, numbers and texts may do without, and so may what has a picture that says it.",
+            "The text of the option. Optional for gaps, numbers and texts, and if a picture expresses it.",
         )
         .default(""),
         PICTURE,
         ALT,
         Attribute::flag(
             "right",
-            "Whether it is right; in order, match and gap all are.",
+            "Whether it is right; all options of order, match and gap are.",
         )
         .default("false"),
-        Attribute::text("partner", "Its right partner, with type='match'."),
+        Attribute::text("partner", "Its matching partner, with type='match'."),
         Attribute::text(
             "accepts",
-            "What is taken, texts with a bar between them: the whole of what is written into a gap, or words that a text has to hold.",
+            "Accepted texts, separated by a vertical bar: the complete content of a gap, or words that a text must contain.",
         ),
         Attribute::text(
             "rejects",
-            "Words, with a bar between them, none of which a text may hold.",
+            "Words, separated by a vertical bar, none of which a text may contain.",
         ),
-        Attribute::number("least", "The least number that is taken."),
-        Attribute::number("most", "The greatest number that is taken."),
-        Attribute::identifier("at", "The bone that is pointed at, with type='point'."),
+        Attribute::number("least", "The smallest accepted number."),
+        Attribute::number("most", "The largest accepted number."),
+        Attribute::identifier("at", "The bone to point at, with type='point'."),
     ],
     ..Element::part("option", &["ask"])
 };
 
 pub(super) static ANSWER: Element = Element {
-    doc: super::reference_text("What is performed after certain answers; plain times count from its start."),
+    doc: super::reference_text("Content performed after certain answers; plain times count from its start."),
     source: super::reference_text("Extension"),
     example: ELEMENT.example,
     extension: true,
     content: Content::Elements,
     attributes: &[Attribute::identifier(
         "to",
-        "right, wrong (when there are no tries left), answered (whatever it was), or the name of an option that was chosen; the first answer that fits is performed.",
+        "right, wrong (when no attempts are left), answered (any answer), or the name of a chosen option; the first matching answer is performed.",
     )
     .required()],
     ..Element::new(
@@ -253,7 +253,7 @@ mod tests {
         let (from, to) = (told.span.start as usize, told.span.end as usize);
         assert_eq!(&text[from..to], option);
         assert!(
-            told.hints[0].starts_with("it may be, the nearest first: l_wrist, r_wrist"),
+            told.hints[0].starts_with("valid names, nearest first: l_wrist, r_wrist"),
             "{:?}",
             told.hints
         );

@@ -13,16 +13,16 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::new(
             "src",
             Kind::Url,
-            "Its address: relative to the story, or by http or https; the page may forbid others.",
+            "The address: relative to the story, or http or https; the page may forbid others.",
         )
         .required(),
         Attribute::choice(
             "mode",
             AudioMode::WORDS,
-            "Whether the speech waits for it, or it sounds beneath.",
+            "Whether speech waits for the recording, or it plays in the background.",
         )
         .default("insertion"),
-        Attribute::between("level", 0.0, 1e6, "Its volume: 1 as recorded, 0 silent.").default("1"),
+        Attribute::between("level", 0.0, 1e6, "The volume: 1 as recorded, 0 silent.").default("1"),
     ],
     ..Element::new("audio", VOICE_PARENTS, Role::Voice(read))
 };

@@ -5,10 +5,10 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Says how tense the story is from here on: a voice tells tense parts faster and with shorter pauses.",
+        "Sets the tension of the story from here on: voices speak tense parts faster and with shorter pauses.",
     ),
     decision: super::reference_text(
-        "From here on means further down in the document, as with voice-change. Without one, and after one that names no tension, punctuation, paragraphs and direct speech tell it.",
+        "From here on means later in the document, as for voice-change. Without a beat, and after one without a tension, punctuation, paragraphs and direct speech determine the tension.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -19,7 +19,7 @@ pub(super) static ELEMENT: Element = Element {
         "tension",
         0.0,
         1.0,
-        "From 0, at ease, to 1, the climax; the text tells it when left out.",
+        "From 0, relaxed, to 1, the climax; by default derived from the text.",
     )],
     ..Element::record("beat", || ClauseKind::Beat(Default::default()))
 };

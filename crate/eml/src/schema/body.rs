@@ -3,7 +3,9 @@
 use super::{Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Holds the clauses of a script. Their times count from its start."),
+    doc: super::reference_text(
+        "Contains the clauses of a script. Their times count from its start.",
+    ),
     source: super::reference_text("GEVH D.1.3"),
     example: super::reference_text("<eml><body><null time='2'/></body></eml>"),
     content: Content::Elements,

@@ -5,10 +5,10 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Leads a control parameter through attack, decay, sustain and release.",
+        "Drives a control parameter through attack, decay, sustain and release.",
     ),
     decision: super::reference_text(
-        "The course is straight from value to value. The D stands for decay, as the attributes say, not delay, as the text does. The example of GEVH belongs to body-set-control-parameter.",
+        "Values are interpolated linearly. The D stands for decay, as in the attributes, not delay, as in the text. The example in GEVH belongs to body-set-control-parameter.",
     ),
     source: super::reference_text("GEVH D.3.28"),
     example: super::reference_text(
@@ -18,25 +18,28 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::identifier("parameterId", "The parameter, such as Disgust.").required(),
         Attribute::seconds(
             "attackDurationTime",
-            "How long the value before takes to become the attack value.",
+            "The time from the previous value to the attack value.",
         )
         .default("0"),
         Attribute::number("attackValue", "The value of this phase.").default("1"),
         Attribute::seconds(
             "decayDurationTime",
-            "How long that takes to become the decay value.",
+            "The time from there to the decay value.",
         )
         .default("0"),
         Attribute::number("decayValue", "The value of this phase.").default("0"),
-        Attribute::seconds("sustainDurationTime", "How long the sustain value is held.")
-            .default("0"),
+        Attribute::seconds(
+            "sustainDurationTime",
+            "The time for which the sustain value is held.",
+        )
+        .default("0"),
         Attribute::number(
             "sustainValue",
-            "The value that is held; the decay value when it is left out.",
+            "The sustained value; by default the decay value.",
         ),
         Attribute::seconds(
             "releaseDurationTime",
-            "How long that takes to become the release value.",
+            "The time from there to the release value.",
         )
         .default("0"),
         Attribute::number("releaseValue", "The value of this phase.").default("0"),

@@ -6,7 +6,7 @@ use crate::{ClauseKind, Style};
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Plays an animation of control parameters from the library."),
     decision: super::reference_text(
-        "GEVH calls value the parameter value, which fits another clause; it is read as a gain. The example belongs to body-set-control-parameter.",
+        "GEVH calls value the parameter value, which fits another clause; here it is a gain. The example belongs to body-set-control-parameter.",
     ),
     source: super::reference_text("GEVH D.3.30"),
     example: super::reference_text(
@@ -14,8 +14,12 @@ pub(super) static ELEMENT: Element = Element {
     ),
     attributes: &[
         Attribute::identifier("animationId", "The animation.").required(),
-        Attribute::choice("style", Style::WORDS, "In which direction.").default("forward"),
-        Attribute::number("value", "By what its values are multiplied; beyond a parameter's range they are as much as its end.").default("1"),
+        Attribute::choice("style", Style::WORDS, "The playback direction.").default("forward"),
+        Attribute::number(
+            "value",
+            "A factor for its values; results are clamped to the range of the parameter.",
+        )
+        .default("1"),
     ],
     ..Element::record("body-animate-control-parameter", || {
         ClauseKind::AnimateControlParameter(Default::default())

@@ -4,17 +4,17 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Says how one keyframe animation passes into the next."),
+    doc: super::reference_text("Specifies the transition from one keyframe animation to the next."),
     decision: super::reference_text(
-        "A cross-fade takes 0.4 s if nothing else is said, and 0.08 s with smooth='false': GEVH means no transition at all, but no joint should jump.",
+        "A cross-fade takes 0.4 s by default, and 0.08 s with smooth='false': GEVH means no transition at all, but no joint should jump.",
     ),
     source: super::reference_text("GEVH D.3.5"),
     example: super::reference_text(
         "<body-configure-deterministic-animation time='0' smooth='true' swapTime='0.5'/>",
     ),
     attributes: &[
-        Attribute::flag("smooth", "Whether they cross-fade."),
-        Attribute::seconds_up_to("swapTime", 60.0, "How long a cross-fade takes."),
+        Attribute::flag("smooth", "Whether animations cross-fade."),
+        Attribute::seconds_up_to("swapTime", 60.0, "The duration of a cross-fade."),
     ],
     ..Element::record("body-configure-deterministic-animation", || {
         ClauseKind::DeterministicAnimation(Default::default())

@@ -31,9 +31,9 @@ const VALUES: &[ConditionalKind] = &[
 ];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Sets the speed, the weight or the switch of tracks."),
+    doc: super::reference_text("Sets the speed, the weight or the enabled state of tracks."),
     decision: super::reference_text(
-        "The weights of a player's tracks are scaled to a sum of 1 after each change (GEVH 3.2.1).",
+        "After each change, the weights of a player's tracks are scaled to a sum of 1 (GEVH 3.2.1).",
     ),
     source: super::reference_text("GEVH D.3.6"),
     example: super::reference_text(
@@ -42,17 +42,17 @@ pub(super) static ELEMENT: Element = Element {
     content: Content::Elements,
     required_children: &["tracks"],
     attributes: &[
-        Attribute::choice("property", TrackProperty::WORDS, "Which property.").required(),
+        Attribute::choice("property", TrackProperty::WORDS, "The property.").required(),
         Attribute::new("newValue", Kind::NumberOrBool, "Its new value.")
             .with_conditional_kinds(VALUES)
             .required(),
-        Attribute::identifier("player", "The player; the first one when it is left out."),
+        Attribute::identifier("player", "The player; by default the first one."),
         Attribute::seconds(
             "duration",
-            "How long it takes to get there; only for speed and weight.",
+            "The duration of the change; only for speed and weight.",
         )
         .default("0"),
-        Attribute::choice("transition", Transition::WORDS, "Its course.").default("linear"),
+        Attribute::choice("transition", Transition::WORDS, "The interpolation.").default("linear"),
     ],
     ..Element::record("body-configure-deterministic-track-property", || {
         ClauseKind::DeterministicTrackProperty(Default::default())

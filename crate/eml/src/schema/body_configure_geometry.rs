@@ -5,51 +5,51 @@ use crate::{ClauseKind, FillMode, VisibleMeshes};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Switches what is drawn of the figure. What is left out stays as it is.",
+        "Selects what is rendered of the figure. Omitted attributes stay unchanged.",
     ),
     source: super::reference_text("GEVH D.3.4"),
     example: super::reference_text(
         "<body-configure-geometry time='0' fillMode='solid' visibleMeshes='bones'/>",
     ),
     attributes: &[
-        Attribute::choice("fillMode", FillMode::WORDS, "What of a surface is drawn."),
+        Attribute::choice("fillMode", FillMode::WORDS, "How surfaces are rendered."),
         Attribute::flag(
             "areFramesVisible",
-            "Whether the frames of the skeleton are drawn.",
+            "Whether the frames of the skeleton are rendered.",
         ),
         Attribute::flag(
             "areHierarchyCentersVisible",
-            "Whether the centres of the hierarchy are drawn.",
+            "Whether the centres of the hierarchy are rendered.",
         ),
         Attribute::choice(
             "visibleMeshes",
             VisibleMeshes::WORDS,
-            "Which meshes are drawn.",
+            "The rendered meshes.",
         ),
-        Attribute::flag("areMaterialsActive", "Whether materials are drawn."),
-        Attribute::flag("areTexturesActive", "Whether textures are drawn."),
+        Attribute::flag("areMaterialsActive", "Whether materials are rendered."),
+        Attribute::flag("areTexturesActive", "Whether textures are rendered."),
         Attribute::flag(
             "areManipulatorsVisible",
-            "Whether the manipulators are drawn.",
+            "Whether the manipulators are rendered.",
         ),
         Attribute::flag(
             "isBodyVisible",
-            "Whether the body is drawn, without bones in its place.",
+            "Whether the body is rendered; no bones replace it.",
         )
         .extension(),
         Attribute::flag(
             "areSpringsVisible",
-            "Whether the springs of the face's tissue are drawn.",
+            "Whether the springs of the face's tissue are rendered.",
         )
         .extension(),
         Attribute::flag(
             "areMusclesVisible",
-            "Whether the muscles of the face are drawn.",
+            "Whether the muscles of the face are rendered.",
         )
         .extension(),
         Attribute::flag(
             "isSkullVisible",
-            "Whether the bone under the tissue of the face is drawn.",
+            "Whether the bone under the tissue of the face is rendered.",
         )
         .extension(),
     ],

@@ -6,17 +6,17 @@ use crate::{ClauseKind, ConfigureManipulator, Diagnostic};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Switches a manipulator and its joint limits."),
-    decision: super::reference_text("The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; what is left out stays as it is. Of several solutions for a target the one that meets it best is taken, then the one with the least variation of joints; preferred joints are the third filter that GEVH 3.3.2.1 names, and go before comfort: they say where elbow or knee point."),
+    decision: super::reference_text("The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; omitted attributes stay unchanged. Of several solutions for a target, the most accurate is chosen, then the one with the least joint variation. Preferred joints are the third filter of GEVH 3.3.2.1 and take precedence over comfort: they determine where elbow or knee point."),
     source: super::reference_text("GEVH D.3.19, 3.3.2.1"),
     example: super::reference_text("<body-configure-manipulator time='0' manipulator='leftArm' isOn='true' jointLimitsActive='false'/>"),
     attributes: &[
         MANIPULATOR,
-        Attribute::flag("isOn", "Whether it moves its limb.").aliases(&["is0n"]),
+        Attribute::flag("isOn", "Whether it drives its limb.").aliases(&["is0n"]),
         Attribute::flag("jointLimitsActive", "Whether its joints have limits."),
         Attribute::new(
             "preferred",
             Kind::Numbers,
-            "Joint angles, j1 to j6 as in body-non-deterministic-fk, of which the first few will do: of several ways to reach a target the limb takes the one nearest to them. Nothing between the quotes leaves the choice to the limb again.",
+            "Preferred joint angles, j1 to j6 as in body-non-deterministic-fk; the first few are enough. Of several ways to reach a target, the limb takes the nearest to them. An empty value returns the choice to the limb.",
         )
         .unit("°")
         .extension(),

@@ -5,10 +5,10 @@ use crate::{ClauseKind, PrimitiveKind};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Puts an animation on the stack of a player, exchanges or removes it.",
+        "Pushes an animation onto the stack of a player, exchanges or removes it.",
     ),
     decision: super::reference_text(
-        "The example writes operation for primitive. Without tracks all tracks are meant, without a style the animation loops.",
+        "The example writes operation for primitive. Without tracks, all tracks are used; without a style, the animation loops.",
     ),
     source: super::reference_text("GEVH D.3.17"),
     example: super::reference_text(
@@ -16,10 +16,10 @@ pub(super) static ELEMENT: Element = Element {
     ),
     content: Content::Elements,
     attributes: &[
-        Attribute::choice("primitive", PrimitiveKind::WORDS, "What to do.")
+        Attribute::choice("primitive", PrimitiveKind::WORDS, "The operation.")
             .required()
             .aliases(&["operation"]),
-        Attribute::identifier("player", "The player; the first one when it is left out."),
+        Attribute::identifier("player", "The player; by default the first one."),
         Attribute::identifier(
             "animationSetName",
             "The animation, for push and exchange: a name of the library or a path in the story's folder (docs/animation.md).",

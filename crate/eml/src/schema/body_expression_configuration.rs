@@ -3,7 +3,7 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Holds the configuration of body expression."),
+    doc: super::reference_text("Contains the configuration of body expression."),
     source: super::reference_text("GEVH D.3.1"),
     example: super::reference_text(
         "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>",

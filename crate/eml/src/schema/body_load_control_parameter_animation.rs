@@ -6,7 +6,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Loads an animation of control parameters into the library."),
     decision: super::reference_text(
-        "The format of the file is not documented; ours is JSON, described in docs/face.md. Paths never leave their folder.",
+        "The source does not document the file format; ours is JSON, described in docs/face.md. Paths never leave their folder.",
     ),
     source: super::reference_text("GEVH D.3.29"),
     example: super::reference_text(
@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::new("file", Kind::Path, "The path of the file.").required(),
         Attribute::flag(
             "isResourcesRelative",
-            "Whether the path starts in the asset library instead of the folder of the story.",
+            "Whether the path is relative to the asset library instead of the folder of the story.",
         )
         .default("true"),
     ],

@@ -7,7 +7,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Sets the joint angles of a manipulator."),
     decision: super::reference_text(
-        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. GEVH gives it no time, for it sets the joints. As nothing should jump it takes half a second, and for an angle beyond 90° as much longer as that is wider, whatever the limb did before; r:smooth='false' has it as GEVH does.",
+        "The example writes nJoint. Without it, as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. For a limb, j1 abducts, j2 lifts to the front, j3 bends elbow or knee, j4 rotates forearm or shank, j5 bends the wrist towards the thumb or the toes down, j6 bends the wrist towards the palm or the sole outwards. For the head, j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles on both sides mirror each other. GEVH gives the clause no time, because it sets the joints. To avoid jumps, the movement takes half a second, and proportionally longer for an angle beyond 90°, whatever the limb did before; r:smooth='false' behaves as in GEVH.",
     ),
     source: super::reference_text("GEVH D.3.20"),
     example: super::reference_text(
@@ -19,18 +19,18 @@ pub(super) static ELEMENT: Element = Element {
             "nJoints",
             1,
             6,
-            "How many joints the manipulator has: 6, or 5 for the head.",
+            "The number of joints of the manipulator: 6, or 5 for the head.",
         )
         .aliases(&["nJoint"]),
-        Attribute::placed("j1", "The angle of joint 1; unchanged when it is left out.").unit("°"),
-        Attribute::placed("j2", "The angle of joint 2; unchanged when it is left out.").unit("°"),
-        Attribute::placed("j3", "The angle of joint 3; unchanged when it is left out.").unit("°"),
-        Attribute::placed("j4", "The angle of joint 4; unchanged when it is left out.").unit("°"),
-        Attribute::placed("j5", "The angle of joint 5; unchanged when it is left out.").unit("°"),
-        Attribute::placed("j6", "The angle of joint 6; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j1", "The angle of joint 1; unchanged by default.").unit("°"),
+        Attribute::placed("j2", "The angle of joint 2; unchanged by default.").unit("°"),
+        Attribute::placed("j3", "The angle of joint 3; unchanged by default.").unit("°"),
+        Attribute::placed("j4", "The angle of joint 4; unchanged by default.").unit("°"),
+        Attribute::placed("j5", "The angle of joint 5; unchanged by default.").unit("°"),
+        Attribute::placed("j6", "The angle of joint 6; unchanged by default.").unit("°"),
         Attribute::flag(
             "smooth",
-            "Whether the joints turn there; else they are there at once, in the same picture.",
+            "Whether the joints move smoothly; otherwise they change immediately, in the same frame.",
         )
         .default("true")
         .extension(),

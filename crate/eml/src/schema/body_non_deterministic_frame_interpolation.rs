@@ -5,15 +5,15 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Brings the end of a limb to a target on a straight way."),
-    decision: super::reference_text("A position is needed; angles are 0 when left out."),
+    doc: super::reference_text("Moves the end effector of a limb to a target in a straight line."),
+    decision: super::reference_text("A position is required; angles default to 0."),
     source: super::reference_text("GEVH D.3.22"),
     example: super::reference_text(
         "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     attributes: &[
         MANIPULATOR,
-        Attribute::seconds("timePeriod", "How long it takes.").required(),
+        Attribute::seconds("timePeriod", "The duration.").required(),
         POSITION[0].required(),
         POSITION[1].required(),
         POSITION[2].required(),

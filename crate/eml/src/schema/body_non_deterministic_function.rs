@@ -5,9 +5,9 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Moves the end of a limb along a function of time."),
+    doc: super::reference_text("Moves the end effector of a limb along a function of time."),
     decision: super::reference_text(
-        "The arguments are those of vh-move; GEVH lost them in its example. In a loop (isLooping='true') it goes on until the limb is stopped, and counts as one period long; a loop needs a timePeriod above 0, else it ends by itself, which is told. It turns the shortest way from the angles at the start to those at the end. A limb that is not where the function begins hurries there on its way.",
+        "The arguments are those of vh-move; GEVH lost them in its example. In a loop (isLooping='true') it continues until the limb is stopped, and counts as one period long. A loop requires a timePeriod above 0; otherwise it ends automatically, with a diagnostic. The orientation turns the shortest way from the start angles to the end angles. A limb that is not at the start of the function catches up during the movement.",
     ),
     source: super::reference_text("GEVH D.3.23"),
     example: super::reference_text(

@@ -6,10 +6,10 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped.",
+        "Moves the end effector of a limb by inverse velocity: to a target, or at given velocities until it is stopped.",
     ),
     decision: super::reference_text(
-        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target. Velocities go on until the limb has another command or comes to rest at its limits; one that never does is followed for ten minutes.",
+        "It has no length: with a target it runs until it reaches it, otherwise until the limb is stopped. Numbers default to 0. It starts and ends gently, is damped where joints cannot follow, and is abandoned after 8 s if a target is not reached. Velocities apply until the limb gets another command or comes to rest at its limits; otherwise for at most ten minutes.",
     ),
     source: super::reference_text("GEVH D.3.24"),
     example: super::reference_text(
@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     attributes: &[
         MANIPULATOR,
-        Attribute::flag("isStaticTarget", "Whether it goes to a target.").required(),
+        Attribute::flag("isStaticTarget", "Whether it moves to a target.").required(),
         POSITION[0].default("0"),
         POSITION[1].default("0"),
         POSITION[2].default("0"),

@@ -5,9 +5,11 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Brings the end of a limb to a target by interpolating its joints."),
+    doc: super::reference_text(
+        "Moves the end effector of a limb to a target by interpolating its joints.",
+    ),
     decision: super::reference_text(
-        "One of staticTime and staticVelocity is needed; staticTime counts when both are given. A position is needed; angles are 0 when left out. With a velocity the clause counts as having no length, since that depends on the figure.",
+        "One of staticTime and staticVelocity is required; staticTime takes precedence. A position is required; angles default to 0. With a velocity, the clause counts as having no length, because that depends on the figure.",
     ),
     source: super::reference_text("GEVH D.3.21"),
     example: super::reference_text(
@@ -16,12 +18,12 @@ pub(super) static ELEMENT: Element = Element {
     one_of: &["staticTime", "staticVelocity"],
     attributes: &[
         MANIPULATOR,
-        Attribute::seconds("staticTime", "How long it takes."),
+        Attribute::seconds("staticTime", "The duration."),
         Attribute::between(
             "staticVelocity",
             0.0,
             1e6,
-            "How fast the joints turn instead.",
+            "The joint speed, instead of a duration.",
         )
         .unit("rad/s"),
         POSITION[0].required(),

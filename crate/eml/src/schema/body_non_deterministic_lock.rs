@@ -6,7 +6,7 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Holds the end of a limb where it is while the rest of the body moves, or lets it go.",
+        "Locks the end effector of a limb in its position while the rest of the body moves, or releases it.",
     ),
     source: super::reference_text("GEVH D.3.26"),
     example: super::reference_text(
@@ -14,7 +14,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     attributes: &[
         MANIPULATOR,
-        Attribute::flag("isLock", "Whether it is held.").required(),
+        Attribute::flag("isLock", "Whether it is locked.").required(),
     ],
     ..Element::record("body-non-deterministic-lock", || {
         ClauseKind::ManipulatorLock(Default::default())

@@ -14,23 +14,23 @@ const PLAYER_KINDS: &[(&str, &str)] = &[
 pub(super) const ATTRIBUTES: &[Attribute] = &[
     Attribute::identifier(
         "name",
-        "The player's name, which no other has; left out, it is the first player, which clauses without a name mean.",
+        "The unique name of the player; by default it is the first player, to which clauses without a name refer.",
     ),
-    Attribute::choice("type", PlayerKind::WORDS, "What it plays.")
+    Attribute::choice("type", PlayerKind::WORDS, "The type of player.")
         .required()
         .word_aliases(PLAYER_KINDS),
     Attribute::integer(
         "numberOfLayers",
         1,
         64,
-        "How many layers it has, 2 if left out; only with type multiple.",
+        "The number of layers, 2 by default; only with type multiple.",
     ),
 ];
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Adds an animation player."),
     decision: super::reference_text(
-        "There is one player without a name, and it comes first though others were added before. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
+        "There is one player without a name. It is the first, even if others were added before it. The example writes multipleAnimation for multiple: this and similar words are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
     ),
     source: super::reference_text("GEVH D.3.11"),
     example: super::reference_text(

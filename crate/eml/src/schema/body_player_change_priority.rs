@@ -6,12 +6,12 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the priority of an animation player."),
     decision: super::reference_text(
-        "The player with the highest priority moves a bone; of equal ones the one added last.",
+        "The player with the highest priority drives a bone; with equal priorities, the one added last.",
     ),
     source: super::reference_text("GEVH D.3.14"),
     example: super::reference_text("<body-player-change-priority time='5' priority='10'/>"),
     attributes: &[
-        Attribute::identifier("name", "The player; the first one when it is left out."),
+        Attribute::identifier("name", "The player; by default the first one."),
         Attribute::integer(
             "priority",
             i32::MIN as i64,

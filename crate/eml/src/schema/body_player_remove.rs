@@ -9,7 +9,7 @@ pub(super) static ELEMENT: Element = Element {
     example: super::reference_text("<body-player-remove time='7'/>"),
     attributes: &[Attribute::identifier(
         "name",
-        "The player; the first one when it is left out.",
+        "The player; by default the first one.",
     )],
     ..Element::record("body-player-remove", || {
         ClauseKind::PlayerRemove(Default::default())

@@ -5,7 +5,7 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Replaces all animation players by one."),
+    doc: super::reference_text("Replaces all animation players with one."),
     source: super::reference_text("GEVH D.3.12"),
     example: super::reference_text(
         "<body-player-set-exclusive time='0' name='alone' type='pose'/>",

@@ -13,7 +13,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::identifier("parameterId", "The parameter, such as Disgust.").required(),
         Attribute::number(
             "value",
-            "Its value; 0 is none, 1 is full. What goes both ways, such as JawYaw, goes to -1.",
+            "The value; 0 is none, 1 is full. Parameters with two directions, such as JawYaw, extend to -1.",
         )
         .required(),
     ],

@@ -11,7 +11,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     attributes: &[Attribute::identifier(
         "name",
-        "The bone, with or without the bone_ before its name, such as r_wrist.",
+        "The bone, with or without the prefix bone_, such as r_wrist.",
     )
     .required()],
     ..Element::part("bone", &["bones"])

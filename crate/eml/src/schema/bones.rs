@@ -4,7 +4,7 @@ use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Lists bones: sets, body groups and single bones."),
-    decision: super::reference_text("Without it a player moves the whole skeleton."),
+    decision: super::reference_text("Without it, a player drives the whole skeleton."),
     source: super::reference_text("GEVH D.3.13"),
     example: super::reference_text(
         "<body-player-add time='0' name='p' type='pose'><bones><bg name='left_arm'/><bone name='skull'/></bones></body-player-add>",

@@ -31,21 +31,20 @@ pub(super) static ELEMENT: Element = Element {
             &["large", "medium", "small", "none"],
             [0.0, 3.0],
             None,
-            "How long: large 800 ms, medium 350 ms, small 150 ms, none 0 ms, or a number from \
-                 0 (none) to 3 (large).",
+            "The length: large 800 ms, medium 350 ms, small 150 ms, none 0 ms, or a number from 0 (none) to 3 (large).",
         )
         .default("medium"),
         Attribute::between(
             "msec",
             0.0,
             MAX_MSEC,
-            "How long; counts instead of the level.",
+            "The length; overrides the level.",
         )
         .unit("ms"),
         Attribute::choice(
             "type",
             Boundary::WORDS,
-            "The punctuation mark whose intonation goes before the pause.",
+            "The punctuation mark whose intonation precedes the pause.",
         ),
     ],
     ..Element::new("break", VOICE_PARENTS, Role::Voice(read))

@@ -4,10 +4,10 @@ use super::{Attribute, Element};
 use crate::{CameraAngle, ClauseKind, Lead, ShotKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Takes a shot."),
+    doc: super::reference_text("Sets the shot."),
     source: super::reference_text("Extension; GEVH 3.5.4.1"),
     decision: super::reference_text(
-        "Without one, and after by='emotion', the strongest emotion chooses shot and angle by the rules of GEVH 3.5.4.1, unless r:environment says otherwise; where nothing is felt it is the shot of whoever shows the story, which players begin with: storyteller, head to chest (on a phone held upright to the waist) with the eyes on the upper third, that widens slowly where a gesture or a dance needs it. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
+        "Without one, and after by='emotion', the strongest emotion chooses shot and angle by the rules of GEVH 3.5.4.1, unless r:environment disables it. Without an emotion, the host's shot applies. Players begin with storyteller: head to chest (head to waist on a phone in portrait orientation) with the eyes on the upper third, widening slowly when a gesture or a dance needs it. Full and medium shots leave space for gestures. Every shot follows a figure moved by vh-move as far as necessary.",
     ),
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>",
@@ -18,20 +18,21 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "by",
             Lead::WORDS,
-            "Who leads the camera from here on: what is written here, or the strongest emotion again.",
+            "Who controls the camera from here on: this element, or the strongest emotion.",
         )
         .default("script"),
         Attribute::choice(
             "shot",
             ShotKind::WORDS,
-            "How much it shows; unchanged when left out.",
+            "The distance; unchanged by default.",
         ),
         Attribute::choice(
             "angle",
             CameraAngle::WORDS,
-            "From where it looks; unchanged when left out.",
+            "The angle; unchanged by default.",
         ),
-        Attribute::seconds("transition", "How long the change takes; 0 is at once.").default("0"),
+        Attribute::seconds("transition", "The duration of the change; 0 is immediate.")
+            .default("0"),
     ],
     ..Element::record("camera", || ClauseKind::Camera(Default::default()))
 };

@@ -38,12 +38,12 @@ pub(super) const ORIENTATION: [Attribute; 3] = [
 pub(super) const FUNCTION: [Attribute; 2] = [
     Attribute::identifier(
         "functionName",
-        "The function: segment, or another one that the player knows.",
+        "The function: segment, or another one that the player supports.",
     )
     .required(),
     Attribute::flag(
         "isLooping",
-        "Whether the function starts again after its period.",
+        "Whether the function restarts after its period.",
     )
     .default("false"),
 ];

@@ -148,7 +148,7 @@ impl<'t> Context<'t> {
         let found = self.resolve(child, found, parent)?;
         let Some(entry) = variant_in(found, parent.name) else {
             let message = format!(
-                "`{}` may not stand in `{}`; it is dropped",
+                "`{}` is not allowed in `{}`; it is dropped",
                 found.name, parent.name
             );
             let extension = find_extension(found.name).filter(|e| e.is_allowed_in(parent.name));
@@ -230,7 +230,7 @@ impl<'t> Context<'t> {
         let (code, what) = if written.eq_ignore_ascii_case(name) {
             ("eml::letter-case", "case matters in EML")
         } else {
-            ("eml::alias", "this is another spelling")
+            ("eml::alias", "this is an alternative spelling")
         };
         let message = format!("{} is read as `{name}`", quoted(written));
         self.sink
@@ -410,7 +410,7 @@ impl<'t> Context<'t> {
             return;
         }
         let start = node.span.start as usize + (node.text.len() - node.text.trim_start().len());
-        let message = format!("text {place} means nothing: {}", quoted(text));
+        let message = format!("text {place} has no meaning: {}", quoted(text));
         let diagnostic = Diagnostic::warning(
             "eml::stray-text",
             Span::from_offsets(start, start + text.len()),

@@ -6,7 +6,7 @@ use crate::{DivKind, TextSegment};
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Marks a division of spoken text."),
     decision: super::reference_text(
-        "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest.",
+        "Some examples in GEVH seem to have overlapping tags; EML is XML, so elements nest.",
     ),
     source: super::reference_text("GEVH D.4.6"),
     example: super::reference_text(
@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[Attribute::choice(
         "type",
         &["sentence", "paragraph"],
-        "What the division is.",
+        "The type of division.",
     )],
     ..Element::new("div", VOICE_PARENTS, Role::Voice(read))
 };

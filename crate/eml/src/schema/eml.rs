@@ -6,7 +6,7 @@ use crate::RunUp;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("The root of a script."),
     decision: super::reference_text(
-        "A list of clauses without eml and body is read as one, with a warning; what a mind sends during a performance may be such a list. A hand needs up to 0.9 s to come to its first place from rest. The thesis lets a script begin at 0 and says nothing of what it has to wait for (GEVH D.2.1), so the writer chooses what gives way; where nothing is written the script waits, and that is told.",
+        "A list of clauses without eml and body is read as a script, with a warning; a mind may send such a list during a performance. A hand needs up to 0.9 s to reach its first position from rest. The thesis lets a script begin at 0 and does not mention this delay (GEVH D.2.1), so the author chooses how to resolve the conflict. By default the script waits, and a diagnostic reports it.",
     ),
     source: super::reference_text("GEVH D.1.1, D.2.1, 3.5.2"),
     example: super::reference_text("<eml name='a story'><body><null time='2'/></body></eml>"),
@@ -16,7 +16,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "lead",
             RunUp::WORDS,
-            "What gives way where a gesture begins sooner than the hand can be at its first place: with delay the whole script waits for the hand, words and events too; with late all times stay and the stroke comes late; with snap all times stay and the hand is there, on its way before anybody looks.",
+            "How to resolve a gesture that begins before the hand can reach its first position. delay: the whole script waits for the hand, including words and events. late: all times stay, and the stroke comes late. snap: all times stay, and the hand starts in position, already moving before the first frame.",
         )
         .extension(),
     ],

@@ -15,8 +15,7 @@ pub(super) static ELEMENT: Element = Element {
         &["strong", "moderate", "none", "reduced"],
         [0.0, 2.0],
         None,
-        "How strongly: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, \
-             reduced 0).",
+        "The strength: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, reduced 0).",
     )
     .default("moderate")],
     ..Element::container("emph", || Markup::Emph(Default::default()))

@@ -4,14 +4,14 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Says something else on one speech engine."),
+    doc: super::reference_text("Replaces the content on one speech engine."),
     source: super::reference_text("GEVH D.4.8"),
     example: super::reference_text(
         "<voice-text time='0'>An example is <engine id='festival' data='our own synthesizer'>the synthesizer</engine>.</voice-text>",
     ),
     attributes: &[
         Attribute::identifier("id", "The engine's name.").required(),
-        Attribute::text("data", "What it says instead of the content.").required(),
+        Attribute::text("data", "The text spoken instead of the content.").required(),
     ],
     ..Element::container("engine", || Markup::Engine(Default::default()))
 };

@@ -5,10 +5,10 @@ use crate::{Arousal, Fidelity, Scenery, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Chooses where the story is told, and turns off channels by which the environment expresses emotions.",
+        "Chooses the set of the story, and disables channels by which the environment expresses emotions.",
     ),
     decision: super::reference_text(
-        "All three channels are on. r:camera, r:light and r:music take theirs over until one of them with by='emotion' gives it back.",
+        "All three channels are enabled by default. r:camera, r:light and r:music override their channel until one of them with by='emotion' returns control.",
     ),
     source: super::reference_text("Extension; GEVH 3.5.4"),
     example: super::reference_text(
@@ -20,38 +20,36 @@ pub(super) static ELEMENT: Element = Element {
     attributes: &[
         Attribute::flag(
             "camera",
-            "Whether the strongest emotion chooses distance and angle of the camera.",
+            "Whether the strongest emotion controls distance and angle of the camera.",
         )
         .default("true"),
         Attribute::flag(
             "light",
-            "Whether the strongest emotion chooses colour and brightness of the light.",
+            "Whether the strongest emotion controls colour and brightness of the light.",
         )
         .default("true"),
-        Attribute::flag("music", "Whether the mood chooses the music.").default("true"),
-        Attribute::choice("set", Scenery::WORDS, "Where the story is told.").default("curtain"),
+        Attribute::flag("music", "Whether the mood controls the music.").default("true"),
+        Attribute::choice("set", Scenery::WORDS, "The set of the story.").default("curtain"),
         Attribute::choice(
             "fidelity",
             Fidelity::WORDS,
-            "How closely the light keeps to the thesis: `stage`, scaled so that a face is read and no emotion jumps when it begins; `thesis`, the full colours of table 3.2, the attenuations of equations 3.1 and 3.2 as they are (a strong negative emotion is dark), and a key lamp between figure and camera.",
+            "How closely the lighting follows the thesis: `stage`, scaled so that the face stays readable and no emotion starts with a jump; `thesis`, the full colours of table 3.2, the unmodified attenuations of equations 3.1 and 3.2 (a strong negative emotion is dark), and a key light between figure and camera.",
         )
         .default("stage"),
         Attribute::integer(
             "seed",
             0,
             1_000_000,
-            "Draws the music of each valence from the library's three pieces; other numbers draw others. As whoever shows the story has it when left out.",
+            "The random seed that draws the music of each valence from the library's three pieces. By default the host chooses it.",
         ),
     ],
     ..Element::part("environment", &["head"])
 };
 
 pub(super) static PIECE: Element = Element {
-    doc: super::reference_text(
-        "A piece of music that is played in a mood in place of the library's.",
-    ),
+    doc: super::reference_text("A piece of music that replaces the library's in a mood."),
     decision: super::reference_text(
-        "It begins again when it is over. Where there are pieces of a mood for both low and high arousal, each is played in its own.",
+        "It repeats when it ends. If there are pieces for both low and high arousal of a mood, each plays in its own.",
     ),
     source: super::reference_text("Extension; GEVH 3.5.4.3"),
     example: super::reference_text(
@@ -59,17 +57,17 @@ pub(super) static PIECE: Element = Element {
     ),
     extension: true,
     attributes: &[
-        Attribute::choice("valence", Valence::WORDS, "The mood in which it is played.").required(),
+        Attribute::choice("valence", Valence::WORDS, "The mood in which it plays.").required(),
         Attribute::choice(
             "arousal",
             Arousal::WORDS,
-            "How active that mood is; however active when left out.",
+            "The arousal of that mood; any by default.",
         ),
-        Attribute::new("file", Kind::Path, "A file beside the story.").required(),
+        Attribute::new("file", Kind::Path, "A file next to the story.").required(),
         Attribute::seconds_up_to(
             "bar",
             60.0,
-            "How long a bar is: another piece takes over where one begins.",
+            "The length of a bar: pieces change at bar boundaries.",
         )
         .default("2"),
     ],

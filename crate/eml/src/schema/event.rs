@@ -6,14 +6,14 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Raises an event. Its character data is passed on with it."),
     decision: super::reference_text(
-        "The table of GEVH says type, its example writes key, which is an alias. The example has no time either: an event right in the body may go without, and starts at 0.",
+        "The table in GEVH says type, its example writes key, which is an alias. The example also has no time: an event directly in the body may omit it, and starts at 0.",
     ),
     source: super::reference_text("GEVH D.1.4"),
     example: super::reference_text("<event time='2' type='alarm'>wake up!</event>"),
     content: Content::Text,
     attributes: &[Attribute::text(
         "type",
-        "The category of the event, by which listeners choose what they hear.",
+        "The category of the event, by which listeners filter.",
     )
     .aliases(&["key"])],
     ..Element::clause("event", build)

@@ -3,7 +3,7 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Holds the arguments of a function."),
+    doc: super::reference_text("Contains the arguments of a function."),
     source: super::reference_text("GEVH D.1.7"),
     example: super::reference_text(
         "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>",

@@ -4,8 +4,10 @@ use super::{Attribute, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Turns the gesture model on or off. Off releases the arms."),
-    decision: super::reference_text("It is printed is0n, with a zero, which is an alias."),
+    doc: super::reference_text(
+        "Turns the gesture model on or off. Turning it off releases the arms.",
+    ),
+    decision: super::reference_text("The source prints is0n, with a zero, which is an alias."),
     source: super::reference_text("GEVH D.5.1"),
     example: super::reference_text("<gesture-is-on time='0' isOn='true'/>"),
     attributes: &[

@@ -7,8 +7,8 @@ use crate::record::Field as _;
 use crate::{ClauseKind, GestureKey, Handedness, Phase};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."),
-    decision: super::reference_text("The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning, and so is one for the left or right hand in a gesture of the dominant or the other hand. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."),
+    doc: super::reference_text("Moves the hands through shapes, palm orientations and positions. Omitted features keep their value."),
+    decision: super::reference_text("The source gives no default for handedness; both is assumed. A track for a hand that does not take part is ignored with a warning, and so is one for the left or right hand in a gesture of the dominant or the other hand. In a preparation or retraction, a single key is at the end of the phase, otherwise at its beginning."),
     source: super::reference_text("GEVH D.5.2"),
     example: super::reference_text("<gesture-key time='0' duration='3' handedness='right'><hand-shapes><key id='24'/></hand-shapes><motion><key x='-7' y='45' z='3'/></motion></gesture-key>"),
     content: Content::Elements,
@@ -17,17 +17,17 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "handedness",
             &["both", "left", "right", "dominant", "non-dominant"],
-            "The hands that take part. dominant and non-dominant (an extension) are those of the speaker: palms and motion are written for the hand that r:performer says, and mirrored where the speaker has the other.",
+            "The hands that take part. dominant and non-dominant (an extension) are those of the speaker: palms and motion are written for the hand that r:performer specifies, and mirrored if the speaker's dominant hand is the other.",
         )
         .default("both"),
         Attribute::choice(
             "phase",
             Phase::WORDS,
-            "The phase of a gesture that it is (GEVH 3.5.2, appendix C).",
+            "The gesture phase (GEVH 3.5.2, appendix C).",
         )
         .extension(),
         Attribute {
-            doc: "The pace of the whole gesture, over the courses of its keys: their times are places on it (GEVH 3.5.1, hierarchies of interpolators).",
+            doc: "The motion profile of the whole gesture, above those of its keys: key times are positions on it (GEVH 3.5.1, hierarchies of interpolators).",
             ..gesture_track::INTERPOLATION
         },
         gesture_track::CONTROLS,

@@ -9,16 +9,14 @@ use raconteur_base::Side;
 pub(super) const HAND: Attribute = Attribute::choice(
     "hand",
     &["left", "right"],
-    "The hand it is for. Every hand that takes part when left out; palms and motion are then \
-         mirrored for the other hand.",
+    "The hand. By default every hand that takes part; palms and motion are then mirrored for the other hand.",
 );
 
 /// The time of a key.
 pub(super) const KEY_TIME: Attribute = Attribute::new(
     "time",
     Kind::KeyTime,
-    "When to reach the value: seconds after the start of the gesture, or percent of its \
-         duration. Keys without a time are spread evenly.",
+    "When to reach the value: seconds after the start of the gesture, or percent of its duration. Keys without a time are spaced evenly.",
 )
 .unit("s");
 
@@ -26,7 +24,7 @@ pub(super) const KEY_TIME: Attribute = Attribute::new(
 pub(super) const INTERPOLATION: Attribute = Attribute::choice(
     "interpolation",
     Interpolator::WORDS,
-    "How the hand moves to the key, or to each key of the track (GEVH 3.5.1).",
+    "The interpolation to the key, or to each key of the track (GEVH 3.5.1).",
 )
 .extension();
 
@@ -34,8 +32,7 @@ pub(super) const INTERPOLATION: Attribute = Attribute::choice(
 pub(super) const CONTROLS: Attribute = Attribute::new(
     "controls",
     Kind::Numbers,
-    "For bezier x and y of two control points, time and way from 0 to 1; for hermite the \
-         slopes at the start and the end.",
+    "For bezier, x and y of two control points, time and distance from 0 to 1; for hermite, the slopes at the start and the end.",
 )
 .extension();
 
@@ -135,7 +132,7 @@ fn key_secs(
     };
     if secs > duration_secs {
         let message =
-            format!("the key at {secs} s lies after the end of the gesture at {duration_secs} s");
+            format!("the key at {secs} s is after the end of the gesture at {duration_secs} s");
         let span = fields.span_of("time");
         cx.sink
             .push(Diagnostic::warning("eml::late-key", span, message));
@@ -158,7 +155,7 @@ pub(super) fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<P
                 "{} takes {wanted} control values, not {given}",
                 course.word()
             ),
-            None => "control values need an interpolation".to_owned(),
+            None => "control values require an interpolation".to_owned(),
         };
         let span = fields.span_of("controls");
         cx.sink
@@ -191,9 +188,9 @@ pub(super) fn add<K>(
             "eml::handedness",
             track.span,
             if handedness.is_relative() {
-                "which hand is dominant is the speaker's; the track of one hand is ignored"
+                "the dominant hand depends on the speaker; the track of one hand is ignored"
             } else {
-                "this hand takes no part in the gesture; the track is ignored"
+                "this hand does not take part in the gesture; the track is ignored"
             },
         ));
         return;
@@ -208,9 +205,9 @@ pub(super) fn add<K>(
             Diagnostic::warning(
                 "eml::duplicate-track",
                 track.span,
-                "a hand has this feature already; the track is ignored",
+                "this hand already has a track of this feature; the track is ignored",
             )
-            .related(first.span, "given here"),
+            .related(first.span, "first given here"),
         );
         return;
     }

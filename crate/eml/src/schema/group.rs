@@ -9,14 +9,13 @@ pub(super) static REPETITION: &[Attribute] = &[
         "repetitionCount",
         1,
         u32::MAX as i64,
-        "How often the content plays. Names inside mean the first time.",
+        "The number of repetitions of the content. Names inside refer to the first one.",
     )
     .aliases(&["repeatCount"])
     .default("1"),
     Attribute::seconds(
         "duration",
-        "The length of one repetition: what still plays then is cut. As long as the content \
-             when left out.",
+        "The length of one repetition; clauses that still play then are cut. By default as long as the content.",
     )
     .aliases(&["dur"]),
 ];

@@ -8,7 +8,7 @@ use crate::{Diagnostic, ShapeKey, Track};
 const LAST_SHAPE: i64 = 60;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Shapes that a hand takes one after another."),
+    doc: super::reference_text("A sequence of hand shapes."),
 
     source: super::reference_text("GEVH D.5.3"),
     example: super::reference_text(
@@ -40,7 +40,7 @@ pub(super) static KEY: Element = Element {
             "id2",
             0,
             LAST_SHAPE,
-            "A second shape that is mixed in (GEVH 3.5.1).",
+            "A second shape to blend in (GEVH 3.5.1).",
         )
         .extension(),
         Attribute::between("weight", 0.0, 1.0, "The share of the second shape.")

@@ -4,7 +4,7 @@ use super::{Content, Context, Element, Role};
 use crate::{Environment, Performer, Set};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Holds configuration that applies to the whole script."),
+    doc: super::reference_text("Contains the configuration of the whole script."),
     source: super::reference_text("GEVH D.1.2"),
     example: super::reference_text("<eml><head/><body><null time='2'/></body></eml>"),
     content: Content::Elements,

@@ -12,7 +12,7 @@ pub(super) static ELEMENT: Element = Element {
     extension: true,
     attributes: &[
         Attribute::identifier("id", "The language's name or code.").required(),
-        Attribute::identifier("code", "The coding of its characters."),
+        Attribute::identifier("code", "The character encoding."),
     ],
     ..Element::container("language", || Markup::Language(Default::default()))
 };

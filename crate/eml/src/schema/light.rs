@@ -6,7 +6,7 @@ use crate::{ClauseKind, Lead};
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the colour and brightness of the key light."),
     decision: super::reference_text(
-        "Without one, and after by='emotion', the strongest emotion lights the stage by table 3.2 and equations 3.1 and 3.2 of GEVH, unless r:environment says otherwise. A change takes at least 0.5 s, so that nothing flashes.",
+        "Without one, and after by='emotion', the strongest emotion sets the lighting by table 3.2 and equations 3.1 and 3.2 of GEVH, unless r:environment disables it. A change takes at least 0.5 s, so nothing flashes.",
     ),
     source: super::reference_text("Extension; GEVH 3.5.4.2"),
     example: super::reference_text(
@@ -18,21 +18,22 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "by",
             Lead::WORDS,
-            "Who leads the light from here on: what is written here, or the strongest emotion again.",
+            "Who controls the light from here on: this element, or the strongest emotion.",
         )
         .default("script"),
         Attribute::new(
             "color",
             Kind::Color,
-            "Its colour in sRGB; unchanged when left out.",
+            "The colour in sRGB; unchanged by default.",
         ),
         Attribute::between(
             "brightness",
             0.0,
             100.0,
-            "Its brightness: 1 as without it; unchanged when left out.",
+            "The brightness: 1 is the normal brightness; unchanged by default.",
         ),
-        Attribute::seconds("transition", "How long the change takes; 0 is at once.").default("0"),
+        Attribute::seconds("transition", "The duration of the change; 0 is immediate.")
+            .default("0"),
     ],
     ..Element::record("light", || ClauseKind::Light(Default::default()))
 };

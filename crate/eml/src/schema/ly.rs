@@ -5,7 +5,7 @@ use super::{Attribute, Element};
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Refers to a layer of a player."),
     decision: super::reference_text(
-        "GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1.",
+        "GEVH does not list its attributes; a name or a number is assumed. A name stands for the number at its end: layer1 is 1.",
     ),
     source: super::reference_text("GEVH D.3.10"),
     example: super::reference_text(

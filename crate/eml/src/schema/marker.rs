@@ -4,13 +4,13 @@ use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuild
 use crate::TextSegment;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Tells listeners when the next word begins."),
+    doc: super::reference_text("Notifies listeners when the next word begins."),
     source: super::reference_text("SABLE 1.0 MARKER; not in GEVH"),
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And then <r:marker mark='door'/>it opened.</voice-text></body></eml>",
     ),
     extension: true,
-    attributes: &[Attribute::identifier("mark", "What listeners are told.").required()],
+    attributes: &[Attribute::identifier("mark", "The text passed to listeners.").required()],
     ..Element::new("marker", VOICE_PARENTS, Role::Voice(read))
 };
 

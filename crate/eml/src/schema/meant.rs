@@ -20,7 +20,12 @@ pub(super) fn element_meant(local: &str, extended: bool, parent: &Element) -> Op
     if extended {
         let unprefixed = find(local).filter(|e| !e.extension);
         return unprefixed
-            .map(|e| format!("`{}` is no extension: write it without the prefix", e.name))
+            .map(|e| {
+                format!(
+                    "`{}` is not an extension: write it without the prefix",
+                    e.name
+                )
+            })
             .or_else(|| fitting(true).or_else(|| any(true)).map(plain));
     }
     if let Some(Element { name, .. }) = find_extension(local) {

@@ -297,16 +297,14 @@ pub static TIMED: &[Attribute] = &[
     Attribute::new(
         "time",
         Kind::Time,
-        "When the clause starts: a sum of seconds (units s, m, h) and named moments. A plain \
-             number counts from the start of a par, or from the end of the clause before in a \
-             seq; an expression that names a moment counts from the start of the script.",
+        "The start of the clause: a sum of seconds (units s, m, h) and names. A plain number counts from the start of a par, or in a seq from the end of the previous clause; an expression with a name counts from the start of the script.",
     )
     .default("0")
     .unit("s"),
     Attribute::new(
         "timeId",
         Kind::Name,
-        "A name for the start of the clause, to be used in time expressions.",
+        "A name for the start of the clause, for use in time expressions.",
     ),
 ];
 

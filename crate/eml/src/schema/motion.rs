@@ -5,9 +5,9 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Coords, MotionKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Positions that a wrist passes one after another."),
+    doc: super::reference_text("A sequence of wrist positions."),
     decision: super::reference_text(
-        "The table of GEVH lists id by mistake; the coordinates come from fig. 3.13. The default of coords is not given; speaker is assumed, which puts the example's hand above the head.",
+        "The table in GEVH lists id by mistake; the coordinates come from fig. 3.13. The source gives no default for coords; speaker is assumed, which puts the example's hand above the head.",
     ),
     source: super::reference_text("GEVH D.5.5"),
     example: super::reference_text(
@@ -19,7 +19,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "coords",
             &["world", "speaker"],
-            "Whether positions count from the floor of the scene or from the speaker's pelvis.",
+            "Whether positions are relative to the floor of the scene or to the speaker's pelvis.",
         )
         .default("speaker"),
         INTERPOLATION,

@@ -5,11 +5,11 @@ use crate::{ClauseKind, Lead, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent.",
+        "Plays music: a piece of a mood from the library, or a file. Without either, the music stops.",
     ),
     source: super::reference_text("Extension; GEVH 3.5.4.3"),
     decision: super::reference_text(
-        "Without one, and after by='emotion', the mood chooses the music of a story in which something is felt, unless r:environment says otherwise. The library has three pieces of each mood: fast where it is good, of medium tempo where neutral, slow where bad. The seed of the performance draws one of each, which stays throughout; arousal adds voices to it. A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
+        "Without one, and after by='emotion', the mood chooses the music of a story with emotions, unless r:environment disables it. The library has three pieces for each mood: fast for good, medium tempo for neutral, slow for bad. The random seed of the performance draws one of each, which stays throughout; arousal adds voices to it. A piece of the library repeats when it ends; a file plays once. Music is 8 dB quieter during speech. An .mp3 of the same name may accompany an .opus file, for browsers that need it. If music is unavailable, the story continues without it.",
     ),
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>",
@@ -19,17 +19,21 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "by",
             Lead::WORDS,
-            "Who leads the music from here on: what is written here, or the mood again.",
+            "Who controls the music from here on: this element, or the mood.",
         )
         .default("script"),
         Attribute::choice("valence", Valence::WORDS, "The mood of the piece."),
         Attribute::new(
             "file",
             Kind::Path,
-            "A file beside the story; counts instead of the mood.",
+            "A file next to the story; overrides the mood.",
         ),
-        Attribute::between("volume", 0.0, 10.0, "Its volume: 1 as recorded.").default("1"),
-        Attribute::seconds("fade", "How long it fades in, and the piece before out.").default("0"),
+        Attribute::between("volume", 0.0, 10.0, "The volume: 1 as recorded.").default("1"),
+        Attribute::seconds(
+            "fade",
+            "The duration of its fade-in and of the previous piece's fade-out.",
+        )
+        .default("0"),
     ],
     ..Element::record("music", || ClauseKind::Music(Default::default()))
 };

@@ -5,9 +5,9 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Diagnostic, PalmKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Orientations that a palm takes one after another."),
+    doc: super::reference_text("A sequence of palm orientations."),
     decision: super::reference_text(
-        "The table of GEVH lists id by mistake; a, x, y and z come from the examples. At a = 0 the fingers point where the least turn from the hanging arm brings them.",
+        "The table in GEVH lists id by mistake; a, x, y and z come from the examples. At a = 0 the fingers point in the direction of the smallest rotation from the hanging arm.",
     ),
     source: super::reference_text("GEVH D.5.4"),
     example: super::reference_text(
@@ -33,9 +33,9 @@ pub(super) static KEY: Element = Element {
         Attribute::number("a", "The angle about the normal, left-hand rule.")
             .required()
             .unit("°"),
-        Attribute::number("x", "The normal's part to the speaker's left.").required(),
-        Attribute::number("y", "The normal's part upwards.").required(),
-        Attribute::number("z", "The normal's part to the back.").required(),
+        Attribute::number("x", "The component of the normal to the speaker's left.").required(),
+        Attribute::number("y", "The upward component of the normal.").required(),
+        Attribute::number("z", "The backward component of the normal.").required(),
         INTERPOLATION,
         CONTROLS,
     ],
@@ -63,7 +63,7 @@ pub(super) fn track(cx: &mut Context<'_>, node: usize, duration: f64) -> Option<
                     fields.tag,
                     "the palm's normal is zero; the key is dropped",
                 )
-                .hint("x, y and z say where the palm faces, such as z='-1' for the front"),
+                .hint("x, y and z give the direction that the palm faces, such as z='-1' for the front"),
             );
             return None;
         }

@@ -6,10 +6,10 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Plays its clauses together. A plain time counts from the start of the par.",
+        "Plays its clauses simultaneously. A plain time counts from the start of the par.",
     ),
     decision: super::reference_text(
-        "GEVH only says that times are relative. An expression that names a moment counts from the start of the script all the same.",
+        "GEVH only says that times are relative. An expression that names a time still counts from the start of the script.",
     ),
     source: super::reference_text("GEVH D.2.5, D.2.6"),
     example: super::reference_text(

@@ -20,7 +20,7 @@ const HERTZ: [f64; 2] = [2.0, 2000.0];
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the pitch of speech."),
     decision: super::reference_text(
-        "SABLE's own words for a range, largest to smallest, are accepted too, and its med for middle. Changes in percent multiply those around them. All together change a voice's own by a factor of four at most, and what goes beyond is as much as that.",
+        "SABLE's own words for a range, largest to smallest, are also accepted, and its med for middle. Percentages multiply the surrounding changes. The total is limited to a factor of four from the voice's own value.",
     ),
     source: super::reference_text("GEVH D.4.9"),
     example: super::reference_text(
@@ -32,14 +32,14 @@ pub(super) static ELEMENT: Element = Element {
             HEIGHTS,
             HERTZ,
             Some(FOURFOLD),
-            "The base line: a word, a change in percent with its sign, or hertz.",
+            "The base line: a word, a signed percentage, or hertz.",
         ),
         Attribute::level(
             "middle",
             HEIGHTS,
             HERTZ,
             Some(FOURFOLD),
-            "The middle line: a word, a change in percent with its sign, or hertz.",
+            "The middle line: a word, a signed percentage, or hertz.",
         )
         .aliases(&["med"]),
         Attribute::level(
@@ -47,7 +47,7 @@ pub(super) static ELEMENT: Element = Element {
             RANGES,
             HERTZ,
             Some(FOURFOLD),
-            "The range: a word, a change in percent with its sign, or hertz.",
+            "The range: a word, a signed percentage, or hertz.",
         ),
     ],
     ..Element::container("pitch", || Markup::Pitch(Default::default()))

@@ -4,8 +4,8 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Says how text is pronounced."),
-    decision: super::reference_text("One of ipa and sub is needed."),
+    doc: super::reference_text("Specifies the pronunciation of its content."),
+    decision: super::reference_text("One of ipa and sub is required."),
     source: super::reference_text("GEVH D.4.10"),
     example: super::reference_text(
         "<voice-text time='0'>He <pron sub='lyves'>lives</pron> many <pron ipa='laɪvz'>lives</pron>.</voice-text>",
@@ -16,8 +16,8 @@ pub(super) static ELEMENT: Element = Element {
             "ipa",
             "The pronunciation in the International Phonetic Alphabet.",
         ),
-        Attribute::text("sub", "A spelling that sounds like it."),
-        Attribute::text("origin", "The language that the text comes from."),
+        Attribute::text("sub", "A respelling with the wanted sound."),
+        Attribute::text("origin", "The language of origin of the text."),
     ],
     ..Element::container("pron", || Markup::Pron(Default::default()))
 };

@@ -5,9 +5,9 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Changes the pace of speech."),
+    doc: super::reference_text("Changes the speech rate."),
     decision: super::reference_text(
-        "Changes in percent multiply those around them. All together change the voice's own pace by a factor of four at most, and what goes beyond is as much as that.",
+        "Percentages multiply the surrounding changes. The total is limited to a factor of four from the voice's own rate.",
     ),
     source: super::reference_text("GEVH D.4.11"),
     example: super::reference_text(
@@ -19,7 +19,7 @@ pub(super) static ELEMENT: Element = Element {
         // Voices speak 100 to 250 words a minute.
         [25.0, 1000.0],
         Some(FOURFOLD),
-        "A word, a change in percent with its sign, or words a minute.",
+        "A word, a signed percentage, or words per minute.",
     )
     .required()],
     ..Element::container("rate", || Markup::Rate(Default::default()))

@@ -4,18 +4,18 @@ use super::{Attribute, Element};
 use crate::{Markup, SayAsMode, SayAsType};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Says what a text is, and so how it is read out."),
-    decision: super::reference_text("GEVH says that it is SABLE's rate; SAYAS is meant."),
+    doc: super::reference_text("Specifies the type of a text, and so how it is read out."),
+    decision: super::reference_text("GEVH calls it SABLE's rate; SAYAS is meant."),
     source: super::reference_text("GEVH D.4.12"),
     example: super::reference_text(
         "<voice-text time='0'>A year <sayas mode='date' modetype='YMD'>1998</sayas>, an ordinal <sayas mode='ordinal'>1998</sayas></voice-text>",
     ),
     attributes: &[
-        Attribute::choice("mode", SayAsMode::WORDS, "What the text is.").required(),
+        Attribute::choice("mode", SayAsMode::WORDS, "The type of the text.").required(),
         Attribute::choice(
             "modetype",
             SayAsType::WORDS,
-            "The order of the parts of a date or a time, or the kind of address on the net.",
+            "The order of the parts of a date or a time, or the kind of internet address.",
         ),
     ],
     ..Element::container("sayas", || Markup::SayAs(Default::default()))

@@ -6,10 +6,10 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq.",
+        "Plays its clauses one after another. A plain time is the delay after the end of the previous clause, or after the start of the seq.",
     ),
     decision: super::reference_text(
-        "GEVH only says that times are relative; they are read as in SMIL. An expression that names a moment counts from the start of the script all the same.",
+        "GEVH only says that times are relative; they are read as in SMIL. An expression that names a time still counts from the start of the script.",
     ),
     source: super::reference_text("GEVH D.2.4, D.2.6"),
     example: super::reference_text(

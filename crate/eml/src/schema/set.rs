@@ -5,10 +5,10 @@ use crate::SetKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Names a set of layers or of body groups, which may hold other sets.",
+        "Names a set of layers or of body groups, which may contain other sets.",
     ),
     decision: super::reference_text(
-        "A reference to a set that is not defined is a warning and counts as empty, as in the example of GEVH; sets that contain each other are an error. Besides the groups of the example, left_leg and right_leg exist.",
+        "A reference to an undefined set is a warning and counts as empty, as in the example in GEVH; sets that contain each other are an error. In addition to the groups of the example, left_leg and right_leg exist.",
     ),
     source: super::reference_text("GEVH D.3.3"),
     example: super::reference_text(
@@ -20,7 +20,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "type",
             SetKind::WORDS,
-            "What it consists of: layers of a player (multiple) or body groups (bodyGroup).",
+            "Its members: layers of a player (multiple) or body groups (bodyGroup).",
         )
         .required(),
     ],

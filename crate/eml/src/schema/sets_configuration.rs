@@ -3,9 +3,9 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Holds the named sets of tracks."),
+    doc: super::reference_text("Contains the named sets of tracks."),
     decision: super::reference_text(
-        "The entry of set in GEVH calls it tracks-configuration; that name is accepted as an alias.",
+        "The entry of set in GEVH calls it tracks-configuration, which is accepted as an alias.",
     ),
     source: super::reference_text("GEVH D.3.2"),
     example: super::reference_text(

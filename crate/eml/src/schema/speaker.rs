@@ -5,7 +5,7 @@ use crate::{Age, Gender, Markup};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the speaker."),
-    decision: super::reference_text("One of its attributes is needed."),
+    decision: super::reference_text("One of its attributes is required."),
     source: super::reference_text("SABLE 1.0 SPEAKER; not in GEVH"),
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And <r:speaker gender='male' age='older'>the old man</r:speaker> spoke.</voice-text></body></eml>",

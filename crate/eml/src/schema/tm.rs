@@ -5,31 +5,26 @@ use crate::{Diagnostic, MarkEvent, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Names a moment of the next word, or the end of the speech when no word follows.",
+        "Names a time in the next word, or the end of the speech if no word follows.",
     ),
     decision: super::reference_text(
-        "A phone that the word does not have, as in the example of GEVH, is a warning, and the start of the word is used. Of several such phones the first is meant.",
+        "If the word does not contain the phone, as in the example in GEVH, the start of the word is used, with a warning. Of several such phones, the first is used.",
     ),
     source: super::reference_text("GEVH D.4.3"),
     example: super::reference_text(
         "<voice-text time='1.0'><tm name='t1'/>Hello <tm name='t2' event='onPhone' phone='w'/>world!</voice-text>",
     ),
     attributes: &[
-        Attribute::new(
-            "name",
-            Kind::Name,
-            "The name, to be used in time expressions.",
-        )
-        .required(),
+        Attribute::new("name", Kind::Name, "The name, for use in time expressions.").required(),
         Attribute::choice(
             "event",
             &["onStart", "onEnd", "onPhone"],
-            "Which moment: the start or the end of the word, or the start of a phone in it.",
+            "The time: the start or the end of the word, or the start of a phone in it.",
         )
         .default("onStart"),
         Attribute::text(
             "phone",
-            "The phone for onPhone, as Festival writes it, such as hh or ow.",
+            "The phone for onPhone, in Festival's notation, such as hh or ow.",
         ),
     ],
     ..Element::new("tm", VOICE_PARENTS, Role::Voice(read))
@@ -47,14 +42,14 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
             MarkEvent::OnPhone(Box::new(phone.trim().to_ascii_lowercase().into()))
         }
         (Some("onPhone"), None) => {
-            let message = "onPhone needs `phone`; the start of the word is used";
+            let message = "onPhone requires `phone`; the start of the word is used";
             cx.sink
                 .push(Diagnostic::warning("eml::phone", fields.tag, message));
             MarkEvent::OnStart
         }
         (event, None) if event != Some("onEnd") => MarkEvent::OnStart,
         (event, _) => {
-            let message = "`phone` only counts with event='onPhone'";
+            let message = "`phone` only applies with event='onPhone'";
             cx.sink.push(Diagnostic::warning(
                 "eml::phone",
                 fields.span_of("phone"),

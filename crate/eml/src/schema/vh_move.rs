@@ -7,7 +7,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Moves and turns the whole figure along a function of time."),
     decision: super::reference_text(
-        "Its place is that of the floor under the figure, in world coordinates; before its first move the figure stands where that begins. It lasts as long as the argument timePeriod says; in a loop it goes on until the next vh-move, and counts as one period long. It turns by the yaw, however often round, and tilts the shortest way, at most a round and a half a second: a period too short for that takes longer. A pitch beyond 90° is counted from 180°: the root's frame in table A.1 of GEVH is turned by half a turn, and the example of D.1.6, whose pitch is 180 throughout, shows a figure that leans to its side and rises. So a pitch of 180 is upright as 0 is; upside down is a roll of 180.",
+        "Its position is that of the floor under the figure, in world coordinates. Before its first move, the figure stands where that move begins. The move lasts for the argument timePeriod. In a loop it continues until the next vh-move, and counts as one period long. The figure turns by the full yaw, including whole turns, and tilts the shortest way, by at most one and a half turns per second: a shorter period is extended. A pitch beyond 90° is counted from 180°: the root's frame in table A.1 of GEVH is rotated by half a turn, and the example of D.1.6, with a pitch of 180 throughout, shows a figure that leans to its side and rises. A pitch of 180 is therefore upright, like 0; upside down is a roll of 180.",
     ),
     source: super::reference_text("GEVH D.1.6"),
     example: super::reference_text(

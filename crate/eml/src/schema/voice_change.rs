@@ -4,9 +4,9 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: super::reference_text("Changes the voice of what is spoken from now on."),
+    doc: super::reference_text("Changes the voice of subsequent speech."),
     decision: super::reference_text(
-        "From now on means further down in the document, as one reads it, whatever the times are: what a voice says decides when clauses are, and so cannot depend on it.",
+        "Subsequent means later in the document, whatever the times are: the duration of speech determines the times of clauses, so a voice cannot depend on them.",
     ),
     source: super::reference_text("GEVH D.4.15"),
     example: super::reference_text("<voice-change time='1' voice='don_diphone'/>"),

@@ -5,13 +5,13 @@ use crate::{ClauseKind, Diagnostic, UtteranceKind, VoiceOperation, VoiceSay};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
-    decision: super::reference_text("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
+    decision: super::reference_text("GEVH specifies it twice; this is both combined. In GEVH, speech was synthesised during the performance; here it is prepared in advance, so preprocess… takes no time and is not audible. The speech bundle gives the duration of files and SABLE documents; without one they count as having no length."),
     source: super::reference_text("GEVH D.4.2, D.4.14"),
     example: super::reference_text("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
     content: Content::Text,
-    attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, "What to do: text and file speak, preprocess… only synthesise, asynchronous… speak while what follows goes on.").required(),
-Attribute::choice("type", UtteranceKind::WORDS, "What the content is.").default("text"),
-Attribute::flag("isResourcesRelativeFilePath", "Whether the path of a file starts in the asset library instead of the folder of the story.").default("true")],
+    attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, "The operation: text and file speak, preprocess… only synthesise, asynchronous… speak while the following clauses continue.").required(),
+Attribute::choice("type", UtteranceKind::WORDS, "The type of the content.").default("text"),
+Attribute::flag("isResourcesRelativeFilePath", "Whether the path of a file is relative to the asset library instead of the folder of the story.").default("true")],
     ..Element::clause("voice-say", build)
 };
 
@@ -23,14 +23,14 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
     if say.is_file() {
         say.content = say.content.trim().to_owned();
         if !super::values::is_inner_path(&say.content) {
-            let message = "the path of the file does not stay in its folder";
+            let message = "the path of the file leads out of the story's folder";
             let hint = "paths are relative, without `..`, `:` and `\\`";
             cx.sink
                 .push(Diagnostic::error("eml::bad-path", say.content_span, message).hint(hint));
             return None;
         }
     } else if !say.content.contains(char::is_alphanumeric) {
-        let message = "there is nothing to speak in this `voice-say`";
+        let message = "this `voice-say` has no text to speak";
         cx.sink
             .push(Diagnostic::warning("eml::empty-voice", fields.tag, message));
     }

@@ -7,10 +7,10 @@ use crate::{ClauseKind, Diagnostic, Markup, Name, TextSegment, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
-        "Speaks a text. Markup inside shapes how, and names moments of words.",
+        "Speaks a text. Markup inside controls the delivery and names times of words.",
     ),
     decision: super::reference_text(
-        "Names of elements and values are in lower case, where SABLE writes capitals; other cases are accepted with a warning.",
+        "Names of elements and values are in lower case, where SABLE uses capitals; other cases are accepted with a warning.",
     ),
     source: super::reference_text("GEVH D.4.1"),
     example: super::reference_text("<voice-text time='1.0'>Hello world!</voice-text>"),
@@ -32,7 +32,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
         pieces: voice.pieces,
     };
     if !text.has_words() {
-        let message = "there is nothing to speak in this `voice-text`";
+        let message = "this `voice-text` has no text to speak";
         cx.sink
             .push(Diagnostic::warning("eml::empty-voice", fields.tag, message));
     }
@@ -81,7 +81,7 @@ impl VoiceBuilder {
         let span = cx.name_span(node);
         let Some(element) = variant_in(found, parent) else {
             let message = format!(
-                "`{}` may not stand in `{parent}`; only its text is used",
+                "`{}` is not allowed in `{parent}`; only its text is used",
                 found.name
             );
             cx.sink

@@ -6,7 +6,7 @@ use crate::Markup;
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text("Changes the volume of speech."),
     decision: super::reference_text(
-        "The example writes discreteLevel. GEVH says that it is SABLE's rate; VOLUME is meant. Changes in percent multiply those around them; all together are four times the voice's own at most.",
+        "The example writes discreteLevel. GEVH calls it SABLE's rate; VOLUME is meant. Percentages multiply the surrounding changes; the total is at most four times the voice's own volume.",
     ),
     source: super::reference_text("GEVH D.4.13"),
     example: super::reference_text(
@@ -17,7 +17,7 @@ pub(super) static ELEMENT: Element = Element {
         &["loudest", "loud", "medium", "quiet"],
         [0.0, 4.0],
         Some([-100.0, 300.0]),
-        "A word, a change in percent with its sign, or a gain: 1 as without it.",
+        "A word, a signed percentage, or a gain: 1 is the normal volume.",
     )
     .required()
     .aliases(&["discreteLevel"])],

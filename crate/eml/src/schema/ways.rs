@@ -5,9 +5,11 @@ use crate::ClauseKind;
 
 pub(super) static PART: Element = Element {
     doc: super::reference_text(
-        "A part of the story with a title: players list the parts, and a goto leads to one.",
+        "A titled part of the story: players list the parts, and a goto can jump to one.",
     ),
-    decision: super::reference_text("Its clauses play together, as in a par; put a seq into it."),
+    decision: super::reference_text(
+        "Its clauses play simultaneously, as in a par; put a seq into it.",
+    ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:part time='0' name='hare' title='The hare'><null time='2'/></r:part></body></eml>",
@@ -15,8 +17,8 @@ pub(super) static PART: Element = Element {
     extension: true,
     content: Content::Elements,
     attributes: &[
-        Attribute::identifier("name", "A name that no other part has.").required(),
-        Attribute::text("title", "What is read.").required(),
+        Attribute::identifier("name", "A unique name among the parts.").required(),
+        Attribute::text("title", "The displayed title.").required(),
     ],
     ..Element::new(
         "part",
@@ -27,10 +29,10 @@ pub(super) static PART: Element = Element {
 
 pub(super) static IF: Element = Element {
     doc: super::reference_text(
-        "Performs its clauses where a condition holds, and passes over them else.",
+        "Performs its clauses if a condition holds, and skips them otherwise.",
     ),
     decision: super::reference_text(
-        "A question is `right` or `wrong` once it is answered for good, or the name of an option that was chosen; `score` is the number of points so far. All conditions that are given have to hold. A variable that was never set is an empty text, and 0 where it is compared. The timeline has room for the clauses in any case, as for answers; without a time it begins a tenth of a second after what is before it, so that it is told apart from that.",
+        "A question is `right` or `wrong` once it is answered for good, or the name of a chosen option; `score` is the number of points so far. All given conditions must hold. An unset variable is an empty text, and 0 in numeric comparisons. The timeline always reserves time for the clauses, as for answers. Without a time, the element begins a tenth of a second after the content before it, so that the two can be distinguished.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -41,10 +43,10 @@ pub(super) static IF: Element = Element {
     one_of: &["is", "not", "above", "below"],
     attributes: &[
         Attribute::identifier("name", "A variable, a question, or `score`.").required(),
-        Attribute::text("is", "What it has to be."),
-        Attribute::text("not", "What it must not be."),
-        Attribute::number("above", "A number that it has to be greater than."),
-        Attribute::number("below", "A number that it has to be smaller than."),
+        Attribute::text("is", "The required value."),
+        Attribute::text("not", "The excluded value."),
+        Attribute::number("above", "A number that it must exceed."),
+        Attribute::number("below", "A number that it must be less than."),
     ],
     ..Element::new(
         "if",
@@ -55,10 +57,10 @@ pub(super) static IF: Element = Element {
 
 pub(super) static POOL: Element = Element {
     doc: super::reference_text(
-        "Performs some of its clauses, which are drawn for each learner, one after another, and passes over the others.",
+        "Performs some of its clauses, drawn at random for each learner, one after another, and skips the others.",
     ),
     decision: super::reference_text(
-        "What is drawn is the same whenever the learner comes back, and keeps its order. What is to be drawn together, as a question and what is said before it, stands in a seq. The points of questions that are not drawn do not count, nor does what is not drawn belong to the story that has to be seen. The timeline has room for all clauses, and a film shows them all. Let each begin a tenth of a second after the one before, so that they are told apart.",
+        "The draw stays the same when the learner comes back, and keeps the order of the clauses. Put clauses that belong together, such as a question and its introduction, into a seq. The points of questions that are not drawn do not count, nor are undrawn clauses required for completion of the story. The timeline reserves time for all clauses, and a film shows all of them. Let each begin a tenth of a second after the one before, so that they can be distinguished.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -66,13 +68,9 @@ pub(super) static POOL: Element = Element {
     ),
     extension: true,
     content: Content::Elements,
-    attributes: &[Attribute::integer(
-        "count",
-        1,
-        1000,
-        "How many of the clauses in it are performed.",
-    )
-    .required()],
+    attributes: &[
+        Attribute::integer("count", 1, 1000, "The number of its clauses to perform.").required(),
+    ],
     ..Element::new(
         "pool",
         CLAUSE_PARENTS,
@@ -81,9 +79,9 @@ pub(super) static POOL: Element = Element {
 };
 
 pub(super) static SET: Element = Element {
-    doc: super::reference_text("Gives a variable a value, when the story comes to it."),
+    doc: super::reference_text("Sets a variable when the story reaches it."),
     decision: super::reference_text(
-        "A value that reads as a number is one, `true` and `false` are truth values, all else is text; a variable has one type throughout a story. It is done once, unless a goto leads back before it.",
+        "A value that reads as a number is a number, `true` and `false` are booleans, anything else is text; a variable has one type throughout a story. It is set once, unless a goto leads back before it.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(
@@ -94,15 +92,15 @@ pub(super) static SET: Element = Element {
     attributes: &[
         Attribute::identifier("name", "The variable.").required(),
         Attribute::text("value", "Its value."),
-        Attribute::number("by", "What is added to its number, which begins at 0."),
+        Attribute::number("by", "A number added to its value, which starts at 0."),
     ],
     ..Element::record("set", || ClauseKind::Set(Box::default()))
 };
 
 pub(super) static GOTO: Element = Element {
-    doc: super::reference_text("Has the story go on at a part."),
+    doc: super::reference_text("Jumps to a part of the story."),
     decision: super::reference_text(
-        "Where it leads back, questions and variables from there on are asked and set anew. A way that leads round without a question is an error, and so is one that never comes to an end.",
+        "If it leads back, questions and variables from there on are asked and set again. A loop without a question is an error, and so is a path that never ends.",
     ),
     source: super::reference_text("Extension"),
     example: super::reference_text(

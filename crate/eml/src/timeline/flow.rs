@@ -55,7 +55,7 @@ pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
         if let Some(id) = stretch.first {
             let clause = document.clause(id);
             let message = format!(
-                "no way leads to this `{}`; it is never performed",
+                "no path reaches this `{}`; it is never performed",
                 clause.kind.name()
             );
             sink.push(Diagnostic::warning(
@@ -71,12 +71,12 @@ pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
             continue;
         };
         let message = format!(
-            "the way to {} leads round without a question on it, or never comes to an end",
+            "the path to {} is a loop without a question, or never ends",
             quoted(&goto.to)
         );
         sink.push(
             Diagnostic::error("eml::endless-ring", clause.tag_span, message)
-                .hint("ask something on the way, or lead on under a condition"),
+                .hint("add a question to the path, or a condition around the goto"),
         );
     }
 }

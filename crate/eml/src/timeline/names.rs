@@ -183,7 +183,7 @@ fn name_at(moments: &[(Name, NamedTime)], key: Key) -> &str {
 }
 
 fn report_duplicate(name: &str, moment: &NamedTime, first: &NamedTime, sink: &mut Sink) {
-    let message = format!("{} names two moments; the first one counts", quoted(name));
+    let message = format!("{} names two times; the first one counts", quoted(name));
     sink.push(
         Diagnostic::error("eml::duplicate-name", moment.span, message)
             .related(first.span, "first named here"),
@@ -205,7 +205,7 @@ fn offset(mark: &Mark, timing: &VoiceTiming, sink: &mut Sink) -> f64 {
                 .find(|p| p.word == mark.word && p.symbol == **symbol);
             if phone.is_none() && !timing.estimated {
                 let message = format!(
-                    "the word that follows has no phone {}; its start is used",
+                    "the next word has no phone {}; its start is used",
                     quoted(symbol)
                 );
                 sink.push(Diagnostic::warning(

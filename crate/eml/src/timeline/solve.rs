@@ -200,7 +200,7 @@ impl Solver<'_, '_> {
                             self.unresolved.push((id, place));
                         }
                         let message = format!(
-                            "{} names no moment; this `{}` is left out",
+                            "{} is not defined; this `{}` is left out",
                             quoted(&term.name),
                             clause.kind.name()
                         );
@@ -208,7 +208,7 @@ impl Solver<'_, '_> {
                         looks = looks.saturating_sub(names.len());
                         let hint = match near {
                             Some(near) => format!("did you mean `{near}`?"),
-                            None => "moments are named by `timeId` and `tm`".to_owned(),
+                            None => "names are defined by `timeId` and `tm`".to_owned(),
                         };
                         self.sink.push(
                             Diagnostic::error("eml::unknown-name", term.span, message).hint(hint),
@@ -348,7 +348,7 @@ impl Solver<'_, '_> {
             // A clause in a group without a time goes with the group, unmentioned.
             if clause.start.is_absolute() {
                 let message = format!(
-                    "this `{}` is left out because a moment that it counts from has no time: {}",
+                    "this `{}` is left out because its time depends on an undefined time: {}",
                     clause.kind.name(),
                     self.chain(id)
                 );
@@ -359,7 +359,7 @@ impl Solver<'_, '_> {
                 ));
             }
         } else if secs.abs() > MAX_TIME_SECS {
-            let message = format!("the time comes to {secs:.0} s; the clause is left out");
+            let message = format!("the time would be {secs:.0} s; the clause is left out");
             self.sink.push(Diagnostic::error(
                 "eml::bad-time",
                 clause.start.span,
@@ -427,14 +427,17 @@ impl Solver<'_, '_> {
         let names: Vec<String> = clause.start.names.iter().map(|n| quoted(&n.name)).collect();
         let message = if faulty.len() == 1 {
             let (element, names) = (clause.kind.name(), names.join(", "));
-            format!("the time of this `{element}` waits for itself through {names}")
+            format!("the time of this `{element}` depends on itself through {names}")
         } else {
-            format!("these times wait for each other: {}", chain.join(" -> "))
+            format!("these times depend on each other: {}", chain.join(" -> "))
         };
         let mut diagnostic = Diagnostic::error("eml::time-cycle", clause.start.span, message);
         for &other in faulty.iter().take(MAX_CHAIN).skip(1) {
             let clause = self.document.clause(other);
-            diagnostic = diagnostic.related(clause.start.span, format!("{} waits", label(&other)));
+            diagnostic = diagnostic.related(
+                clause.start.span,
+                format!("{} is part of the cycle", label(&other)),
+            );
         }
         self.sink
             .push(diagnostic.hint("the clauses named here are left out"));

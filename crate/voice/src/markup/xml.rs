@@ -280,7 +280,7 @@ impl<'a> Pieces<'a> {
         let depth = self.open.len();
         self.prefixes.retain(|(_, _, d)| *d < depth);
         let Some(open) = self.open.pop() else {
-            return Err(self.problem(at, format!("</{name}> closes nothing")));
+            return Err(self.problem(at, format!("</{name}> has no start tag")));
         };
         let same = open == name || (self.any_case && open.eq_ignore_ascii_case(name));
         if !same {

@@ -20,7 +20,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
                 .into(),
             ..problem(
                 "eml::bad-name",
-                format!("{} cannot name a moment", quoted(text)),
+                format!("{} cannot be a name in time expressions", quoted(text)),
             )
         }),
         Kind::Identifier if text.is_empty() => wrong("eml::bad-name", "a name"),
@@ -28,7 +28,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
             hint: "paths are relative, without `..`, `:` and `\\`".into(),
             ..problem(
                 "eml::bad-path",
-                format!("{} does not stay in its folder", quoted(text)),
+                format!("{} leads out of its folder", quoted(text)),
             )
         }),
         Kind::Url if !is_safe_url(text) => wrong(
@@ -154,7 +154,7 @@ pub(super) fn number(text: &str) -> Result<f64, Problem> {
         )),
         Err(_) => Err(Problem {
             hint: if text.contains(',') {
-                "decimals are written with a point".into()
+                "use a point as the decimal separator".into()
             } else {
                 "".into()
             },
@@ -176,7 +176,7 @@ pub(super) fn in_range(value: f64, least: f64, most: f64, text: &str) -> Result<
     };
     let nearest = value.clamp(least, most);
     Err(Problem {
-        hint: format!("it counts as left out; the nearest value is {nearest}").into(),
+        hint: format!("it counts as omitted; the nearest value is {nearest}").into(),
         ..unexpected("eml::out-of-range", text, &wanted)
     })
 }

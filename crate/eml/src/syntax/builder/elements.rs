@@ -43,7 +43,7 @@ impl<'a> Builder<'a, '_, '_> {
                 self.error(
                     "eml::too-deep",
                     Span::from_offsets(start, end),
-                    format!("nested deeper than {depth} elements; what is deeper is dropped"),
+                    format!("nested deeper than {depth} elements; deeper elements are dropped"),
                 );
             }
             self.skipped_depth = usize::from(!empty);
@@ -176,7 +176,7 @@ impl<'a> Builder<'a, '_, '_> {
             self.error(
                 "eml::stray-end",
                 Span::from_offsets(start, end),
-                format!("{} closes nothing", quoted(&self.source[start..end])),
+                format!("{} has no start tag", quoted(&self.source[start..end])),
             );
             return;
         };
