@@ -23,7 +23,8 @@ const ANGER: EnvironmentExpression = {
   music: ['negative-heavy.opus', 'negative-heavy-rise.opus'],
 };
 const ALL = { camera: true, light: true, music: true };
-const texts = (expressed: EnvironmentExpression, channels = ALL): readonly string[] => rulesOf(expressed, channels).map(({ text, source }) => (source === '' ? text : `${text} (${source})`));
+const texts = (expressed: EnvironmentExpression, channels = ALL): readonly string[] =>
+  rulesOf(expressed, channels).map(({ text, source }) => (source === '' ? text : `${text} (${source})`));
 
 describe('the rules that fire', () => {
   it('are those of anger', () => {
