@@ -1,7 +1,7 @@
 /** What the browser keeps of the composite editor: each step before the next is taken, whatever becomes of the tab. */
 
 import type { BrowserContext, Page } from '@playwright/test';
-import type { Saved } from '../../web/composite/history.js';
+import type { SavedHistory } from '../../web/composite/history.js';
 import type { RaconteurComposite } from '../../web/composite/element.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { random } from '../../web/test/course-questions.js';
@@ -13,7 +13,7 @@ import { expect, test } from './stage.js';
 const KILLS = sized(3, 200);
 
 const editor = (page: Page) => page.locator('raconteur-composite');
-const saved = (page: Page) => editor(page).evaluate((e: RaconteurComposite) => e.save()) as Promise<Saved>;
+const saved = (page: Page) => editor(page).evaluate((e: RaconteurComposite) => e.save()) as Promise<SavedHistory>;
 const ready = (page: Page) => editor(page).evaluate((e: RaconteurComposite) => e.ready);
 
 /** A page of the editor's origin without the editor. */

@@ -4,7 +4,7 @@ import type { FaceConstraint, FacePart, FaceRegion, Faces } from '../element/fac
 import type { FaceLook, FaceMark } from '../element/base/face-types.js';
 import { keptWith } from './words.js';
 
-type Three = readonly [number, number, number];
+type Vector3 = readonly [number, number, number];
 
 export type Act =
   | { readonly kind: 'average' }
@@ -29,7 +29,7 @@ export type Act =
   | { readonly kind: 'age'; readonly amount: number; readonly region: FaceRegion }
   | { readonly kind: 'caricature'; readonly part: FacePart; readonly level: number; readonly region: FaceRegion }
   | { readonly kind: 'import'; readonly index: number; readonly part: FacePart | 'both'; readonly region: FaceRegion }
-  | { readonly kind: 'transform'; readonly scale: Three; readonly turn: Three; readonly way: Three; readonly region: FaceRegion }
+  | { readonly kind: 'transform'; readonly scale: Vector3; readonly turn: Vector3; readonly way: Vector3; readonly region: FaceRegion }
   | { readonly kind: 'detail'; readonly strength: number }
   /** What is held from now on. */
   | { readonly kind: 'hold'; readonly held: readonly FaceConstraint[] }

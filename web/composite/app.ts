@@ -7,13 +7,13 @@ import type { Light } from '../element/base/types.js';
 import { HeadView, SIDES } from '../pages/head-view.js';
 import { AGEING, changedBy, perform, type Act } from './acts.js';
 import { Cache } from './cache.js';
-import { History, type Saved } from './history.js';
+import { History, type SavedHistory } from './history.js';
 import { LIMITS } from './limits.js';
 import { lookOf, type Person } from './people.js';
 import { isLibraryName, readScene, type Scene } from './scene.js';
-import { Showing } from './showing.js';
+import { FaceView } from './showing.js';
 import { skinOf } from './skin.js';
-import { Reading, Slopes, type Values } from './values.js';
+import { AttributeReading, AttributeSlopes, type Values } from './values.js';
 import { yearsOf } from './words.js';
 
 export type Tab = 'start' | 'features' | 'parts' | 'look' | 'marks' | 'held' | 'history' | 'pictures';
@@ -80,10 +80,10 @@ export class App {
   history = new History();
   readonly view: HeadView;
   readonly #kept = new Cache();
-  readonly #reading: Reading;
-  readonly #showing: Showing;
+  readonly #reading: AttributeReading;
+  readonly #showing: FaceView;
   /** The step that a control which moves begins at, and its act by now. */
-  #moving: { readonly from: Uint8Array; readonly values: Values; readonly slopes: Slopes; act: Act | undefined } | undefined;
+  #moving: { readonly from: Uint8Array; readonly values: Values; readonly slopes: AttributeSlopes; act: Act | undefined } | undefined;
   #drawn = 0;
 
   constructor(
@@ -92,8 +92,8 @@ export class App {
     private readonly page: Page,
   ) {
     this.yearsOf = yearsOf(faces.pack.people);
-    this.#reading = new Reading(faces);
-    this.#showing = new Showing(
+    this.#reading = new AttributeReading(faces);
+    this.#showing = new FaceView(
       player,
       () => this.shown,
       (error) => {
@@ -190,7 +190,7 @@ export class App {
 
   /** A control moves: the face as it was before it moved, and the act. Nothing is a step yet. */
   move(act: Act): void {
-    this.#moving ??= { from: this.faces.keep(), values: this.values, slopes: new Slopes(this.values), act: undefined };
+    this.#moving ??= { from: this.faces.keep(), values: this.values, slopes: new AttributeSlopes(this.values), act: undefined };
     const { from, slopes } = this.#moving;
     this.faces.restore(from);
     this.#reading.changed(changedBy(act, this.held));
@@ -333,12 +333,12 @@ export class App {
     this.redraw();
   }
 
-  save(): Saved {
+  save(): SavedHistory {
     return { ...this.history.save(this.size), scene: this.scene };
   }
 
   /** What a session remembers of its pack. */
-  get size(): Saved['pack'] {
+  get size(): SavedHistory['pack'] {
     const { faces, vertices } = this.faces.pack;
     return { faces, vertices };
   }

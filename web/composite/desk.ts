@@ -13,16 +13,16 @@ import { Pictures } from './pictures-panel.js';
 import { Portraits } from './portraits.js';
 import { SegmentPictures } from './segment-pictures.js';
 import { start } from './start.js';
-import type { Tell } from './tell.js';
+import type { EditorFeedback } from './tell.js';
 import { Thumbnails } from './thumbnails.js';
 
-export class Desk {
+export class EditorServices {
   readonly #portraits: Portraits;
   readonly #thumbnails: Thumbnails;
   readonly #panels: Readonly<Record<Tab, () => TemplateResult>>;
 
   /** `place` is where players for pictures go, unseen; `sessions` are those that the browser keeps, if it does. */
-  constructor(app: App, place: HTMLElement, tell: Tell, sessions?: Sessions) {
+  constructor(app: App, place: HTMLElement, tell: EditorFeedback, sessions?: Sessions) {
     const portraits = (this.#portraits = new Portraits(app, place));
     const thumbnails = (this.#thumbnails = new Thumbnails(app, (picture) => {
       sessions?.session.pictured(picture, () => app.save());

@@ -16,17 +16,17 @@ import { onUndoKeys } from '../pages/workbench.js';
 import { label } from './acts.js';
 import { App, type Tab } from './app.js';
 import look from './composite.css?inline';
-import { Desk } from './desk.js';
-import { Fine } from './fine.js';
+import { EditorServices } from './desk.js';
+import { FineDetail } from './fine.js';
 import { handle } from './hands.js';
-import type { Saved } from './history.js';
-import { Keeping, reopen } from './keeping.js';
+import type { SavedHistory } from './history.js';
+import { SessionKeeper, reopen } from './keeping.js';
 import pictures from './pictures.css?inline';
 import { fetchSaved } from './saved.js';
 import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { rest, speaking, views } from './stage.js';
-import { reason, type Tell } from './tell.js';
+import { reason, type EditorFeedback } from './tell.js';
 import { TABS, template } from './template.js';
 import { tools } from './tools.js';
 
@@ -83,8 +83,8 @@ export class RaconteurComposite extends LitElement {
   readonly #internals = this.attachInternals?.() as ElementInternals | undefined;
   #player: RaconteurPlayer | undefined;
   #app: App | undefined;
-  #desk: Desk | undefined;
-  #fine: Fine | undefined;
+  #desk: EditorServices | undefined;
+  #fine: FineDetail | undefined;
   #session: Session | undefined;
   #tabs: Tabs<Tab> | undefined;
   #share: number | undefined;
@@ -95,7 +95,7 @@ export class RaconteurComposite extends LitElement {
   #released = false;
   #settle: { readonly opened: () => void; readonly failed: (error: unknown) => void } | undefined;
   readonly #ready: Promise<void>;
-  readonly #tell: Tell = {
+  readonly #tell: EditorFeedback = {
     say: (status) => {
       this.#status = status;
       this.requestUpdate();
@@ -150,7 +150,7 @@ export class RaconteurComposite extends LitElement {
   }
 
   /** The session as data, for `JSON.stringify`; undefined until the editor is ready. */
-  save(): Saved | undefined {
+  save(): SavedHistory | undefined {
     // A copy: the history goes on.
     return structuredClone(this.#app?.save());
   }
@@ -309,12 +309,12 @@ export class RaconteurComposite extends LitElement {
         this.figure = name;
       },
     });
-    const keeping = this.#session && new Keeping(app, this.#session, this.#tell, () => this.#told());
+    const keeping = this.#session && new SessionKeeper(app, this.#session, this.#tell, () => this.#told());
     if (kept !== undefined) keeping?.goOn(kept);
     else if (this.src) reopen(app, await fetchSaved(this.src).catch((error: unknown) => this.#tell.trouble(reason(error))), this.#tell);
     handle(app, pad);
-    this.#fine = new Fine(app, place, over, () => this.#desk?.busy === true);
-    this.#desk = new Desk(app, place, this.#tell, keeping);
+    this.#fine = new FineDetail(app, place, over, () => this.#desk?.busy === true);
+    this.#desk = new EditorServices(app, place, this.#tell, keeping);
     await app.show();
     this.#app = app;
     app.view.look({});

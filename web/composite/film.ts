@@ -1,6 +1,6 @@
 /** A film of the face that turns once: a video where the browser can make one, otherwise an animated GIF. */
 
-import type { Size, Studio, Watch } from './shots.js';
+import type { Size, Studio, ShotObserver } from './shots.js';
 
 /** One turn takes so long. */
 const SECS = 4;
@@ -28,7 +28,7 @@ export function turnsOf(frames: number): number[] {
 }
 
 /** The film of the face as it is now. */
-export async function turntable(studio: Studio, watch: Watch): Promise<{ file: Blob; extension: FilmWriter['extension'] }> {
+export async function turntable(studio: Studio, watch: ShotObserver): Promise<{ file: Blob; extension: FilmWriter['extension'] }> {
   const { writer, plan } = await open();
   try {
     for await (const picture of studio.shots(

@@ -9,11 +9,11 @@ import table from './words.tsv?raw';
 type Attribute = FacePack['attributes'][number];
 
 /** A kind of thing and its name there: `feature lips`, `beard full`, `style Hair`, `tab history`. */
-export type Thing = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab' | 'light'} ${string}`;
+export type FinderTarget = `${'feature' | 'style' | 'hair' | 'beard' | 'worn' | 'mark' | 'tab' | 'light'} ${string}`;
 
 /** A line of the table. */
 export interface Row {
-  readonly thing: Thing;
+  readonly thing: FinderTarget;
   /** What is shown below a feature's name; mostly nothing. */
   readonly shown: string;
   /** What people call it, in all languages. */
@@ -21,8 +21,8 @@ export interface Row {
 }
 
 /** What was found, the best first. */
-export interface Finding {
-  readonly thing: Thing;
+export interface FinderMatch {
+  readonly thing: FinderTarget;
   /** How well it fits, to 1. */
   readonly score: number;
 }
@@ -35,7 +35,7 @@ interface Phrase {
 
 /** What is searched: the phrases of each thing, and all of their words. */
 export interface Index {
-  readonly things: ReadonlyMap<Thing, readonly Phrase[]>;
+  readonly things: ReadonlyMap<FinderTarget, readonly Phrase[]>;
   readonly words: ReadonlySet<string>;
 }
 
@@ -58,7 +58,7 @@ export function tableOf(text: string): Row[] {
   return lines.map((line) => {
     const [thing = '', shown = '', ...called] = line.split('\t');
     return {
-      thing: thing as Thing,
+      thing: thing as FinderTarget,
       shown,
       called: called
         .join(',')
@@ -84,8 +84,8 @@ const weightOf = (word: string): number => (LIGHT.has(word) ? LIGHT_WEIGHT : 1);
 
 /** What a pack and the editor have, to be searched. */
 export function indexOf(attributes: readonly Attribute[], rows: readonly Row[] = TABLE): Index {
-  const things = new Map<Thing, Phrase[]>();
-  const add = (thing: Thing, texts: readonly string[], worth = 1): void => {
+  const things = new Map<FinderTarget, Phrase[]>();
+  const add = (thing: FinderTarget, texts: readonly string[], worth = 1): void => {
     const phrases = texts.map((text) => ({ words: wordsOf(text), worth }));
     things.set(thing, [...(things.get(thing) ?? []), ...phrases]);
   };
@@ -136,7 +136,7 @@ function fit({ words, worth }: Phrase, typed: readonly ReadonlyMap<string, numbe
 }
 
 /** What is meant by words. All that have all of them; where nothing has, all that are called by some of them. */
-export function search({ things, words }: Index, typed: string): Finding[] {
+export function search({ things, words }: Index, typed: string): FinderMatch[] {
   const all = wordsOf(typed);
   if (all.length === 0) return [];
   const may = all.map((word) => meant(word, words));

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { FacePack } from '../element/face/faces.js';
 import type { FaceMark } from '../element/base/face-types.js';
 import type { App, Tab } from './app.js';
-import { indexOf, nearest, search, TABLE, type Index, type Row, type Thing } from './find.js';
+import { indexOf, nearest, search, TABLE, type Index, type Row, type FinderTarget } from './find.js';
 import { BEARDS, HAIR, MARKS, WEAR } from './look.js';
 import { TABS } from './template.js';
 
@@ -14,7 +14,7 @@ type Attribute = FacePack['attributes'][number];
 const MAX_OFFERS = 8;
 
 const named = (kind: string, names: Readonly<Record<string, string>>): Row[] =>
-  Object.entries(names).map(([key, name]) => ({ thing: `${kind} ${key}` as Thing, shown: '', called: [name] }));
+  Object.entries(names).map(([key, name]) => ({ thing: `${kind} ${key}` as FinderTarget, shown: '', called: [name] }));
 const namesOf = (things: Readonly<Record<string, { readonly name: string }>>): Record<string, string> =>
   Object.fromEntries(Object.entries(things).map(([key, { name }]) => [key, name]));
 
@@ -33,7 +33,7 @@ export function finderOf(attributes: readonly Attribute[]): Index {
   return indexOf(attributes, [...TABLE, ...Object.entries(NAMES).flatMap(([kind, names]) => named(kind, names))]);
 }
 
-export interface Found {
+export interface FoundFeature {
   /** The features that are meant, the best first. */
   readonly features: readonly Attribute[];
   /** The ways to all else. */
@@ -43,7 +43,7 @@ export interface Found {
 }
 
 /** What is meant by what was typed. */
-export function found(app: App, index: Index, typed: string): Found {
+export function found(app: App, index: Index, typed: string): FoundFeature {
   const things = search(index, typed).map(({ thing }) => thing);
   const features = things.flatMap((thing) => app.faces.pack.attributes.filter(({ name }) => thing === `feature ${name}`));
   const others = things.filter((thing) => !thing.startsWith('feature '));
@@ -55,7 +55,7 @@ export function found(app: App, index: Index, typed: string): Found {
 }
 
 /** Buttons that lead to the panels of things. */
-function waysTo(app: App, things: readonly Thing[]): TemplateResult | typeof nothing {
+function waysTo(app: App, things: readonly FinderTarget[]): TemplateResult | typeof nothing {
   if (things.length === 0) return nothing;
   return html`<div class="ways" role="group" aria-label="Found elsewhere">${things.map((thing) => {
     const { name, panel, go } = wayTo(app, thing);
@@ -64,7 +64,7 @@ function waysTo(app: App, things: readonly Thing[]): TemplateResult | typeof not
 }
 
 /** What a thing is called, where it is, and how one comes there. */
-function wayTo(app: App, thing: Thing): { readonly name: string; readonly panel: string; readonly go: () => void } {
+function wayTo(app: App, thing: FinderTarget): { readonly name: string; readonly panel: string; readonly go: () => void } {
   const [, kind = '', key = ''] = /^(\w+) (.*)$/.exec(thing) ?? [];
   if (kind === 'style') return { name: key, panel: TABS.look, go: () => app.turnTo('look', key) };
   const name = NAMES[kind as Kind]?.[key as never] ?? key;

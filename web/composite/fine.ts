@@ -9,7 +9,7 @@ const REST_MS = 1200;
 /** Qualities at which the stage lacks lines and fine hair. */
 const SIMPLE: readonly string[] = ['lowest', 'low'];
 
-export class Fine {
+export class FineDetail {
   #hidden: Promise<Hidden> | undefined;
   #figure: string | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;

@@ -15,13 +15,13 @@ const TURN_PER_PX = 0.006;
 const MAX_M = 0.02;
 const MAX_BYTES = 1.6;
 
-type Three = readonly [number, number, number];
+type Vector3 = readonly [number, number, number];
 
 /** What dragging on the picture by so much does to the segments. */
 interface Change {
-  readonly scale: Three;
-  readonly turn: Three;
-  readonly way: Three;
+  readonly scale: Vector3;
+  readonly turn: Vector3;
+  readonly way: Vector3;
 }
 
 const within = (x: number, most: number): number => Math.min(most, Math.max(-most, x));

@@ -6,7 +6,7 @@ import { HeadView, type Look } from '../pages/head-view.js';
 import { REST_SECS, still } from './script.js';
 
 /** What the hidden player shows, and how. */
-export interface Hiding {
+export interface HiddenPlayerOptions {
   /** Called so by tools that look for hidden elements. */
   readonly label: string;
   /** The player of the stage: who shows the face, the library, the back end. */
@@ -24,7 +24,7 @@ export interface Hidden {
 }
 
 /** Opens a hidden player in a place that lies unseen in the page. */
-export async function openHidden(place: HTMLElement, { label, like, quality, look }: Hiding): Promise<Hidden> {
+export async function openHidden(place: HTMLElement, { label, like, quality, look }: HiddenPlayerOptions): Promise<Hidden> {
   const player = document.createElement('raconteur-player');
   player.label = label;
   player.assets = like.assets;

@@ -16,7 +16,7 @@ export interface Step {
 }
 
 /** A history as it is saved; the format of files and of what the browser keeps. */
-export interface Saved {
+export interface SavedHistory {
   readonly format: 'raconteur-composite';
   /** The first version had no scene. */
   readonly version: 1 | 2;
@@ -159,16 +159,16 @@ export class History {
     return undefined;
   }
 
-  save(pack: Saved['pack']): Saved {
+  save(pack: SavedHistory['pack']): SavedHistory {
     return { format: 'raconteur-composite', version: 2, pack, steps: this.#steps, here: this.#here };
   }
 
   /** The history that was saved; throws an `Error` that says what is wrong with it. */
-  static read(saved: unknown, pack: Saved['pack']): History {
-    const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof Saved, unknown>>;
+  static read(saved: unknown, pack: SavedHistory['pack']): History {
+    const { format, version, pack: own, steps, here } = (typeof saved === 'object' && saved !== null ? saved : {}) as Partial<Record<keyof SavedHistory, unknown>>;
     if (format !== 'raconteur-composite') throw new Error('This is not a session of the composite editor.');
     if (version !== 1 && version !== 2) throw new Error('This session was saved by a newer version of the composite editor.');
-    const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<Saved['pack']>;
+    const { faces, vertices } = (typeof own === 'object' && own !== null ? own : {}) as Partial<SavedHistory['pack']>;
     if (faces !== pack.faces || vertices !== pack.vertices) throw new Error('This session was made with another pack of faces.');
     if (!Array.isArray(steps) || steps.length === 0) throw new Error('This session has no readable steps.');
     if (steps.length > LIMITS.steps) throw new Error(`This session has ${steps.length} steps, more than ${LIMITS.steps}.`);
@@ -186,3 +186,6 @@ export class History {
     return history;
   }
 }
+
+/** @deprecated Use `SavedHistory`. */
+export type Saved = SavedHistory;

@@ -3,11 +3,11 @@
 import type { App } from './app.js';
 import { History } from './history.js';
 import type { Sessions } from './kept-panel.js';
-import type { Opened, Session } from './session.js';
-import { reason, type Tell } from './tell.js';
+import type { OpenedSession, Session } from './session.js';
+import { reason, type EditorFeedback } from './tell.js';
 
 /** Begins with a session; without one where it cannot be read. Whether it could be. */
-export function reopen(app: App, saved: unknown, tell: Tell): boolean {
+export function reopen(app: App, saved: unknown, tell: EditorFeedback): boolean {
   if (saved === undefined) return false;
   try {
     app.open(saved);
@@ -18,17 +18,17 @@ export function reopen(app: App, saved: unknown, tell: Tell): boolean {
   }
 }
 
-export class Keeping implements Sessions {
+export class SessionKeeper implements Sessions {
   /** `told` is called when another session is open. */
   constructor(
     private readonly app: App,
     readonly session: Session,
-    private readonly tell: Tell,
+    private readonly tell: EditorFeedback,
     private readonly told: () => void,
   ) {}
 
   /** Begins with what the browser has kept; what cannot be read stays there as it is. */
-  goOn({ saved, isCopy }: Opened): void {
+  goOn({ saved, isCopy }: OpenedSession): void {
     if (!reopen(this.app, saved, this.tell)) void this.session.begin();
     else if (isCopy) this.tell.trouble('Another tab has this session open: this is a copy of it. Both are in the tab History, under Stored sessions.');
     else this.session.adopt(this.app.save());

@@ -1,5 +1,5 @@
 /** A map that forgets what was put into it longest ago. */
-export class Latest<K, V> {
+export class BoundedMap<K, V> {
   readonly #map = new Map<K, V>();
 
   constructor(private readonly most: number) {}

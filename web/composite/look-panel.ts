@@ -1,7 +1,7 @@
 /** Hair, beard, brows, and what the head wears. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { FaceLook, HairColour, HairLook, NaturalHair, WearKind } from '../element/base/face-types.js';
+import type { FaceLook, HairColour, HairLook, NaturalHair, AccessoryKind } from '../element/base/face-types.js';
 import { numberField, vars } from '../pages/fields.js';
 import type { App } from './app.js';
 import { hexOf, linearOf } from '../element/base/colour.js';
@@ -12,14 +12,14 @@ import { BEARDS, HAIR, mixed, toggled, WEAR } from './look.js';
 type Part = 'hair' | 'beard' | 'brows';
 
 /** How the colour of a part was mixed: two natural colours, a share of the second, and the share of grey. */
-interface Mixture {
+interface HairMixture {
   readonly a: string;
   readonly b: string;
   readonly share: number;
   readonly grey: number;
 }
 
-const UNMIXED: Mixture = { a: '', b: '', share: 0, grey: 0 };
+const UNMIXED: HairMixture = { a: '', b: '', share: 0, grey: 0 };
 /** Grey hair, by the share of hairs without pigment. */
 const GREYS = [
   { name: 'grey', grey: 0.6 },
@@ -31,7 +31,7 @@ const LAMPS = 2.2;
 const inLight = ([r, g, b]: NaturalHair['rgb']): NaturalHair['rgb'] => [r * LAMPS, g * LAMPS, b * LAMPS];
 
 export class LookPanel {
-  readonly #mixtures: Record<Part, Mixture> = { hair: UNMIXED, beard: UNMIXED, brows: UNMIXED };
+  readonly #mixtures: Record<Part, HairMixture> = { hair: UNMIXED, beard: UNMIXED, brows: UNMIXED };
   #natural: readonly NaturalHair[] = [];
 
   constructor(private readonly app: App) {}
@@ -45,7 +45,7 @@ export class LookPanel {
       </section>
       <section class="region" aria-label="Brows and lashes"><h3>Brows and lashes</h3>${this.#colour('brows')}</section>
       <section class="region" aria-label="Accessories"><h3>Accessories</h3>
-        <div class="worn">${(Object.keys(WEAR) as WearKind[]).map((kind) => this.#worn(kind))}</div>
+        <div class="worn">${(Object.keys(WEAR) as AccessoryKind[]).map((kind) => this.#worn(kind))}</div>
       </section>
       <section class="region" aria-label="Beard"><h3>Beard</h3>
         ${this.#select('Style', BEARDS, look.beard?.from ?? 'own', (from, name) => this.#do({ ...look, beard: { ...look.beard, from } }, `beard: ${name}`))} ${this.#colour('beard')}
@@ -71,7 +71,7 @@ export class LookPanel {
     const own = colourOf(this.app.look, part);
     const mixture = this.#mixtureOf(part, own);
     const find = (name: string): HairColour | undefined => this.#natural.find((n) => n.name === name)?.colour;
-    const put = (next: Mixture, moves: boolean): void => {
+    const put = (next: HairMixture, moves: boolean): void => {
       this.#mixtures[part] = next;
       const a = find(next.a) ?? own ?? find('brown');
       if (a === undefined) return;
@@ -113,13 +113,13 @@ export class LookPanel {
   }
 
   /** How a colour was mixed, as far as that is remembered or can be told from it. */
-  #mixtureOf(part: Part, own: HairColour | undefined): Mixture {
+  #mixtureOf(part: Part, own: HairColour | undefined): HairMixture {
     if (own === undefined) return UNMIXED;
     const plain = this.#natural.find(({ colour }) => colour.eumelanin === own.eumelanin && colour.pheomelanin === own.pheomelanin);
     return plain === undefined ? { ...this.#mixtures[part], grey: own.grey } : { a: plain.name, b: '', share: 0, grey: own.grey };
   }
 
-  #worn(kind: WearKind): TemplateResult {
+  #worn(kind: AccessoryKind): TemplateResult {
     const { look } = this.app;
     const { name } = WEAR[kind];
     const worn = look.wear?.find((w) => w.kind === kind);

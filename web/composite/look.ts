@@ -1,7 +1,7 @@
 /** What hair a head has, what it wears and what is painted on it: the choices there are, and whether a file's are among them. */
 
 import { FORMER_HAIR } from '../element/face/face-look.js';
-import type { FaceLook, FaceMark, HairColour, TattooShape, Wear, WearKind } from '../element/base/face-types.js';
+import type { FaceLook, FaceMark, HairColour, TattooShape, Accessory, AccessoryKind } from '../element/base/face-types.js';
 
 /** Hair: what is not the figure's own is a file of the library, `hair/NAME.glb`. */
 export const HAIR: Readonly<Record<string, string>> = {
@@ -43,7 +43,7 @@ export const BEARDS: Readonly<Record<string, string>> = {
   full: 'Full, long',
 };
 
-export const WEAR: Readonly<Record<WearKind, { readonly name: string; readonly rgb: Wear['colour'] }>> = {
+export const WEAR: Readonly<Record<AccessoryKind, { readonly name: string; readonly rgb: Accessory['colour'] }>> = {
   'round-glasses': { name: 'Round glasses', rgb: [0.03, 0.03, 0.035] },
   'square-glasses': { name: 'Square glasses', rgb: [0.09, 0.035, 0.02] },
   sunglasses: { name: 'Sunglasses', rgb: [0.02, 0.02, 0.02] },
@@ -55,7 +55,7 @@ export const WEAR: Readonly<Record<WearKind, { readonly name: string; readonly r
   'nose-stud': { name: 'Nose stud', rgb: [0.8, 0.8, 0.82] },
 };
 /** Of these a head wears one at a time. */
-export const GROUPS: readonly (readonly WearKind[])[] = [
+export const GROUPS: readonly (readonly AccessoryKind[])[] = [
   ['round-glasses', 'square-glasses', 'sunglasses'],
   ['knitted-cap', 'hat', 'headscarf'],
   ['ear-studs', 'ear-rings'],
@@ -84,7 +84,7 @@ export const MAX_MARK_LENGTH = 0.12;
 export const MAX_LETTERS = 24;
 
 /** The look with another thing worn, in the place of what it excludes; without it where it was worn. */
-export function toggled(look: FaceLook, kind: WearKind): FaceLook {
+export function toggled(look: FaceLook, kind: AccessoryKind): FaceLook {
   const { wear = [] } = look;
   const isWorn = wear.some((w) => w.kind === kind);
   const group = GROUPS.find((g) => g.includes(kind)) ?? [kind];

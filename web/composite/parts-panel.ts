@@ -94,7 +94,7 @@ function wholes(app: App): TemplateResult {
 }
 
 /** A slider whose middle is the face as it is. */
-interface Resting {
+interface CentredSlider {
   readonly name: string;
   readonly most: number;
   readonly unit: string;
@@ -103,7 +103,7 @@ interface Resting {
 }
 
 /** Sliders that show what would be while they are dragged, make it a step when they are let go, and are back in the middle then. */
-function resting(app: App): (slider: Resting) => TemplateResult {
+function resting(app: App): (slider: CentredSlider) => TemplateResult {
   return ({ name, most, unit, text, act }) => {
     const value = app.sliding?.name === name ? app.sliding.amount : 0;
     return numberField({

@@ -9,14 +9,14 @@ import { turntable } from './film.js';
 import { printPictures } from './print.js';
 import { reportOf } from './report.js';
 import { printReport, reportFile, type ReportPicture } from './report-page.js';
-import { FRAMES, HEAD, Studio, type Framing, type Watch } from './shots.js';
+import { FRAMES, HEAD, Studio, type Framing, type ShotObserver } from './shots.js';
 
 const SIDE_NAMES = { front: 'Front', quarter: 'Three-quarter', profile: 'Profile' } as const;
 type Side = keyof typeof SIDE_NAMES;
 const TURNS: Readonly<Record<Side, number>> = { front: SIDES.Front, quarter: SIDES['Three-quarter'], profile: SIDES.Left };
 /** From where a picture for paper is taken: also from where the stage shows the face, and from all of the sides. */
 const FROM_NAMES = { stage: 'As on the stage', ...SIDE_NAMES, all: 'All three' } as const;
-type From = keyof typeof FROM_NAMES;
+type ViewpointName = keyof typeof FROM_NAMES;
 const ALL = Object.keys(SIDE_NAMES) as Side[];
 const FRAME_NAMES = { head: FRAMES.head.name, shoulders: FRAMES.shoulders.name } as const;
 const GROUNDS = { stage: 'As on the stage', plain: 'A plain wall, in even light' } as const;
@@ -33,7 +33,7 @@ interface Job {
 
 export class Pictures {
   readonly #studio: Studio;
-  #from: From = 'front';
+  #from: ViewpointName = 'front';
   #framing: Framing = HEAD;
   #name = 'face';
   #job: Job | undefined;
@@ -51,7 +51,7 @@ export class Pictures {
   draw(): TemplateResult {
     const button = (name: string, work: () => void): TemplateResult =>
       html`<button type="button" class="plain" ?disabled=${this.#job !== undefined} @click=${work}>${name}</button>`;
-    const choose = (from: From): void => {
+    const choose = (from: ViewpointName): void => {
       this.#from = from;
       this.app.redraw();
     };
@@ -95,7 +95,7 @@ export class Pictures {
   }
 
   /** Does one thing, tells how far it is, and what became of it. */
-  async #run(what: string, work: (watch: Watch, file: string) => Promise<string>): Promise<void> {
+  async #run(what: string, work: (watch: ShotObserver, file: string) => Promise<string>): Promise<void> {
     if (this.#job !== undefined) return;
     const end = new AbortController();
     // The face may get another name meanwhile.
@@ -168,7 +168,7 @@ export class Pictures {
   }
 
   /** The pictures of the report. */
-  async #sides(watch: Watch): Promise<ReportPicture[]> {
+  async #sides(watch: ShotObserver): Promise<ReportPicture[]> {
     const sides = ALL.map((side) => ({ turn: TURNS[side] }));
     const pictures = await this.#studio.all(sides, REPORT_SIZE, watch, this.#framing);
     return pictures.map((picture, i) => ({ name: SIDE_NAMES[ALL[i] ?? 'front'], src: picture.toDataURL('image/jpeg', 0.9) }));

@@ -5,7 +5,7 @@ import type { FaceConstraint } from '../element/face/faces.js';
 import type { FigureFace } from '../element/base/face-types.js';
 import type { App } from './app.js';
 import { openHidden, wait } from './hidden-player.js';
-import { Latest } from './latest.js';
+import { BoundedMap } from './latest.js';
 import { lookOf } from './people.js';
 
 /** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */
@@ -16,7 +16,7 @@ const MAX_PORTRAITS = 240;
 const LOOK = { turn: 0.25, tilt: 0.02, zoom: 6.2 };
 
 export class Portraits {
-  readonly #pictures = new Latest<string, string>(MAX_PORTRAITS);
+  readonly #pictures = new BoundedMap<string, string>(MAX_PORTRAITS);
   #player: RaconteurPlayer | undefined;
   #wanted: readonly number[] = [];
   #held: readonly FaceConstraint[] = [];

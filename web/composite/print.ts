@@ -1,6 +1,6 @@
 /** A picture of the face for paper: a PNG file that says how large it is. */
 
-import type { Framing, Side, Studio, Watch } from './shots.js';
+import type { Framing, Side, Studio, ShotObserver } from './shots.js';
 
 /** 10 × 12.5 cm. */
 export const PRINT_SIZE = { width: 1181, height: 1476 };
@@ -10,7 +10,7 @@ const PER_METRE = 11811;
 const HEAD_BYTES = 33;
 
 /** The pictures from some sides, to be printed. */
-export async function printPictures(studio: Studio, sides: readonly Side[], watch: Watch, framing: Framing): Promise<Blob[]> {
+export async function printPictures(studio: Studio, sides: readonly Side[], watch: ShotObserver, framing: Framing): Promise<Blob[]> {
   const files: Blob[] = [];
   for await (const picture of studio.shots(sides, PRINT_SIZE, watch, framing)) {
     const png = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));

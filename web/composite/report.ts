@@ -24,13 +24,13 @@ export interface Report {
 }
 
 /** What a report is made of. */
-export type Reported = Pick<App, 'history' | 'values' | 'held' | 'person' | 'look' | 'marks' | 'light'> & {
+export type ReportInput = Pick<App, 'history' | 'values' | 'held' | 'person' | 'look' | 'marks' | 'light'> & {
   readonly faces: Pick<Faces, 'pack'>;
   readonly player: Pick<App['player'], 'naturalHair'>;
 };
 
 /** The report of the face that is shown. */
-export function reportOf(app: Reported, date: Date): Report {
+export function reportOf(app: ReportInput, date: Date): Report {
   const { history, faces, held, person } = app;
   const { pack } = faces;
   const path = history.path();
@@ -53,7 +53,7 @@ export function reportOf(app: Reported, date: Date): Report {
 }
 
 /** Attributes that differ from the average, by part and group. */
-function groupsOf({ faces, values }: Reported): Report['groups'] {
+function groupsOf({ faces, values }: ReportInput): Report['groups'] {
   const groups = new Map<string, Report['groups'][number]['rows'][number][]>();
   for (const part of Object.keys(PARTS) as FacePart[]) {
     for (const a of faces.pack.attributes) {

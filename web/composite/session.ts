@@ -1,7 +1,7 @@
 /** Sessions that the browser keeps, each of one editor at a time. */
 
-import type { Saved, Step } from './history.js';
-import { Shelf, type Change, type Head, type Listed } from './shelf.js';
+import type { SavedHistory, Step } from './history.js';
+import { SessionStore, type Change, type Head, type Listed } from './shelf.js';
 
 /** Views that change are kept so soon after they rest; steps at once. */
 const SOON_MS = 250;
@@ -21,14 +21,14 @@ async function hold(id: string, end: AbortSignal): Promise<boolean> {
 }
 
 /** The session that an editor begins with. */
-export interface Opened {
-  readonly saved: Saved;
+export interface OpenedSession {
+  readonly saved: SavedHistory;
   /** Another editor has it: this is a copy. */
   readonly isCopy: boolean;
 }
 
 export class Session {
-  readonly #shelf: Shelf;
+  readonly #shelf: SessionStore;
   /** Under this the tab remembers its session. */
   readonly #tabKey: string;
   #id = crypto.randomUUID() as string;
@@ -46,14 +46,14 @@ export class Session {
   /** The last change of each session that this editor has had. */
   readonly #last = new Map<string, number>();
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  #soon: (() => Saved) | undefined;
+  #soon: (() => SavedHistory) | undefined;
 
   /** `name` tells the sessions of one page from those of another; `trouble` hears when the browser cannot keep the session. */
   constructor(
     name: string,
     private readonly trouble: (reason: string) => void,
   ) {
-    this.#shelf = new Shelf(name);
+    this.#shelf = new SessionStore(name);
     this.#tabKey = `raconteur-composite ${name}`;
   }
 
@@ -62,7 +62,7 @@ export class Session {
   }
 
   /** The session that was worked on last, where no other editor has it; else a copy of it, which is this editor's own. Nothing where there is none. */
-  async open(): Promise<Opened | undefined> {
+  async open(): Promise<OpenedSession | undefined> {
     this.#listen();
     try {
       await this.#recover();
@@ -116,7 +116,7 @@ export class Session {
   }
 
   /** What is open now is what is kept, where it was read from there. */
-  adopt({ steps, scene }: Saved): void {
+  adopt({ steps, scene }: SavedHistory): void {
     this.#given = [...steps];
     this.#scene = JSON.stringify(scene);
   }
@@ -143,7 +143,7 @@ export class Session {
   }
 
   /** Keeps what is new of a session, now; a face that nobody has changed is kept only `always`. */
-  keep(saved: Saved, always = false): void {
+  keep(saved: SavedHistory, always = false): void {
     clearTimeout(this.#waiting);
     this.#soon = undefined;
     const { steps } = saved;
@@ -169,13 +169,13 @@ export class Session {
     );
   }
 
-  #head({ pack, here, steps, scene }: Saved): Head {
+  #head({ pack, here, steps, scene }: SavedHistory): Head {
     const title = steps[here]?.name;
     return { at: Date.now(), pack, here, count: steps.length, scene, title, picture: this.#picture };
   }
 
   /** Keeps how the face is shown once that rests, where it is another way than it was. */
-  keepSoon(latest: () => Saved): void {
+  keepSoon(latest: () => SavedHistory): void {
     this.#soon = latest;
     clearTimeout(this.#waiting);
     this.#waiting = setTimeout(() => this.#now(), SOON_MS);
@@ -187,7 +187,7 @@ export class Session {
   }
 
   /** The face as a small picture, which goes with what is kept next. */
-  pictured(picture: string, latest: () => Saved): void {
+  pictured(picture: string, latest: () => SavedHistory): void {
     this.#picture = picture;
     if (this.#given.length > 0) this.keep(latest());
   }
@@ -213,7 +213,7 @@ export class Session {
   }
 
   /** A kept session, to be opened. */
-  read(id: string): Promise<Saved | undefined> {
+  read(id: string): Promise<SavedHistory | undefined> {
     return this.#shelf.read(id);
   }
 

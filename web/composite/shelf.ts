@@ -4,16 +4,16 @@
  */
 
 import { createStore, promisifyRequest } from 'idb-keyval';
-import type { Saved, Step } from './history.js';
+import type { SavedHistory, Step } from './history.js';
 
 /** What is known of a kept session without its steps. */
 export interface Head {
   /** When it was changed last, milliseconds since 1970. */
   readonly at: number;
-  readonly pack: Saved['pack'];
+  readonly pack: SavedHistory['pack'];
   readonly here: number;
   readonly count: number;
-  readonly scene?: Saved['scene'];
+  readonly scene?: SavedHistory['scene'];
   /** The name of its face. */
   readonly title?: string | undefined;
   /** Its face, as a data URL. */
@@ -39,7 +39,7 @@ const stepKey = (name: string, id: string, step: number) => ['step', name, id, s
 const below = (key: readonly string[]): IDBKeyRange => IDBKeyRange.bound([...key], [...key, []]);
 
 /** The sessions of one name. */
-export class Shelf {
+export class SessionStore {
   readonly #store = createStore('raconteur-composite', 'sessions');
 
   constructor(private readonly name: string) {}
@@ -64,7 +64,7 @@ export class Shelf {
   }
 
   /** A session as it was saved; undefined where there is none. */
-  async read(id: string): Promise<Saved | undefined> {
+  async read(id: string): Promise<SavedHistory | undefined> {
     const head = await this.#store('readonly', (store) => promisifyRequest<Head | undefined>(store.get(headKey(this.name, id))));
     if (head === undefined) return undefined;
     const [, steps] = await this.#all<Step>(below(['step', this.name, id]));
@@ -100,7 +100,7 @@ export class Shelf {
 
   /** Brings sessions of the old form into this one. */
   async #renew(): Promise<void> {
-    const [keys, old] = await this.#all<{ readonly at: number; readonly saved: Saved }>(below([this.name]));
+    const [keys, old] = await this.#all<{ readonly at: number; readonly saved: SavedHistory }>(below([this.name]));
     for (const [i, kept] of old.entries()) {
       const key = keys[i] as string[];
       const { at, saved } = kept ?? {};

@@ -41,7 +41,7 @@ export interface Framing {
 export const HEAD: Framing = { frame: 'head', plain: false };
 
 /** Who waits for pictures: hears how many there are, and may not want them any more. */
-export interface Watch {
+export interface ShotObserver {
   readonly signal: AbortSignal;
   progress(done: number, of: number): void;
 }
@@ -55,7 +55,7 @@ export class Studio {
   ) {}
 
   /** Pictures of the face as it is now, one for each side that it is looked at from. Throws the signal's reason once that is aborted. */
-  async *shots(sides: readonly Side[], size: Size, { signal, progress }: Watch, { frame, plain }: Framing = HEAD): AsyncGenerator<HTMLCanvasElement, void> {
+  async *shots(sides: readonly Side[], size: Size, { signal, progress }: ShotObserver, { frame, plain }: Framing = HEAD): AsyncGenerator<HTMLCanvasElement, void> {
     const { face, light, player: like } = this.app;
     const { zoom, lower } = FRAMES[frame];
     progress(0, sides.length);
@@ -102,7 +102,7 @@ export class Studio {
   }
 
   /** All pictures of some sides. */
-  async all(sides: readonly Side[], size: Size, watch: Watch, framing?: Framing): Promise<HTMLCanvasElement[]> {
+  async all(sides: readonly Side[], size: Size, watch: ShotObserver, framing?: Framing): Promise<HTMLCanvasElement[]> {
     const pictures: HTMLCanvasElement[] = [];
     for await (const picture of this.shots(sides, size, watch, framing)) pictures.push(picture);
     return pictures;

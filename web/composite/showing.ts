@@ -7,7 +7,7 @@ import { wait } from './hidden-player.js';
 /** Whose face has not changed for so long sees it with all its detail, milliseconds. */
 const RESTED_MS = 150;
 
-export class Showing {
+export class FaceView {
   /** The face is near the one that was shown before, and perhaps to the next. */
   moves = false;
   #now: Promise<void> | undefined;

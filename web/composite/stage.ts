@@ -7,7 +7,7 @@ import { lookFrom } from '../pages/head-view.js';
 import type { App } from './app.js';
 import { LIGHTS } from './scene.js';
 import { REST_SECS, saying, still } from './script.js';
-import { reason, type Tell } from './tell.js';
+import { reason, type EditorFeedback } from './tell.js';
 
 /** As long as a sentence is. */
 const MAX_LETTERS = 300;
@@ -42,7 +42,7 @@ export function views(app: App): TemplateResult {
 }
 
 /** The face speaks. */
-export function speaking(player: RaconteurPlayer, tell: Tell): TemplateResult {
+export function speaking(player: RaconteurPlayer, tell: EditorFeedback): TemplateResult {
   const speak = async (event: Event): Promise<void> => {
     event.preventDefault();
     const text = (event.currentTarget as HTMLFormElement).querySelector('input')?.value.trim().slice(0, MAX_LETTERS) ?? '';

@@ -1,7 +1,7 @@
 /** What the editor tells who uses it. */
 
 /** Where the parts of the editor tell how it went. */
-export interface Tell {
+export interface EditorFeedback {
   /** Tells screen readers. */
   say(text: string): void;
   /** Shows what went wrong; an empty text takes it away. */

@@ -1,7 +1,7 @@
 /** Small pictures of the steps of the history, taken of the stage when nothing else is to be done. */
 
 import type { App } from './app.js';
-import { Latest } from './latest.js';
+import { BoundedMap } from './latest.js';
 import { cropped } from './shots.js';
 
 /** Pictures that are kept; each takes about two thousand bytes. */
@@ -16,7 +16,7 @@ const IDLE_MS = 2000;
 const NEAR = 7;
 
 export class Thumbnails {
-  readonly #pictures = new Latest<number, string>(MAX_THUMBNAILS);
+  readonly #pictures = new BoundedMap<number, string>(MAX_THUMBNAILS);
   #history: App['history'] | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
 

@@ -6,9 +6,9 @@ import type { App } from './app.js';
 import type { RaconteurComposite } from './element.js';
 import { LIMITS } from './limits.js';
 import { parse } from './saved.js';
-import { reason, type Tell } from './tell.js';
+import { reason, type EditorFeedback } from './tell.js';
 
-export function tools(app: App, editor: RaconteurComposite, tell: Tell): TemplateResult {
+export function tools(app: App, editor: RaconteurComposite, tell: EditorFeedback): TemplateResult {
   const { history } = app;
   const load = async (event: Event): Promise<void> => {
     const input = event.target as HTMLInputElement;

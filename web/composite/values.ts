@@ -10,7 +10,7 @@ export type Values = Readonly<Record<FacePart, ReadonlyMap<string, number>>>;
 const MIN_AMOUNT = 1e-3;
 
 /** Reads them when they are asked for, and once for each change of their part. */
-export class Reading {
+export class AttributeReading {
   readonly #read = new Map<FacePart, ReadonlyMap<string, number>>();
 
   constructor(private readonly faces: Faces) {}
@@ -40,14 +40,14 @@ export class Reading {
 }
 
 /** What adding an attribute does to all values: they are linear in the face, so that one look tells what any amount does. */
-export class Slopes {
+export class AttributeSlopes {
   #key = '';
   #of: Values | undefined;
 
   constructor(private readonly from: Values) {}
 
   /** Tells `reading` the values after an act that begins at `from`; nothing where the face must be looked at. */
-  tell(reading: Reading, act: Act): void {
+  tell(reading: AttributeReading, act: Act): void {
     if (act.kind !== 'add') return;
     const { from } = this;
     const key = JSON.stringify({ ...act, amount: 1 });

@@ -4,7 +4,7 @@
 const FIRST_WAIT_MS = 1000;
 const MAX_WAIT_MS = 60_000;
 
-export class Again {
+export class RetryTimer {
   readonly #act: () => void;
   #waitMs = FIRST_WAIT_MS;
   #timer: ReturnType<typeof setTimeout> | undefined;

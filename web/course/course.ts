@@ -5,7 +5,7 @@ import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered, Score } from '../element/base/answers.js';
 import { united, type Span } from '../element/base/ranges.js';
 import { bestOf, NOTHING, type Memory, type Remembered } from './memory.js';
-import type { Happening, Known, Record, Report } from './report.js';
+import type { LearningEvent, KnownLearner, Record, Report } from './report.js';
 import { shareOf } from './seen.js';
 
 /** What the author asks of a learner. */
@@ -64,7 +64,7 @@ export class Course {
    * Begins the session: the story stands where the learner left it, as soon as the system tells that. What is done before is kept.
    * Rejects with a `RecordError` where nobody keeps what they do; the story plays all the same.
    */
-  async begin(): Promise<Known> {
+  async begin(): Promise<KnownLearner> {
     this.#listen();
     this.#tell();
     const known = await this.#record.open();
@@ -103,7 +103,7 @@ export class Course {
     const { signal } = this.#end;
     const tell = () => this.#tell();
     for (const type of ['timeupdate', 'ended'] as const) this.#player.addEventListener(type, tell, { signal });
-    const note = (kind: Happening['kind']) => () => this.#note({ kind });
+    const note = (kind: LearningEvent['kind']) => () => this.#note({ kind });
     this.#player.addEventListener('playing', note('played'), { signal });
     this.#player.addEventListener('pause', note('paused'), { signal });
     this.#player.addEventListener('leap', ({ detail: { toSecs } }) => this.#leaps.push(toSecs), { signal });
@@ -246,7 +246,7 @@ export class Course {
     this.#note({ kind: 'seeked', fromSecs });
   }
 
-  #note(what: Happening): void {
+  #note(what: LearningEvent): void {
     this.#tell();
     this.#record.note?.(what);
   }

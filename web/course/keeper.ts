@@ -1,12 +1,12 @@
 /** Keeps the state of a course in a record store: what was told last, until the store has it. */
 
-import { Again } from './again.js';
+import { RetryTimer } from './again.js';
 import type { Outcome } from './store.js';
 
 export class StateKeeper {
   readonly #put: (text: string) => Promise<Outcome>;
   readonly #told: (outcome: Outcome) => void;
-  readonly #again = new Again(() => void this.#send());
+  readonly #again = new RetryTimer(() => void this.#send());
   /** What the store has, and what it is to have. */
   #kept: string;
   #wanted: string;

@@ -3,7 +3,7 @@
 import { until } from './again.js';
 import { RecordError } from './report.js';
 import { RecordStore, type Access, type Outcome, type Owner } from './store.js';
-import type { Trouble } from './trouble.js';
+import type { StorageProblem } from './trouble.js';
 
 /** What the address of the page says. */
 export interface Link {
@@ -61,7 +61,7 @@ function launchIn(text: string): unknown {
 }
 
 interface Waiting {
-  readonly trouble: (what: string, trouble: Trouble | undefined) => void;
+  readonly trouble: (what: string, trouble: StorageProblem | undefined) => void;
   readonly isClosed: () => boolean;
 }
 

@@ -1,9 +1,9 @@
 /** Sends statements to a store, in order and in batches, and loses none: what the store has not taken is kept, and tried again. */
 
-import { Again } from './again.js';
+import { RetryTimer } from './again.js';
 import { Slot, type Shelf } from './shelf.js';
 import { bytesOf, MAX_KEPT_BYTES, type Outcome, type Statement } from './store.js';
-import type { Trouble } from './trouble.js';
+import type { StorageProblem } from './trouble.js';
 
 /** What is said within this time is sent together. */
 const TOGETHER_MS = 1000;
@@ -12,13 +12,13 @@ const MAX_TOGETHER = 50;
 interface Listener {
   /** Sends a batch, all or none of it. */
   send(batch: readonly Statement[]): Promise<Outcome>;
-  trouble(what: string, trouble: Trouble | undefined): void;
+  trouble(what: string, trouble: StorageProblem | undefined): void;
 }
 
 export class Outbox {
   readonly #slot: Slot;
   readonly #listener: Listener;
-  readonly #again = new Again(() => void this.flush());
+  readonly #again = new RetryTimer(() => void this.flush());
   /** In order; those that were refused are behind all others, and wait for the next session. */
   #waiting: readonly Statement[];
   readonly #refused = new Set<Statement>();

@@ -4,7 +4,7 @@ import type { Answered, Score } from '../element/base/answers.js';
 import type { Span } from '../element/base/ranges.js';
 import type { Question } from '../element/base/questions.js';
 import type { Memory } from './memory.js';
-import type { Troubles } from './trouble.js';
+import type { StorageProblems } from './trouble.js';
 
 /** Where a learner is and how far they have come. */
 export interface Report {
@@ -28,7 +28,7 @@ export interface Report {
 }
 
 /** What a learner has just done. */
-export interface Happening {
+export interface LearningEvent {
   readonly kind: 'played' | 'paused' | 'seeked';
   /** Where the story was before a seek, seconds. */
   readonly fromSecs?: number;
@@ -44,7 +44,7 @@ export interface Reply {
 }
 
 /** What a system knew of the learner when the course began. */
-export interface Known {
+export interface KnownLearner {
   /** That of the last report. */
   readonly memory: Memory;
   readonly isComplete: boolean;
@@ -61,13 +61,13 @@ export interface Known {
 /** Where reports go: a learning management system, a record store, or the browser itself. All but `open` may be called before the session is open. */
 export interface Record {
   /** What keeps it from being kept. */
-  readonly troubles: Troubles;
+  readonly troubles: StorageProblems;
   /** Begins a session: as soon as the system answers. Rejects with a `RecordError` where there is none to be had. */
-  open(): Promise<Known>;
+  open(): Promise<KnownLearner>;
   /** Takes the last state; cheap, and as often as there is something new. */
   tell(report: Report): void;
   /** Takes what the learner has just done, after `tell`; for those who keep that. */
-  note?(what: Happening): void;
+  note?(what: LearningEvent): void;
   /** Takes an answer, before the `tell` that counts it. */
   reply?(reply: Reply): void;
   /** Has what was told kept for good, as far as that can be said now. */
@@ -81,14 +81,14 @@ export interface Record {
 }
 
 /** Why nobody keeps what a learner does. */
-export type Absence = 'no-store' | 'no-learner' | 'no-launch' | 'not-let-in' | 'no-system';
+export type MissingRecord = 'no-store' | 'no-learner' | 'no-launch' | 'not-let-in' | 'no-system';
 
 /** There is nobody who keeps what the learner does. */
 export class RecordError extends Error {
   override readonly name = 'RecordError';
-  readonly why: Absence;
+  readonly why: MissingRecord;
 
-  constructor(why: Absence, message: string) {
+  constructor(why: MissingRecord, message: string) {
     super(message);
     this.why = why;
   }

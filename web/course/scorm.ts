@@ -6,10 +6,10 @@
 import { interaction12, interaction2004, type Elements } from './interactions.js';
 import { until } from './again.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
-import { RecordError, type Known, type Record, type Reply, type Report } from './report.js';
+import { RecordError, type KnownLearner, type Record, type Reply, type Report } from './report.js';
 import { LocalCopy, Slot, type Shelf } from './shelf.js';
 import { decimal } from './texts.js';
-import { Troubles } from './trouble.js';
+import { StorageProblems } from './trouble.js';
 
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };
@@ -128,7 +128,7 @@ function find(object: string, from: Window): Api | undefined {
 
 /** A session with a system that has SCORM. */
 export class Scorm implements Record {
-  readonly troubles = new Troubles();
+  readonly troubles = new StorageProblems();
   readonly #version: Version;
   readonly #course: string;
   readonly #shelf: Shelf | undefined;
@@ -148,7 +148,7 @@ export class Scorm implements Record {
   #takesReplies = true;
   /** Answers that it has not taken yet, those that it has taken and not confirmed, by their numbers, and parts of them that it has not taken. */
   #waiting: Reply[] = [];
-  #taken: Taken[] = [];
+  #taken: TakenReply[] = [];
   #late: Elements = [];
   #waitingSlot: Slot | undefined;
   /** Says that the system has not confirmed all that was told. */
@@ -168,7 +168,7 @@ export class Scorm implements Record {
     this.#from = from;
   }
 
-  async open(): Promise<Known> {
+  async open(): Promise<KnownLearner> {
     const { title, object, begin, names } = this.#version;
     const api = find(object, this.#from);
     if (api === undefined) return Promise.reject(new RecordError('no-system', `No system with ${title} was found around the page.`));
@@ -302,7 +302,7 @@ export class Scorm implements Record {
   }
 
   #keepReplies(): void {
-    const all: readonly Taken[] = [...this.#taken, ...this.#waiting.map((reply) => ({ n: undefined, reply }))];
+    const all: readonly TakenReply[] = [...this.#taken, ...this.#waiting.map((reply) => ({ n: undefined, reply }))];
     if (all.length === 0) this.#waitingSlot?.clear();
     else this.#waitingSlot?.set(JSON.stringify(all));
   }
@@ -363,13 +363,13 @@ export class Scorm implements Record {
 }
 
 /** An answer, and its number where the system has taken it. */
-interface Taken {
+interface TakenReply {
   readonly n: number | undefined;
   readonly reply: Reply;
 }
 
-function takenIn(text: string | undefined): Taken[] {
-  const isTaken = (told: unknown): told is Taken => {
+function takenIn(text: string | undefined): TakenReply[] {
+  const isTaken = (told: unknown): told is TakenReply => {
     const { reply } = (told ?? {}) as { reply?: Partial<Reply> };
     return typeof reply?.question?.name === 'string' && typeof reply.answered?.name === 'string';
   };

@@ -44,7 +44,7 @@ export interface Session {
 }
 
 /** Where the learner is as a statement is made. */
-export interface Moment {
+export interface LearnerPosition {
   readonly placeSecs: number;
   /** Before a seek. */
   readonly fromSecs?: number | undefined;
@@ -72,7 +72,7 @@ export function scoreOf(points: number, most: number): object {
 }
 
 /** Results that a verb asks for. */
-function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score, isSettled }: Moment): object | undefined {
+function resultOf(verb: Verb, { isCmi5 }: Session, { placeSecs, fromSecs, progress, seen, spentMs, score, isSettled }: LearnerPosition): object | undefined {
   const extension = (name: string) => `${VIDEO}/extensions/${name}`;
   const points = score === undefined ? {} : scoreOf(score.points, score.most);
   const played = { [extension('progress')]: rounded(progress), [extension('played-segments')]: segments(seen) };
@@ -112,14 +112,14 @@ interface Grouped {
 }
 
 /** What is added to the context of a session. */
-export interface Added {
+export interface SessionContext {
   readonly categories: readonly string[];
   readonly parent?: object;
   readonly extensions: object;
 }
 
 /** The context of a statement, without what the launch wants in it. */
-export function contextOf({ registration, sessionId }: Session, { categories, parent, extensions }: Added): object {
+export function contextOf({ registration, sessionId }: Session, { categories, parent, extensions }: SessionContext): object {
   const category = categories.map((id) => ({ id }));
   return {
     ...(registration === undefined ? {} : { registration }),
@@ -162,7 +162,7 @@ function categoriesOf(verb: Verb, isCmi5: boolean): string[] {
 }
 
 /** A statement that is made now about the course. */
-export function statementOf(verb: Verb, session: Session, moment: Moment): Statement {
+export function statementOf(verb: Verb, session: Session, moment: LearnerPosition): Statement {
   const result = resultOf(verb, session, moment);
   const { isCmi5, masteryScore, threshold } = session;
   const isJudged = verb === 'passed' || verb === 'failed';

@@ -2,12 +2,12 @@
 
 import type { Score } from '../element/base/answers.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
-import type { Known, Record, Report } from './report.js';
+import type { KnownLearner, Record, Report } from './report.js';
 import { FOLLOW_MS, Slot, type Shelf } from './shelf.js';
-import { Troubles } from './trouble.js';
+import { StorageProblems } from './trouble.js';
 
 export class BrowserRecord implements Record {
-  readonly troubles = new Troubles();
+  readonly troubles = new StorageProblems();
   readonly #slot: Slot;
   readonly #name: string;
   /** What was written last: else another page of the course has. */
@@ -26,7 +26,7 @@ export class BrowserRecord implements Record {
     this.troubles.isKept = false;
   }
 
-  open(): Promise<Known> {
+  open(): Promise<KnownLearner> {
     this.#isOpen = true;
     const { memory, isComplete } = keptIn(this.#slot.get());
     this.#wasComplete = isComplete;

@@ -9,11 +9,11 @@ import { StateKeeper } from './keeper.js';
 import { launchOf, linkOf, textOf, type Launch, type Link } from './launch.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import { Outbox } from './outbox.js';
-import type { Happening, Known, Record, Reply, Report } from './report.js';
+import type { LearningEvent, KnownLearner, Record, Reply, Report } from './report.js';
 import { LocalCopy, Slot, type Shelf } from './shelf.js';
-import { hasVerb, launchedAs, movedTo, statementOf, type Moment, type Session, type Verb } from './statements.js';
+import { hasVerb, launchedAs, movedTo, statementOf, type LearnerPosition, type Session, type Verb } from './statements.js';
 import { RecordStore, type Outcome, type Statement } from './store.js';
-import { Troubles } from './trouble.js';
+import { StorageProblems } from './trouble.js';
 
 /** Under which a course keeps its memory in the store. */
 const STATE = 'raconteur';
@@ -27,16 +27,16 @@ export interface Course {
 }
 
 /** What statements a registration may have once, and the score that was said last. */
-interface Said {
+interface SentStatement {
   readonly isComplete: boolean;
   readonly verdict?: 'passed' | 'failed' | undefined;
   readonly score?: Score | undefined;
 }
 
 /** What was said, as the state has it. */
-function saidIn(text: string): Said & { readonly memory: string } {
+function saidIn(text: string): SentStatement & { readonly memory: string } {
   try {
-    const { memory, isComplete, verdict, score } = JSON.parse(text) as { [name in keyof Said | 'memory']?: unknown };
+    const { memory, isComplete, verdict, score } = JSON.parse(text) as { [name in keyof SentStatement | 'memory']?: unknown };
     return {
       memory: typeof memory === 'string' ? memory : '',
       isComplete: isComplete === true,
@@ -50,7 +50,7 @@ function saidIn(text: string): Said & { readonly memory: string } {
 
 /** A session with a record store. */
 export class XapiRecord implements Record {
-  readonly troubles = new Troubles();
+  readonly troubles = new StorageProblems();
   readonly #link: Link | undefined;
   readonly #failure: unknown;
   readonly #course: Course;
@@ -67,7 +67,7 @@ export class XapiRecord implements Record {
   #launch: Launch | undefined;
   #keeper: StateKeeper | undefined;
   #last: Report = { placeSecs: 0, progress: 0, seen: [], durationSecs: 0, isComplete: false, memory: NOTHING, score: undefined, isSettled: false, isPassed: undefined };
-  #said: Said = { isComplete: false };
+  #said: SentStatement = { isComplete: false };
   /** Passed or failed was said in this session, which has room for no other in cmi5. */
   #isJudged = false;
   #isClosed = false;
@@ -110,7 +110,7 @@ export class XapiRecord implements Record {
     return new RecordStore(access).send(batch.map((statement) => launchedAs(statement, template)));
   }
 
-  async open(): Promise<Known> {
+  async open(): Promise<KnownLearner> {
     if (this.#link === undefined || this.#session === undefined) throw this.#failure;
     const { owner } = this.#link;
     const waiting = { trouble: this.troubles.set.bind(this.troubles), isClosed: () => this.#isClosed };
@@ -136,7 +136,7 @@ export class XapiRecord implements Record {
   }
 
   /** What was said once, by the store, by this browser and by what waits to be sent: it is not said again. */
-  #saidOf(...known: readonly Said[]): Said {
+  #saidOf(...known: readonly SentStatement[]): SentStatement {
     const waiting = this.#outbox?.waiting ?? [];
     const has = (verb: Verb) => waiting.some((statement) => hasVerb(statement, verb));
     const verdicts = new Set(known.map(({ verdict }) => verdict));
@@ -203,7 +203,7 @@ export class XapiRecord implements Record {
     }
   }
 
-  note({ kind, fromSecs }: Happening): void {
+  note({ kind, fromSecs }: LearningEvent): void {
     this.#say(kind, {}, fromSecs);
   }
 
@@ -243,13 +243,13 @@ export class XapiRecord implements Record {
   }
 
   /** Who only looks at it begins and ends a session, and nothing else is said (cmi5, 10: `launchMode`). */
-  #say(verb: Verb, said: Partial<Said> = {}, fromSecs?: number): void {
+  #say(verb: Verb, said: Partial<SentStatement> = {}, fromSecs?: number): void {
     if (this.#session === undefined || this.#isClosed) return;
     if (this.#launch?.isReview && verb !== 'initialized' && verb !== 'terminated') return;
     const { placeSecs, durationSecs, progress, seen, isSettled } = this.#last;
     // Before the store has answered nobody knows what was reached before.
     const score = this.#launch === undefined ? undefined : this.#last.score;
-    const moment: Moment = { placeSecs, fromSecs, durationSecs, progress, seen, score, isSettled, spentMs: performance.now() - this.#sinceMs };
+    const moment: LearnerPosition = { placeSecs, fromSecs, durationSecs, progress, seen, score, isSettled, spentMs: performance.now() - this.#sinceMs };
     if (Object.keys(said).length > 0) this.#saidSlot?.set(JSON.stringify((this.#said = { ...this.#said, ...said })));
     this.#outbox?.add(statementOf(verb, this.#session, moment));
   }

@@ -3,7 +3,7 @@
 import { unsafeCSS, type PropertyValues } from 'lit';
 import { actionsOf } from './actions.js';
 import { Arrival } from './story/arrival.js';
-import { Away } from './story/away.js';
+import { VisibilityPause } from './story/away.js';
 import { FigureLoader } from './story/figure-loader.js';
 import { fire, languageOf, libraryOf, wordsFor, type PlayerContext } from './story/context.js';
 import { passTransport } from './story/cues.js';
@@ -20,10 +20,10 @@ import { PlayerAttributes } from './player-attributes.js';
 import { after, dispatch } from './media/media-events.js';
 import { MindConnection } from './mind/mind-connection.js';
 import { soundOf } from './sound/outlet.js';
-import { OwnText } from './story/own-text.js';
+import { InlineStory } from './story/own-text.js';
 import { Playback } from './media/playback.js';
 import { hasCaptions, statisticsOf } from './story/show.js';
-import { StandIn } from './story/stand-in.js';
+import { FallbackFilm } from './story/stand-in.js';
 import { StoryLoader } from './story/story-loader.js';
 import { telling } from './story/telling.js';
 import { reducesMotion, Surroundings } from './base/surroundings.js';
@@ -137,9 +137,9 @@ export class RaconteurPlayer extends PlayerAttributes {
   readonly #mind = new MindConnection(this.#context);
   readonly #frames = new FrameLoop(this.#context, this.#mind);
   readonly #figures = new FigureLoader(this.#context);
-  readonly #standIn = new StandIn(this.#context);
-  readonly #away = new Away(this, () => this.#stories.release());
-  readonly #own = new OwnText(this, () => this.#arrival.changeOwn());
+  readonly #standIn = new FallbackFilm(this.#context);
+  readonly #away = new VisibilityPause(this, () => this.#stories.release());
+  readonly #own = new InlineStory(this, () => this.#arrival.changeOwn());
   readonly #stories = new StoryLoader(this.#context, this.#figures, this.#own, {
     opened: () => this.#resize(),
     ready: (show) => {

@@ -5,7 +5,7 @@ import { register } from './register.js';
 export { addSpeechSource, speechServer } from '../speech/added.js';
 export { naturalVoice } from '../speech/natural.js';
 export type { ServerVoice, SpeechServer } from '../speech/server.js';
-export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
+export type { Said, Saying, SpeechJob, SpeechRequest, SpeechSource, SpokenAudio } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
 export type { Answered, Score } from './base/answers.js';
 export type { LessonState } from './lesson/lesson.js';
@@ -16,7 +16,7 @@ export type { FaceConstraint, FacePack, FacePart, FaceRegion, Faces } from './fa
 export { PlayerError } from './base/types.js';
 export type { FaceCourse, FigureFace } from './base/face-types.js';
 export type { Cue } from './base/performance.js';
-export type { Question, QuestionKind, QuestionOption, Way } from './base/questions.js';
+export type { FlowEntry, Question, QuestionKind, QuestionOption, Way } from './base/questions.js';
 export type { AudioFile, Backend, Diagnostic, Hand, Place, Quality, Statistics, Story, Utterance, View, Word } from './base/types.js';
 
 // The library lies beside the script, wherever that comes from. A name of its own for the script, so

@@ -4,7 +4,7 @@ import type { RaconteurPlayer } from '../element/element.js';
 import type { Diagnostic } from '../element/base/types.js';
 
 /** A figure of the library, a file of the user's own, or nobody, which leaves the choice to the story. */
-type Teller = string | File | undefined;
+type PerformerChoice = string | File | undefined;
 
 /** Begins the codes of what is not about a figure. */
 const OF_ELSE = /^(voice|sound|engine|mind|live|tell|figure-unusable)/;
@@ -18,8 +18,8 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void,
   const remarks = root.querySelector<HTMLDetailsElement>('#own-remarks');
   const theatre = player.parentElement;
   /** Who was chosen last, and the last of those who came on stage. */
-  let asked: Teller;
-  let settled: Teller;
+  let asked: PerformerChoice;
+  let settled: PerformerChoice;
 
   /** Marks the figure on stage, and the one that is on its way. */
   const mark = (): void => {
@@ -33,7 +33,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void,
     if (remarks !== null) remark(remarks, asked instanceof File && asked.name === onStage ? player.diagnostics : []);
   };
 
-  const put = (teller: Teller): void => {
+  const put = (teller: PerformerChoice): void => {
     asked = teller;
     if (name !== null) name.textContent = teller instanceof File ? teller.name : 'Yours';
     if (teller instanceof File) player.useFigure(teller);
@@ -42,7 +42,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void,
     mark();
   };
 
-  const choose = (teller: Teller): void => {
+  const choose = (teller: PerformerChoice): void => {
     if (teller === undefined || (typeof teller === 'string' && !buttons.some((b) => b.dataset['figure'] === teller))) return;
     if (trouble !== null) trouble.textContent = '';
     put(teller);

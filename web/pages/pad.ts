@@ -12,13 +12,13 @@ export function leastTilt(height: number, distance: number): number {
 }
 
 /** A picture that one comes nearer to. */
-interface Zoomed {
+interface ZoomRange {
   readonly zoom: number;
   look(look: { zoom: number }): void;
 }
 
 /** The wheel comes nearer. */
-export function zoomByWheel(pad: HTMLElement, it: Zoomed): void {
+export function zoomByWheel(pad: HTMLElement, it: ZoomRange): void {
   pad.addEventListener(
     'wheel',
     (event) => {
@@ -32,7 +32,7 @@ export function zoomByWheel(pad: HTMLElement, it: Zoomed): void {
 }
 
 /** The keys plus and minus come nearer; whether it was one of them. */
-export function zoomByKey({ key }: KeyboardEvent, it: Zoomed): boolean {
+export function zoomByKey({ key }: KeyboardEvent, it: ZoomRange): boolean {
   if (key === '+' || key === '=') it.look({ zoom: it.zoom * 1.15 });
   else if (key === '-') it.look({ zoom: it.zoom / 1.15 });
   else return false;

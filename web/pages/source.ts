@@ -33,7 +33,7 @@ export interface Element {
   readonly empty: boolean;
 }
 
-type Growing = { -readonly [K in keyof Element]: Element[K] } & { attributes: Attribute[]; children: Growing[]; parent: Growing | undefined };
+type GrowingTree = { -readonly [K in keyof Element]: Element[K] } & { attributes: Attribute[]; children: GrowingTree[]; parent: GrowingTree | undefined };
 
 const REFERENCES: Record<string, string> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" };
 
@@ -42,8 +42,8 @@ const MAX_DEPTH = 200;
 
 /** The elements at the top of a text, as the grammar of the editor finds them in any text. */
 export function read(text: string): readonly Element[] {
-  const top: Growing[] = [];
-  const path: Growing[] = [];
+  const top: GrowingTree[] = [];
+  const path: GrowingTree[] = [];
   let named: Pick<Attribute, 'name' | 'from'> | undefined;
   parser.parse(text).iterate({
     enter({ name, from, to }) {

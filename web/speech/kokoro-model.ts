@@ -19,7 +19,7 @@ const FRAMES = '/encoder/Clip_output_0';
 const THREADS = 2;
 
 /** What was spoken. */
-export interface Spoken {
+export interface ModelOutput {
   /** At `RATE`. */
   readonly samples: Float32Array;
   /** How long each token lasts, with the pad before and the pad after; all of them together are as long as the sound. */
@@ -30,7 +30,7 @@ export interface Model {
   /** The styles of a voice, one after another; which is taken depends on how many tokens are spoken (see `styleFor`). */
   voice(name: string): Promise<Float32Array>;
   /** Speaks tokens of `vocab.json`, without pads. `speed` 1 is the voice's own. */
-  infer(tokens: ArrayLike<number>, style: Float32Array, speed: number): Promise<Spoken>;
+  infer(tokens: ArrayLike<number>, style: Float32Array, speed: number): Promise<ModelOutput>;
 }
 
 /** The style of a voice for so many tokens. */

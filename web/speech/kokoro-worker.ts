@@ -2,8 +2,8 @@
 
 import { fetchText } from '../element/base/fetching.js';
 import { Flite } from './flite-program.js';
-import { type Model, openModel, type Spoken, styleFor } from './kokoro-model.js';
-import { Later } from './later.js';
+import { type Model, openModel, type ModelOutput, styleFor } from './kokoro-model.js';
+import { DeferredAnswers } from './later.js';
 import { type Host, serve } from './serve.js';
 
 /** No table of a voice is larger; the dictionaries have some megabytes. */
@@ -20,8 +20,8 @@ class Kokoro implements Host {
   /** The smaller and better dictionary first. */
   readonly #words: readonly Readonly<Record<string, Entry | null>>[];
   readonly #styles = new Map<string, Float32Array>();
-  readonly #spoken = new Later<Spoken>();
-  readonly #flite = new Later<Flite>();
+  readonly #spoken = new DeferredAnswers<ModelOutput>();
+  readonly #flite = new DeferredAnswers<Flite>();
 
   private constructor(model: Model, voices: readonly string[], tokens: Record<string, number>, words: readonly Record<string, Entry | null>[]) {
     this.#model = model;
@@ -70,11 +70,11 @@ class Kokoro implements Host {
   }
 
   /** Letters as sound; undefined until they are spoken. */
-  infer(voice: string, letters: string, pace: number): Spoken | undefined {
+  infer(voice: string, letters: string, pace: number): ModelOutput | undefined {
     return this.#spoken.ask(`${voice} ${pace} ${letters}`, () => this.#speak(voice, letters, pace));
   }
 
-  async #speak(voice: string, letters: string, pace: number): Promise<Spoken> {
+  async #speak(voice: string, letters: string, pace: number): Promise<ModelOutput> {
     let styles = this.#styles.get(voice);
     if (styles === undefined) this.#styles.set(voice, (styles = await this.#model.voice(voice)));
     const tokens = [...letters].map((letter) => {

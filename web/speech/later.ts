@@ -3,7 +3,7 @@
 /** Answers are kept for questions that are asked again, because others of their utterance were not answered yet. */
 const MAX_KEPT = 32;
 
-export class Later<Answer> {
+export class DeferredAnswers<Answer> {
   readonly #answers = new Map<string, Answer>();
   #pending: Promise<void> | undefined;
   #failure: { readonly error: unknown } | undefined;

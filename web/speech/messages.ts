@@ -3,7 +3,7 @@
 import type { SpeechRequest } from './source.js';
 
 /** To the worker: something to say, or that something is not wanted any more. */
-export type Ask = ({ readonly kind: 'speak'; readonly id: number } & SpeechRequest) | { readonly kind: 'stop'; readonly id: number };
+export type WorkerRequest = ({ readonly kind: 'speak'; readonly id: number } & SpeechRequest) | { readonly kind: 'stop'; readonly id: number };
 
 /** What was said so far; `Said` of `crate/say`. */
 export interface Part {

@@ -3,23 +3,23 @@
 import instantiate from '../pkg/say/raconteur.js';
 import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
 import { fetchBytes, fetchModule, type Fetching, SCRIPT } from '../element/base/fetching.js';
-import type { Ask, Part, Reply } from './messages.js';
+import type { WorkerRequest, Part, Reply } from './messages.js';
 
 /** So long after a part the next one is sent, ms; what is made sooner goes together. */
 const BETWEEN_PARTS_MS = 1200;
 
 /** What is being said; `crate/say`. */
-interface Saying {
+interface SpeechJob {
   take(): Part;
   free(): void;
 }
 
 interface Speaker {
-  begin(eml: string, fragment: boolean, known: string | undefined): Saying;
-  step(saying: Saying): boolean;
+  begin(eml: string, fragment: boolean, known: string | undefined): SpeechJob;
+  step(saying: SpeechJob): boolean;
 }
 
-interface Say {
+interface SpeechCommand {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   Speaker: new (engine: string, host: object, voice: string) => Speaker;
   panicMessage(): string | undefined;
@@ -54,8 +54,8 @@ const breath = (): Promise<void> => new Promise((done) => setTimeout(done));
 
 /** Speaks with an engine of `crate/say`, which `open` fetches with the first text. */
 export function serve(engine: string, open: () => Promise<Host>): void {
-  let opening: Promise<{ say: Say; host: Host }> | undefined;
-  let say: Say | undefined;
+  let opening: Promise<{ say: SpeechCommand; host: Host }> | undefined;
+  let say: SpeechCommand | undefined;
   const speakers = new Map<string, Speaker>();
   const stopped = new Set<number>();
   /** Ends the wait of what is being said. */
@@ -63,7 +63,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
   let last: Promise<void> = Promise.resolve();
 
   const both = async () => {
-    const made = instantiate() as unknown as Say;
+    const made = instantiate() as unknown as SpeechCommand;
     const { what, most } = voiceFile;
     const [host, module] = await Promise.all([open(), fetchModule(new URL(sayUrl, SCRIPT), { what, most })]);
     await made({ module_or_path: module });
@@ -72,7 +72,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
     return { say: made, host };
   };
 
-  const speak = async ({ id, eml, fragment = false, known, voice }: Extract<Ask, { kind: 'speak' }>): Promise<void> => {
+  const speak = async ({ id, eml, fragment = false, known, voice }: Extract<WorkerRequest, { kind: 'speak' }>): Promise<void> => {
     const { say, host } = await (opening ??= both());
     let speaker = speakers.get(voice);
     if (speaker === undefined) speakers.set(voice, (speaker = new say.Speaker(engine, host, voice)));
@@ -110,7 +110,7 @@ export function serve(engine: string, open: () => Promise<Host>): void {
     post({ kind: 'done', id });
   };
 
-  self.onmessage = ({ data }: MessageEvent<Ask>) => {
+  self.onmessage = ({ data }: MessageEvent<WorkerRequest>) => {
     if (data.kind === 'stop') {
       stopped.add(data.id);
       stop?.();

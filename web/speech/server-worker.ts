@@ -1,7 +1,7 @@
 /** Speaks by a server; the worker's name tells where that is and which voices it has. */
 
 import { fetchText } from '../element/base/fetching.js';
-import { Later } from './later.js';
+import { DeferredAnswers } from './later.js';
 import { type Host, serve } from './serve.js';
 
 /** A sentence with its sound: `Answer` of `crate/voice`. */
@@ -18,7 +18,7 @@ const MAX_BYTES = 64e6;
 class Server implements Host {
   readonly #url: string;
   readonly #voices: string;
-  readonly #answers = new Later<Answer>();
+  readonly #answers = new DeferredAnswers<Answer>();
 
   constructor({ url, voices }: { url: string; voices: unknown }) {
     this.#url = url;

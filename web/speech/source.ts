@@ -12,7 +12,7 @@ export interface SpeechRequest {
 }
 
 /** What was said so far. */
-export interface Said {
+export interface SpokenAudio {
   /** The text of a bundle, `speech.json`: words, phones, stress, melody; what was known as well. */
   readonly bundle: string;
   /** The sounds that the bundle names and that are new since the last part, as WAV. */
@@ -22,12 +22,12 @@ export interface Said {
 }
 
 /** Where it is said and how to end it. */
-export interface Saying {
+export interface SpeechJob {
   readonly signal: AbortSignal;
   /** Hears how much of what is needed first is fetched, 0 to 1. */
   readonly progress: (share: number) => void;
   /** Takes each part, of one or more whole utterances in their order, as soon as it is made. */
-  readonly take: (said: Said) => void;
+  readonly take: (said: SpokenAudio) => void;
 }
 
 /** Makes speech in the page. */
@@ -45,5 +45,11 @@ export interface SpeechSource {
   /** The voice of a figure of the library, in a language; of another name, a usual one. */
   voiceOf(figure: string, language: string): string;
   /** Over when all is said. Rejects with the signal's reason when it is aborted, and with an `Error` that says in a sentence why nothing can be said. */
-  speak(request: SpeechRequest, saying: Saying): Promise<void>;
+  speak(request: SpeechRequest, saying: SpeechJob): Promise<void>;
 }
+
+/** @deprecated Use `SpokenAudio`. */
+export type Said = SpokenAudio;
+
+/** @deprecated Use `SpeechJob`. */
+export type Saying = SpeechJob;

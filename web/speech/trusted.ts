@@ -25,13 +25,13 @@ const rules: Rules = {
 };
 
 /** A worker's name, and the folder of the library where its file may lie. */
-interface Opening {
+interface WorkerLocation {
   readonly name?: string;
   readonly folder?: string;
 }
 
 /** Starts a worker from a file of the player, or of a package of a voice. */
-export async function openWorker(address: string, { name = '', folder }: Opening = {}): Promise<Worker> {
+export async function openWorker(address: string, { name = '', folder }: WorkerLocation = {}): Promise<Worker> {
   origins.add(new URL(SCRIPT).origin);
   const policy = common('policy', () => trustedTypes?.createPolicy('raconteur', rules));
   const href = startOf(await placeOf(new URL(address, SCRIPT), folder));

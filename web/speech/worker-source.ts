@@ -1,7 +1,7 @@
 /** An engine that speaks in a worker of the page. */
 
-import type { Ask, Reply } from './messages.js';
-import type { Saying, SpeechRequest, SpeechSource } from './source.js';
+import type { WorkerRequest, Reply } from './messages.js';
+import type { SpeechJob, SpeechRequest, SpeechSource } from './source.js';
 
 /** No utterance takes longer; a worker that does hangs. What is needed first is fetched meanwhile, and its progress counts as a sign of life. */
 const PATIENCE_MS = 60_000;
@@ -11,7 +11,7 @@ export interface Engine extends Pick<SpeechSource, 'name' | 'about' | 'license' 
   worker(): Promise<Worker>;
 }
 
-interface Waiting extends Saying {
+interface Waiting extends SpeechJob {
   readonly resolve: () => void;
   readonly reject: (why: unknown) => void;
   timer?: ReturnType<typeof setTimeout>;
@@ -44,14 +44,14 @@ export class WorkerSource implements SpeechSource {
     return this.#engine.voiceOf(figure, language);
   }
 
-  async speak(request: SpeechRequest, saying: Saying): Promise<void> {
+  async speak(request: SpeechRequest, saying: SpeechJob): Promise<void> {
     const { signal } = saying;
     signal.throwIfAborted();
     const worker = await this.#open();
     signal.throwIfAborted();
     const id = this.#next++;
     const stop = () => {
-      worker.postMessage({ kind: 'stop', id } satisfies Ask);
+      worker.postMessage({ kind: 'stop', id } satisfies WorkerRequest);
       this.#waiting.get(id)?.reject(signal.reason);
     };
     signal.addEventListener('abort', stop, { once: true });
@@ -59,7 +59,7 @@ export class WorkerSource implements SpeechSource {
       await new Promise<void>((resolve, reject) => {
         this.#waiting.set(id, { ...saying, resolve, reject });
         this.#wait();
-        worker.postMessage({ ...request, kind: 'speak', id } satisfies Ask);
+        worker.postMessage({ ...request, kind: 'speak', id } satisfies WorkerRequest);
       });
     } finally {
       signal.removeEventListener('abort', stop);

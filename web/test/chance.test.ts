@@ -5,7 +5,7 @@ import { shuffled } from '../element/lesson/chance.js';
 import { Lesson } from '../element/lesson/lesson.js';
 import { shownOf } from '../element/lesson/question-fields.js';
 import { addressOf } from '../element/lesson/question-picture.js';
-import type { Question, QuestionKind, Way } from '../element/base/questions.js';
+import type { Question, QuestionKind, FlowEntry } from '../element/base/questions.js';
 
 const NAMES = ['a', 'b', 'c'];
 const question = (name: string, order: number, more: Partial<Question> = {}): Question => ({
@@ -47,8 +47,8 @@ describe('An order by chance', () => {
 });
 
 /** A pool of five questions of three seconds each, from second 10 on, and a question after it. */
-function pooled(count: number): { questions: Question[]; ways: Way[] } {
-  const ways: Way[] = [{ kind: 'pool', count, order: 9, atSecs: 10, endSecs: 25 }];
+function pooled(count: number): { questions: Question[]; ways: FlowEntry[] } {
+  const ways: FlowEntry[] = [{ kind: 'pool', count, order: 9, atSecs: 10, endSecs: 25 }];
   const questions: Question[] = [];
   for (let i = 0; i < 5; i += 1) {
     const [order, atSecs] = [10 + 3 * i, 10 + 3 * i];

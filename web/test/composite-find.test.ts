@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { indexOf, nearest, search, tableOf, type Finding } from '../composite/find.js';
+import { indexOf, nearest, search, tableOf, type FinderMatch } from '../composite/find.js';
 import { BEARDS, HAIR, MARKS, WEAR } from '../composite/look.js';
 import table from '../composite/words.tsv?raw';
 
@@ -19,7 +19,7 @@ function attributes(): Parameters<typeof indexOf>[0] {
 
 const index = indexOf(attributes());
 const first = (typed: string): string | undefined => search(index, typed)[0]?.thing;
-const all = (typed: string): string[] => search(index, typed).map(({ thing }: Finding) => thing);
+const all = (typed: string): string[] => search(index, typed).map(({ thing }: FinderMatch) => thing);
 
 /** What somebody who has never seen the editor types, and what is meant. */
 const MEANT: readonly (readonly [typed: string, thing: string])[] = [

@@ -3,9 +3,9 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { Course } from '../course/course.js';
 import { NOTHING } from '../course/memory.js';
-import type { Known, Record, Reply, Report } from '../course/report.js';
+import type { KnownLearner, Record, Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12 } from '../course/scorm.js';
-import { Troubles } from '../course/trouble.js';
+import { StorageProblems } from '../course/trouble.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/base/answers.js';
 import { Ranges, type Span } from '../element/base/ranges.js';
@@ -63,15 +63,15 @@ class Seen extends EventTarget {
 
 /** What was told, in order. */
 class Heard implements Record {
-  readonly troubles = new Troubles();
+  readonly troubles = new StorageProblems();
   readonly heard: (boolean | undefined | string)[] = [];
-  readonly #known: Known;
+  readonly #known: KnownLearner;
 
   constructor(pass?: number) {
     this.#known = { memory: NOTHING, isComplete: false, pass };
   }
 
-  open = (): Promise<Known> => Promise.resolve(this.#known);
+  open = (): Promise<KnownLearner> => Promise.resolve(this.#known);
   tell = ({ isPassed }: Report): void => void this.heard.push(isPassed);
   reply = ({ answered }: Reply): void => void this.heard.push(answered.name);
   keep = (): void => undefined;

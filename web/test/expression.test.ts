@@ -95,7 +95,7 @@ describe('the disc of types', () => {
       [GOOD, 'Positive'],
       [BAD, 'Negative'],
     ] as const) {
-      const own = [...source.matchAll(new RegExp(`of\\("([\\w-]+)", ${valence}`, 'g'))].map(([, name]) => name);
+      const own = [...source.matchAll(new RegExp(`emotion\\("([\\w-]+)", ${valence}`, 'g'))].map(([, name]) => name);
       expect([...names].sort()).toEqual(own.sort());
     }
   });

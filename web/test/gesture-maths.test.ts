@@ -3,7 +3,7 @@
 import { expect, test } from 'vitest';
 import type { PalmFunctions } from '../element/engine/backend.js';
 import { cross, dot, Lens, type Vector } from '../element/engine/pose.js';
-import type { Triple } from '../pages/gestures/gesture.js';
+import type { Vector3 } from '../pages/gestures/gesture.js';
 import { Palms } from '../pages/gestures/palm.js';
 import { wayAt } from '../pages/gestures/profile.js';
 import { roll, twist } from '../pages/gestures/roll.js';
@@ -12,8 +12,8 @@ import { COMPILE_MS, openBuild } from './build.js';
 const openPalms = async (): Promise<Palms> => new Palms(await openBuild<PalmFunctions>());
 
 /** EML's axes have z to the back, the engine's to the front. */
-const flipDepth = ([x, y, z]: Triple): Triple => [x, y, -z];
-const [LEFT, RIGHT, UP, DOWN, FRONT, BACK]: Triple[] = [
+const flipDepth = ([x, y, z]: Vector3): Vector3 => [x, y, -z];
+const [LEFT, RIGHT, UP, DOWN, FRONT, BACK]: Vector3[] = [
   [1, 0, 0],
   [-1, 0, 0],
   [0, 1, 0],
@@ -28,7 +28,7 @@ test(
   async () => {
     const palms = await openPalms();
     // The table of `crate/actor/src/palm.rs`: at -90, 0, 90 and 180 degrees.
-    const table: [Triple, Triple[]][] = [
+    const table: [Vector3, Vector3[]][] = [
       [LEFT!, [BACK!, DOWN!, FRONT!, UP!]],
       [RIGHT!, [FRONT!, DOWN!, BACK!, UP!]],
       [UP!, [BACK!, LEFT!, FRONT!, RIGHT!]],

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
-import { Later } from '../speech/later.js';
+import { DeferredAnswers } from '../speech/later.js';
 
 test('an answer is there when it is asked for again, and is made once', async () => {
-  const later = new Later<string>();
+  const later = new DeferredAnswers<string>();
   let made = 0;
   const ask = (question: string) =>
     later.ask(question, () => {
@@ -20,7 +20,7 @@ test('an answer is there when it is asked for again, and is made once', async ()
 });
 
 test('what fails is thrown once, and may be asked for anew', async () => {
-  const later = new Later<number>();
+  const later = new DeferredAnswers<number>();
   later.ask('x', () => Promise.reject(new Error('away')));
   await later.pending();
   expect(() => later.ask('x', () => Promise.resolve(1))).toThrow('away');
@@ -30,7 +30,7 @@ test('what fails is thrown once, and may be asked for anew', async () => {
 });
 
 test('old answers are let go', async () => {
-  const later = new Later<number>();
+  const later = new DeferredAnswers<number>();
   let made = 0;
   for (let i = 0; i < 100; i++) {
     later.ask(String(i), () => Promise.resolve(made++));
@@ -41,7 +41,7 @@ test('old answers are let go', async () => {
 });
 
 test('what is not wanted any more is ended, and keeps nobody waiting', async () => {
-  const later = new Later<string>();
+  const later = new DeferredAnswers<string>();
   let ended = false;
   later.ask('slow', (signal) => {
     signal.addEventListener('abort', () => (ended = true));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { Lesson, type Turn } from '../element/lesson/lesson.js';
-import type { Question, Way } from '../element/base/questions.js';
+import { Lesson, type FlowTurn } from '../element/lesson/lesson.js';
+import type { Question, FlowEntry } from '../element/base/questions.js';
 
 const option = (name: string, isRight = false) => ({ name, text: name.toUpperCase(), isRight });
 /** A question whose answers lie after it. */
@@ -23,21 +23,21 @@ const question = (atSecs: number, more: Partial<Question> = {}): Question => ({
 });
 
 /** Something on the way, from a time on. */
-const way = (atSecs: number, endSecs: number, what: object, within?: number): Way =>
-  ({ order: atSecs * 10, atSecs, endSecs, ...(within === undefined ? {} : { within }), ...what }) as Way;
+const way = (atSecs: number, endSecs: number, what: object, within?: number): FlowEntry =>
+  ({ order: atSecs * 10, atSecs, endSecs, ...(within === undefined ? {} : { within }), ...what }) as FlowEntry;
 const set = (atSecs: number, name: string, what: object, within?: number) => way(atSecs, atSecs, { kind: 'set', name, ...what }, within);
 const when = (atSecs: number, endSecs: number, name: string, what: object, within?: number) => way(atSecs, endSecs, { kind: 'if', name, ...what }, within);
 const goto = (atSecs: number, to: string, within?: number) => way(atSecs, atSecs, { kind: 'goto', to }, within);
 const part = (atSecs: number, endSecs: number, name: string) => way(atSecs, endSecs, { kind: 'part', name, title: name });
 
-function lesson(questions: readonly Question[], ways: readonly Way[] = []): Lesson {
+function lesson(questions: readonly Question[], ways: readonly FlowEntry[] = []): Lesson {
   const made = new Lesson();
   made.setStory(questions, ways);
   return made;
 }
 
 /** Plays until a question or an end, in steps; the times that were shown. */
-function play(l: Lesson, fromSecs: number, endSecs: number): { shown: number[]; secs: number; turn: Turn } {
+function play(l: Lesson, fromSecs: number, endSecs: number): { shown: number[]; secs: number; turn: FlowTurn } {
   const shown: number[] = [];
   let secs = fromSecs;
   for (let i = 0; i < 10_000 && secs <= endSecs; i += 1) {
@@ -304,8 +304,8 @@ function dice(seed: number): (sides: number) => number {
 }
 
 /** A story by chance: every ten seconds something is asked, set, meant for some, or led on from. */
-function story(roll: (sides: number) => number): { questions: Question[]; ways: Way[]; endSecs: number } {
-  const [questions, ways]: [Question[], Way[]] = [[], []];
+function story(roll: (sides: number) => number): { questions: Question[]; ways: FlowEntry[]; endSecs: number } {
+  const [questions, ways]: [Question[], FlowEntry[]] = [[], []];
   const count = 4 + roll(10);
   for (let i = 0; i < count; i += 1) {
     const at = i * 10;

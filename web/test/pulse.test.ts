@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { Pulse } from '../element/picture/pulse.js';
+import { AnimationLoops } from '../element/picture/pulse.js';
 
 let page: { hidden: boolean };
 let frames: (() => void)[];
@@ -20,7 +20,7 @@ afterEach(() => {
 it('a hidden page is drawn four times a second, and often enough where it is watched elsewhere', () => {
   let pictures = 0;
   let isElsewhere = false;
-  const pulse = new Pulse(
+  const pulse = new AnimationLoops(
     () => (pictures += 1),
     () => undefined,
     () => isElsewhere,

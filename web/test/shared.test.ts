@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { Shared } from '../element/base/shared.js';
+import { SharedTasks } from '../element/base/shared.js';
 
 /** Work whose end the test decides. */
 function work() {
@@ -18,7 +18,7 @@ function work() {
 const pause = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
 
 test('what two want is made once, and kept', async () => {
-  const shared = new Shared<string>();
+  const shared = new SharedTasks<string>();
   const { make, ends } = work();
   const both = [shared.get('a', undefined, make), shared.get('a', new AbortController().signal, make)];
   ends[0]?.('made');
@@ -28,13 +28,13 @@ test('what two want is made once, and kept', async () => {
 });
 
 test('what has failed is made again', async () => {
-  const shared = new Shared<string>();
+  const shared = new SharedTasks<string>();
   await expect(shared.get('a', undefined, () => Promise.reject(new Error('away')))).rejects.toThrow('away');
   expect(await shared.get('a', undefined, () => Promise.resolve('there'))).toBe('there');
 });
 
 test('who does not want it any more does not wait, and the others do', async () => {
-  const shared = new Shared<string>(10);
+  const shared = new SharedTasks<string>(10);
   const { make, signals, ends } = work();
   const [first, second] = [new AbortController(), new AbortController()];
   const left = shared.get('a', first.signal, make);
@@ -48,7 +48,7 @@ test('who does not want it any more does not wait, and the others do', async () 
 });
 
 test('what nobody wants any more ends after a while, and is made anew for the next', async () => {
-  const shared = new Shared<string>(10);
+  const shared = new SharedTasks<string>(10);
   const { make, signals, ends } = work();
   const abort = new AbortController();
   const left = shared.get('a', abort.signal, make);

@@ -1,20 +1,20 @@
 import { beforeEach, expect, test, vi } from 'vitest';
-import type { Ask, Reply } from '../speech/messages.js';
-import type { Said, SpeechSource } from '../speech/source.js';
+import type { WorkerRequest, Reply } from '../speech/messages.js';
+import type { SpokenAudio, SpeechSource } from '../speech/source.js';
 
 /** A worker that answers when it is told to. */
 class FakeWorker {
   static all: FakeWorker[] = [];
   onmessage?: (event: { data: Reply }) => void;
   onerror?: () => void;
-  asked: Ask[] = [];
+  asked: WorkerRequest[] = [];
   ended = false;
 
   constructor() {
     FakeWorker.all.push(this);
   }
 
-  postMessage(ask: Ask): void {
+  postMessage(ask: WorkerRequest): void {
     this.asked.push(ask);
   }
 
@@ -39,8 +39,8 @@ const last = (): FakeWorker => {
   return worker;
 };
 /** The parts of a text. */
-const speak = async (eml: string, progress: (share: number) => void = () => undefined): Promise<Said[]> => {
-  const parts: Said[] = [];
+const speak = async (eml: string, progress: (share: number) => void = () => undefined): Promise<SpokenAudio[]> => {
+  const parts: SpokenAudio[] = [];
   await flite.speak({ eml, voice: 'slt' }, { signal: aborts.signal, progress, take: (part) => parts.push(part) });
   return parts;
 };

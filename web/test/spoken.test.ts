@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Spoken } from '../element/sound/spoken.js';
+import { SpokenSource } from '../element/sound/spoken.js';
 import type { Utterance } from '../element/base/types.js';
 
 /** What was given to the browser to say. */
@@ -48,7 +48,7 @@ function utterance(startSecs: number, text: string, more: Partial<Utterance> = {
   return { startSecs, durationSecs: 2, audio: [], words, estimated: true, ...more };
 }
 
-const find = (utterances: Utterance[], language = 'en-GB', voice?: string) => Spoken.find(utterances, { language, voice }, (why) => told.push(why));
+const find = (utterances: Utterance[], language = 'en-GB', voice?: string) => SpokenSource.find(utterances, { language, voice }, (why) => told.push(why));
 
 test('the voice that a story names says it, unless a part is in another language or names another', async () => {
   const all = [utterance(1, 'One'), utterance(4, 'Two', { voice: 'ann' }), utterance(7, 'Drei', { language: 'de' }), utterance(10, 'Four', { voice: 'nobody' })];

@@ -1,7 +1,7 @@
 /** The clock of a figure that waits: it runs slowly, only where it is seen, and spares slow devices. */
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Welcome } from '../element/story/welcome.js';
+import { IdleClock } from '../element/story/welcome.js';
 
 let callbacks = new Map<number, FrameRequestCallback>();
 let last = 0;
@@ -10,7 +10,7 @@ let reduced = false;
 let drawn: number[] = [];
 /** What a picture takes, milliseconds. */
 let cost = 0;
-let welcome: Welcome;
+let welcome: IdleClock;
 
 beforeEach(() => {
   [callbacks, last, now, reduced, drawn, cost] = [new Map(), 0, 0, false, [], 0];
@@ -20,7 +20,7 @@ beforeEach(() => {
     return last;
   });
   vi.stubGlobal('cancelAnimationFrame', (id: number) => callbacks.delete(id));
-  welcome = new Welcome(() => {
+  welcome = new IdleClock(() => {
     drawn.push(welcome.secs);
     now += cost;
   });

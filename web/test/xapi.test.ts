@@ -3,7 +3,7 @@ import { NOTHING } from '../course/memory.js';
 import { Outbox } from '../course/outbox.js';
 import { RecordError } from '../course/report.js';
 import type { Outcome, Statement } from '../course/store.js';
-import { Troubles } from '../course/trouble.js';
+import { StorageProblems } from '../course/trouble.js';
 import { XapiRecord } from '../course/xapi.js';
 import { ACTOR, COURSE, FakeStore, launchOf, memoryAt, prepare, REGISTRATION, report, SESSION_ID, settled, shelf, verbs } from './course-store.js';
 import { sized } from './tier.js';
@@ -253,7 +253,7 @@ describe('A launch', () => {
 
 describe('An outbox', () => {
   const statements = (count: number): Statement[] => Array.from({ length: count }, (_, i) => ({ id: `${i}` }));
-  const troubles = new Troubles();
+  const troubles = new StorageProblems();
   const outboxOf = (send: (batch: readonly Statement[]) => Promise<Outcome>, kept = shelf()) => new Outbox('x', kept, { send, trouble: (what, it) => troubles.set(what, it) });
 
   it('goes past what a store does not take, which it keeps, and waits longer each time it is away', async () => {

@@ -26,17 +26,17 @@ use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
 use crate::performance::Performance;
 
-/// What an evaluation reports besides the pose.
+/// Results of an evaluation in addition to the pose.
 #[derive(Clone, Copy, Debug)]
 pub struct EvaluationReport {
-    /// Solutions of the left and right arm as gestures and rest lead them.
+    /// Solutions of the left and right arm as driven by gestures and rest.
     pub arms: [ArmSolution; 2],
     /// Targets of the left and right wrist, world, metres.
     pub wrist_goals_in_world: [DVec3; 2],
-    /// How far each wrist of the pose is from there, metres.
+    /// Distance of each wrist of the pose from its target, metres.
     pub wrist_errors_m: [f64; 2],
-    /// World from the target of each limb that a manipulator or, without a turn, a gesture
-    /// leads, in the order of [`Limb::ALL`](crate::limb::Limb::ALL) without the head.
+    /// World from target, per limb driven by a manipulator or, without a turn, by a gesture; in the
+    /// order of [`Limb::ALL`](crate::limb::Limb::ALL) without the head.
     pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
@@ -44,12 +44,12 @@ pub struct EvaluationReport {
     pub controls: FaceControls,
 }
 
-/// A performance made ready for one figure. Evaluation is a function of time: it keeps
-/// nothing, and allocates nothing.
+/// A performance prepared for one figure. Evaluation is a pure function of time: it stores no state
+/// and allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Actor {
     plans: [ArmPlan; 2],
-    /// Where arms would snap.
+    /// Time spans in which arm motion would jump and is smoothed.
     calming: [JumpSmoothing; 2],
     rigs: [Arc<ArmRig>; 2],
     /// Only where the performance has players or manipulators.
@@ -76,7 +76,7 @@ struct BodyMotion {
     manipulators: Manipulators,
 }
 
-/// The scripts of the arms as a figure sees them that the performance moves about.
+/// Returns the arm scripts in the axes of a figure that the performance moves about.
 fn record_visited(performance: &Performance) -> [ArmScript; 2] {
     let way = performance.manipulators.figure_from_world();
     performance.arms.each_ref().map(|script| match &way {
@@ -106,7 +106,8 @@ fn scaled_manner(manner: &Manner, amount: f64) -> Manner {
 }
 
 impl Actor {
-    /// Makes a performance ready: plans the arms, resolves phones, plans what accompanies speech.
+    /// Prepares a performance: plans the arms, resolves phones, plans the behaviour that
+    /// accompanies speech.
     #[must_use]
     pub fn new(performance: &Performance, skeleton: &Skeleton) -> Self {
         let seed = performance.seed;
@@ -209,7 +210,7 @@ impl Actor {
         })
     }
 
-    /// Moves the listener, for example with the camera; holds for evaluations to come.
+    /// Moves the listener, for example with the camera. Applies to later evaluations.
     pub fn look_at(&mut self, listener_in_world: DVec3) {
         self.listener_in_world = listener_in_world;
     }
@@ -220,25 +221,25 @@ impl Actor {
         &self.plans[side.index()]
     }
 
-    /// Whether the script cuts a limb to other joints after a story time, up to another one,
-    /// seconds.
+    /// Returns true if the script cuts a limb to other joints after one story time and up to
+    /// another, seconds.
     #[must_use]
     pub fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
         let cuts = |motion: &BodyMotion| motion.manipulators.cuts_between(after_secs, to_secs);
         self.motion.as_ref().is_some_and(cuts)
     }
 
-    /// World from figure axes at a story time: where the script has moved the figure; none
-    /// where it never does.
+    /// Returns world from figure axes at a story time, following the moves in the script; `None` if
+    /// the script never moves the figure.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
         let motion = self.motion.as_ref()?;
         motion.manipulators.world_from_figure(time_secs)
     }
 
-    /// Evaluates the figure at a story time into a pose and morph weights (in the order of
-    /// the figure's morph names). The pose is overwritten; weights of morphs that the
-    /// actor does not use keep their values.
+    /// Evaluates the figure at a story time into a pose and morph weights (in the order of the
+    /// figure's morph names). Overwrites the pose; weights of morphs that the actor does not use
+    /// keep their values.
     pub fn evaluate(
         &self,
         skeleton: &Skeleton,
@@ -322,7 +323,7 @@ impl Actor {
         }
     }
 
-    /// Legs and spine as they stand and sway, on a pose of zero.
+    /// Poses legs and spine in their stance and sway, on a zero pose.
     fn trunk(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
         *pose = Pose::zero();
         self.stance.apply(skeleton, t, self.amount, pose);

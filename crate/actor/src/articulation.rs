@@ -16,27 +16,25 @@ use Muscle as M;
 
 /// Loudness of ordinary speech, of 0 (as quiet as can be) to 1 (shouted).
 pub const ORDINARY_LOUDNESS: f64 = 0.5;
-/// Pitch of the jaw at a channel value of 1, radians. Speech opens the mouth less than it
-/// can (F&H's jaw channel is the whole range): the widest vowel turns the jaw by 9°, as one
-/// who speaks to a room does. Designed.
+/// Pitch of the jaw at a channel value of 1, radians. Speech opens the mouth less than the full
+/// range of F&H's jaw channel: the widest vowel turns the jaw by 9°, as when speaking to a room.
+/// Designed.
 pub const JAW_RAD: f64 = 0.245;
-/// Lip aperture that a jaw channel of 1 opens by itself, as a lip channel. Designed.
+/// Lip aperture produced by a jaw channel of 1 alone, as a lip channel. Designed.
 const LIPS_OF_JAW: f64 = 0.9;
-/// By how much the openings of vowels grow from ordinary speech to the loudest, and shrink
-/// to the quietest, as a share. Designed.
+/// Relative growth of vowel openings from ordinary speech to the loudest, and their reduction to
+/// the quietest, as a share. Designed.
 const LOUDER: f64 = 0.4;
-/// Channels of jaw and lips up to which consonants open the mouth, in the table of phones:
-/// loudness changes only what lies beyond.
+/// Limit of the jaw and lip channels up to which consonants open the mouth, in the table of phones.
+/// Loudness changes only the part beyond.
 const CONSONANT_JAW: f64 = 0.18;
 const CONSONANT_LIPS: f64 = 0.25;
-/// How far the jaw comes forward for a sibilant, metres. Designed: its teeth meet edge to
-/// edge.
+/// Forward displacement of the jaw for a sibilant, metres. Designed: the teeth meet edge to edge.
 const SIBILANT_M: f64 = 0.002;
 
-/// Adds what the mouth does in speech to a face: contractions, jaw, tongue, and how far
-/// closures hold the lips. `loudness` is that of the voice, 0 to 1 with
-/// [`ORDINARY_LOUDNESS`] in the middle; it scales how far vowels open the mouth, never
-/// closures.
+/// Adds the speech articulation of the mouth to a face: contractions, jaw, tongue, and the strength
+/// of lip closures. `loudness` is that of the voice, 0 to 1 with [`ORDINARY_LOUDNESS`] in the
+/// middle; it scales vowel openings, never closures.
 pub fn articulate(mouth: &MouthTargets, loudness: f64, controls: &mut FaceControls) {
     let value = |channel: Channel| mouth.channel(channel);
     let free = 1.0 - mouth.press.max(mouth.bite);
@@ -97,9 +95,9 @@ pub fn articulate(mouth: &MouthTargets, loudness: f64, controls: &mut FaceContro
 const SEALED_RAD: f64 = 0.12;
 const BITTEN_RAD: f64 = 0.03;
 
-/// Lets closures have their way in a face that several have moved: within a seal or a bite,
-/// what pulls lips apart is taken back, and so is a jaw too far open. To be called last;
-/// brings the face into its ranges first ([`FaceControls::limit`]).
+/// Enforces closures in a face driven by several sources: within a seal or a bite, it cancels
+/// contractions that pull the lips apart and limits an open jaw. Call this last; it first limits
+/// the face to its ranges ([`FaceControls::limit`]).
 pub fn hold_closures(controls: &mut FaceControls) {
     controls.limit();
     let (seal, bite) = (controls.seal, controls.bite);
@@ -125,7 +123,7 @@ mod tests {
 
     use crate::lips::LipTrack;
 
-    /// What a phone's own targets make of a face at rest.
+    /// Returns a phone's own targets on a face at rest.
     fn face(symbol: &str, loudness: f64) -> FaceControls {
         let mut mouth = MouthTargets {
             channels: phones::by_name(symbol).expect("a phone").channels,

@@ -17,7 +17,7 @@ pub(crate) struct FacialBehaviour {
     parameters: ParameterTrack,
 }
 
-/// How the head moves with speech and emotion, radians.
+/// Head motion of speech and emotion, radians.
 pub(crate) struct HeadMotion {
     /// Down, to the left side, to the left about the vertical.
     pub(crate) pitch: f64,
@@ -26,7 +26,7 @@ pub(crate) struct HeadMotion {
 }
 
 impl FacialBehaviour {
-    /// Plans what accompanies speech in a manner, and makes the rest ready.
+    /// Plans the behaviour that accompanies speech in a manner, and prepares the rest.
     pub(crate) fn new(performance: &Performance, manner: &Manner) -> Self {
         let library = |name: &str| performance.library.parameters(name);
         let parameters = ParameterTrack::new(&performance.parameters, &library);
@@ -60,7 +60,7 @@ impl FacialBehaviour {
         self.emotions.strength(t)
     }
 
-    /// How active one feels, 0 (calm or passive) to 1.
+    /// Returns the emotional activation, 0 (calm or passive) to 1.
     pub(crate) fn arousal(&self, t: f64) -> f64 {
         (self.emotions.sample(t).activation / 100.0).clamp(0.0, 1.0)
     }
@@ -82,7 +82,7 @@ impl FacialBehaviour {
         }
     }
 
-    /// Where the eyes look besides the listener: to the left and up, radians.
+    /// Returns the turn of the eyes away from the listener: to the left and up, radians.
     pub(crate) fn eyes(&self, t: f64) -> [f64; 2] {
         let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
         let looked = self.nonverbal.gaze(t).eyes;

@@ -4,13 +4,13 @@
 #[cfg(any(test, feature = "learn"))]
 use crate::person::PersonRecord;
 
-/// From this age on nobody grows, years.
+/// Age at which growth ends, years.
 pub(crate) const GROWN_YEARS: f64 = 20.0;
 /// The oldest face is as many years older.
 const AGEING_YEARS: f64 = 60.0;
 /// Ages that a life is known for, years.
 const KNOWN_YEARS: core::ops::RangeInclusive<f64> = 8.0..=80.0;
-/// What of years and sex a face goes with.
+/// Number of regression terms formed from age and sex.
 const TERMS: usize = 6;
 
 /// Of years, and of a sex from 0 (male) to 1.
@@ -28,15 +28,16 @@ fn terms(years: f64, sex: f64) -> [f64; TERMS] {
     ]
 }
 
-/// How coefficients of a space go with years.
+/// Linear model of the change of face-space coefficients with age.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AgeModel {
-    /// For each of what a face goes with, the coefficients that one of it adds; empty where nobody knows ages.
+    /// Coefficients added by one unit of each age and sex term; empty if the model has no age data.
     pub(crate) effects: Vec<Vec<f64>>,
 }
 
 impl AgeModel {
-    /// That of people with these faces, by least squares beside sex and ancestry. Nothing where they are too few.
+    /// Fits the model to people and their faces by least squares, together with sex and ancestry.
+    /// Returns an empty model if there are too few people.
     #[cfg(feature = "learn")]
     #[must_use]
     pub fn learn(people: &[PersonRecord], faces: &[Vec<f64>]) -> Self {
@@ -65,14 +66,15 @@ impl AgeModel {
         }
     }
 
-    /// Whether so many coefficients are known of each term, or none of any.
+    /// Returns true if each term has this number of coefficients, or if the model is empty.
     pub(crate) fn fits(&self, modes: usize) -> bool {
         let is_whole = |row: &Vec<f64>| row.len() == modes && row.iter().all(|x| x.is_finite());
         self.effects.is_empty()
             || (self.effects.len() == TERMS && self.effects.iter().all(is_whole))
     }
 
-    /// The coefficients that the years between two ages add to somebody of a sex; ages from 8 to 80.
+    /// Returns the change of the coefficients between two ages for a person of the given sex; ages
+    /// from 8 to 80.
     #[must_use]
     pub fn change(&self, from_years: f64, to_years: f64, sex: f64) -> Vec<f64> {
         let [from, to] = [from_years, to_years].map(|years| terms(years, sex.clamp(0.0, 1.0)));

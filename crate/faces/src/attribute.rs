@@ -18,8 +18,8 @@ pub struct Attribute {
 }
 
 impl Attribute {
-    /// The attribute of labels that examples were given, after equation 3.4. Labels count from their
-    /// mean; their size is that of the attribute's values.
+    /// Computes the attribute from labelled examples, after equation 3.4. Labels are relative to
+    /// their mean; their scale is that of the attribute's values.
     ///
     /// # Errors
     /// When labels are missing or say nothing.
@@ -76,13 +76,14 @@ impl Attribute {
         &self.direction
     }
 
-    /// How much of the attribute a face has, by its coefficients (equation 3.5): 0 for the average.
+    /// Returns the attribute value of a face from its coefficients (equation 3.5): 0 for the
+    /// average.
     #[must_use]
     pub fn value(&self, space: &FaceSpace, coefficients: &[f64]) -> f64 {
         space.product(coefficients, &self.direction)
     }
 
-    /// By how much one more of each number of a face changes the value.
+    /// Returns the change of the value per unit of each number of a face.
     #[cfg(feature = "learn")]
     pub(crate) fn gradient(&self, space: &FaceSpace) -> Vec<f64> {
         let pairs = self.direction.iter().zip(space.deviations());
@@ -90,8 +91,8 @@ impl Attribute {
         space.difference(&shares)
     }
 
-    /// The attribute that is measured by numbers of a face, each by its index: the direction in which faces
-    /// of the space differ when the measure does.
+    /// Returns an attribute that is measured by indexed numbers of a face: the direction in face
+    /// space that correlates with the measure.
     ///
     /// # Errors
     /// When the space does not vary in what is measured.
@@ -111,23 +112,23 @@ impl Attribute {
         Self::along(name.to_owned(), space, direction)
     }
 
-    /// Changes a face so that it has so much more of the attribute.
+    /// Changes a face's coefficients so that its attribute value increases by `more`.
     pub fn add(&self, coefficients: &mut [f64], more: f64) {
         for (c, by) in coefficients.iter_mut().zip(&self.change) {
             *c += more * by;
         }
     }
 
-    /// The coefficients that change the value by 1 in the way that is likeliest among the examples (equation
-    /// 3.7): what goes with the attribute in people changes with it.
+    /// Returns the coefficients that change the value by 1 in the most likely way among the
+    /// examples (equation 3.7): traits that correlate with the attribute in people change with it.
     #[must_use]
     pub fn with_all(&self, space: &FaceSpace) -> Vec<f64> {
         let step = 1.0 / space.product(&self.direction, &self.direction);
         self.direction.iter().map(|along| step * along).collect()
     }
 
-    /// The direction that changes the value as fast with the least change of the vector itself: what
-    /// equation 3.7 is better than, for comparison.
+    /// Returns the direction that changes the value by the same amount with the smallest change of
+    /// the coefficient vector; a baseline for comparison with equation 3.7.
     #[must_use]
     pub fn steepest(&self, space: &FaceSpace) -> Vec<f64> {
         let deviations = space.deviations();
@@ -199,8 +200,9 @@ mod tests {
         }
     }
 
-    /// The share of two faces' difference that is left after both were given the same value: the
-    /// steepest way in plain distance gives all the same small detail instead.
+    /// Share of the difference between two faces that remains after both were set to the same
+    /// value: the steepest direction in plain distance gives all faces the same small detail
+    /// instead.
     #[test]
     fn the_way_by_deviations_stays_among_likely_faces() {
         let faces = examples(80, 45, 8);

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 use crate::change_cache::ChangeCache;
 use crate::{Affine, Change, Constraint, Editor, Face, FaceModel, Half, Part, Region};
 
-/// What a pack holds; `FacePack` in `web/element/face/faces.ts`.
+/// Contents of a pack; `FacePack` in `web/element/face/faces.ts`.
 #[derive(Serialize)]
 struct Contents<'a> {
     vertices: usize,
@@ -100,9 +100,9 @@ pub struct Faces {
     editor: Editor,
     face: Face,
     lately: ChangeCache,
-    /// The region that was asked for last, by its segments and its half.
+    /// Last requested region, with its segments and half as the key.
     region: RefCell<Option<AskedRegion>>,
-    /// What the face that was drawn last is straightened by.
+    /// Correction that removed self-intersections from the last displayed face.
     straightened: Vec<f64>,
 }
 
@@ -134,7 +134,7 @@ impl Faces {
         Ok(())
     }
 
-    /// What the pack holds.
+    /// Returns the contents of the pack.
     pub fn contents(&self) -> Result<JsValue, JsError> {
         let model = self.editor.model();
         let entries = [(Part::Shape, "shape"), (Part::Texture, "texture")].into_iter();
@@ -175,7 +175,7 @@ impl Faces {
         self.face = self.editor.average();
     }
 
-    /// A face drawn at random; the same for the same seed.
+    /// Sets a random face; the same seed gives the same face.
     pub fn random(&mut self, seed: u32) {
         self.face = self.editor.random(u64::from(seed));
     }
@@ -197,7 +197,7 @@ impl Faces {
         Ok(region)
     }
 
-    /// Marks with 1 the vertices of segments and of all their parts, the others with 0.
+    /// Returns a mask that is 1 at the vertices of the segments and all their parts, 0 elsewhere.
     pub fn mask(&self, segments: Vec<String>) -> Result<Vec<f64>, JsError> {
         let all = &self.editor.model().segments;
         let find = |name: &String| {
@@ -208,31 +208,31 @@ impl Faces {
         Ok(all.mask(&chosen, self.editor.model().vertices()))
     }
 
-    /// The name of the smallest segment that a vertex lies in.
+    /// Returns the name of the smallest segment that contains a vertex.
     #[wasm_bindgen(js_name = segmentAt)]
     pub fn segment_at(&self, vertex: u32) -> Option<String> {
         let found = self.editor.model().segments.segment_of(vertex);
         found.map(|s| s.name.clone())
     }
 
-    /// Whom the random face of a seed is most like, by their number in the database.
+    /// Returns the database index of the person most similar to the random face of a seed.
     #[wasm_bindgen(js_name = randomPerson)]
     pub fn random_person(&self, seed: u32) -> Option<usize> {
         self.editor.random_person(u64::from(seed))
     }
 
-    /// How much of an attribute the face has.
+    /// Returns the face's value of an attribute.
     pub fn value(&self, of: &str, name: &str) -> Result<f64, JsError> {
         Ok(self.editor.value(&self.face, part(of)?, name)?)
     }
 
-    /// How much of each attribute of a part the face has, in the order of the contents.
+    /// Returns the face's values of all attributes of a part, in the order of the contents.
     pub fn values(&self, of: &str) -> Result<Vec<f64>, JsError> {
         Ok(self.editor.values(&self.face, part(of)?)?)
     }
 
-    /// Adds so much of an attribute in a region: segments, on a half or both; the whole head without.
-    /// `with_all`: and of what goes with it in people.
+    /// Adds an amount of an attribute in a region: segments, on one half or both; the whole head if
+    /// no segments are given. `with_all` also adds the traits that correlate with it in people.
     pub fn add(
         &mut self,
         of: &str,
@@ -256,7 +256,8 @@ impl Faces {
         })
     }
 
-    /// Adds so much of the change that a key stands for, and makes it where it is not known.
+    /// Adds an amount of the change with the given key, and computes the change if it is not
+    /// cached.
     fn add_change(
         &mut self,
         key: String,
@@ -271,8 +272,9 @@ impl Faces {
         added
     }
 
-    /// Adds so much of an attribute of the whole head: of a feature in its own segments, of what a whole person is
-    /// so that others of its part keep their values.
+    /// Adds an amount of an attribute in isolation: a feature changes only its own segments; a
+    /// trait of the whole person changes the whole head so that other attributes of its part keep
+    /// their values.
     #[wasm_bindgen(js_name = addAlone)]
     pub fn add_alone(
         &mut self,
@@ -288,8 +290,8 @@ impl Faces {
         })
     }
 
-    /// Makes the face of a region so many years older, or younger below zero, as people of its sex get; in shape and
-    /// texture. Ages are from 8 to 80.
+    /// Ages the face of a region by a number of years (negative: makes it younger), by the average
+    /// change for its sex, in shape and texture. Ages are from 8 to 80.
     #[wasm_bindgen(js_name = addYears)]
     pub fn add_years(
         &mut self,
@@ -329,7 +331,7 @@ impl Faces {
         Ok(())
     }
 
-    /// Takes over a region of a face of the database.
+    /// Copies a region from a face of the database.
     #[wasm_bindgen(js_name = importFrom)]
     pub fn import_from(
         &mut self,
@@ -373,7 +375,8 @@ impl Faces {
         Ok(())
     }
 
-    /// Brings the face to values of attributes; the exception names the first that contradicts.
+    /// Brings the face to given attribute values; the exception names the first conflicting
+    /// constraint.
     pub fn constrain(&mut self, held: JsValue) -> Result<(), JsError> {
         let held: Vec<FaceConstraint> = serde_wasm_bindgen::from_value(held)?;
         let all: Vec<Constraint> = held
@@ -401,7 +404,7 @@ impl Faces {
         bytes
     }
 
-    /// The face that [`Self::keep`] kept of the same pack.
+    /// Restores a face saved by [`Self::keep`] from the same pack.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), JsError> {
         let numbers: Vec<f64> = bytes
             .as_chunks()
@@ -425,8 +428,9 @@ impl Faces {
         Ok(())
     }
 
-    /// x, y and z of each vertex of the skin; metres, frame of the head. Of a face that `moves`, straightened as the one
-    /// that was drawn last: a face that differs little takes no time then.
+    /// Returns x, y, z of each vertex of the skin; metres, frame of the head. A face that `moves`
+    /// reuses the self-intersection correction of the last displayed face, so that a small change
+    /// takes no time.
     pub fn skin(&mut self, moves: bool) -> Vec<f64> {
         let shape = &self.face.shape;
         if !moves || self.straightened.len() != shape.len() {
@@ -445,13 +449,14 @@ impl Faces {
             .collect()
     }
 
-    /// What lies in the head: centres of the eyes, turns that close the lids, height of the chin.
+    /// Returns the values of the inner parts of the head: centres of the eyes, rotations that close
+    /// the lids, height of the chin.
     pub fn organs(&self) -> Vec<f64> {
         self.face.organs.clone()
     }
 
-    /// Factors of a figure's own colours: of each vertex of the skin, of the irises, of the brows;
-    /// nothing where the pack does not know the figure.
+    /// Returns the factors for a figure's own colours: of each vertex of the skin, of the irises,
+    /// of the brows; `None` if the pack does not contain the figure.
     pub fn factors(&self, figure: &str) -> Option<Vec<f64>> {
         let texture = self.editor.model().texture.as_ref()?;
         let factors = texture.factors(&self.face.texture, figure)?;

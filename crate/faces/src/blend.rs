@@ -8,10 +8,10 @@
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Which vertices are joined by an edge.
+/// Vertex adjacency lists.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VertexNeighbours {
-    /// Where the neighbours of each vertex begin in `list`; one more than there are vertices.
+    /// Start of each vertex's neighbours in `list`; one entry more than there are vertices.
     starts: Vec<u32>,
     list: Vec<u32>,
 }
@@ -21,7 +21,8 @@ pub struct VertexNeighbours {
 const STEPS: [usize; 3] = [2, 8, 32];
 
 impl VertexNeighbours {
-    /// Those of triangles over so many vertices; none where a triangle names another.
+    /// Builds the adjacency from triangles over a number of vertices; `None` if a triangle index is
+    /// out of range.
     #[must_use]
     pub fn from_triangles(triangles: &[[u32; 3]], vertices: usize) -> Option<Self> {
         if triangles.iter().flatten().any(|&v| v as usize >= vertices) {
@@ -33,7 +34,8 @@ impl VertexNeighbours {
         Some(Self::of_edges(edges.collect(), vertices))
     }
 
-    /// Those of edges, each once in either direction, over so many vertices, which has all that they name.
+    /// Builds the adjacency from edges, each listed once in either direction; all indices must be
+    /// in range.
     pub(crate) fn of_edges(mut edges: Vec<[u32; 2]>, vertices: usize) -> Self {
         edges.sort_unstable();
         edges.dedup();
@@ -54,7 +56,8 @@ impl VertexNeighbours {
         &self.list[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
-    /// Steps of smoothing of so many numbers at each vertex: half of them, and half of their neighbours' mean.
+    /// Smooths values at each vertex for a number of steps: half the value, plus half the mean of
+    /// its neighbours.
     fn smoothed<const WIDTH: usize>(&self, numbers: &[f64], steps: usize) -> Vec<f64> {
         let mut out = numbers.to_vec();
         let mut before = out.clone();
@@ -83,7 +86,7 @@ impl VertexNeighbours {
         out
     }
 
-    /// How many vertices there are.
+    /// Returns the number of vertices.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.starts.len() - 1
@@ -106,9 +109,9 @@ impl VertexNeighbours {
         SoftMask(STEPS.into_iter().map(band).collect())
     }
 
-    /// What of a difference is let in where a mask is 1, and blended out around it; three numbers at
-    /// each vertex. Vertices from which no way of so many edges as there are steps leads to the mask get
-    /// nothing.
+    /// Applies a mask to a difference, three numbers at each vertex: full where the mask is 1,
+    /// blended out around it. Vertices farther from the mask than the number of steps, in edges,
+    /// get nothing.
     ///
     /// # Panics
     /// When the mask or the difference is not of these vertices.
@@ -138,8 +141,8 @@ impl VertexNeighbours {
         sum
     }
 
-    /// What a mean over neighbours takes away from numbers, three at each vertex: detail finer than
-    /// some 5 mm.
+    /// Returns the part of the values, three at each vertex, that averaging over neighbours
+    /// removes: detail finer than about 5 mm.
     #[must_use]
     pub fn detail(&self, numbers: &[f64]) -> Vec<f64> {
         let smooth = self.smoothed::<3>(numbers, STEPS[0]);
@@ -148,8 +151,8 @@ impl VertexNeighbours {
 }
 
 impl VertexNeighbours {
-    /// How far each vertex is from those that a mask marks, along edges, in the unit of the places, as far as `most`;
-    /// `most` for what is farther.
+    /// Returns the distance of each vertex from the masked vertices along edges, in the unit of the
+    /// positions, clamped to `most`.
     pub(crate) fn distances(&self, places: &[[f64; 3]], mask: &[f64], most: f64) -> Vec<f64> {
         // Distances that are not negative have the order of their bits.
         let mut found = vec![most; places.len()];
@@ -182,7 +185,7 @@ impl VertexNeighbours {
 pub struct SoftMask(Vec<Vec<f64>>);
 
 impl SoftMask {
-    /// Lets in less at each vertex, by a share.
+    /// Scales the mask at each vertex by a share.
     pub(crate) fn lessen(&mut self, shares: &[f64]) {
         for band in &mut self.0 {
             for (x, share) in band.iter_mut().zip(shares) {
@@ -191,7 +194,7 @@ impl SoftMask {
         }
     }
 
-    /// How much of coarse form is let in at a vertex, 0 to 1.
+    /// Returns the weight of the coarse form at a vertex, 0 to 1.
     #[must_use]
     pub fn weight(&self, vertex: usize) -> f64 {
         let coarsest = self.0.last().and_then(|band| band.get(vertex));

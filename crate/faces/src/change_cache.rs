@@ -3,7 +3,7 @@
 
 use crate::edit::{Change, Face, Part};
 
-/// So much is kept, bytes.
+/// Maximum size of the cache, bytes.
 const MAX_BYTES: usize = 48 << 20;
 /// Numbers in a row that are zero part two runs.
 const GAP: usize = 24;
@@ -12,7 +12,7 @@ const GAP: usize = 24;
 #[derive(Clone, Debug)]
 struct SparseChange {
     part: Part,
-    /// Where each run begins, and its numbers.
+    /// Start index and numbers of each run.
     runs: Vec<(usize, Vec<f64>)>,
     organs: Vec<f64>,
 }
@@ -52,7 +52,7 @@ impl SparseChange {
         runs.sum::<usize>() + 8 * self.organs.len()
     }
 
-    /// Adds a multiple to a face, as [`Face::add`] does.
+    /// Adds a multiple of the change to a face, as [`Face::add`] does.
     fn add_to(&self, face: &mut Face, amount: f64) {
         let numbers = match self.part {
             Part::Shape => &mut face.shape,
@@ -70,7 +70,7 @@ impl SparseChange {
     }
 }
 
-/// Changes by what they were asked for, the latest at the end.
+/// Cache of changes by request key, most recent last.
 #[derive(Debug, Default)]
 pub(crate) struct ChangeCache {
     changes: Vec<(String, SparseChange)>,
@@ -78,7 +78,8 @@ pub(crate) struct ChangeCache {
 }
 
 impl ChangeCache {
-    /// Adds a multiple of the change that a key stands for to a face, and makes it where it is not known.
+    /// Adds a multiple of the change with the given key to a face, and computes the change if it is
+    /// not cached.
     pub(crate) fn add<E>(
         &mut self,
         face: &mut Face,

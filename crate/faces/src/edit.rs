@@ -30,9 +30,9 @@ pub use region::Region;
 /// Shape or texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Where the skin lies.
+    /// Geometry of the skin.
     Shape,
-    /// What it looks like.
+    /// Appearance of the skin.
     Texture,
 }
 
@@ -41,10 +41,10 @@ pub enum Part {
 pub struct Face {
     /// x, y and z of each vertex of the skin, metres, frame of the head.
     pub shape: Vec<f64>,
-    /// What lies in the head, as [`FaceModel::organs`] has it.
+    /// Values of the inner parts of the head, as in [`FaceModel::organs`].
     pub organs: Vec<f64>,
-    /// Logarithms of linear red, green and blue of each vertex, then the numbers of its look; empty
-    /// without a part for texture.
+    /// Logarithms of linear red, green and blue of each vertex, then the appearance numbers; empty
+    /// without a texture part.
     pub texture: Vec<f64>,
 }
 
@@ -56,7 +56,7 @@ pub struct Change {
     organs: Vec<f64>,
 }
 
-/// A model with what editing takes.
+/// Face model with the precomputed data for editing.
 #[derive(Clone, Debug)]
 pub struct Editor {
     model: FaceModel,
@@ -65,13 +65,13 @@ pub struct Editor {
     lips: Option<Lips>,
 }
 
-/// Tells numbers that are drawn for textures from those for shapes.
+/// Random stream of textures, distinct from that of shapes.
 const TEXTURE_STREAM: u64 = 0x7E77;
 
 /// Groups of attributes that are made of many features.
 const OF_PERSONS: [&str; 3] = ["overall", "ethnicity", "life"];
 
-/// Strength of detail that F&H 5.1.9 found to look well.
+/// Strength of detail that looks good according to F&H 5.1.9.
 pub const USUAL_DETAIL: f64 = 0.7;
 
 impl Editor {
@@ -133,7 +133,8 @@ impl Editor {
         self.face(&[], &[])
     }
 
-    /// The shape of a face as it is drawn: no skin passes through skin. Edits go on from the face as it is.
+    /// Returns the shape of a face for display, without self-intersections. Edits continue from the
+    /// uncorrected face.
     #[must_use]
     pub fn drawn(&self, face: &Face) -> Vec<f64> {
         let mut shape = face.shape.clone();
@@ -173,7 +174,7 @@ impl Editor {
         self.space(part)?.coefficients(face.part(part))
     }
 
-    /// How much of an attribute a face has: 0 for the average.
+    /// Returns the attribute value of a face: 0 for the average.
     ///
     /// # Errors
     /// When there is no such attribute of this part, or the face is of another model.
@@ -184,7 +185,8 @@ impl Editor {
         Ok(named.value_of(space, &Difference::new(&own)))
     }
 
-    /// How much of each attribute of a part a face has, in the order of [`Self::attributes`].
+    /// Returns the values of all attributes of a part of a face, in the order of
+    /// [`Self::attributes`].
     ///
     /// # Errors
     /// When the face is of another model, or there are no textures.
@@ -196,8 +198,8 @@ impl Editor {
         Ok(all.map(|a| a.value_of(space, &own)).collect())
     }
 
-    /// What one more of an attribute changes in a region; other features change little. Of a feature, in the
-    /// whole head, it is what lies in the feature's own segments, and nothing else.
+    /// Returns the change for one unit of an attribute in a region; other features change little.
+    /// For a feature on the whole head, the change is limited to the feature's own segments.
     ///
     /// # Errors
     /// When there is no such attribute of this part.
@@ -227,7 +229,8 @@ impl Editor {
         Ok(change)
     }
 
-    /// As [`Self::attribute_change`], with all that goes with the attribute in people.
+    /// Returns [`Self::attribute_change`] together with all traits that correlate with the
+    /// attribute in people.
     ///
     /// # Errors
     /// When there is no such attribute of this part.
@@ -241,8 +244,9 @@ impl Editor {
         self.change_of(part, &attribute.with_all(self.space(part)?), region)
     }
 
-    /// The age that a value of the attribute of age stands for, years: its ends are two deviations of people from
-    /// their mean. That of grown-ups where the model does not know ages.
+    /// Returns the age for a value of the age attribute, years; the ends of the range are two
+    /// standard deviations of people from their mean. Returns the adult age if the model has no age
+    /// data.
     #[must_use]
     pub fn years_of(&self, value: f64) -> f64 {
         let ages = || self.model.people.iter().map(|p| p.age_years);
@@ -255,8 +259,8 @@ impl Editor {
         mean + 2.0 * (square / count).sqrt() * value
     }
 
-    /// What the years between two ages change of somebody of a sex (0 male to 1) in a region: growth to 20 years,
-    /// ageing from then on; ages from 8 to 80. Nothing where the model does not know ages.
+    /// Returns the change between two ages for a person of a sex (0 male to 1) in a region: growth
+    /// to 20 years, ageing after that; ages from 8 to 80. Empty if the model has no age data.
     ///
     /// # Errors
     /// When there are no textures.
@@ -300,7 +304,7 @@ impl Editor {
         ))
     }
 
-    /// What a region lets in of a change of the whole.
+    /// Limits a change of the whole head to a region.
     fn restrict(&self, change: Change, region: &Region) -> Change {
         let Some(mask) = region.mask() else {
             return change;
@@ -326,7 +330,7 @@ impl Editor {
         face.add(&change, level - 1.0);
     }
 
-    /// Takes over a region of another face (F&H 5.1.5).
+    /// Copies a region from another face (F&H 5.1.5).
     pub fn import(&self, face: &mut Face, from: &Face, part: Part, region: &Region) {
         let change = self.restrict(Change::between(face, from, part), region);
         face.add(&change, 1.0);
@@ -391,7 +395,7 @@ impl Editor {
     }
 }
 
-/// How a face differs from the average.
+/// Returns the difference of a face from the average.
 fn difference(numbers: &[f64], space: &FaceSpace) -> Result<Vec<f64>, FaceError> {
     if numbers.len() != space.length() {
         return Err(FaceError::Correspondence {
@@ -404,7 +408,7 @@ fn difference(numbers: &[f64], space: &FaceSpace) -> Result<Vec<f64>, FaceError>
     Ok(pairs.map(|(x, mean)| x - mean).collect())
 }
 
-/// Sets the changes of features apart; who a face is changes all of them.
+/// Decorrelates the changes of features; traits of the whole person may change all of them.
 fn separate(space: &FaceSpace, attributes: &mut [NamedAttribute]) {
     let features = attributes.iter_mut();
     let features =
@@ -447,19 +451,19 @@ impl Change {
         all.for_each(|x| *x *= by);
     }
 
-    /// What is added to the numbers of its part.
+    /// Returns the numbers added to those of its part.
     #[cfg(any(test, target_arch = "wasm32", feature = "learn"))]
     pub(crate) fn numbers(&self) -> &[f64] {
         &self.numbers
     }
 
-    /// What it changes.
+    /// Returns the part that it changes.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn part(&self) -> Part {
         self.part
     }
 
-    /// What is added to the numbers of what lies in the head.
+    /// Returns the numbers added to the values of the inner parts of the head.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn organs(&self) -> &[f64] {
         &self.organs

@@ -1,13 +1,13 @@
 //! Why a face model could not be made or used.
 
-/// Why a face model could not be made or used.
+/// Error returned when a face model cannot be created or used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FaceError {
     /// There were too few examples.
     #[error("a face space needs at least two examples, and there are {found}")]
     TooFew {
-        /// How many there were.
+        /// Number found.
         found: usize,
     },
     /// An example has another length than the first.
@@ -31,49 +31,49 @@ pub enum FaceError {
     Labels {
         /// The attribute.
         name: String,
-        /// How many labels there are.
+        /// Number of labels.
         found: usize,
-        /// How many examples.
+        /// Number of examples.
         expected: usize,
     },
-    /// Labels that do not differ say nothing.
+    /// All labels are equal and define no direction.
     #[error("the labels of {name} are all the same, or the faces do not differ with them")]
     NoDirection {
         /// The attribute.
         name: String,
     },
-    /// Constraints that no face meets.
+    /// No face meets the constraints.
     #[error("no face holds {name} at {value:.2} together with the constraints before it")]
     Contradiction {
-        /// The constraint that contradicts others.
+        /// Name of the constraint that conflicts with others.
         name: String,
-        /// What it was to be held at.
+        /// Value required by the constraint.
         value: f64,
     },
     /// A file is no pack of faces, or not one that can be read.
     #[error("the pack of faces cannot be read: {why}")]
     BadPack {
-        /// What is wrong with it.
+        /// Description of the problem.
         why: String,
     },
-    /// There is no such attribute.
+    /// The attribute does not exist.
     #[error("there is no attribute {name} here")]
     NoAttribute {
-        /// What was asked for.
+        /// Requested name.
         name: String,
     },
-    /// There is no such segment.
+    /// The segment does not exist.
     #[error("there is no segment {name}")]
     NoSegment {
-        /// What was asked for.
+        /// Requested name.
         name: String,
     },
     /// The database has no such face.
     #[error("there is no face {index} in a database of {count}")]
     NoExample {
-        /// What was asked for.
+        /// Requested index.
         index: usize,
-        /// How many there are.
+        /// Number of faces available.
         count: usize,
     },
     /// The part for texture was not read.

@@ -3,22 +3,22 @@
 
 use crate::segment::Half;
 
-/// What an attribute is on a skin, and where.
+/// Location and definition of an attribute on the skin.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {
-    /// Names of the segments in which it lies.
+    /// Names of the segments that contain the feature.
     pub segments: Vec<String>,
-    /// The half in which it lies; none for both.
+    /// Half of the face that contains the feature; `None` for both.
     pub half: Option<Half>,
-    /// By how much one more of a number of a face changes the value, by the number's index: per metre for
-    /// shapes. Empty where the value is told by the attribute's direction.
+    /// Change of the value per unit of a number of the face, by the number's index: per metre for
+    /// shapes. Empty if the value comes from the attribute's direction.
     pub gradient: Vec<(u32, f64)>,
-    /// Coefficients of the change that adds 1 of the attribute when it is let into the segments.
+    /// Coefficients of the change that adds 1 of the attribute when limited to the segments.
     pub alone: Vec<f64>,
 }
 
 impl Feature {
-    /// What the gradient tells of a difference between two faces; numbers that are missing count as none.
+    /// Applies the gradient to a difference between two faces; missing numbers count as 0.
     pub(crate) fn measured(&self, difference: &[f64]) -> f64 {
         let number = |index: u32| difference.get(index as usize).copied().unwrap_or(0.0);
         self.gradient.iter().map(|&(i, g)| g * number(i)).sum()

@@ -8,21 +8,22 @@ use std::collections::BTreeMap;
 use crate::blend::VertexNeighbours;
 use crate::segment::Segments;
 
-/// Lips are no nearer, metres: about what heads of the database have.
+/// Minimum gap between the lips, metres: about that of the database heads.
 const GAP_M: f64 = 1.5e-4;
-/// What lies farther inside the other lip is not between the lips, metres.
+/// Maximum depth inside the other lip that still counts as lip contact, metres.
 const MAX_DEPTH_M: f64 = 8e-3;
 /// Side of a cell, metres.
 const CELL_M: f64 = 2e-3;
-/// Rounds of giving way; each leaves a small share.
+/// Number of relaxation rounds; each leaves a small share of the overlap.
 const ROUNDS: usize = 16;
-/// Steps over neighbours that a lip takes along, and how much of the way goes with each.
+/// Number of neighbour steps over which a lip vertex spreads its displacement, and the share kept
+/// at each step.
 const STEPS: usize = 10;
 const SHARE: f64 = 0.86;
 
 type Place = [f64; 3];
 
-/// One lip: its triangles that look towards the other.
+/// Lip surface: the triangles that face the other lip.
 #[derive(Clone, Debug)]
 struct Lip {
     triangles: Vec<[u32; 3]>,
@@ -38,7 +39,7 @@ pub(crate) struct Lips {
 }
 
 impl Lips {
-    /// Those of the segments that are named so; none where a model has no such segments.
+    /// Finds the lips by the names of their segments; `None` if the model has no such segments.
     pub(crate) fn find(segments: &Segments, triangles: &[[u32; 3]], mean: &[f64]) -> Option<Self> {
         let places = mean.as_chunks::<3>().0;
         let lip = |name: &str, up: f64| {
@@ -90,7 +91,7 @@ fn normal_y(places: &[Place], t: &[u32; 3]) -> f64 {
     (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2])
 }
 
-/// Half of what each vertex of a lip lacks to lie clear of the other lip.
+/// Returns half of the missing clearance of each vertex of a lip from the other lip.
 fn missing(places: &[Place], own: &Lip, other: &Lip) -> Vec<(u32, f64)> {
     let cells = Cells::from_triangles(places, &other.triangles);
     let one = |&v: &u32| {
@@ -105,7 +106,7 @@ fn missing(places: &[Place], own: &Lip, other: &Lip) -> Vec<(u32, f64)> {
     own.vertices.iter().filter_map(one).collect()
 }
 
-/// Height of a triangle over the x and z of a place; none beside it.
+/// Returns the height of a triangle at the x and z of a position; `None` outside the triangle.
 fn height(places: &[Place], t: &[u32; 3], p: Place) -> Option<f64> {
     let [a, b, c] = t.map(|v| places[v as usize]);
     let cross = |o: Place, q: Place, r: Place| {
@@ -120,7 +121,7 @@ fn height(places: &[Place], t: &[u32; 3], p: Place) -> Option<f64> {
     is_in.then(|| shares[0] * a[1] + shares[1] * b[1] + shares[2] * c[1])
 }
 
-/// Ways of vertices, and of those about them, less with each step.
+/// Spreads displacements of vertices to their neighbours, with less at each step.
 fn spread(neighbours: &VertexNeighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64)> {
     let mut all = BTreeMap::from_iter(ways);
     let mut edge: Vec<u32> = all.keys().copied().collect();
@@ -142,7 +143,7 @@ fn spread(neighbours: &VertexNeighbours, ways: Vec<(u32, f64)>) -> Vec<(u32, f64
     all.into_iter().collect()
 }
 
-/// Triangles by the cells of the plane of x and z that they lie over, in the order of the cells.
+/// Triangles by the x-z grid cells that they cover, in the order of the cells.
 struct Cells<'t> {
     cells: Vec<([i64; 2], &'t [u32; 3])>,
 }
@@ -188,7 +189,7 @@ mod tests {
 
     const SIDE: u32 = 20;
 
-    /// Two level lips, 0.4 mm apart; the upper one comes second.
+    /// Returns two flat lips, 0.4 mm apart; the upper one comes second.
     fn lips() -> (Vec<f64>, Vec<[u32; 3]>, Segments) {
         let places = (0..2 * SIDE * SIDE).flat_map(|v| {
             let [x, z, lip] = [v % SIDE, v / SIDE % SIDE, v / (SIDE * SIDE)].map(f64::from);

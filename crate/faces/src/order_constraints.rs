@@ -9,15 +9,16 @@ use raconteur_base::self_intersection::{TriangleTree, ViewedSurface};
 
 use crate::blend::VertexNeighbours;
 
-/// Vertices nearer than this that look at each other, or away from each other, keep their order, metres.
+/// Distance below which vertices that face towards or away from each other keep their order,
+/// metres.
 const NEAR_M: f64 = 2.2e-3;
 /// Share of the distance of the reference that is left between them.
 const MIN_DISTANCE_SHARE: f64 = 0.8;
-/// Vertices that are nearer are at one place, metres.
+/// Distance below which vertices count as coincident, metres.
 const SAME_M: f64 = 1e-7;
 /// A triangle whose normal has less of the reference's is turned over.
 const UPRIGHT: f64 = 0.15;
-/// Rounds of giving way.
+/// Number of relaxation rounds.
 const ROUNDS: usize = 60;
 /// Rounds in which skin that passes through skin is smoothed, each about it more widely than the last; and how often in each.
 const SMOOTHED: usize = 20;
@@ -43,44 +44,44 @@ fn normal(places: &[Place], t: &[u32; 3]) -> Place {
     ]
 }
 
-/// Two vertices that keep their order.
+/// Pair of vertices that keep their order.
 #[derive(Clone, Debug)]
 struct Pair {
     vertices: [u32; 2],
     /// From the second to the first, of length 1.
     way: Place,
-    /// How far apart they stay along it, metres.
+    /// Minimum separation along the direction, metres.
     least: f64,
 }
 
-/// What of a model's skin keeps its order.
+/// Order constraints of a model's skin that prevent self-intersections.
 #[derive(Clone, Debug)]
 pub(crate) struct OrderConstraints {
     reference: Vec<Place>,
     triangles: Vec<[u32; 3]>,
     normals: Vec<Place>,
     pairs: Vec<Pair>,
-    /// The first vertex at the place of each.
+    /// First vertex at the position of each vertex.
     first: Vec<u32>,
     neighbours: VertexNeighbours,
     /// Pairs and triangles of each vertex, by their numbers.
     pairs_of: NeighbourLists,
     triangles_of: NeighbourLists,
     tree: TriangleTree,
-    /// Vertices that lie near each other in space, on this side of a fold or the other.
+    /// Vertices that are close in space, on either side of a fold.
     about: VertexNeighbours,
 }
 
 /// A list of numbers for each vertex.
 #[derive(Clone, Debug)]
 struct NeighbourLists {
-    /// Where those of each vertex begin in `all`; one more than there are vertices.
+    /// Start of each vertex's entries in `all`; one entry more than there are vertices.
     starts: Vec<u32>,
     all: Vec<u32>,
 }
 
 impl NeighbourLists {
-    /// The numbers of things that have vertices, by their vertices.
+    /// Collects the indices of items by the vertices that they use.
     fn collect<'v>(vertices: usize, things: impl Iterator<Item = &'v [u32]> + Clone) -> Self {
         let mut starts = vec![0; vertices + 1];
         for v in things.clone().flatten() {
@@ -115,8 +116,8 @@ impl NeighbourLists {
 }
 
 impl OrderConstraints {
-    /// By a head in which no skin passes through skin; none where there is no such head, or the triangles are not
-    /// of its vertices.
+    /// Finds the constraints on a reference head without self-intersections; `None` if the
+    /// reference has any, or if the triangles do not match its vertices.
     pub(crate) fn find(reference: &[f64], triangles: &[[u32; 3]]) -> Option<Self> {
         let reference = reference.as_chunks::<3>().0.to_vec();
         if reference.is_empty() {
@@ -156,7 +157,7 @@ impl OrderConstraints {
         })
     }
 
-    /// Moves what is out of its order in a shape; the shape is of the reference's vertices.
+    /// Moves vertices that violate their order in a shape; the shape has the reference's vertices.
     pub(crate) fn straighten(&self, shape: &mut [f64]) {
         if shape.len() != 3 * self.reference.len() {
             return;
@@ -191,7 +192,7 @@ impl OrderConstraints {
         }
     }
 
-    /// Whether no skin passes through skin in a shape.
+    /// Returns true if a shape has no self-intersections.
     pub(crate) fn is_sound(&self, shape: &[f64]) -> bool {
         let points: Vec<DVec3> = shape
             .as_chunks::<3>()
@@ -202,8 +203,9 @@ impl OrderConstraints {
         self.tree.crossings(&points, &ViewedSurface::All).is_empty()
     }
 
-    /// Brings the ways of what passes through other skin, and of what lies about it, nearer to each other: the smoother
-    /// they are, the more the skin is like the reference's, in which nothing does. Whether anything moved.
+    /// Smooths the displacements of intersecting skin and its surroundings: the smoother they are,
+    /// the more the skin resembles the reference, which has no intersections. Returns true if
+    /// anything moved.
     fn uncross(&self, places: &mut [Place]) -> bool {
         let mut points: Vec<DVec3> = places.iter().map(|p| DVec3::from_array(*p)).collect();
         let mut found = self.tree.crossings(&points, &ViewedSurface::Folds);
@@ -230,7 +232,7 @@ impl OrderConstraints {
         is_any
     }
 
-    /// Vertices with those that so many edges lead to.
+    /// Extends a set of vertices by those within a number of edges.
     fn grown(&self, mut vertices: Vec<u32>, edges: usize) -> Vec<u32> {
         for _ in 0..=edges {
             vertices.sort_unstable();
@@ -247,7 +249,8 @@ impl OrderConstraints {
         vertices
     }
 
-    /// Ways of vertices that are too near to others, by some of the pairs, and of those about them.
+    /// Returns displacements that separate vertices that are too close, for some of the pairs, and
+    /// of the vertices around them.
     fn apart(&self, places: &[Place], pairs: &[u32]) -> Vec<(u32, Place)> {
         let mut ways: BTreeMap<u32, (Place, f64)> = BTreeMap::new();
         for pair in pairs.iter().map(|&p| &self.pairs[p as usize]) {
@@ -307,7 +310,7 @@ impl OrderConstraints {
     }
 }
 
-/// Brings the ways of vertices from the reference nearer to those of their neighbours.
+/// Smooths the displacements of vertices from the reference towards those of their neighbours.
 fn smooth(
     neighbours: &VertexNeighbours,
     reference: &[Place],
@@ -351,14 +354,14 @@ fn about(places: &[Place], first: &[u32], triangles: &[[u32; 3]]) -> VertexNeigh
     VertexNeighbours::of_edges(edges, places.len())
 }
 
-/// Vertices by the cells of space that they lie in.
+/// Vertices by the cells of a spatial grid.
 struct Cells<'p> {
     places: &'p [Place],
     cells: BTreeMap<[i64; 3], Vec<u32>>,
 }
 
 impl<'p> Cells<'p> {
-    /// Of those that stand for their place.
+    /// Builds the cells from one representative vertex per position.
     fn from_positions(places: &'p [Place], first: &[u32]) -> Self {
         let mut cells: BTreeMap<[i64; 3], Vec<u32>> = BTreeMap::new();
         for (v, p) in (0u32..).zip(places) {
@@ -390,7 +393,8 @@ impl<'p> Cells<'p> {
     }
 }
 
-/// Vertices that are near, but not along the skin, and look at each other or away from each other.
+/// Finds vertices that are close in space but not along the skin, and that face towards or away
+/// from each other.
 fn pairs(
     places: &[Place],
     triangles: &[[u32; 3]],
@@ -437,7 +441,7 @@ mod tests {
 
     const SIDE: u32 = 24;
 
-    /// Two sheets, 0.6 mm apart, that look at each other: as lips do.
+    /// Returns two sheets, 0.6 mm apart, that face each other like lips.
     fn sheets() -> (Vec<f64>, Vec<[u32; 3]>) {
         let at = |sheet: u32, x: u32, z: u32| (sheet * SIDE + z) * SIDE + x;
         let mut places = Vec::new();

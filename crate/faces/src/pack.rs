@@ -22,7 +22,8 @@ use crate::space::FaceSpace;
 
 /// A part of a pack is not larger, bytes.
 pub const MAX_BYTES: usize = 64 << 20;
-/// A space in a pack has no more modes: nobody tells faces apart by them, and reading would take long.
+/// Maximum number of modes of a space in a pack: more make no visible difference and slow down
+/// reading.
 pub const MAX_MODES: usize = 256;
 
 /// A face model.
@@ -30,12 +31,13 @@ pub const MAX_MODES: usize = 256;
 pub struct FaceModel {
     /// Shapes: x, y and z of each vertex of the skin, metres, in the frame of the head.
     pub shape: FaceSpace,
-    /// Numbers that follow a shape, linear in its coefficients: where the head's cage lies, millimetres.
+    /// Positions of the head's cage, millimetres, linear in the coefficients of the shape.
     pub cage: Follower,
-    /// As the cage, what lies in the head: centres of the eyes (metres), the turns that close the lids
-    /// (radians), height of the chin (metres); empty where it is not known.
+    /// Values of the inner parts of the head, linear in the coefficients like the cage: centres of
+    /// the eyes (metres), rotations that close the lids (radians), height of the chin (metres);
+    /// empty if unknown.
     pub organs: Follower,
-    /// A head that was made as a whole, in which no skin passes through skin, as [`Self::shape`]; or nothing.
+    /// Reference head without self-intersections, as [`Self::shape`]; empty if there is none.
     pub reference: Vec<f64>,
     /// The triangles of the skin, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -45,11 +47,11 @@ pub struct FaceModel {
     pub landmarks: Vec<(String, u32)>,
     /// The attributes of shape.
     pub attributes: Vec<NamedAttribute>,
-    /// How shapes go with years.
+    /// Change of shapes with age.
     pub life: AgeModel,
-    /// The database that features are taken from: the coefficients of its faces.
+    /// Database that features are imported from: the coefficients of its faces.
     pub examples: Vec<Vec<f64>>,
-    /// Who they are; as many, or none.
+    /// Records of the people of the database; one per face, or none.
     pub people: Vec<PersonRecord>,
     /// Its textures, where that part was read.
     pub texture: Option<TextureModel>,
@@ -61,25 +63,25 @@ pub struct TextureModel {
     /// Textures: natural logarithms of linear red, green and blue of each vertex of the skin, then
     /// [`Self::looks`].
     pub space: FaceSpace,
-    /// Numbers at the end of a texture that are no colours of vertices: irises, brows, what the skin is
-    /// made of.
+    /// Appearance numbers at the end of a texture, in addition to the vertex colours: irises,
+    /// brows, skin properties.
     pub looks: Vec<LookNumber>,
     /// The attributes of texture.
     pub attributes: Vec<NamedAttribute>,
-    /// How textures go with years.
+    /// Change of textures with age.
     pub life: AgeModel,
     /// Coefficients of the database's faces, in the order of [`FaceModel::examples`].
     pub examples: Vec<Vec<f64>>,
-    /// Coefficients of figures by their names: what their own maps show.
+    /// Coefficients of figures by name: the appearance of their own maps.
     pub figures: Vec<(String, Vec<f64>)>,
 }
 
-/// A number of a look at the end of a texture.
+/// Appearance number at the end of a texture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LookNumber {
     /// Its name.
     pub name: String,
-    /// What one of it counts for beside the colours, natural logarithms.
+    /// Weight of one unit relative to the colours, natural logarithms.
     pub weight: f64,
 }
 
@@ -90,16 +92,17 @@ pub struct NamedAttribute {
     pub group: String,
     /// Terms for −1 and for +1.
     pub terms: [String; 2],
-    /// The formula of an impression that nobody rated; none where the attribute was measured or rated.
+    /// Formula of an impression derived without ratings; `None` if the attribute was measured or
+    /// rated.
     pub derived: Option<String>,
     /// Its direction.
     pub attribute: Attribute,
-    /// What it is on a skin, and where; none for what a whole person is.
+    /// Feature on the skin; `None` for a trait of the whole person.
     pub feature: Option<Feature>,
 }
 
 impl NamedAttribute {
-    /// By how much a difference between two faces changes the value.
+    /// Returns the change of the attribute value for a difference between two faces.
     pub(crate) fn value_of(&self, space: &FaceSpace, difference: &Difference<'_>) -> f64 {
         match &self.feature {
             Some(feature) if !feature.gradient.is_empty() => feature.measured(difference.numbers),
@@ -108,7 +111,7 @@ impl NamedAttribute {
     }
 }
 
-/// A difference between two faces, and what of it lies along the modes, once somebody asked.
+/// Difference between two faces, with its projection on the modes computed on first use.
 pub(crate) struct Difference<'n> {
     numbers: &'n [f64],
     along: OnceCell<Vec<f64>>,
@@ -131,13 +134,13 @@ impl<'n> Difference<'n> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Follower {
     mean: Vec<f64>,
-    /// For each coefficient, by how much it changes each number.
+    /// Effect of each coefficient on each number.
     effects: Vec<Vec<f64>>,
 }
 
 impl Follower {
-    /// The function that comes nearest to examples, by least squares: their coefficients are
-    /// uncorrelated, so that each has its own effect. `values` belong to `coefficients`.
+    /// Fits the linear function to examples by least squares. The coefficients are uncorrelated, so
+    /// each has its own effect. `values` belong to `coefficients`.
     #[must_use]
     pub fn learn(space: &FaceSpace, coefficients: &[Vec<f64>], values: &[Vec<f64>]) -> Self {
         let length = values.first().map_or(0, Vec::len);
@@ -166,7 +169,7 @@ impl Follower {
         self.mean.iter().zip(change).map(|(m, c)| m + c).collect()
     }
 
-    /// By how much coefficients change the numbers.
+    /// Returns the change of the numbers caused by coefficients.
     #[must_use]
     pub fn change(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut numbers = vec![0.0; self.mean.len()];
@@ -180,13 +183,13 @@ impl Follower {
 }
 
 impl FaceModel {
-    /// How many vertices the skin has.
+    /// Returns the number of vertices of the skin.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.shape.length() / 3
     }
 
-    /// The part for shape as a file. The same model gives the same bytes.
+    /// Serialises the shape part to a file. The same model gives the same bytes.
     ///
     /// # Errors
     /// When it is too large to be written.
@@ -194,7 +197,7 @@ impl FaceModel {
         stored::shape(self)
     }
 
-    /// Reads what [`Self::to_bytes`] wrote; textures come by [`Self::add_texture`].
+    /// Reads the output of [`Self::to_bytes`]; add textures with [`Self::add_texture`].
     ///
     /// # Errors
     /// When it is something else, broken, or of another version.
@@ -223,7 +226,7 @@ impl FaceModel {
 }
 
 impl TextureModel {
-    /// The part for texture as a file. The same model gives the same bytes.
+    /// Serialises the texture part to a file. The same model gives the same bytes.
     ///
     /// # Errors
     /// When it is too large to be written.
@@ -231,7 +234,7 @@ impl TextureModel {
         stored::texture(self)
     }
 
-    /// The numbers of a texture's look, in the order of [`Self::looks`].
+    /// Returns the appearance numbers of a texture, in the order of [`Self::looks`].
     #[must_use]
     pub fn look_values(&self, texture: &[f64]) -> Vec<f64> {
         let colours = self.space.length() - self.looks.len();
@@ -240,7 +243,8 @@ impl TextureModel {
         parts.map(|(x, look)| x / look.weight).collect()
     }
 
-    /// What a figure's own colours are multiplied by to show a texture; none where its map is not known.
+    /// Returns the factors that turn a figure's own colours into a texture; `None` if its map is
+    /// unknown.
     #[must_use]
     pub fn factors(&self, texture: &[f64], figure: &str) -> Option<Factors> {
         let (_, own) = self.figures.iter().find(|(name, _)| name == figure)?;
@@ -266,7 +270,7 @@ impl TextureModel {
     }
 }
 
-/// What colours of a figure are multiplied by, linear.
+/// Factors for a figure's colours, linear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factors {
     /// Red, green and blue at each vertex of the skin.

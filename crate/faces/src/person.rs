@@ -1,6 +1,6 @@
 //! Who faces are.
 
-/// Who a face of the database is (F&H 5.1.1).
+/// Record of the person of a database face (F&H 5.1.1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PersonRecord {
     /// 0 male to 1 female.

@@ -9,41 +9,42 @@ pub use table::{RatingError, Ratings};
 
 /// A mean square of differences that is less is rounding: values differ by hundredths and more.
 const MIN_SQUARE: f64 = 1e-12;
-/// A label of 1 is so many standard deviations from the mean, as of labels that are measures.
+/// Number of standard deviations from the mean for a label of 1, as for labels from measures.
 const DEVIATIONS: f64 = 2.0;
 
-/// One value, and the line that it stands in.
+/// One rating and the line of its table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rating {
     value: f64,
     line: usize,
 }
 
-/// What raters think of faces with respect to one attribute.
+/// Ratings of faces for one attribute.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AttributeRatings {
     /// By rater and face.
     raters: BTreeMap<String, BTreeMap<usize, Rating>>,
 }
 
-/// How far raters agree: the intraclass correlation of Shrout and Fleiss 1979
-/// (doi:10.1037/0033-2909.86.2.420), raters drawn at random (two ways), absolute agreement. 1 where all
-/// say the same of each face, 0 or less where what they say has nothing to do with the face.
+/// Inter-rater agreement: the intraclass correlation of Shrout and Fleiss 1979
+/// (doi:10.1037/0033-2909.86.2.420), two-way random effects, absolute agreement. 1 if all raters
+/// agree on each face, 0 or less if the ratings are unrelated to the face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// How many raters rated any face.
+    /// Number of raters with at least one rating.
     pub raters: usize,
-    /// How many faces all of them rated; only these count here.
+    /// Number of faces rated by all of them; only these count here.
     pub faces: usize,
-    /// ICC(2,1): how far one rater can be relied on. None where fewer than two raters rated the same two
-    /// faces, or the values do not tell.
+    /// ICC(2,1): reliability of a single rater. `None` if fewer than two raters rated the same two
+    /// faces, or if the values do not determine it.
     pub single: Option<f64>,
-    /// ICC(2,k): how far the mean of these raters can be relied on. None as before.
+    /// ICC(2,k): reliability of the mean of these raters. `None` under the same conditions as
+    /// `single`.
     pub average: Option<f64>,
 }
 
 impl AttributeRatings {
-    /// How far the raters agree about the faces that all of them rated.
+    /// Computes the agreement of the raters on the faces that all of them rated.
     #[must_use]
     pub fn agreement(&self) -> Agreement {
         let first = self.raters.values().next();
@@ -68,7 +69,8 @@ impl AttributeRatings {
         }
     }
 
-    /// The labels of so many examples; none for those that were not rated, further ones are ignored.
+    /// Returns the labels of `examples` examples; `None` for unrated ones. Ratings of further
+    /// examples are ignored.
     ///
     /// Each rater's values count in standard deviations from the rater's own mean, so that it does not
     /// matter how much of the scale somebody uses; who says the same of all faces says nothing. A
@@ -101,7 +103,7 @@ impl AttributeRatings {
     }
 }
 
-/// Mean and standard deviation; none where all values are the same.
+/// Returns mean and standard deviation; `None` if all values are equal.
 fn spread(values: &[f64]) -> Option<(f64, f64)> {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -165,7 +167,8 @@ mod tests {
         }
     }
 
-    /// Four judges of six targets, Table 2 of Shrout and Fleiss 1979, brought to our scale.
+    /// Four judges of six targets, Table 2 of Shrout and Fleiss 1979, converted to the scale used
+    /// here.
     const JUDGES: [[f64; 4]; 6] = [
         [9.0, 2.0, 5.0, 8.0],
         [6.0, 1.0, 3.0, 2.0],

@@ -4,7 +4,7 @@ use raconteur_base::noise;
 
 use crate::space::FaceSpace;
 
-/// Faces of so many numbers.
+/// Returns random test faces, each with `length` numbers.
 pub(crate) fn examples(count: u64, length: i64, seed: u64) -> Vec<Vec<f64>> {
     let pattern = |mode: u64, i: i64| noise::signed(!seed, mode, i);
     (0..count)

@@ -16,7 +16,7 @@ pub enum Half {
 pub struct Segment {
     /// Its name.
     pub name: String,
-    /// Index of the segment that it is part of; none for the whole face.
+    /// Index of the parent segment; `None` for the whole face.
     pub parent: Option<u32>,
     /// Its own vertices, without those of its parts, as (first, count).
     pub runs: Vec<[u32; 2]>,
@@ -29,8 +29,8 @@ pub struct Segments {
 }
 
 impl Segments {
-    /// The hierarchy over so many vertices; none where a parent does not come before its part, or a
-    /// vertex is none.
+    /// Builds the hierarchy over a number of vertices; `None` if a parent does not precede its
+    /// part, or if a vertex is out of range.
     #[must_use]
     pub fn new(all: Vec<Segment>, vertices: usize) -> Option<Self> {
         let is_before = |(i, s): (usize, &Segment)| s.parent.is_none_or(|p| (p as usize) < i);
@@ -62,7 +62,7 @@ impl Segments {
         self.all.iter().find(|s| s.runs.iter().any(is_in))
     }
 
-    /// Marks with 1 the vertices of segments and of all their parts, the others with 0.
+    /// Returns a mask that is 1 at the vertices of the segments and all their parts, 0 elsewhere.
     #[must_use]
     pub fn mask(&self, chosen: &[usize], vertices: usize) -> Vec<f64> {
         let mut is_in = vec![false; self.all.len()];

@@ -23,12 +23,12 @@ pub struct FaceSpace {
 
 /// Numbers of a face that are summed at a time.
 const PIECE: usize = 1024;
-/// What of the examples' greatest deviation is still one, and not rounding.
+/// Minimum deviation, as a share of the examples' greatest, that is not treated as rounding error.
 #[cfg(any(test, feature = "learn"))]
 const MIN_SHARE: f64 = 1e-9;
 
 impl FaceSpace {
-    /// A space of what is known of it; none when the parts do not belong together.
+    /// Builds a space from its parts; `None` if they are inconsistent.
     #[must_use]
     pub fn from_parts(mean: Vec<f64>, modes: Vec<f64>, deviations: Vec<f64>) -> Option<Self> {
         let fits = modes.len() == mean.len() * deviations.len();
@@ -41,8 +41,8 @@ impl FaceSpace {
         })
     }
 
-    /// The space that examples span, with all of its modes, by the singular value decomposition of
-    /// equation 3.3. One thread, so that the same examples give the same bits.
+    /// Computes the space spanned by the examples, with all of its modes, by the singular value
+    /// decomposition of equation 3.3. Runs on one thread, so the same examples give the same bits.
     ///
     /// # Errors
     /// When there are fewer than two examples, or they do not correspond.
@@ -90,7 +90,7 @@ impl FaceSpace {
         })
     }
 
-    /// The same with its first modes alone.
+    /// Returns the space with only its first modes.
     #[must_use]
     pub fn truncated(&self, modes: usize) -> Self {
         let kept = modes.min(self.dimensions());
@@ -101,13 +101,13 @@ impl FaceSpace {
         }
     }
 
-    /// How many modes there are.
+    /// Returns the number of modes.
     #[must_use]
     pub fn dimensions(&self) -> usize {
         self.deviations.len()
     }
 
-    /// How many numbers a face has.
+    /// Returns the count of numbers in a face.
     #[must_use]
     pub fn length(&self) -> usize {
         self.mean.len()
@@ -143,7 +143,7 @@ impl FaceSpace {
         face
     }
 
-    /// What coefficients change of a face.
+    /// Returns the change of a face caused by coefficients.
     #[must_use]
     pub fn difference(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut difference = vec![0.0; self.length()];
@@ -151,8 +151,8 @@ impl FaceSpace {
         difference
     }
 
-    /// Adds modes piece by piece, so that what is summed stays near the processor, and four at a time, so
-    /// that it is fetched less often.
+    /// Adds modes block by block, so that the sums stay in cache, and four at a time, to reduce
+    /// memory traffic.
     fn add_to(&self, sums: &mut [f64], coefficients: &[f64]) {
         let used = &coefficients[..coefficients.len().min(self.dimensions())];
         let (fours, rest) = used.as_chunks::<4>();
@@ -191,8 +191,7 @@ impl FaceSpace {
         Ok(self.along(&difference))
     }
 
-    /// What of a difference between two faces lies along each mode. Numbers that are missing count as
-    /// none.
+    /// Projects a difference between two faces on each mode. Missing numbers count as 0.
     #[must_use]
     pub fn along(&self, difference: &[f64]) -> Vec<f64> {
         let along = |index: usize| dot(difference, self.mode(index));
@@ -207,8 +206,8 @@ impl FaceSpace {
         parts.map(|((a, b), d)| (a / d) * (b / d)).sum()
     }
 
-    /// How far the faces are from their nearest ones in the space with its first modes alone, root
-    /// mean square over their numbers, for each number of modes from none to all.
+    /// Returns the root-mean-square error per number of the faces reconstructed with the first
+    /// modes only, for each number of modes from none to all.
     ///
     /// # Errors
     /// When a face does not correspond.
@@ -232,7 +231,7 @@ impl FaceSpace {
     }
 }
 
-/// The sum of products, in four parts that a processor sums at a time; what one of both lacks counts as none.
+/// Returns the dot product, in four partial sums for vectorised code; missing elements count as 0.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());
     let ((a, a_rest), (b, b_rest)) = (a[..length].as_chunks::<4>(), b[..length].as_chunks::<4>());
@@ -246,7 +245,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
-/// Whether each face has so many numbers, all finite.
+/// Returns true if each face has the required count of numbers, all finite.
 #[cfg(any(test, feature = "learn"))]
 fn correspond<'a>(
     faces: impl IntoIterator<Item = &'a Vec<f64>>,
@@ -268,9 +267,9 @@ fn correspond<'a>(
     Ok(())
 }
 
-/// The left singular vectors of columns, one after another, and the singular values, decreasing: at
-/// most so many, and none that are rounding. One thread, so that the same columns give the same
-/// bits.
+/// Returns the left singular vectors of columns, one after another, and the singular values,
+/// decreasing: at most `most`, without those caused by rounding. Runs on one thread, so the same
+/// columns give the same bits.
 #[cfg(any(test, feature = "learn"))]
 fn decompose(columns: &faer::Mat<f64>, most: usize) -> Result<(Vec<f64>, Vec<f64>), FaceError> {
     let is_zero = |column: usize| (0..columns.nrows()).all(|row| columns[(row, column)] == 0.0);

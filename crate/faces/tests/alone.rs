@@ -21,7 +21,7 @@ const EDITS: [(&str, &[&str]); 12] = [
     ("size of the ears", &["ears"]),
 ];
 
-/// The places of one shape as near to those of another as a turn and a way bring them (Kabsch 1976).
+/// Aligns one shape to another by rotation and translation (Kabsch 1976).
 fn aligned(from: &[f64], to: &[f64]) -> Vec<f64> {
     let [from, to] = [from, to].map(|p| p.as_chunks::<3>().0);
     let count = from.len() as f64;
@@ -43,7 +43,8 @@ fn aligned(from: &[f64], to: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The share of the squared way between two shapes that lies in segments, after they are aligned.
+/// Returns the share of the squared displacement between two aligned shapes that lies within
+/// segments.
 fn inside(editor: &Editor, before: &Face, after: &Face, segments: &[&str]) -> f64 {
     let all = &editor.model().segments;
     let chosen: Vec<usize> = segments
@@ -89,7 +90,7 @@ fn an_edit_of_a_feature_stays_in_its_segment_and_reaches_its_value() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Each feature there is, on people of whom nobody is the average.
+/// Every feature, tested on people other than the average.
 #[test]
 fn every_feature_reaches_its_value_alone_on_any_face() {
     let editor = common::editor();

@@ -8,10 +8,10 @@ use raconteur_faces::Part;
 const PARTS: [&str; 7] = [
     "nose", "mouth", "eyes", "chin", "cheeks", "forehead", "ears",
 ];
-/// So far from a part the blend has ended, metres.
+/// Distance from a part at which the blend has ended, metres.
 const BLEND_M: f64 = 0.045;
 
-/// A part that is taken over ends softly, and beyond the blend nothing moves.
+/// An imported part fades out softly, and nothing moves beyond the blend.
 #[test]
 fn beyond_its_blend_a_part_moves_nothing() {
     let editor = common::editor();

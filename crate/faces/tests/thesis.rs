@@ -13,8 +13,8 @@ fn value(editor: &Editor, face: &Face, name: &str) -> f64 {
     editor.value(face, Part::Shape, name).expect("an attribute")
 }
 
-/// Figure 5.3: a narrow mouth brings a smaller nose and rounder eyes. That it brings a longer oval of the
-/// face is not so among our examples, whose heads keep the breadth that surveys give them.
+/// Figure 5.3: a narrow mouth brings a smaller nose and rounder eyes. The longer face oval of the
+/// figure does not appear with these examples, whose heads keep the breadth given by surveys.
 #[test]
 fn features_go_together_as_they_do_in_people() {
     let editor = common::editor();
@@ -28,7 +28,7 @@ fn features_go_together_as_they_do_in_people() {
     assert!(of("opening of the eyes") > 0.05);
 }
 
-/// Where one slider is to move one thing, the others stay nearer to where they were.
+/// Where one slider is to move one thing, the other features stay closer to their values.
 #[test]
 fn features_change_apart() {
     let editor = common::editor();
@@ -67,7 +67,7 @@ fn features_change_apart() {
     assert!(sums[0] < 0.5 * sums[1], "{sums:?}");
 }
 
-/// Figure 3.8: other brows make a face look like the other sex, unless that is held.
+/// Figure 3.8: other brows make a face look like the other sex, unless sex is constrained.
 #[test]
 fn a_held_sex_stays_while_the_brows_rise() {
     let editor = common::editor();

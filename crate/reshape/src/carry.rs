@@ -7,40 +7,40 @@ use raconteur_base::DVec3;
 use super::{narrow, wide};
 use raconteur_body::figure::{MaterialKind, Mesh};
 
-/// Vertices of the skin that a place goes along with.
+/// Number of skin vertices that a position follows.
 const COUNT: usize = 6;
-/// Vertices that are nearer are at one place, metres.
+/// Distance below which vertices count as coincident, metres.
 const SAME_M: f64 = 1e-6;
-/// What is so far behind a place is not the skin that it stands on, metres.
+/// Depth behind a position beyond which skin does not count as the skin under it, metres.
 const BEHIND_M: f64 = 0.0025;
 /// Side of a cell, metres.
 const CELL_M: f64 = 0.008;
 /// No side of a skin has more cells.
 const MAX_CELLS: i64 = 256;
-/// Cells about a place that are looked through before all vertices are.
+/// Maximum number of cell rings searched around a position before all vertices are searched.
 const MAX_RINGS: i64 = 3;
 
-/// A place near the skin: vertices and how much it goes with each.
+/// Anchor of a position to the skin: vertices and their weights.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SkinAnchor(Vec<(u32, f64)>);
 
 impl SkinAnchor {
-    /// By how much the place moves.
+    /// Returns the displacement of the position.
     pub(super) fn evaluate(&self, moved: &[DVec3]) -> DVec3 {
         let parts = self.0.iter();
         parts.map(|&(v, weight)| moved[v as usize] * weight).sum()
     }
 }
 
-/// The vertices of a skin, to be found by place: by the cells of space that they lie in.
+/// Vertices of a skin in a spatial grid for lookup by position.
 pub(super) struct Skin<'a> {
     places: &'a [DVec3],
     low: DVec3,
     counts: [i64; 3],
-    /// Where the vertices of each cell begin in `all`; one more than there are cells.
+    /// Start of each cell's vertices in `all`; one entry more than there are cells.
     starts: Vec<u32>,
     all: Vec<u32>,
-    /// A few of all, for what is far away.
+    /// Sparse subset of the vertices, for distant positions.
     few: Vec<u32>,
 }
 
@@ -124,13 +124,13 @@ impl<'a> Skin<'a> {
         is_in.then_some(((x * ys + y) * zs + z) as usize)
     }
 
-    /// The vertices near a place.
+    /// Returns the anchor of a position from the vertices near it.
     pub(super) fn anchor(&self, p: DVec3) -> SkinAnchor {
         self.weighted(p, |_| true)
     }
 
-    /// The vertices near a place on the side of the skin that its normal looks to: not those of the mouth
-    /// behind a lip.
+    /// Returns the anchor of a position from the vertices on the outer side of the skin, by its
+    /// normal: not those of the mouth behind a lip.
     pub(super) fn near_outside(&self, p: DVec3, normal: DVec3) -> SkinAnchor {
         let out = |v: u32| (self.places[v as usize] - p).dot(normal);
         let mut most = f64::MIN;
@@ -144,7 +144,7 @@ impl<'a> Skin<'a> {
         self.weighted(p, |v| out(v) > least)
     }
 
-    /// The nearest of the vertices about a place that are wanted.
+    /// Returns the anchor from the nearest accepted vertices around a position.
     fn weighted(&self, p: DVec3, wanted: impl Fn(u32) -> bool) -> SkinAnchor {
         let distance = |v: u32| self.places[v as usize].distance_squared(p);
         let mut nearest = Nearest::new();
@@ -169,7 +169,8 @@ impl<'a> Skin<'a> {
         SkinAnchor(far.iter().map(|&(d, v)| (v, weight(d) / all)).collect())
     }
 
-    /// Tells the vertices in cells about a place: rings of cells are added until there are enough, and one more.
+    /// Calls a function for the vertices in cells around a position. Rings of cells are added until
+    /// there are enough, plus one more.
     fn about(&self, p: DVec3, mut tell: impl FnMut(u32)) {
         let own = self.cell(p);
         let mut found = 0;
@@ -199,7 +200,7 @@ impl<'a> Skin<'a> {
     }
 }
 
-/// The first of all vertices at the place of each, to a hundredth of a millimetre.
+/// Returns the first vertex at the position of each vertex, to a hundredth of a millimetre.
 pub(super) fn firsts(places: &[DVec3]) -> Vec<u32> {
     let mut first: BTreeMap<[i64; 3], u32> = BTreeMap::new();
     let one = |(v, p): (u32, &DVec3)| {
@@ -209,7 +210,7 @@ pub(super) fn firsts(places: &[DVec3]) -> Vec<u32> {
     (0..).zip(places).map(one).collect()
 }
 
-/// How the vertices of a part go along.
+/// Rule by which the vertices of a mesh follow the skin.
 #[derive(Clone, Debug)]
 pub(super) enum CarriedMesh {
     /// With the skin near each.
@@ -221,7 +222,7 @@ pub(super) enum CarriedMesh {
 }
 
 impl CarriedMesh {
-    /// That of a mesh; none for what does not go along.
+    /// Binds a mesh to the skin; `None` for a mesh that does not follow it.
     pub(super) fn bind(mesh: &Mesh, skin: &Skin<'_>) -> Option<Self> {
         use MaterialKind::{Cornea, Eye, Hair, Lash, Mouth, Teeth};
         let near = || {
@@ -258,8 +259,8 @@ impl CarriedMesh {
     }
 }
 
-/// Multiplies the colours of a mesh, the first vertices by factors of their own. What is brighter than
-/// a vertex can be goes into the colour of the material.
+/// Multiplies the colours of a mesh, the first vertices by their own factors. Brightness beyond the
+/// range of vertex colours goes into the material colour.
 pub(super) fn tint(mesh: &mut Mesh, own: &[[f64; 3]], others: [f64; 3]) {
     let factor = |v: usize| own.get(v).copied().unwrap_or(others);
     let bright = |v: usize, colour: &[u8; 4], i: usize| f64::from(colour[i]) * factor(v)[i];
@@ -279,7 +280,7 @@ pub(super) fn tint(mesh: &mut Mesh, own: &[[f64; 3]], others: [f64; 3]) {
     }
 }
 
-/// Gives a mesh another mean colour, linear; what differs from it within the mesh still does.
+/// Changes the mean colour of a mesh, linear; variations within the mesh stay.
 pub(super) fn recolour(mesh: &mut Mesh, rgb: [f64; 3]) {
     let count = mesh.colors.len().max(1) as f64;
     let factors = core::array::from_fn(|i| {

@@ -8,13 +8,13 @@ use super::{NewFace, ReshapeError, Reshaper, SKULL_IN_HEAD_M, moved, narrow, nec
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Hair that is lent: how it lies on the skin that it grew on.
+/// Hair of another figure, with its position relative to the skin on which it grew.
 #[derive(Clone, Debug)]
 pub struct HairDonor {
     /// Every so-manieth vertex of that skin, from the first on; frame of the head.
     places: Vec<DVec3>,
     every: usize,
-    /// Where the frame of that head lies in the world.
+    /// Origin of that head's frame in the world.
     origin: DVec3,
     /// Vertices of the face model.
     vertices: usize,
@@ -22,8 +22,8 @@ pub struct HairDonor {
 }
 
 impl HairDonor {
-    /// Takes the hair of a file: its mesh `head` begins with the skin of a face model of so many vertices,
-    /// or is every second, third … vertex of that skin.
+    /// Takes the hair of a file. Its mesh `head` must begin with the skin of a face model of
+    /// `vertices` vertices, or with every second, third … vertex of that skin.
     ///
     /// # Errors
     /// When its head is another.
@@ -69,8 +69,8 @@ impl HairDonor {
         })
     }
 
-    /// The hair as it lies on a face, on the skeleton of another figure: what swings on the lender is
-    /// stiff there.
+    /// Fits the hair to a face, on the skeleton of another figure; dynamic hair of the donor
+    /// becomes rigid.
     pub(super) fn fit_hair(
         &self,
         to: &Reshaper,
@@ -100,7 +100,8 @@ impl HairDonor {
     }
 }
 
-/// How tufts go along with the skin: each as a whole with what is about its root, so that none sinks in.
+/// Returns the skin anchors of tufts: each tuft follows the skin around its root as a whole, so
+/// none sinks in.
 fn tuft_anchors(mesh: &Mesh, skin: &Skin<'_>) -> Vec<SkinAnchor> {
     let roots = hairs::roots_of(mesh);
     let normals = mesh.normals.iter().zip(roots);
@@ -109,7 +110,8 @@ fn tuft_anchors(mesh: &Mesh, skin: &Skin<'_>) -> Vec<SkinAnchor> {
         .collect()
 }
 
-/// The joint of every figure that stands for each of a lender's: the bone that it hangs on.
+/// Returns, for each joint of the donor, the equivalent joint common to all figures: the bone from
+/// which it hangs.
 fn joints(figure: &Figure) -> Vec<u16> {
     let joints = figure.skeleton.joints();
     let skull = Bone::Skull.index();

@@ -7,7 +7,7 @@ use raconteur_body::figure::Mesh;
 /// The name of a mesh of hair that grows in a face.
 pub(super) const BEARD: &str = "beard";
 
-/// Where strands grow.
+/// Region where strands grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Strands {
     Scalp,
@@ -17,15 +17,15 @@ pub(super) enum Strands {
 /// Roots farther to the front and lower than this grow in the face, metres in the frame of the head.
 const FACE_FROM_Z_M: f64 = 0.014;
 const FACE_BELOW_Y_M: f64 = -0.004;
-/// Shares of the brightness of single hairs that they keep in another colour.
+/// Range of relative brightness that single hairs keep in another colour.
 const BRIGHTNESS: std::ops::RangeInclusive<f64> = 0.45..=1.9;
 
-/// The skin is darker so far about the root of a hair of a beard, metres: what was shaved, or grows yet.
+/// Radius of darker skin around the root of a beard hair, metres: shaved or growing stubble.
 const STUBBLE_M: f64 = 0.0065;
-/// How much of the beard's colour the skin there has, at most.
+/// Maximum share of the beard's colour in that skin.
 const STUBBLE: f64 = 0.5;
 
-/// Whether a strand with its root at a place of the head's frame is one of those.
+/// Returns true if a strand with its root at a position of the head's frame belongs to the region.
 pub(super) fn grows(strands: Strands, root: DVec3) -> bool {
     let is_beard = root.z > FACE_FROM_Z_M && root.y < FACE_BELOW_Y_M;
     is_beard == (strands == Strands::Face)
@@ -54,7 +54,7 @@ fn strands_of(mesh: &Mesh) -> Vec<u32> {
         .collect()
 }
 
-/// Where the strand of each vertex has its root: where v is least.
+/// Returns the root position of the strand of each vertex: the point with the smallest v.
 pub(super) fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
     let of = strands_of(mesh);
     let mut roots = vec![(f32::INFINITY, DVec3::ZERO); of.len()];
@@ -68,13 +68,13 @@ pub(super) fn roots_of(mesh: &Mesh) -> Vec<DVec3> {
     of.iter().map(|&s| roots[s as usize].1).collect()
 }
 
-/// Leaves the strands that grow in one place; `origin` is that of the head's frame.
+/// Keeps only the strands of one region; `origin` is that of the head's frame.
 pub(super) fn retain(mesh: &mut Mesh, strands: Strands, origin: DVec3) {
     let roots = roots_of(mesh);
     leave(mesh, |v| grows(strands, roots[v as usize] - origin));
 }
 
-/// Gives the skin under a beard some of its colour.
+/// Tints the skin under a beard with the beard's colour.
 pub(super) fn shade(skin: &mut Mesh, beard: &Mesh) {
     let mut roots = roots_of(beard);
     roots.sort_by(|a, b| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
@@ -121,7 +121,7 @@ pub(super) fn leave(mesh: &mut Mesh, stays: impl Fn(u32) -> bool) {
     mesh.morphs.clear();
 }
 
-/// Gives hair another mean colour, linear; single hairs stay brighter or darker than others.
+/// Changes the mean colour of hair, linear; single hairs stay brighter or darker than others.
 pub(super) fn colour(mesh: &mut Mesh, rgb: [f64; 3]) {
     let bright = |c: &[u8; 4]| {
         let parts = c.iter().zip(&mesh.material.base_color);

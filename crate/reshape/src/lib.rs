@@ -32,16 +32,17 @@ use raconteur_body::face::Tissue;
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 use raconteur_body::skeleton::{Bone, Drive, Skeleton};
 
-/// Where the skull's joint lies in the frame of a head, whose origin is between the tragions, metres.
+/// Position of the skull joint in the frame of a head, whose origin is between the tragions,
+/// metres.
 pub const SKULL_IN_HEAD_M: DVec3 = DVec3::new(0.0, -0.018, -0.008);
-/// Height in the frame of the head from which a face goes over into the neck of the body, and how far
-/// below it nothing moves any more, metres.
+/// Height in the frame of the head at which a face blends into the neck of the body, and the
+/// distance below it beyond which nothing moves, metres.
 const NECK_FROM_M: f64 = -0.088;
 const NECK_M: f64 = 0.047;
-/// The chin keeps so far above where the neck begins, metres.
+/// Minimum height of the chin above the start of the neck, metres.
 const UNDER_CHIN_M: f64 = 0.0045;
 
-/// A face to put on a figure. Frame of the head: origin between the tragions, x left, y up, z front;
+/// New face for a figure. Frame of the head: origin between the tragions, x left, y up, z front;
 /// metres.
 #[derive(Clone, Copy, Debug)]
 pub struct NewFace<'a> {
@@ -49,7 +50,7 @@ pub struct NewFace<'a> {
     pub skin: &'a [f64],
     /// Factors of linear red, green and blue at each of them; empty to leave colours.
     pub tone: &'a [f64],
-    /// What lies in the head.
+    /// Inner parts of the head.
     pub organs: NewOrgans,
     /// Factor of the colour of the irises, linear.
     pub iris: [f64; 3],
@@ -58,8 +59,8 @@ pub struct NewFace<'a> {
 }
 
 impl<'a> NewFace<'a> {
-    /// From the numbers of a face model: the factors are those of each vertex, of the irises and of the
-    /// brows, one after another, or none.
+    /// Builds a face from the numbers of a face model. The factors are those of each vertex, of the
+    /// irises and of the brows, one after another, or empty.
     #[must_use]
     pub fn from_numbers(skin: &'a [f64], factors: &'a [f64], organs: NewOrgans) -> Self {
         let (tone, rest) = factors.split_at(factors.len().saturating_sub(6));
@@ -75,7 +76,7 @@ impl<'a> NewFace<'a> {
     }
 }
 
-/// What lies in a head, in its frame; metres and radians.
+/// Inner parts of a head, in its frame; metres and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewOrgans {
     /// Centres of the left and the right eyeball.
@@ -87,8 +88,8 @@ pub struct NewOrgans {
 }
 
 impl NewOrgans {
-    /// From numbers one after another, in the order of the fields; none where there are other than
-    /// nine, or one is not finite.
+    /// Parses consecutive numbers in the order of the fields; `None` unless there are exactly nine
+    /// finite ones.
     #[must_use]
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let all: [f64; 9] = numbers.try_into().ok()?;
@@ -101,14 +102,14 @@ impl NewOrgans {
     }
 }
 
-/// Why a figure cannot have a face.
+/// Error returned when a figure cannot be given a face.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReshapeError {
     /// The figure is not one of those that faces are made for.
     #[error("the figure has no head that a face of the model fits: {why}")]
     OtherHead {
-        /// What is missing.
+        /// Description of the missing item.
         why: &'static str,
     },
     /// The face is of another model.
@@ -119,7 +120,7 @@ pub enum ReshapeError {
         /// Vertices of the head.
         expected: usize,
     },
-    /// Nobody of this name lends hair.
+    /// There is no hair donor of this name.
     #[error("there is no figure {0:?} that lends its hair")]
     NoLender(String),
     /// A number of the face is not finite.
@@ -127,7 +128,7 @@ pub enum ReshapeError {
     NotFinite,
 }
 
-/// A figure that can be given faces: how all parts of its head hang on its skin.
+/// Figure prepared for new faces: bindings of all parts of its head to its skin.
 #[derive(Clone, Debug)]
 pub struct Reshaper {
     figure: Figure,
@@ -138,16 +139,16 @@ pub struct Reshaper {
     origin: DVec3,
     /// Triangles of the head.
     triangles: Vec<[u32; 3]>,
-    /// The first vertex at the place of each: seams of the texture have one normal.
+    /// First vertex at the position of each vertex: seams of the texture share one normal.
     first: Vec<u32>,
-    /// How vertices of each mesh go along.
+    /// Binding of each mesh to the skin.
     meshes: Vec<Option<CarriedMesh>>,
     /// Nodes and points of fibres of the tissue.
     nodes: Vec<SkinAnchor>,
     points: Vec<SkinAnchor>,
-    /// Where the lips meet in the middle: teeth, gums and tongue stand to it.
+    /// Midpoint of the line where the lips meet: reference of teeth, gums and tongue.
     lips: SkinAnchor,
-    /// Whether the figure's own hair grows about each vertex of the skin, once somebody asked.
+    /// Mask of the skin vertices with the figure's own hair, computed on first use.
     scalp: OnceLock<Vec<bool>>,
 }
 
@@ -159,18 +160,20 @@ fn narrow(p: DVec3) -> [f32; 3] {
     p.to_array().map(|x| x as f32)
 }
 
-/// Height in the frame of the head from which a face with such a chin goes over into the neck, metres.
+/// Returns the height in the frame of the head at which a face with the given chin blends into the
+/// neck, metres.
 fn neck_from(chin: f64) -> f64 {
     NECK_FROM_M.min(chin + UNDER_CHIN_M)
 }
 
-/// By how much a vertex moves to its place on a face, metres, frame of the head.
+/// Returns the displacement of a vertex to its position on a face, metres, frame of the head.
 fn moved(place: DVec3, own: DVec3, neck_from: f64) -> DVec3 {
     let lower = own.y.min(place.y);
     (place - own) * (1.0 - smooth((neck_from - lower) / NECK_M))
 }
 
-/// Where the lips meet in the middle, world; the hinge of the jaw where a tissue has no lips.
+/// Returns the midpoint of the line where the lips meet, world; the hinge of the jaw if the tissue
+/// has no lips.
 fn middle_of_lips(tissue: &Tissue) -> DVec3 {
     let places = tissue.columns.iter().filter_map(|column| {
         let [upper, lower] = column.contact.map(|n| tissue.rest.get(usize::from(n)));
@@ -181,7 +184,7 @@ fn middle_of_lips(tissue: &Tissue) -> DVec3 {
 }
 
 impl Reshaper {
-    /// Prepares a figure whose head begins with the skin of a face model of so many vertices.
+    /// Prepares a figure whose head begins with the skin of a face model of `vertices` vertices.
     ///
     /// # Errors
     /// When its head is another.
@@ -273,7 +276,7 @@ impl Reshaper {
         Ok(figure)
     }
 
-    /// By how much each vertex of the skin moves, metres: nothing where the neck is the body's.
+    /// Returns the displacement of each vertex of the skin, metres: zero on the neck of the body.
     fn moved(&self, places: &[[f64; 3]], chin: f64) -> Vec<DVec3> {
         let from = neck_from(chin);
         let skin = &self.figure.meshes[self.head].positions;
@@ -304,7 +307,7 @@ impl Reshaper {
         }
     }
 
-    /// Moves the joints of eyes and lids; by how much, left and right.
+    /// Moves the joints of eyes and lids. Returns the displacement of the left and the right eye.
     fn move_eyes(&self, figure: &mut Figure, organs: &NewOrgans) -> [DVec3; 2] {
         let mut moved = [DVec3::ZERO; 2];
         let mut joints = figure.skeleton.joints().to_vec();
@@ -332,7 +335,7 @@ impl Reshaper {
         moved
     }
 
-    /// Moves the nodes of the tissue with the skin, and what it knows of the teeth with the lips.
+    /// Moves the nodes of the tissue with the skin, and its data of the teeth with the lips.
     fn move_tissue(&self, figure: &mut Figure, moved: &[DVec3], lips: DVec3) {
         let Some(tissue) = &mut figure.tissue else {
             return;

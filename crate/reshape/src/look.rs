@@ -11,11 +11,12 @@ use super::{NewFace, ReshapeError, Reshaper, carry};
 use raconteur_body::HairColour;
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
-/// Whose hair a head has, and its colour.
+/// Source and colour of a head's hair.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub struct Hair {
-    /// `own` (as an empty text), `none` (shaved), `bald` (none ever grew), or the name of a [`Lender`].
+    /// `own` (same as an empty text), `none` (shaved), `bald` (never grew), or the name of a
+    /// [`HairDonor`].
     pub from: String,
     /// Its colour; as it is without.
     pub colour: Option<HairColour>,
@@ -34,14 +35,14 @@ impl Hair {
         matches!(self.from.as_str(), "none" | "bald")
     }
 
-    /// Who lends it.
+    /// Returns the name of the hair donor.
     #[must_use]
     pub fn lender(&self) -> Option<&str> {
         (!self.is_own() && !self.is_none()).then_some(self.from.as_str())
     }
 }
 
-/// What a head wears, and what hair it has. By default as the figure is.
+/// Accessories and hair of a head. The default leaves the figure unchanged.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub struct Look {
@@ -55,7 +56,7 @@ pub struct Look {
     pub iris: Option<[f64; 3]>,
     /// Lines of age: [`Tissue::lines`](raconteur_body::face::Tissue::lines).
     pub lines: Option<f32>,
-    /// Things worn, each of a kind once.
+    /// Accessories, at most one of each kind.
     pub wear: Vec<Accessory>,
 }
 
@@ -63,7 +64,7 @@ pub struct Look {
 pub type Lenders = BTreeMap<String, HairDonor>;
 
 impl Reshaper {
-    /// The figure with a face and a look.
+    /// Returns the figure with a face and a look.
     ///
     /// # Errors
     /// As [`Self::with_face`], and when nobody lends the hair that is asked for.

@@ -9,36 +9,36 @@ use super::speckle::FacePoints;
 use super::{Reshaper, wide};
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
 
-/// The scalp reaches so far about the roots of hair, metres.
+/// Radius of the scalp around the roots of hair, metres.
 const ABOUT_ROOT_M: f64 = 0.0085;
-/// Between rows of roots lie at most twice so many triangles.
+/// Half the maximum number of triangles between rows of roots.
 const GAP_TRIANGLES: usize = 3;
-/// What is painted of the figure's own hair or beard ends so far about its roots, metres.
+/// Radius around the roots within which the figure's own hair or beard is painted, metres.
 const PAINTED_M: f64 = 0.017;
 /// Skin between hairs is so much darker than they are.
 const BETWEEN: f64 = 0.55;
 /// Skin under a figure's own hair is in its shade; without that hair it has at least this much light, 0..255.
 const LIT: u8 = 238;
-/// Where between the bridge of the nose and the hairline skin is that is like a bare scalp.
+/// Relative height between the bridge of the nose and the hairline at which skin resembles a bare
+/// scalp.
 const FOREHEAD: f64 = 0.6;
 
-/// What to paint on the picture of a figure's skin, so that hair of another colour or cut has a scalp of
-/// its own.
+/// Paint for the texture of a figure's skin that gives hair of another colour or cut its own scalp.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScalpPaint {
-    /// Colour of the picture under hair, linear red, green and blue, 0..1.
+    /// Colour of the texture under hair, linear red, green and blue, 0..1.
     pub rgb: [f64; 3],
     /// Texture coordinates of triangles under hair, three to each.
     pub corners: Vec<[f32; 2]>,
     /// Of those where the figure's own hair is painted and no hair is.
     pub bare: Vec<[f32; 2]>,
-    /// Where on the picture skin is that a bare scalp is like.
+    /// Texture coordinates of skin that resembles a bare scalp.
     pub like: [f32; 2],
 }
 
 impl Reshaper {
-    /// What to paint for hair and beard of a figure that this one made; nothing where it has its own as they
-    /// were.
+    /// Returns the paint for the hair and beard of a figure produced by this reshaper; empty if
+    /// both are the figure's own and unchanged.
     #[must_use]
     pub fn scalp_paint(&self, figure: &Figure, hair: &Hair, beard: &Hair) -> ScalpPaint {
         let mut paint = self.under_hair(figure, hair);
@@ -105,7 +105,7 @@ impl Reshaper {
         paint
     }
 
-    /// Whether the figure's own hair grows about each vertex of the skin.
+    /// Returns, for each vertex of the skin, true if the figure's own hair grows around it.
     pub(super) fn scalp(&self) -> &[bool] {
         let own = &self.figure.meshes[self.head];
         self.scalp.get_or_init(|| {
@@ -133,7 +133,7 @@ impl Reshaper {
         triangles.flatten().map(|&v| uvs[v as usize]).collect()
     }
 
-    /// A colour as the picture has it, which multiplies that of some vertices.
+    /// Converts a colour to that of the texture, which multiplies the colour of some vertices.
     fn on_picture(&self, skin: &Mesh, of: &[bool], rgb: [f64; 3]) -> [f64; 3] {
         let mut tone = [0.0; 3];
         let mut count = 0.0_f64;
@@ -147,7 +147,7 @@ impl Reshaper {
         core::array::from_fn(|i| (BETWEEN * rgb[i] * count.max(1.0) / tone[i].max(1e-3)).min(1.0))
     }
 
-    /// Texture coordinates of a place of the forehead.
+    /// Returns the texture coordinates of a point of the forehead.
     fn forehead(&self) -> [f32; 2] {
         let skin = &self.figure.meshes[self.head];
         let at = |v: usize| skin.positions.get(v).map_or(DVec3::ZERO, |&p| wide(p));
@@ -160,7 +160,7 @@ impl Reshaper {
         nearest.map_or([0.0; 2], |(_, uv)| *uv)
     }
 
-    /// Fills what lies between marked vertices: rows of roots stand farther apart than hair has gaps.
+    /// Fills the gaps between marked vertices: rows of roots are farther apart than gaps in hair.
     fn without_gaps(&self, mut marked: Vec<bool>) -> Vec<bool> {
         for spreads in [true, false] {
             for _ in 0..GAP_TRIANGLES {
@@ -175,7 +175,8 @@ impl Reshaper {
         marked
     }
 
-    /// Whether a root is near each vertex of a skin; roots rise in y.
+    /// Returns, for each vertex of a skin, true if a root is near; roots must be sorted by
+    /// ascending y.
     fn about(&self, skin: &Mesh, roots: &[DVec3], reach: f64) -> Vec<bool> {
         let near = |p: DVec3| {
             let from = roots.partition_point(|r| r.y < p.y - reach);
@@ -187,7 +188,7 @@ impl Reshaper {
     }
 }
 
-/// Roots of the hair of a figure that grows in one place, rising in y.
+/// Returns the roots of a figure's hair in one region, sorted by ascending y.
 fn roots(figure: &Figure, origin: DVec3, strands: Strands) -> Vec<DVec3> {
     let hair = figure.meshes.iter().filter(is_hair);
     let mut roots: Vec<DVec3> = hair

@@ -9,14 +9,14 @@ use super::surface_point::{Chart, SurfacePoint};
 use super::{Reshaper, wide};
 use raconteur_body::figure::Figure;
 
-/// What is spotted.
+/// Kind of skin speckle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpeckleKind {
     /// Most on nose and cheeks.
     Freckles,
-    /// Where a beard was shaved.
+    /// Stubble of a shaved beard.
     Stubble,
-    /// Where the sun of a life has shone: temples, forehead, cheekbones.
+    /// Age spots, on skin exposed to the sun: temples, forehead, cheekbones.
     AgeSpots,
     /// A few, anywhere.
     Moles,
@@ -25,14 +25,14 @@ pub enum SpeckleKind {
 /// A spot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speckle {
-    /// Where it is on the picture of the skin.
+    /// Chart of its position on the skin texture.
     pub chart: Chart,
-    /// How much of one it is, 0..1.
+    /// Strength, 0..1.
     pub strength: f64,
 }
 
 impl SpeckleKind {
-    /// Places that are tried.
+    /// Returns the number of candidate positions.
     fn tried(self) -> i64 {
         match self {
             Self::Freckles => 9_000,
@@ -42,7 +42,7 @@ impl SpeckleKind {
         }
     }
 
-    /// What tells the places of a seed from those of others.
+    /// Returns the random stream that separates this kind from the others of a seed.
     fn stream(self, seed: u64) -> u64 {
         let own = if self == Self::Stubble { 0 } else { seed };
         0x5bec ^ self as u64 ^ own.wrapping_mul(0x9e37_79b9_7f4a_7c15)
@@ -59,7 +59,7 @@ pub(super) struct FacePoints {
 }
 
 impl FacePoints {
-    /// Of a skin whose frame of the head lies at `origin`.
+    /// Derives the landmarks from a skin with the origin of the head's frame at `origin`.
     pub(super) fn from_skin(skin: &[[f32; 3]], origin: DVec3) -> Option<Self> {
         let at = |v: usize| skin.get(v).map(|&p| wide(p) - origin);
         let lobe = at(landmark::SUBAURALE[0])?;
@@ -71,7 +71,8 @@ impl FacePoints {
         })
     }
 
-    /// How likely there is a freckle: most across the nose and the cheekbones, some on forehead and chin.
+    /// Returns the likelihood of a freckle: highest across the nose and the cheekbones, some on
+    /// forehead and chin.
     fn freckles(&self, p: DVec3) -> f64 {
         let height = self.sellion.y - self.stomion.y;
         let up = (p.y - self.stomion.y) / height;
@@ -87,7 +88,8 @@ impl FacePoints {
         front * side * band.max(forehead).max(chin)
     }
 
-    /// How likely there is a spot of age: most on temples, forehead and the sides of the cheeks.
+    /// Returns the likelihood of an age spot: highest on temples, forehead and the sides of the
+    /// cheeks.
     fn age_spots(&self, p: DVec3) -> f64 {
         let height = self.sellion.y - self.stomion.y;
         let up = (p.y - self.stomion.y) / height;
@@ -100,14 +102,14 @@ impl FacePoints {
         before * high * (0.3 + 0.7 * smooth(((aside - 0.35) / 0.4).clamp(0.0, 1.0)))
     }
 
-    /// How likely there is a mole: on the face and the sides of the neck.
+    /// Returns the likelihood of a mole: on the face and the sides of the neck.
     fn moles(&self, p: DVec3) -> f64 {
         let before = smooth(((p.z + 0.01) / 0.03).clamp(0.0, 1.0));
         let is_none = self.on_lips(p) || self.on_lids(p) || p.y > self.sellion.y + 0.06;
         if is_none { 0.0 } else { 0.6 * before }
     }
 
-    /// How dense stubble is.
+    /// Returns the density of stubble.
     fn stubble(&self, p: DVec3) -> f64 {
         let x = p.x.abs();
         let aside = x / self.lobe.x.max(0.03);
@@ -147,8 +149,8 @@ impl FacePoints {
 }
 
 impl Reshaper {
-    /// The spots of a kind on a figure that this one made, in an order by chance: the first of them are a
-    /// fair part of all. Each seed has its own places.
+    /// Returns the speckles of a kind on a figure produced by this reshaper, in random order: any
+    /// first part of them is a fair sample of all. Each seed has its own positions.
     #[must_use]
     pub fn speckles(&self, figure: &Figure, kind: SpeckleKind, seed: u64) -> Vec<Speckle> {
         let Some(skin) = figure.meshes.get(self.head) else {

@@ -6,7 +6,8 @@ use super::{Reshaper, wide};
 use raconteur_body::figure::{Figure, Mesh};
 use raconteur_body::skeleton::Bone;
 
-/// A place on the skin: the corners of a triangle, and their shares of it. The same place on every head.
+/// Point on the skin: the corners of a triangle and their barycentric weights. It is the same point
+/// on every head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
     /// Vertices of the skin.
@@ -16,7 +17,7 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
-    /// From three vertices and three shares, one after another; none where they are no such numbers.
+    /// Parses three vertices and three weights, one after another; `None` if they are invalid.
     #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
@@ -34,12 +35,13 @@ impl SurfacePoint {
     }
 }
 
-/// How the skin's pictures lie about a spot.
+/// Local mapping from the skin to its textures around a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chart {
     /// Texture coordinates of the spot.
     pub uv: [f64; 2],
-    /// Their change over a metre of skin to the right of who looks at the face.
+    /// Change of the texture coordinates over a metre of skin to the viewer's right, facing the
+    /// face.
     pub right: [f64; 2],
     /// And upwards.
     pub up: [f64; 2],
@@ -51,8 +53,8 @@ fn corners(mesh: &Mesh, t: [u32; 3]) -> Option<[DVec3; 3]> {
     Some([a?, b?, c?])
 }
 
-/// Distance along a ray to a triangle that it meets from outside, and the shares of its corners
-/// (Möller and Trumbore 1997, doi:10.1080/10867651.1997.10487468).
+/// Returns the distance along a ray to a triangle that it hits from outside, and the barycentric
+/// weights of the hit (Möller and Trumbore 1997, doi:10.1080/10867651.1997.10487468).
 fn intersect(from: DVec3, to: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, [f64; 3])> {
     let (ab, ac) = (b - a, c - a);
     let p = to.cross(ac);
@@ -70,8 +72,9 @@ fn intersect(from: DVec3, to: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, [f64
 }
 
 impl Reshaper {
-    /// The first place of the skin that a ray meets on a figure which this one made, as it stands:
-    /// `from` and `to`, its direction, in the world; `skull` is the world from the skull's joint.
+    /// Returns the first skin point hit by a ray on a figure produced by this reshaper, in its
+    /// current pose: `from` and `to`, its direction, in the world; `skull` is the world from the
+    /// skull's joint.
     #[must_use]
     pub fn pick(
         &self,
@@ -96,8 +99,8 @@ impl Reshaper {
         met.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, spot)| spot)
     }
 
-    /// Where a spot lies on the pictures of a figure's skin; none where it has no such vertices, or the
-    /// pictures stand still there.
+    /// Returns the chart of a point on the textures of a figure's skin; `None` if the vertices do
+    /// not exist, or if the texture coordinates do not change there.
     #[must_use]
     pub fn chart(&self, figure: &Figure, spot: &SurfacePoint) -> Option<Chart> {
         if spot.corners.iter().any(|&v| v as usize >= self.vertices) {
@@ -137,7 +140,7 @@ impl Reshaper {
         (area.is_finite() && area.abs() > 1e-6).then_some(chart)
     }
 
-    /// The picture of the skin's colour, as an index into the figure's images.
+    /// Returns the colour texture of the skin, as an index into the figure's images.
     #[must_use]
     pub fn skin_picture(&self) -> Option<usize> {
         self.figure.meshes[self.head].material.maps.base_color

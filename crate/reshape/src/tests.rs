@@ -70,7 +70,7 @@ fn a_figure_with_its_own_face_is_itself() {
     assert!(off < VERTICES / 100, "{off}");
 }
 
-/// A face a little larger all over: everything in the head goes along, and nothing below it.
+/// A slightly enlarged face: everything in the head follows, and nothing below it.
 #[test]
 fn what_lies_in_and_on_the_face_goes_along() {
     let reshaper = sofia();
@@ -119,8 +119,8 @@ fn what_lies_in_and_on_the_face_goes_along() {
     }
 }
 
-/// The bag of the mouth is sewn to the lips, and the texture has a seam: both stay closed under a face
-/// that moves every vertex by itself.
+/// The mouth cavity is joined to the lips, and the texture has a seam: both stay closed under a
+/// face that moves every vertex independently.
 #[test]
 fn seams_stay_closed() {
     let reshaper = sofia();

@@ -13,13 +13,13 @@ use raconteur_body::springs::Springs;
 use raconteur_body::write::weights_in_255ths;
 use raconteur_tissue::Binding;
 
-/// A part with its normals where they are not those of its own faces.
+/// Mesh part with optional explicit normals.
 #[derive(Clone, Debug)]
 pub struct PartWithNormals {
     /// The part.
     pub part: MeshPart,
-    /// One unit normal for each vertex; `None` computes them from the faces. Strand cards
-    /// bring theirs, which follow the head's volume rather than the card.
+    /// One unit normal for each vertex; `None` computes them from the faces. Strand cards have
+    /// their own, which follow the head's volume rather than the card.
     pub normals: Option<Vec<DVec3>>,
 }
 

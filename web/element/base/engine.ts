@@ -1,7 +1,7 @@
 /** What the wasm builds offer. */
 
 import type { FaceLook, NaturalHair, SpotKind } from './face-types.js';
-import type { Cue, Interruption, Performance } from './performance.js';
+import type { Cue, InterruptionOutcome, Performance } from './performance.js';
 import type { EnvironmentExpression, Light, PictureStatistics, Piece, Quality, Story } from './types.js';
 
 /** What became of a tick; the numbers are `TickStatus` in `crate/web`. */
@@ -91,7 +91,7 @@ export interface Engine {
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
   /** Ends what fragments say and do; undefined where there is nothing to end. */
-  interrupt(nowSecs: number): Interruption | undefined;
+  interrupt(nowSecs: number): InterruptionOutcome | undefined;
   /** The clock may pass the end of the story, because more may come. */
   setOpenEnded(openEnded: boolean): void;
   /** Pictures of the figure that was read, as they lie in its file: how many, their MIME types and bytes. */

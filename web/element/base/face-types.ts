@@ -49,11 +49,11 @@ export interface HairLook {
 }
 
 /** What can be worn on a head. */
-export type WearKind = 'round-glasses' | 'square-glasses' | 'sunglasses' | 'ear-studs' | 'ear-rings' | 'nose-stud' | 'knitted-cap' | 'hat' | 'headscarf';
+export type AccessoryKind = 'round-glasses' | 'square-glasses' | 'sunglasses' | 'ear-studs' | 'ear-rings' | 'nose-stud' | 'knitted-cap' | 'hat' | 'headscarf';
 
 /** A thing that is worn; its colour is linear, 0 to 1. */
-export interface Wear {
-  readonly kind: WearKind;
+export interface Accessory {
+  readonly kind: AccessoryKind;
   readonly colour: readonly [number, number, number];
 }
 
@@ -68,7 +68,7 @@ export interface FaceLook {
   readonly cut?: 'full' | 'moustache' | 'goatee' | undefined;
   /** Colour of brows and lashes. */
   readonly brows?: HairColour | undefined;
-  readonly wear?: readonly Wear[] | undefined;
+  readonly wear?: readonly Accessory[] | undefined;
   /** How many freckles there are, how far shaved hair shows, and how many spots age has left, 0 to 1. */
   readonly freckles?: number | undefined;
   readonly stubble?: number | undefined;

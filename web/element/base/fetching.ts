@@ -43,7 +43,7 @@ export const shown = (url: URL): string => (url.origin === globalThis.location?.
 export const tooLarge = (what: string, most: number): FetchError => new FetchError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
 
 /** One request, watched. */
-class Watch {
+class StallTimer {
   readonly #url: URL;
   readonly #fetching: Fetching;
   readonly #abort = new AbortController();
@@ -121,8 +121,8 @@ class Watch {
   }
 }
 
-async function watched<T>(url: URL, fetching: Fetching, work: (watch: Watch) => Promise<T>): Promise<T> {
-  const watch = new Watch(url, fetching);
+async function watched<T>(url: URL, fetching: Fetching, work: (watch: StallTimer) => Promise<T>): Promise<T> {
+  const watch = new StallTimer(url, fetching);
   try {
     return await work(watch);
   } catch (error) {

@@ -66,11 +66,11 @@ export interface Performance {
   /** When all that is known is over. */
   readonly endSecs: number;
   /** What it ended, where it was no fragment but `<interrupt/>`. */
-  readonly cut?: Interruption;
+  readonly cut?: InterruptionOutcome;
 }
 
 /** What fragments say and do has ended. */
-export interface Interruption {
+export interface InterruptionOutcome {
   /** When. */
   readonly atSecs: number;
   /** When all that is known now is over. */

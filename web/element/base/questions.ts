@@ -43,7 +43,7 @@ export interface QuestionPicture {
 }
 
 /** Something on the way through a story. An item is a clause of the pool at a place, before what it is itself. */
-export type Way = Ordered & { readonly atSecs: number; readonly endSecs: number } & (
+export type FlowEntry = Ordered & { readonly atSecs: number; readonly endSecs: number } & (
     | { readonly kind: 'part'; readonly name: string; readonly title: string }
     | { readonly kind: 'if'; readonly name: string; readonly is?: string; readonly not?: string; readonly above?: number; readonly below?: number }
     | { readonly kind: 'set'; readonly name: string; readonly value?: string; readonly by?: number }
@@ -78,3 +78,6 @@ export interface QuestionOption {
   /** Of `point`: the part of the figure. */
   readonly at?: string;
 }
+
+/** @deprecated Use `FlowEntry`. */
+export type Way = FlowEntry;

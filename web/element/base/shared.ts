@@ -3,15 +3,15 @@
 /** So long after the last one has left it goes on: the next story often wants the same. */
 const GRACE_MS = 1000;
 
-interface Work<T> {
+interface SharedTask<T> {
   readonly done: Promise<T>;
   readonly abort: AbortController;
   waiting: number;
   settled: boolean;
 }
 
-export class Shared<T> {
-  readonly #works = new Map<string, Work<T>>();
+export class SharedTasks<T> {
+  readonly #works = new Map<string, SharedTask<T>>();
   readonly #graceMs: number;
 
   constructor(graceMs = GRACE_MS) {
@@ -41,9 +41,9 @@ export class Shared<T> {
     }
   }
 
-  #begin(key: string, make: (signal: AbortSignal) => Promise<T>): Work<T> {
+  #begin(key: string, make: (signal: AbortSignal) => Promise<T>): SharedTask<T> {
     const abort = new AbortController();
-    const work: Work<T> = { done: make(abort.signal), abort, waiting: 0, settled: false };
+    const work: SharedTask<T> = { done: make(abort.signal), abort, waiting: 0, settled: false };
     this.#works.set(key, work);
     work.done.then(
       () => (work.settled = true),
@@ -52,13 +52,13 @@ export class Shared<T> {
     return work;
   }
 
-  #leave(key: string, work: Work<T>): void {
+  #leave(key: string, work: SharedTask<T>): void {
     if (work.waiting > 0 || work.settled) return;
     this.#forget(key, work);
     work.abort.abort();
   }
 
-  #forget(key: string, work: Work<T>): void {
+  #forget(key: string, work: SharedTask<T>): void {
     work.settled = true;
     if (this.#works.get(key) === work) this.#works.delete(key);
   }

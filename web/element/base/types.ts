@@ -1,6 +1,6 @@
 /** What the element, the engine and a page tell each other. All times are seconds. */
 
-import type { Question, Way } from './questions.js';
+import type { Question, FlowEntry } from './questions.js';
 
 /** Something wrong with a story, its voice or its figure. The rest of the story plays. */
 export interface Diagnostic {
@@ -75,7 +75,7 @@ export interface Performer {
 export interface Story {
   readonly performer: Performer;
   readonly questions: readonly Question[];
-  readonly ways: readonly Way[];
+  readonly ways: readonly FlowEntry[];
   readonly durationSecs: number;
   readonly utterances: readonly Utterance[];
   readonly diagnostics: readonly Diagnostic[];
@@ -214,3 +214,6 @@ export interface PlayerState {
   /** What gotos have led over. */
   readonly skipped?: unknown;
 }
+
+/** @deprecated Use `EnvironmentExpression`. */
+export type Expressed = EnvironmentExpression;

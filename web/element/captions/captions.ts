@@ -1,6 +1,6 @@
 /** Captions: lines of an utterance short enough to read at a glance, with the word being spoken. */
 
-import { Break, breaksOf } from './phrases.js';
+import { BreakStrength, breaksOf } from './phrases.js';
 import type { Utterance, Word } from '../base/types.js';
 
 /** The most characters of a line, as subtitles on television have them; a caption has two lines at most. */
@@ -50,7 +50,7 @@ interface Part {
 }
 
 /** The best way to show the words up to some word: its cost, and its last caption. */
-interface Way {
+interface CaptionLayout {
   cost: number;
   from: number;
   second: number;
@@ -61,10 +61,10 @@ function parts(words: readonly Word[], language: string): Part[] {
   const count = words.length;
   const texts = words.map((word) => word.text);
   const breaks = breaksOf(words, texts, language);
-  const ways: Way[] = Array.from({ length: count + 1 }, () => ({ cost: Infinity, from: 0, second: 0 }));
+  const ways: CaptionLayout[] = Array.from({ length: count + 1 }, () => ({ cost: Infinity, from: 0, second: 0 }));
   if (ways[0] !== undefined) ways[0].cost = 0;
-  const end = (costs: readonly number[], i: number): number => (i === count ? 0 : (costs[breaks[i - 1] ?? Break.Any] ?? 0));
-  const ends = (i: number): boolean => i === 0 || i === count || breaks[i - 1] === Break.Sentence;
+  const end = (costs: readonly number[], i: number): number => (i === count ? 0 : (costs[breaks[i - 1] ?? BreakStrength.Any] ?? 0));
+  const ends = (i: number): boolean => i === 0 || i === count || breaks[i - 1] === BreakStrength.Sentence;
   const lone = (from: number, to: number): number => (to - from === 1 && !(ends(from) && ends(to)) ? LONE_WORD : 0);
   /** Calls for every end of a line that begins with a word, with its length and what it costs to read. */
   const lines = (from: number, each: (to: number, length: number, cost: number) => void): void => {
@@ -74,7 +74,7 @@ function parts(words: readonly Word[], language: string): Part[] {
       each(to, length, cost + lone(from, to));
       if (to === count) return;
       length += 1 + (texts[to]?.length ?? 0);
-      cost += OVER_COST[breaks[to - 1] ?? Break.Any] ?? 0;
+      cost += OVER_COST[breaks[to - 1] ?? BreakStrength.Any] ?? 0;
       if (length > LINE_CHARACTERS) return;
     }
   };

@@ -7,7 +7,7 @@
 import type { Word } from '../base/types.js';
 
 /** How good the place after a word is, the best first. */
-export enum Break {
+export enum BreakStrength {
   Sentence,
   /** The speaker stops: the end of a line of verse. */
   Pause,
@@ -80,11 +80,11 @@ export function breaksOf(words: readonly Word[], texts: readonly string[], langu
     const parted = PAUSES.test(tail);
     // A small word with a capital, and no sentence or title: a line of verse begins.
     const isVerse = next !== 'i' && leaning(next) && CAPITAL.test(follows) && !CAPITAL.test(texts[i] ?? '');
-    if (ENDS.test(tail)) breaks[i] = Break.Sentence;
-    else if (silence >= (parted ? STOP_SECS.comma : STOP_SECS.bare) || isVerse) breaks[i] = Break.Pause;
-    else if (parted) breaks[i] = opens?.has(before) && !starts?.has(next) ? Break.Any : Break.Comma;
-    else if (leaning(bare)) breaks[i] = Break.Bound;
-    else breaks[i] = starts?.has(next) ? Break.Phrase : Break.Any;
+    if (ENDS.test(tail)) breaks[i] = BreakStrength.Sentence;
+    else if (silence >= (parted ? STOP_SECS.comma : STOP_SECS.bare) || isVerse) breaks[i] = BreakStrength.Pause;
+    else if (parted) breaks[i] = opens?.has(before) && !starts?.has(next) ? BreakStrength.Any : BreakStrength.Comma;
+    else if (leaning(bare)) breaks[i] = BreakStrength.Bound;
+    else breaks[i] = starts?.has(next) ? BreakStrength.Phrase : BreakStrength.Any;
     [before, bare] = [bare, next];
   }
   return breaks;

@@ -1,7 +1,7 @@
 /** Texts of animations: fetched by name, each once for all players of a page. */
 
 import { fetchBytes, type Credentials, type Fetching } from '../base/fetching.js';
-import { Shared } from '../base/shared.js';
+import { SharedTasks } from '../base/shared.js';
 import type { Engine } from '../base/engine.js';
 import type { Story } from '../base/types.js';
 
@@ -13,7 +13,7 @@ const PATIENCE_MS = 4000;
 const TOGETHER_MS = 500;
 
 /** Texts by address. */
-const shared = new Shared<string>();
+const shared = new SharedTasks<string>();
 
 /** Where an animation is: a bare name in the library, a path in the story's folder; undefined for what reaches out of it. `FILE.glb#NAME` is one animation of several. */
 export function addressOf(name: string, library: URL, story: URL): URL | undefined {

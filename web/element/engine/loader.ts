@@ -4,7 +4,7 @@ import { Animations } from './animations.js';
 import type { Script } from './backend.js';
 import { fetchBytes, shown, tooLarge, type Credentials, type Progress } from '../base/fetching.js';
 import { prepareFigure, type FigureFile } from './figure.js';
-import { Shared } from '../base/shared.js';
+import { SharedTasks } from '../base/shared.js';
 import { PlayerError, type Diagnostic } from '../base/types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
@@ -34,14 +34,14 @@ export interface StoryFiles {
 }
 
 /** How long something is wanted, and who hears how much of it has come. */
-export interface Wanted {
+export interface RequestedFiles {
   readonly signal: AbortSignal;
   readonly progress: Progress;
   readonly credentials?: Credentials;
 }
 
 /** Which story is to be fetched. */
-export interface StoryWish {
+export interface StoryRequest {
   readonly src: string | undefined;
   /** Takes the file's place. */
   readonly text: string | undefined;
@@ -55,7 +55,7 @@ export interface StoryWish {
 
 /** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
 export async function fetchStory(
-  { src, text, edited, language, expectsLines, credentials }: StoryWish,
+  { src, text, edited, language, expectsLines, credentials }: StoryRequest,
   library: URL,
   decode: (bytes: Uint8Array) => Promise<Script>,
   figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
@@ -96,10 +96,10 @@ function urlOfFigure(figure: string, library: URL): URL {
 }
 
 /** Figures are the largest files and are shared by the players of a page. */
-const figures = new Shared<Uint8Array>();
+const figures = new SharedTasks<Uint8Array>();
 
 /** A figure by its name in the library or its address, or where it lies for certain. */
-export async function fetchFigure(figure: string, library: URL, wanted: Wanted, url = urlOfFigure(figure, library)): Promise<FigureFile> {
+export async function fetchFigure(figure: string, library: URL, wanted: RequestedFiles, url = urlOfFigure(figure, library)): Promise<FigureFile> {
   const { signal, progress, credentials } = wanted;
   const bytes = await figures.get(url.href, signal, (signal) => fetchBytes(url, { what: 'The figure', most: MAX_FIGURE_BYTES, signal, credentials, progress }));
   progress(1);

@@ -6,7 +6,7 @@ import type { PoseNumbers } from '../base/types.js';
 export type Vector = readonly [x: number, y: number, z: number];
 
 /** A point of the canvas, CSS pixels from its upper left corner. */
-export interface Spot {
+export interface ScreenPoint {
   readonly x: number;
   readonly y: number;
 }
@@ -123,7 +123,7 @@ export class Lens {
   }
 
   /** Where a point lies on a canvas of this size; undefined behind the camera. */
-  project(point: Vector, width: number, height: number): Spot | undefined {
+  project(point: Vector, width: number, height: number): ScreenPoint | undefined {
     const from = minus(point, this.eye);
     const depth = dot(from, this.forward);
     if (depth < this.near) return undefined;
@@ -134,7 +134,7 @@ export class Lens {
   }
 
   /** The point under a spot of the canvas in the plane through `through` that has this `normal`; undefined where the view only grazes it. */
-  unproject(spot: Spot, width: number, height: number, through: Vector, normal: Vector): Vector | undefined {
+  unproject(spot: ScreenPoint, width: number, height: number, through: Vector, normal: Vector): Vector | undefined {
     const x = ((2 * spot.x) / width - 1) * this.#halfWidth;
     const y = (1 - (2 * spot.y) / height) * this.#halfHeight;
     const ray = along(along(this.forward, this.right, x), this.up, y);

@@ -36,10 +36,10 @@ export function toldLook(look: FaceLook | undefined): FaceLook | undefined {
 }
 
 /** Files of hair, by name. */
-export type Lent = ReadonlyMap<string, Uint8Array>;
+export type DonorHair = ReadonlyMap<string, Uint8Array>;
 
 /** Gives the figure that an engine has read a face. Throws what the engine says of a face that it cannot have. */
-export function applyFace(engine: Engine, face: FigureFace, lent: Lent): void {
+export function applyFace(engine: Engine, face: FigureFace, lent: DonorHair): void {
   const { skin, organs, factors, look, moves = false } = face;
   for (const name of lendersOf(face)) {
     const glb = lent.get(name);
@@ -96,7 +96,7 @@ const textOf = ({ marks = [], look }: Partial<FigureFace>): string => {
 const NOTHING = textOf({});
 
 /** The paint on the skin of one figure. */
-export class Paint {
+export class SkinPainter {
   /** What is painted now, as text, and whether it is so finely. */
   #painted = NOTHING;
   #isFine = true;

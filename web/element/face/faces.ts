@@ -80,7 +80,7 @@ interface Instance {
 }
 
 /** Three numbers: along or about x, y and z. */
-type Three = readonly [number, number, number];
+type Vector3 = readonly [number, number, number];
 
 /** A face model and the face that is edited. Methods throw an `Error` that says what is wrong, and change nothing then. */
 export class Faces {
@@ -180,7 +180,7 @@ export class Faces {
   }
 
   /** Scales a region about its middle, turns it (radians) and moves it (metres). */
-  transform({ scale = [1, 1, 1], turn = [0, 0, 0], way = [0, 0, 0] }: { scale?: Three; turn?: Three; way?: Three }, { segments = [], half }: FaceRegion = {}): void {
+  transform({ scale = [1, 1, 1], turn = [0, 0, 0], way = [0, 0, 0] }: { scale?: Vector3; turn?: Vector3; way?: Vector3 }, { segments = [], half }: FaceRegion = {}): void {
     const [s, t, w] = [scale, turn, way].map((numbers) => Float64Array.from(numbers)) as [Float64Array, Float64Array, Float64Array];
     this.#model.transform(s, t, w, segments, half);
   }

@@ -1,6 +1,6 @@
 /** What is on the face of the figure on stage. */
 
-import { applyFace, Paint, type Lent } from './face-look.js';
+import { applyFace, SkinPainter, type DonorHair } from './face-look.js';
 import type { Engine } from '../base/engine.js';
 import type { FigureFace } from '../base/face-types.js';
 import { PlayerError } from '../base/types.js';
@@ -10,8 +10,8 @@ export class GivenFace {
   /** Undefined: the figure has its own. */
   face: FigureFace | undefined;
   /** The files of figures that lend it hair. */
-  lent: Lent = new Map();
-  #paint = new Paint();
+  lent: DonorHair = new Map();
+  #paint = new SkinPainter();
 
   /** It changes, so that no picture of it stands still. */
   get moves(): boolean {
@@ -25,7 +25,7 @@ export class GivenFace {
 
   /** The figure's pictures have come anew: nothing is painted on them. */
   unpaint(): void {
-    this.#paint = new Paint();
+    this.#paint = new SkinPainter();
   }
 
   /** Paints what there is to paint; `current` says whether the engine still shows that figure. */

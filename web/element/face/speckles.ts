@@ -12,7 +12,7 @@ const FEWEST = 0.12;
 const RINGS = [1, 0.75, 0.5];
 
 /** How spots of a kind are painted: radii least and most, metres; what is left of each colour, and how much of it a ring takes. */
-interface Ink {
+interface SpeckleColour {
   readonly radius: readonly [number, number];
   readonly colour: string;
   readonly alpha: (strength: number) => number;
@@ -55,7 +55,7 @@ export class Speckles {
     context.restore();
   }
 
-  #each(context: OffscreenCanvasRenderingContext2D, spots: Float32Array, { radius, colour, alpha }: Ink): void {
+  #each(context: OffscreenCanvasRenderingContext2D, spots: Float32Array, { radius, colour, alpha }: SpeckleColour): void {
     const { width, height } = context.canvas;
     context.fillStyle = colour;
     for (let i = 0; i < spots.length; i += NUMBERS) {

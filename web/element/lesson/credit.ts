@@ -1,6 +1,6 @@
 /** What an answer counts: all points, none, or a share of them where what is right of it counts by itself. */
 
-import { isFilled, isMatched, type Judgement } from './judge.js';
+import { isFilled, isMatched, type AnswerGrade } from './judge.js';
 import type { Question } from '../base/questions.js';
 
 /** Points are told to a hundredth, which records and people can read. */
@@ -9,7 +9,7 @@ const STEPS = 100;
 const NEARLY = 1e-6;
 
 /** The points of an answer: 0 to those of the question, and all of them only where it is right. */
-export function pointsOf(question: Question, { given, isRight }: Judgement): number {
+export function pointsOf(question: Question, { given, isRight }: AnswerGrade): number {
   const { points, isPartial } = question;
   if (isRight === true) return points;
   if (isRight === undefined || isPartial !== true) return 0;

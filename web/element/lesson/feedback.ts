@@ -1,13 +1,13 @@
 /** What is read once a question is answered for good: what its author wrote, else whether that was right, and what is right. */
 
 import { gapsOf } from './judge.js';
-import { LIVE, type Taken } from './lesson.js';
+import { LIVE, type TakenBranch } from './lesson.js';
 import { readOf } from './question-fields.js';
 import type { QuestionWords } from './question-words.js';
 import type { Question, QuestionOption } from '../base/questions.js';
 
 /** The text after an answer; empty where there is none: the story says something itself, or whoever asks live does. */
-export function feedbackOf({ question, answered, isSilent }: Taken, words: QuestionWords): string {
+export function feedbackOf({ question, answered, isSilent }: TakenBranch, words: QuestionWords): string {
   const { isFinal, isRight } = answered;
   if (!isFinal) return '';
   const { any = '', right = any, wrong = any } = question.feedback ?? {};
@@ -16,7 +16,7 @@ export function feedbackOf({ question, answered, isSilent }: Taken, words: Quest
   return isSilent && question.order < LIVE ? usual({ question, answered }, words) : '';
 }
 
-function usual({ question, answered: { given, isRight, points } }: Pick<Taken, 'question' | 'answered'>, words: QuestionWords): string {
+function usual({ question, answered: { given, isRight, points } }: Pick<TakenBranch, 'question' | 'answered'>, words: QuestionWords): string {
   if (isRight === undefined) return given.length === 0 ? words.over : words.thanks;
   if (isRight) return words.right;
   const outcome = given.length === 0 ? words.over : points > 0 ? words.partly(points, question.points) : words.wrong;

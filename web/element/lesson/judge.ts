@@ -3,7 +3,7 @@
 import type { Question, QuestionOption } from '../base/questions.js';
 
 /** What an answer is worth. */
-export interface Judgement {
+export interface AnswerGrade {
   /** What was given, without what is none. */
   readonly given: readonly string[];
   /** Left out where the question is not graded. */
@@ -48,7 +48,7 @@ export function gapsOf({ prompt, options }: Question): readonly (string | Questi
   });
 }
 
-const RULES: { readonly [kind in Question['kind']]: (question: Question, given: readonly string[]) => Required<Judgement> | undefined } = {
+const RULES: { readonly [kind in Question['kind']]: (question: Question, given: readonly string[]) => Required<AnswerGrade> | undefined } = {
   choice: one,
   point: one,
   several,
@@ -70,7 +70,7 @@ const RULES: { readonly [kind in Question['kind']]: (question: Question, given: 
 };
 
 /** Judges an answer; undefined where it is none. */
-export function judge(question: Question, given: readonly string[]): Judgement | undefined {
+export function judge(question: Question, given: readonly string[]): AnswerGrade | undefined {
   const judged = RULES[question.kind](question, given);
   if (judged === undefined || question.isUngraded !== true) return judged;
   return { given: judged.given, fits: judged.fits };
@@ -80,20 +80,20 @@ function chosen({ options }: Question, given: readonly string[]): QuestionOption
   return options.filter(({ name }) => given.includes(name));
 }
 
-function one(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+function one(question: Question, given: readonly string[]): Required<AnswerGrade> | undefined {
   const [option, more] = chosen(question, given);
   if (option === undefined || more !== undefined) return undefined;
   return { given: [option.name], isRight: option.isRight, fits: [option.name] };
 }
 
-function several(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+function several(question: Question, given: readonly string[]): Required<AnswerGrade> | undefined {
   const all = chosen(question, given);
   const names = all.map(({ name }) => name);
   if (all.length === 0) return undefined;
   return { given: names, isRight: question.options.every((option) => option.isRight === all.includes(option)), fits: names.length === 1 ? names : [] };
 }
 
-function order({ options }: Question, given: readonly string[]): Required<Judgement> | undefined {
+function order({ options }: Question, given: readonly string[]): Required<AnswerGrade> | undefined {
   if (given.length !== options.length || options.some(({ name }) => !given.includes(name))) return undefined;
   return { given: [...given], isRight: options.every(({ name }, i) => given[i] === name), fits: [] };
 }
@@ -106,7 +106,7 @@ export function isMatched({ options }: Question, given: readonly string[], place
   return partnerOf(options, given[place]) === options[place]?.partner;
 }
 
-function match(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+function match(question: Question, given: readonly string[]): Required<AnswerGrade> | undefined {
   const { options } = question;
   const known = options.map((_, i) => (partnerOf(options, given[i]) === undefined ? '' : (given[i] ?? '')));
   if (known.every((name) => name === '')) return undefined;
@@ -119,14 +119,14 @@ export function isFilled({ options }: Question, given: readonly string[], place:
   return (options[place]?.accepts ?? []).some((accepted) => plain(accepted) === written);
 }
 
-function gap(question: Question, given: readonly string[]): Required<Judgement> | undefined {
+function gap(question: Question, given: readonly string[]): Required<AnswerGrade> | undefined {
   const written = question.options.map((_, i) => (given[i] ?? '').trim().slice(0, MAX_CHARACTERS));
   if (written.every((text) => plain(text) === '')) return undefined;
   return { given: written, isRight: question.options.every((_, i) => isFilled(question, written, i)), fits: [] };
 }
 
 /** The first option that takes it decides. */
-function ruled({ options }: Question, given: readonly string[], takes: (option: QuestionOption) => boolean): Required<Judgement> {
+function ruled({ options }: Question, given: readonly string[], takes: (option: QuestionOption) => boolean): Required<AnswerGrade> {
   const option = options.find(takes);
   return { given, isRight: option?.isRight === true, fits: option === undefined ? [] : [option.name] };
 }

@@ -6,11 +6,11 @@
 import type { Answered, Score } from '../base/answers.js';
 import { newSeed } from './chance.js';
 import { pointsOf } from './credit.js';
-import { isOutcome, judge, type Judgement } from './judge.js';
+import { isOutcome, judge, type AnswerGrade } from './judge.js';
 import { leftOut } from './pools.js';
 import { type Span, united } from '../base/ranges.js';
 import type { Part } from '../media/text-tracks.js';
-import type { Question, Way } from '../base/questions.js';
+import type { Question, FlowEntry } from '../base/questions.js';
 import { type Value, Values } from './values.js';
 
 /** What a learner has done in a story, as data. */
@@ -28,24 +28,24 @@ export interface LessonState {
 }
 
 /** What is to become of the story's time: it goes on, rests, or goes on elsewhere after `fromSecs`. */
-export type Turn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
+export type FlowTurn = { readonly kind: 'go' } | { readonly kind: 'rest'; readonly atSecs: number } | { readonly kind: 'leap'; readonly fromSecs: number; readonly toSecs: number };
 
 /** What became of an answer. */
-export interface Taken {
+export interface TakenBranch {
   readonly question: Question;
   readonly answered: Answered;
-  readonly turn: Turn;
+  readonly turn: FlowTurn;
   /** It is answered for good, and nothing of the story follows from it. */
   readonly isSilent: boolean;
 }
 
 /** Something that a story comes to. */
 type Mark =
-  | Way
+  | FlowEntry
   | { readonly kind: 'ask'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number; readonly question: Question }
   | { readonly kind: 'answer'; readonly order: number; readonly within?: number; readonly atSecs: number; readonly endSecs: number };
 
-const GO: Turn = { kind: 'go' };
+const GO: FlowTurn = { kind: 'go' };
 /** Times of a story differ by less where they mean the same. */
 const NEARLY_SECS = 1e-3;
 /** The places of what is not in the story, after all that is. */
@@ -54,7 +54,7 @@ export const LIVE = 1e9;
 const MAX_DONE = 100_000;
 
 /** Marks in the order in which a story comes to them. */
-function marksOf(questions: readonly Question[], ways: readonly Way[]): readonly Mark[] {
+function marksOf(questions: readonly Question[], ways: readonly FlowEntry[]): readonly Mark[] {
   const asked = questions.flatMap((question): Mark[] => {
     const { order, within, atSecs, endSecs, answers } = question;
     const around = within === undefined ? {} : { within };
@@ -78,7 +78,7 @@ export class Lesson {
   readonly #values = new Values();
   readonly #done = new Set<number>();
   #seed = newSeed();
-  #ways: readonly Way[] = [];
+  #ways: readonly FlowEntry[] = [];
   /** The places of what is not drawn of pools, with all in it. */
   #leftOut: ReadonlySet<number> = new Set();
   #furthestSecs = 0;
@@ -90,7 +90,7 @@ export class Lesson {
   #follows: { readonly order: number; readonly endSecs: number; readonly toSecs: number } | undefined;
 
   /** The questions and ways of the text on stage; what was answered to those of the same names stays. */
-  setStory(questions: readonly Question[], ways: readonly Way[]): void {
+  setStory(questions: readonly Question[], ways: readonly FlowEntry[]): void {
     this.#questions = questions;
     this.#byName = new Map(questions.map((question) => [question.name, question]));
     this.#ways = ways;
@@ -116,7 +116,7 @@ export class Lesson {
   }
 
   /** The text on stage has other times, at this one: voices come while it is told. An answer that is performed goes on. */
-  retime(questions: readonly Question[], ways: readonly Way[], secs: number): void {
+  retime(questions: readonly Question[], ways: readonly FlowEntry[], secs: number): void {
     const performed = this.#follows?.order;
     this.setStory(questions, ways);
     this.seek(secs);
@@ -200,7 +200,7 @@ export class Lesson {
   }
 
   /** The story has come to a time by itself: whether it may go on. */
-  pass(secs: number): Turn {
+  pass(secs: number): FlowTurn {
     const turn = this.#leave(secs) ?? this.#walk(secs);
     if (turn.kind === 'go') this.#furthestSecs = Math.max(this.#furthestSecs, secs);
     this.#stoodSecs = turn.kind === 'go' ? secs : turn.kind === 'rest' ? turn.atSecs : turn.toSecs;
@@ -222,7 +222,7 @@ export class Lesson {
   }
 
   /** Takes an answer to what is asked; undefined where nothing is, or where it is none. */
-  answer(given: readonly string[]): Taken | undefined {
+  answer(given: readonly string[]): TakenBranch | undefined {
     const asked = this.#asked;
     const judgement = asked && judge(asked, given);
     if (asked === undefined || judgement === undefined) return undefined;
@@ -231,7 +231,7 @@ export class Lesson {
   }
 
   /** The time for what is asked is over. */
-  expire(): Taken | undefined {
+  expire(): TakenBranch | undefined {
     const asked = this.#asked;
     if (asked === undefined) return undefined;
     const tries = (this.#answered.get(asked.name)?.tries ?? 0) + 1;
@@ -287,7 +287,7 @@ export class Lesson {
     this.seek(secs);
   }
 
-  #take(asked: Question, answered: Answered): Taken {
+  #take(asked: Question, answered: Answered): TakenBranch {
     this.#answered.set(asked.name, answered);
     if (!answered.isFinal) return { question: asked, answered, turn: GO, isSilent: false };
     const { isRight, fits } = answered;
@@ -295,7 +295,7 @@ export class Lesson {
     return { question: asked, answered, turn: this.#react(asked, reaction), isSilent: reaction === undefined };
   }
 
-  #react(asked: Question, reaction: Question['answers'][number] | undefined): Turn {
+  #react(asked: Question, reaction: Question['answers'][number] | undefined): FlowTurn {
     this.#asked = undefined;
     this.#next += 1;
     const toSecs = reaction?.startSecs ?? asked.endSecs;
@@ -304,7 +304,7 @@ export class Lesson {
   }
 
   /** Where the answer that is performed is over. */
-  #leave(secs: number): Turn | undefined {
+  #leave(secs: number): FlowTurn | undefined {
     const follows = this.#follows;
     if (follows === undefined) return undefined;
     // What is on the way within the answer comes before its end.
@@ -316,7 +316,7 @@ export class Lesson {
   }
 
   /** Goes through the marks up to a time. */
-  #walk(secs: number): Turn {
+  #walk(secs: number): FlowTurn {
     for (;;) {
       const at = this.#next;
       const mark = this.#marks[at];
@@ -334,7 +334,7 @@ export class Lesson {
   }
 
   /** The story comes to a mark; undefined where it goes on. */
-  #meet(mark: Mark, secs: number): Turn | undefined {
+  #meet(mark: Mark, secs: number): FlowTurn | undefined {
     switch (mark.kind) {
       case 'part':
       case 'pool':
@@ -372,7 +372,7 @@ export class Lesson {
    * The way from a mark to behind it. A step of the story may be longer than what is passed over: then it goes back to its end, so that
    * nothing of it is told. Whoever has sought further stays there.
    */
-  #over({ atSecs, endSecs }: Mark, secs: number, fromSecs: number): Turn | undefined {
+  #over({ atSecs, endSecs }: Mark, secs: number, fromSecs: number): FlowTurn | undefined {
     const isStep = atSecs >= this.#stoodSecs - NEARLY_SECS && endSecs > atSecs + NEARLY_SECS;
     return isStep || secs < endSecs - NEARLY_SECS ? { kind: 'leap', fromSecs, toSecs: endSecs } : undefined;
   }
@@ -383,7 +383,7 @@ export class Lesson {
   }
 
   /** Goes on at a part; undefined where there is none. */
-  #go({ order, atSecs, to }: Mark & { readonly kind: 'goto' }, secs: number): Turn | undefined {
+  #go({ order, atSecs, to }: Mark & { readonly kind: 'goto' }, secs: number): FlowTurn | undefined {
     const place = this.#marks.findIndex((mark) => mark.kind === 'part' && mark.name === to);
     const part = this.#marks[place];
     if (part === undefined) return undefined;
@@ -426,12 +426,12 @@ export class Lesson {
 }
 
 /** An answer and what it is worth. What is not graded is taken at once. */
-function answeredOf(question: Question, judgement: Judgement, tries: number): Answered {
+function answeredOf(question: Question, judgement: AnswerGrade, tries: number): Answered {
   return { name: question.name, ...judgement, points: pointsOf(question, judgement), tries, isFinal: judgement.isRight !== false || tries >= question.tries };
 }
 
 /** What it is where nothing was answered. */
-const unanswered = ({ isUngraded }: Question): Judgement => ({ given: [], fits: [], ...(isUngraded === true ? {} : { isRight: false }) });
+const unanswered = ({ isUngraded }: Question): AnswerGrade => ({ given: [], fits: [], ...(isUngraded === true ? {} : { isRight: false }) });
 
 const isSeed = (data: unknown): data is number => typeof data === 'number' && Number.isInteger(data) && data >= 0 && data < 2 ** 32;
 

@@ -1,6 +1,6 @@
 /** Where what may be pointed at is marked: in the picture, above the bar of controls, not under the form, and each apart from the others. */
 
-import type { Spot } from '../engine/pose.js';
+import type { ScreenPoint } from '../engine/pose.js';
 
 /** Pixels from the left and the top of the picture. */
 export interface Box {
@@ -31,19 +31,19 @@ function rooms(picture: Box, form: Box | undefined): readonly Box[] {
   return parts.length > 0 ? parts : [whole];
 }
 
-const within = ({ left, top, right, bottom }: Box, { x, y }: Spot): Spot => ({ x: Math.min(right, Math.max(left, x)), y: Math.min(bottom, Math.max(top, y)) });
-const apart = (a: Spot, b: Spot): number => Math.hypot(a.x - b.x, a.y - b.y);
+const within = ({ left, top, right, bottom }: Box, { x, y }: ScreenPoint): ScreenPoint => ({ x: Math.min(right, Math.max(left, x)), y: Math.min(bottom, Math.max(top, y)) });
+const apart = (a: ScreenPoint, b: ScreenPoint): number => Math.hypot(a.x - b.x, a.y - b.y);
 
 /** The place in one of the rooms that is nearest to a spot. */
-function nearest(spot: Spot, all: readonly Box[]): Spot {
+function nearest(spot: ScreenPoint, all: readonly Box[]): ScreenPoint {
   const places = all.map((room) => within(room, spot));
   return places.reduce((best, place) => (apart(place, spot) < apart(best, spot) ? place : best));
 }
 
 /** Places for what lies at spots, in their order; `undefined` stays so. */
-export function arranged(spots: readonly (Spot | undefined)[], picture: Box, form: Box | undefined): readonly (Spot | undefined)[] {
+export function arranged(spots: readonly (ScreenPoint | undefined)[], picture: Box, form: Box | undefined): readonly (ScreenPoint | undefined)[] {
   const all = rooms(picture, form);
-  const taken: Spot[] = [];
+  const taken: ScreenPoint[] = [];
   return spots.map((spot) => {
     if (spot === undefined) return undefined;
     const place = free(nearest(spot, all), all, taken);
@@ -53,8 +53,8 @@ export function arranged(spots: readonly (Spot | undefined)[], picture: Box, for
 }
 
 /** The place nearest to a spot that no mark has; the spot where the rooms are full. */
-function free(spot: Spot, all: readonly Box[], taken: readonly Spot[]): Spot {
-  const isFree = (place: Spot) => taken.every((other) => apart(place, other) >= MARK);
+function free(spot: ScreenPoint, all: readonly Box[], taken: readonly ScreenPoint[]): ScreenPoint {
+  const isFree = (place: ScreenPoint) => taken.every((other) => apart(place, other) >= MARK);
   for (let ring = 0; ring <= RINGS; ring += 1) {
     const around = ring === 0 ? [spot] : ringOf(spot, ring);
     const found = around.map((place) => nearest(place, all)).find(isFree);
@@ -64,8 +64,8 @@ function free(spot: Spot, all: readonly Box[], taken: readonly Spot[]): Spot {
 }
 
 /** Places at one distance around a spot, those to its sides first. */
-function ringOf({ x, y }: Spot, ring: number): Spot[] {
-  const places: Spot[] = [];
+function ringOf({ x, y }: ScreenPoint, ring: number): ScreenPoint[] {
+  const places: ScreenPoint[] = [];
   for (let i = -ring; i <= ring; i += 1) {
     for (const [dx, dy] of [
       [ring, i],

@@ -1,10 +1,10 @@
 /** Which items of a story's pools are performed for a learner, and what is passed over with the others. */
 
 import { shuffled } from './chance.js';
-import type { Question, Way } from '../base/questions.js';
+import type { Question, FlowEntry } from '../base/questions.js';
 
 /** The places of items that are not drawn, and of all that stands in them. */
-export function leftOut(questions: readonly Question[], ways: readonly Way[], seed: number): ReadonlySet<number> {
+export function leftOut(questions: readonly Question[], ways: readonly FlowEntry[], seed: number): ReadonlySet<number> {
   const items = new Map<number, number[]>();
   for (const way of ways) if (way.kind === 'item') items.set(way.pool, [...(items.get(way.pool) ?? []), way.order]);
   const out = new Set<number>();
@@ -16,7 +16,7 @@ export function leftOut(questions: readonly Question[], ways: readonly Way[], se
   });
   if (out.size === 0) return out;
   // What stands in something comes after it.
-  const inside: readonly (Way | Question)[] = [...ways, ...questions].sort((a, b) => a.order - b.order);
+  const inside: readonly (FlowEntry | Question)[] = [...ways, ...questions].sort((a, b) => a.order - b.order);
   for (const it of inside) {
     if (!out.has(it.order) && !(it.within !== undefined && out.has(it.within))) continue;
     out.add(it.order);
@@ -25,4 +25,4 @@ export function leftOut(questions: readonly Question[], ways: readonly Way[], se
   return out;
 }
 
-const isPool = (way: Way): way is Way & { readonly kind: 'pool' } => way.kind === 'pool';
+const isPool = (way: FlowEntry): way is FlowEntry & { readonly kind: 'pool' } => way.kind === 'pool';

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { languageOf, type PlayerContext } from '../story/context.js';
 import { gapsOf } from './judge.js';
 import { feedbackOf } from './feedback.js';
-import type { Taken } from './lesson.js';
+import type { TakenBranch } from './lesson.js';
 import { arranged, type Box } from './markers.js';
 import { Note } from './note.js';
 import type { Limit } from './limit.js';
@@ -97,7 +97,7 @@ export class QuestionForm {
   }
 
   /** Somebody has answered: what they read, while there are tries left and for good. */
-  answered(taken: Taken): void {
+  answered(taken: TakenBranch): void {
     const { question, answered } = taken;
     const { notYet, tries } = this.words;
     this.#note.show(feedbackOf(taken, this.words));

@@ -1,7 +1,7 @@
 /** Has the story rest at its questions and go on by the ways that follow from answers. */
 
 import { fire, type PlayerContext } from '../story/context.js';
-import { Lesson, type Turn } from './lesson.js';
+import { Lesson, type FlowTurn } from './lesson.js';
 import type { Answered } from '../base/answers.js';
 import { Limit } from './limit.js';
 import { QuestionForm } from './question.js';
@@ -111,7 +111,7 @@ export class Questioner {
     return answered;
   }
 
-  #turn({ transport }: Show, turn: Turn, secs: number, drain?: (secs: number) => void): boolean {
+  #turn({ transport }: Show, turn: FlowTurn, secs: number, drain?: (secs: number) => void): boolean {
     if (turn.kind === 'go') return true;
     const [from, to] = turn.kind === 'rest' ? [turn.atSecs, turn.atSecs] : [turn.fromSecs, turn.toSecs];
     this.#isTurning = true;

@@ -2,7 +2,7 @@
 
 import { isOutcome } from './judge.js';
 import type { Answered, Score } from '../base/answers.js';
-import type { Way } from '../base/questions.js';
+import type { FlowEntry } from '../base/questions.js';
 
 export type Value = number | string | boolean;
 
@@ -12,7 +12,7 @@ const MAX_VALUES = 10_000;
 const MAX_TEXT_LENGTH = 1000;
 
 /** What is known where a condition is looked at. */
-export interface Known {
+export interface KnownValues {
   readonly score: Score;
   /** What was answered to a question. */
   answered(name: string): Answered | undefined;
@@ -30,7 +30,7 @@ const isValue = (value: unknown): value is Value => typeof value === 'string' ||
 export class Values {
   readonly #values = new Map<string, Value>();
 
-  set({ name, value, by }: Way & { readonly kind: 'set' }): void {
+  set({ name, value, by }: FlowEntry & { readonly kind: 'set' }): void {
     if (value !== undefined) this.#values.set(name, written(value));
     if (by !== undefined) this.#values.set(name, this.#number(name) + by);
   }
@@ -41,7 +41,7 @@ export class Values {
   }
 
   /** Whether all that a condition says holds. */
-  holds({ name, is, not, above = -Infinity, below = Infinity }: Way & { readonly kind: 'if' }, known: Known): boolean {
+  holds({ name, is, not, above = -Infinity, below = Infinity }: FlowEntry & { readonly kind: 'if' }, known: KnownValues): boolean {
     const answered = this.#values.has(name) ? undefined : known.answered(name);
     const number = name === 'score' ? known.score.points : this.#number(name);
     const compared = (text: string): boolean => {

@@ -22,7 +22,7 @@ export interface Step {
   tell(): void;
 }
 
-interface Told {
+interface CueChange {
   readonly cue: TextTrackCue;
   readonly type: 'enter' | 'exit';
   readonly secs: number;
@@ -132,7 +132,7 @@ export class StoryTextTrack extends EventTarget {
     this.#toldSecs = secs;
     if (over.length + begun.length === 0) return undefined;
     this.#active.splice(0, Infinity, ...now);
-    const told: Told[] = [
+    const told: CueChange[] = [
       ...begun.map((cue) => ({ cue, type: 'enter' as const, secs: cue.startTime })),
       ...over.map((cue) => ({ cue, type: 'exit' as const, secs: Math.max(cue.startTime, cue.endTime) })),
     ];

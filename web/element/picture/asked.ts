@@ -8,7 +8,7 @@ import type { Light, Quality, View } from '../base/types.js';
 const REDUCED_MOTION = 0.25;
 
 /** What the page has asked for: a new engine, and a new story, are given it again. */
-export class Asked {
+export class PictureRequest {
   quality: Quality = 'auto';
   /** The amount of idle life, where the page chooses it. */
   motion: number | undefined;

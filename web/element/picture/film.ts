@@ -15,7 +15,7 @@ const SETTLE_MS = 500;
 const REST_SECS = 0.02;
 
 /** Where the story is. */
-export interface Moment {
+export interface FilmTime {
   readonly secs: number;
   /** Time passes. */
   readonly runs: boolean;
@@ -32,7 +32,7 @@ export class Film {
   readonly video = document.createElement('video');
   readonly #addresses: URL[];
   readonly #onMissing: () => void;
-  #now: Moment = { secs: 0, runs: false, rate: 1 };
+  #now: FilmTime = { secs: 0, runs: false, rate: 1 };
   #setMs = -Infinity;
 
   /** `addresses` are those of the same film in several encodings; `onMissing` is called when none of them can be played. */
@@ -50,7 +50,7 @@ export class Film {
   }
 
   /** Goes where the story is; called for each picture, and when the story stops or begins. */
-  follow(now: Moment): void {
+  follow(now: FilmTime): void {
     this.#now = now;
     this.#steer();
   }

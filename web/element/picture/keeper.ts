@@ -6,7 +6,7 @@ import type { PictureEvents } from './picture-events.js';
 import type { Backend, Diagnostic, Story } from '../base/types.js';
 
 /** A picture that shows a story. */
-export interface Opened {
+export interface OpenedPicture {
   readonly picture: Picture;
   readonly story: Story;
   /** What of the figure could not be shown. */
@@ -25,7 +25,7 @@ export class PictureKeeper {
    * Shows a story with the picture that is there, or with a new one of the first back end that gives
    * one. Rejects when the story or its figure cannot be read, and when it is not wanted any more.
    */
-  open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents, signal: AbortSignal): Promise<Opened> {
+  open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents, signal: AbortSignal): Promise<OpenedPicture> {
     const life = this.#life;
     const opened = this.#work.then(async () => {
       signal.throwIfAborted();
@@ -39,7 +39,7 @@ export class PictureKeeper {
     return opened;
   }
 
-  async #reuse(backends: readonly Backend[], files: StoryFiles, events: PictureEvents): Promise<Opened | undefined> {
+  async #reuse(backends: readonly Backend[], files: StoryFiles, events: PictureEvents): Promise<OpenedPicture | undefined> {
     const picture = this.#picture;
     if (picture === undefined) return undefined;
     if (!picture.lost && backends.includes(picture.backend)) {

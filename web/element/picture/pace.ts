@@ -2,7 +2,7 @@
 
 import type { Engine } from '../base/engine.js';
 
-export class Pace {
+export class FramePacer {
   /** When the last picture of a running sequence was requested. */
   #lastAsked = 0;
   #resting = true;

@@ -1,21 +1,21 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
-import { applyView, Asked } from './asked.js';
+import { applyView, PictureRequest } from './asked.js';
 import { createEngine } from '../engine/backend.js';
-import type { Lent } from '../face/face-look.js';
+import type { DonorHair } from '../face/face-look.js';
 import { GivenFace } from '../face/given-face.js';
 import { copyOf, newCanvas } from './canvas.js';
 import type { FigureFile } from '../engine/figure.js';
 import { FigureImages } from './figure-images.js';
 import type { StoryFiles } from '../engine/loader.js';
 import { giveBack } from './graphics.js';
-import { Pace } from './pace.js';
+import { FramePacer } from './pace.js';
 import type { PictureEvents } from './picture-events.js';
 import { StoryReader } from './story-reader.js';
 import { isTrap, trapError } from '../engine/trap.js';
 import { type Engine, TickStatus } from '../base/engine.js';
 import type { FaceCourse, FaceSpot, FigureFace, NaturalHair } from '../base/face-types.js';
-import type { Cue, Interruption, Performance } from '../base/performance.js';
+import type { Cue, InterruptionOutcome, Performance } from '../base/performance.js';
 import {
   type Backend,
   type Diagnostic,
@@ -46,13 +46,13 @@ export class Picture {
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
-  readonly #pace = new Pace();
+  readonly #pace = new FramePacer();
   #recoveries = 0;
   #lost = false;
   #closed = false;
   /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
   #lastShown = 0;
-  readonly #asked = new Asked();
+  readonly #asked = new PictureRequest();
   readonly #given = new GivenFace();
   readonly #reader: StoryReader;
   readonly #images: FigureImages;
@@ -223,7 +223,7 @@ export class Picture {
   }
 
   /** Ends what fragments say and do; undefined where there is nothing to end. */
-  interrupt(nowSecs: number): Interruption | undefined {
+  interrupt(nowSecs: number): InterruptionOutcome | undefined {
     return this.#guard((engine) => engine.interrupt(nowSecs));
   }
 
@@ -261,7 +261,7 @@ export class Picture {
   }
 
   /** Gives the figure a face of a face model, or its own again; `lent` are the files of figures that lend it hair. Resolves when that can be drawn as it is. */
-  async setFace(face: FigureFace | undefined, lent: Lent): Promise<void> {
+  async setFace(face: FigureFace | undefined, lent: DonorHair): Promise<void> {
     const before = this.#given.face;
     const engine = this.#engine;
     this.#given.face = face;

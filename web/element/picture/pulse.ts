@@ -6,7 +6,7 @@ const BEAT_MS = 250;
 const ELSEWHERE_MS = 40;
 
 /** The loops of one player. */
-export class Pulse {
+export class AnimationLoops {
   readonly #picture: () => void;
   readonly #onBeat: () => void;
   #animation = 0;

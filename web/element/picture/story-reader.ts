@@ -1,6 +1,6 @@
 /** How an engine is told what it is to show. */
 
-import type { Asked } from './asked.js';
+import type { PictureRequest } from './asked.js';
 import { unusable } from '../engine/figure.js';
 import type { StoryFiles } from '../engine/loader.js';
 import { isTrap, trapError } from '../engine/trap.js';
@@ -11,12 +11,12 @@ import { PlayerError, type Story } from '../base/types.js';
 /** Has engines read the files of a story, as the page has asked for it and with the face that the figure was given. */
 export class StoryReader {
   files: StoryFiles;
-  readonly #asked: Asked;
+  readonly #asked: PictureRequest;
   readonly #given: GivenFace;
   /** Takes animations that come later; `live`: they are of live clauses. */
   readonly #follow: (engine: Engine, live: boolean, files: StoryFiles) => void;
 
-  constructor(files: StoryFiles, asked: Asked, given: GivenFace, follow: (engine: Engine, live: boolean, files: StoryFiles) => void) {
+  constructor(files: StoryFiles, asked: PictureRequest, given: GivenFace, follow: (engine: Engine, live: boolean, files: StoryFiles) => void) {
     this.files = files;
     this.#asked = asked;
     this.#given = given;

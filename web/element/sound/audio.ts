@@ -3,7 +3,7 @@
 import { fetchBytes, type Credentials } from '../base/fetching.js';
 import type { Music } from './music.js';
 import { contextOf, hasAudio, heardOf, wake } from './outlet.js';
-import type { Manner, Spoken } from './spoken.js';
+import type { SpeechStyle, SpokenSource } from './spoken.js';
 import type { Piece, Utterance } from '../base/types.js';
 import { SilentVoice, type Voice } from './voice.js';
 
@@ -33,7 +33,7 @@ interface Playing {
   readonly gain: GainNode;
 }
 
-interface Run {
+interface PlayingSource {
   /** Where the times are of: what was planned on a context that was closed is heard no more. */
   readonly audio: AudioContext;
   readonly position: number;
@@ -70,7 +70,7 @@ export class RecordedVoice implements Voice {
   /** The speed that was set last. */
   #rate = 1;
   readonly #playing = new Map<Utterance, Playing>();
-  #run: Run | undefined;
+  #run: PlayingSource | undefined;
   #master: GainNode | undefined;
   /** What a stream records of it. */
   #recorded: MediaStreamAudioDestinationNode | undefined;
@@ -87,7 +87,7 @@ export class RecordedVoice implements Voice {
   /** What plays music is being fetched. */
   #awaited = false;
   /** Says what has no recording, once it is known whether it can. */
-  #spoken: Spoken | undefined;
+  #spoken: SpokenSource | undefined;
   #finding: Promise<void> | undefined;
   #found = true;
   /** Sounds that were made here, by file. */
@@ -244,16 +244,16 @@ export class RecordedVoice implements Voice {
     speaking.then(over, over);
   }
 
-  async substitute(usual: Manner): Promise<string | undefined> {
+  async substitute(usual: SpeechStyle): Promise<string | undefined> {
     if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(usual));
     return this.#spoken?.name;
   }
 
-  async #findVoice(usual: Manner): Promise<void> {
+  async #findVoice(usual: SpeechStyle): Promise<void> {
     this.#found = false;
     try {
-      const { Spoken } = await import('./spoken.js');
-      const spoken = await Spoken.find(this.#utterances, usual, (why) => this.#onMissing('speech', why));
+      const { SpokenSource } = await import('./spoken.js');
+      const spoken = await SpokenSource.find(this.#utterances, usual, (why) => this.#onMissing('speech', why));
       if (!this.#abort.signal.aborted) this.#spoken = spoken;
       spoken.setVolume(this.#volume);
       if (this.#run) spoken.start(this.#run.rate);

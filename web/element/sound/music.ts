@@ -56,7 +56,7 @@ interface Playing {
 }
 
 /** The folders that files are looked for in, and how they are fetched. */
-interface From {
+interface MusicStart {
   readonly story: URL;
   readonly library: URL;
   readonly credentials: Credentials;
@@ -66,7 +66,7 @@ interface From {
 export class Music {
   /** What it is played with. */
   readonly audio: AudioContext;
-  readonly #from: From;
+  readonly #from: MusicStart;
   readonly #onMissing: (message: string) => void;
   readonly #output: AudioNode;
   #keepsPitch = true;
@@ -75,7 +75,7 @@ export class Music {
   #run: { readonly position: number; readonly rate: number; readonly at: number } | undefined;
 
   /** Plays into `output`. */
-  constructor(output: AudioNode, from: From, onMissing: (message: string) => void) {
+  constructor(output: AudioNode, from: MusicStart, onMissing: (message: string) => void) {
     this.audio = output.context as AudioContext;
     this.#output = output;
     this.#from = from;

@@ -19,14 +19,14 @@ const REFUSAL_MS = 2000;
 const PATIENCE_MS = 20_000;
 
 /** By the name of the device; the empty one is what the user has chosen for everything. */
-const contexts = new Map<string, Sinking>();
+const contexts = new Map<string, SinkAudioContext>();
 
-interface Sinking extends AudioContext {
+interface SinkAudioContext extends AudioContext {
   /** Not all browsers have it. */
   setSinkId?(device: string): Promise<void>;
 }
 
-const make = (): Sinking => new AudioContext({ latencyHint: 'interactive' });
+const make = (): SinkAudioContext => new AudioContext({ latencyHint: 'interactive' });
 
 /** The context of a device; another one in the place of one that was closed. */
 export function contextOf(device: string): AudioContext {

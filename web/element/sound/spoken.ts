@@ -23,7 +23,7 @@ const EARLY_SECS = 0.05;
 const LATE_SECS = 0.3;
 
 /** How what tells neither its language nor its voice is said. */
-export interface Manner {
+export interface SpeechStyle {
   /** BCP 47 tag. */
   readonly language: string;
   /** Name of a voice of the browser, where one is chosen. */
@@ -31,7 +31,7 @@ export interface Manner {
 }
 
 /** The present utterance. */
-interface Now {
+interface CurrentUtterance {
   readonly utterance: Utterance;
   readonly speech: SpeechSynthesisUtterance;
   /** Length of the utterance, seconds of the page's time. */
@@ -45,21 +45,21 @@ interface Now {
 }
 
 /** Speaks utterances that have no recording, one after another. */
-export class Spoken {
+export class SpokenSource {
   readonly #utterances: Iterable<Utterance>;
   readonly #voices: readonly SpeechSynthesisVoice[];
-  readonly #usual: Manner;
+  readonly #usual: SpeechStyle;
   readonly #onMissing: (message: string) => void;
   #rate: number | undefined;
   /** Up to where the story was looked at, while it plays. */
   #from: number | undefined;
   #volume = 1;
   #pace = 1;
-  #now: Now | undefined;
+  #now: CurrentUtterance | undefined;
   readonly #over = new Set<Utterance>();
   #complained = false;
 
-  private constructor(utterances: Iterable<Utterance>, voices: readonly SpeechSynthesisVoice[], usual: Manner, onMissing: (message: string) => void) {
+  private constructor(utterances: Iterable<Utterance>, voices: readonly SpeechSynthesisVoice[], usual: SpeechStyle, onMissing: (message: string) => void) {
     this.#utterances = utterances;
     this.#voices = voices;
     this.#usual = usual;
@@ -67,7 +67,7 @@ export class Spoken {
   }
 
   /** Waits for the browser to know its voices. `usual` is of utterances that do not tell theirs. */
-  static async find(utterances: Iterable<Utterance>, usual: Manner, onMissing: (message: string) => void): Promise<Spoken> {
+  static async find(utterances: Iterable<Utterance>, usual: SpeechStyle, onMissing: (message: string) => void): Promise<SpokenSource> {
     let voices = speechSynthesis.getVoices();
     if (voices.length === 0) {
       await new Promise<void>((done) => {
@@ -76,7 +76,7 @@ export class Spoken {
       });
       voices = speechSynthesis.getVoices();
     }
-    return new Spoken(utterances, voices, usual, onMissing);
+    return new SpokenSource(utterances, voices, usual, onMissing);
   }
 
   /** Name of the voice that says the first utterance that can be said; undefined when there is none. */
@@ -161,7 +161,7 @@ export class Spoken {
     speech.rate = rate * this.#pace;
     const end = utterance.startSecs + utterance.durationSecs;
     const from = Math.max(position, utterance.startSecs);
-    const now: Now = { utterance, speech, secs: (end - from) / rate, waitedMs: 0 };
+    const now: CurrentUtterance = { utterance, speech, secs: (end - from) / rate, waitedMs: 0 };
     speech.onstart = () => (now.startedMs = performance.now());
     speech.onend = () => this.#ended(now);
     speech.onerror = ({ error }) => {
@@ -176,7 +176,7 @@ export class Spoken {
     speechSynthesis.speak(speech);
   }
 
-  #ended(now: Now): void {
+  #ended(now: CurrentUtterance): void {
     if (this.#now !== now) return;
     this.#now = undefined;
     this.#over.add(now.utterance);

@@ -1,6 +1,6 @@
 /** The voice of a performance: what keeps its time and lets it be heard. */
 
-import type { Manner } from './spoken.js';
+import type { SpeechStyle } from './spoken.js';
 import type { Diagnostic, Piece, Utterance } from '../base/types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
@@ -47,7 +47,7 @@ export interface Voice {
    * Has the browser's own voice say what has no recording, `usual` being how, where the story does
    * not tell. Its name, or undefined where the browser has none that speaks the language.
    */
-  substitute(usual: Manner): Promise<string | undefined>;
+  substitute(usual: SpeechStyle): Promise<string | undefined>;
   close(): void;
 }
 

@@ -16,7 +16,7 @@ interface Player {
   state(): PlayerState;
 }
 
-export class Away {
+export class VisibilityPause {
   readonly #player: Player;
   readonly #release: () => void;
   #timer: ReturnType<typeof setTimeout> | undefined;

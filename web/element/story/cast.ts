@@ -2,7 +2,7 @@
 
 import { performerOf } from '../engine/backend.js';
 import { FigureError, type FigureFile } from '../engine/figure.js';
-import { fetchFigure, readFigure, type Wanted } from '../engine/loader.js';
+import { fetchFigure, readFigure, type RequestedFiles } from '../engine/loader.js';
 import { isTrap } from '../engine/trap.js';
 import { PlayerError, type Backend, type Diagnostic, type Hand } from '../base/types.js';
 
@@ -18,7 +18,7 @@ export async function figureOf(eml: string, backend: () => Promise<Backend>): Pr
 }
 
 /** What the page has set. */
-export interface Wish {
+export interface PerformerRequest {
   /** A name of the library, an address, or the name of `given`; without one the story chooses. */
   readonly figure: string | undefined;
   readonly handedness: Hand | undefined;
@@ -30,7 +30,13 @@ export interface Wish {
 }
 
 /** The figure that is to perform a text. */
-export async function castFigure(wish: Wish, eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+export async function castFigure(
+  wish: PerformerRequest,
+  eml: Promise<string>,
+  backend: Promise<Backend>,
+  wanted: RequestedFiles,
+  report: (diagnostic: Diagnostic) => void,
+): Promise<FigureFile> {
   const { figure, given, handedness, library, story } = wish;
   const fetched = !figure
     ? fetchChoice(await figureOf(await eml, () => backend), story, library, wanted, report)
@@ -44,7 +50,7 @@ export async function castFigure(wish: Wish, eml: Promise<string>, backend: Prom
  * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
  * cannot be loaded, the default one, and `report` gets a diagnostic.
  */
-export async function fetchChoice(choice: string | undefined, story: URL, library: URL, wanted: Wanted, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+export async function fetchChoice(choice: string | undefined, story: URL, library: URL, wanted: RequestedFiles, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
   if (choice !== undefined) {
     try {
       return await fetchFigure(choice, library, wanted, inside(choice, story));

@@ -3,9 +3,9 @@
 import { captionsOf } from '../captions/captions.js';
 import { castFigure, USUAL_FIGURE } from './cast.js';
 import { credentialsOf, fire, languageOf, libraryOf, type PlayerContext } from './context.js';
-import { lendersOf, type Lent } from '../face/face-look.js';
+import { lendersOf, type DonorHair } from '../face/face-look.js';
 import type { FigureFile } from '../engine/figure.js';
-import { fetchFigure, type Wanted } from '../engine/loader.js';
+import { fetchFigure, type RequestedFiles } from '../engine/loader.js';
 import type { Show } from './show.js';
 import { updateMusic } from './sound.js';
 import type { FigureFace } from '../base/face-types.js';
@@ -31,7 +31,7 @@ export class FigureLoader {
   }
 
   /** The figure that is wanted now: one of the library, of an address, or the user's own file; else the one that the story chooses. */
-  async fetch(eml: Promise<string>, backend: Promise<Backend>, wanted: Wanted): Promise<FigureFile> {
+  async fetch(eml: Promise<string>, backend: Promise<Backend>, wanted: RequestedFiles): Promise<FigureFile> {
     const { player, diagnostics } = this.#context;
     const { figure, handedness } = player;
     const wish = { figure, handedness, given: this.given, library: libraryOf(player), story: new URL(player.src, document.baseURI) };
@@ -39,7 +39,7 @@ export class FigureLoader {
   }
 
   /** Files of the library with the hair that a face has. */
-  async lent(face: FigureFace | undefined): Promise<Lent> {
+  async lent(face: FigureFace | undefined): Promise<DonorHair> {
     const names = face === undefined ? [] : lendersOf(face);
     const library = libraryOf(this.#context.player);
     const files = names.map(async (name): Promise<[string, Uint8Array]> => {

@@ -6,7 +6,7 @@ import { dispatch } from '../media/media-events.js';
 import { passCue } from './cues.js';
 import type { Show } from './show.js';
 import { speakFragment, substituteVoice, updateMusic } from './sound.js';
-import type { Answer, Interruption } from '../base/performance.js';
+import type { Answer, InterruptionOutcome } from '../base/performance.js';
 
 /** Senders of fragments, as the engine tells them apart. */
 export const Sender = { Page: 0, Mind: 1 } as const;
@@ -42,7 +42,7 @@ function endTurn(show: Show): void {
   show.turn = new AbortController();
 }
 
-function applyCut(context: PlayerContext, show: Show, { atSecs, endSecs }: Interruption): void {
+function applyCut(context: PlayerContext, show: Show, { atSecs, endSecs }: InterruptionOutcome): void {
   const changes = show.script.cut(atSecs);
   show.voice.cut(changes, atSecs);
   show.captions = captionsOf(show.script.byTime(), languageOf(context.player, show.story));

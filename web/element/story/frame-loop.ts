@@ -4,9 +4,9 @@ import { captionAt } from '../captions/captions.js';
 import type { PlayerContext } from './context.js';
 import { passCue } from './cues.js';
 import { dispatch } from '../media/media-events.js';
-import { Pulse } from '../picture/pulse.js';
+import { AnimationLoops } from '../picture/pulse.js';
 import type { Show } from './show.js';
-import { Welcome } from './welcome.js';
+import { IdleClock } from './welcome.js';
 
 /** While the story waits, for its voice or for sounds, or plays at the speed 0, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
 const STILL_MS = 1000;
@@ -19,12 +19,12 @@ interface OpenEnd {
 export class FrameLoop {
   readonly #context: PlayerContext;
   readonly #mind: OpenEnd;
-  readonly #pulse = new Pulse(
+  readonly #pulse = new AnimationLoops(
     () => this.advance(),
     () => this.#beat(),
     () => this.#context.isWatchedElsewhere(),
   );
-  readonly #welcome = new Welcome(() => this.advance());
+  readonly #welcome = new IdleClock(() => this.advance());
   #caption: ReturnType<typeof captionAt>;
   /** How many recordings had come when pages heard of that. */
   #come = 0;

@@ -15,7 +15,7 @@ const UNREAD = 'script, style, template, noscript, [hidden]';
 const BLOCKS = new Set('ADDRESS ARTICLE ASIDE BLOCKQUOTE BR DD DIV DL DT FIGCAPTION FIGURE FOOTER H1 H2 H3 H4 H5 H6 HEADER HR LI MAIN OL P PRE SECTION TABLE TR UL'.split(' '));
 
 /** What stands between the tags. */
-interface Written {
+interface InlineText {
   readonly text: string;
   readonly isEml: boolean;
   /** It was EML before the parser of HTML read it. */
@@ -38,7 +38,7 @@ function plainOf(host: Element): string {
 }
 
 /** The story between the tags; undefined where no word is there. */
-function written(host: Element): Written | undefined {
+function written(host: Element): InlineText | undefined {
   const carrier = host.querySelector(`:scope > script[type="${EML_TYPE}"]`);
   if (carrier !== null) return { text: carrier.textContent.trim(), isEml: true, isMangled: false };
   const plain = plainOf(host);
@@ -61,7 +61,7 @@ const TOO_LONG: Diagnostic = {
   hints: ['Put it into a story file of its own.'],
 };
 
-export class OwnText {
+export class InlineStory {
   readonly #host: HTMLElement;
   readonly #observer: MutationObserver;
   #seen: string | undefined;

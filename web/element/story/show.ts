@@ -37,7 +37,7 @@ export interface Show {
   /** What is being spoken, and what waits for it. */
   speaking?: Promise<void>;
   /** How the page's own voice tells the text on stage. */
-  telling?: Telling | undefined;
+  telling?: Narration | undefined;
   /** What has no recording was given to the browser's voice of this name, or to nobody. */
   lent?: { readonly name: Promise<string | undefined> };
   /** Something that is said is not heard: captions are shown, also where nobody has asked for them. */
@@ -47,7 +47,7 @@ export interface Show {
 }
 
 /** A text that the page's own voice tells. */
-export interface Telling {
+export interface Narration {
   /** The figure and the text. */
   readonly of: string;
   readonly end: AbortController;

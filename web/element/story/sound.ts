@@ -2,8 +2,8 @@
 
 import { voiceMissing } from '../sound/voice.js';
 import { fire, languageOf, libraryOf, type PlayerContext } from './context.js';
-import type { Said, SpeechRequest, SpeechSource } from '../../speech/source.js';
-import type { Show, Telling } from './show.js';
+import type { SpokenAudio, SpeechRequest, SpeechSource } from '../../speech/source.js';
+import type { Show, Narration } from './show.js';
 import type { Diagnostic, Story } from '../base/types.js';
 
 /** Plays the music of the present performance. */
@@ -50,7 +50,7 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
     if (signal.aborted) return;
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
-    const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: Said) => keep(context, show, said) };
+    const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: SpokenAudio) => keep(context, show, said) };
     // It joins what is there.
     await source.speak({ eml: fragment, fragment: true, ...asked(context, show, source, show.files.bundle) }, saying);
     if (show.files.bundle !== undefined) show.picture.updateBundle(show.files.bundle);
@@ -83,7 +83,7 @@ const progressOf =
   };
 
 /** Keeps what was said, and reports what was not. */
-function keep({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: Said): void {
+function keep({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: SpokenAudio): void {
   for (const message of problems) diagnostics.report({ code: 'voice-unsaid', severity: 'warning', message, hints: [] });
   show.voice.give(sounds);
   show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
@@ -100,7 +100,7 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   }
   // Nobody waits for a text that is not on stage any more.
   show.telling?.end.abort();
-  const telling: Telling = { of, end: new AbortController(), isOver: false };
+  const telling: Narration = { of, end: new AbortController(), isOver: false };
   // The text before was not heard; who speaks this one is not known yet.
   if (show.telling !== undefined) show.unheard = false;
   show.telling = telling;
@@ -128,9 +128,9 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
 }
 
 /** Has a source speak the text on stage; each part is heard as soon as it is there. */
-async function tell(context: PlayerContext, show: Show, source: SpeechSource, { end }: Telling, isWanted: () => boolean, retell: (story: Story) => void): Promise<void> {
+async function tell(context: PlayerContext, show: Show, source: SpeechSource, { end }: Narration, isWanted: () => boolean, retell: (story: Story) => void): Promise<void> {
   let isFirst = true;
-  const take = (said: Said) => {
+  const take = (said: SpokenAudio) => {
     if (!isWanted()) return;
     // What was spoken before is of another text, or of another figure's voice.
     if (isFirst) show.voice.forget();

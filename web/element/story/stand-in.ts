@@ -3,7 +3,7 @@
 import type { PlayerContext } from './context.js';
 import type { Film } from '../picture/film.js';
 
-export class StandIn {
+export class FallbackFilm {
   readonly #context: PlayerContext;
   #film: Film | undefined;
   /** The addresses of the film that is there or being fetched; undefined where none is wanted. */

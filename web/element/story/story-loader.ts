@@ -7,11 +7,11 @@ import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
 import { credentialsOf, languageAround, languageOf, libraryOf, wordsFor, type PlayerContext } from './context.js';
 import type { FigureFile } from '../engine/figure.js';
-import { PictureKeeper, type Opened } from '../picture/keeper.js';
+import { PictureKeeper, type OpenedPicture } from '../picture/keeper.js';
 import { LiveScript } from '../engine/live.js';
-import { fetchStory, type StoryFiles, type StoryWish } from '../engine/loader.js';
+import { fetchStory, type StoryFiles, type StoryRequest } from '../engine/loader.js';
 import { dispatch, takeBack } from '../media/media-events.js';
-import type { OwnText } from './own-text.js';
+import type { InlineStory } from './own-text.js';
 import type { PictureEvents } from '../picture/picture-events.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';
@@ -59,7 +59,7 @@ export class StoryLoader {
   /** Lines are to be performed, and there is no story. */
   #bare = false;
   /** The story between the tags. */
-  readonly #own: OwnText;
+  readonly #own: InlineStory;
   /** A story was chosen, and is fetched when it is to be played. */
   #waits = false;
   #address = '';
@@ -69,7 +69,7 @@ export class StoryLoader {
   #toldMs = 0;
   #silence: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(context: PlayerContext, figures: FigureLoader, own: OwnText, events: StoryLoaderEvents) {
+  constructor(context: PlayerContext, figures: FigureLoader, own: InlineStory, events: StoryLoaderEvents) {
     this.#context = context;
     this.#figures = figures;
     this.#own = own;
@@ -214,7 +214,7 @@ export class StoryLoader {
     player.requestUpdate();
   }
 
-  async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: Opened; files: StoryFiles }> {
+  async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: OpenedPicture; files: StoryFiles }> {
     const { player, diagnostics } = this.#context;
     const library = libraryOf(player);
     const progress = (share: number) => {
@@ -243,7 +243,7 @@ export class StoryLoader {
   }
 
   /** What is to be told: a text that takes the place of the story's file, else that file, else what stands between the tags; where lines come from elsewhere, nothing yet. */
-  async #wish(backend: Promise<Backend>): Promise<StoryWish> {
+  async #wish(backend: Promise<Backend>): Promise<StoryRequest> {
     const { player, text, diagnostics } = this.#context;
     const { src, mind } = player;
     const wish = { src, text, edited: text !== undefined, language: languageAround(player), expectsLines: mind !== undefined, credentials: credentialsOf(player) };
@@ -269,7 +269,7 @@ export class StoryLoader {
     };
   }
 
-  #open({ story, picture }: Opened, files: StoryFiles, sinceMs: number): void {
+  #open({ story, picture }: OpenedPicture, files: StoryFiles, sinceMs: number): void {
     const { player, diagnostics } = this.#context;
     const { voiceFolder, figure } = files;
     const script = new LiveScript(story.utterances);

@@ -17,7 +17,7 @@ const LOOK_MS = 100;
 const MAX_TRIES = 300;
 
 /** Where a text is told. */
-export interface Stage {
+export interface NarrationContext {
   /** How its engine tells texts. */
   readonly telling: Pick<NarrationFunctions, 'continueNarration' | 'splitClauses'>;
   /** What the text is read in, a tag of BCP 47. */
@@ -33,13 +33,13 @@ const LATER = new Set(['live::busy', 'live::full', 'live::absent']);
 
 /** Says clauses one after another, until it ends. */
 class Speaker {
-  readonly #stage: Stage;
+  readonly #stage: NarrationContext;
   readonly #end: AbortSignal;
   #feels = 'neutral';
   /** When all that was accepted has been said. */
   #endSecs = 0;
 
-  constructor(stage: Stage, end: AbortSignal) {
+  constructor(stage: NarrationContext, end: AbortSignal) {
     this.#stage = stage;
     this.#end = end;
   }
@@ -76,12 +76,12 @@ class Speaker {
 }
 
 /** What gives a text piece by piece. */
-interface Pieces {
+interface TextPieces {
   next(): Promise<{ readonly done?: boolean | undefined; readonly value?: unknown }>;
   return?(): Promise<unknown>;
 }
 
-function piecesOf(words: Words): Pieces {
+function piecesOf(words: Words): TextPieces {
   if (typeof words === 'string') {
     const all = [words];
     return { next: () => Promise.resolve(all.length > 0 ? { value: all.pop() } : { done: true }) };
@@ -103,11 +103,11 @@ const tooMuch: Diagnostic = {
 };
 
 /** Tells a text until it is said, or `end`; throws what its source throws, after what came before. */
-export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Promise<void> {
+export async function tellTo(stage: NarrationContext, words: Words, end: AbortSignal): Promise<void> {
   const speaker = new Speaker(stage, end);
   const cut = (text: string, whole: boolean) => stage.telling.splitClauses(text, stage.language, whole);
   const over = new Promise<undefined>((done) => end.addEventListener('abort', () => done(undefined), { once: true }));
-  let pieces: Pieces | undefined;
+  let pieces: TextPieces | undefined;
   let failure: { readonly error: unknown } | undefined;
   let [rest, room] = ['', MAX_CHARACTERS];
   try {
@@ -137,7 +137,7 @@ export async function tellTo(stage: Stage, words: Words, end: AbortSignal): Prom
 
 /** Tells a text on the stage of a player; the clock does not stop for want of words meanwhile. */
 export async function tellWords(context: PlayerContext, show: Show, words: Words, end: AbortSignal): Promise<void> {
-  const stage: Stage = {
+  const stage: NarrationContext = {
     telling: await openInstance(show.picture.backend),
     language: languageOf(context.player, show.story),
     perform: (fragment) => perform(context, show, Sender.Page, fragment),

@@ -18,7 +18,7 @@ const MIN_SPEED_MS = 1000;
 const SCREEN_MS = 17;
 
 /** The clock of one player's waiting. */
-export class Welcome {
+export class IdleClock {
   readonly #draw: () => void;
   #animation = 0;
   #waitedMs = 0;

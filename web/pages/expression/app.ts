@@ -2,7 +2,7 @@
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import { PageState } from '../page-state.js';
-import { Sitting } from './sitting.js';
+import { ComparisonSide } from './sitting.js';
 import { beginning, settingOf, type Setting, type Side, type State } from './state.js';
 import { write } from './write.js';
 
@@ -16,7 +16,7 @@ export type Tab = 'types' | 'disc';
 
 export class App extends PageState<State> {
   tab: Tab = 'types';
-  readonly sittings: Readonly<Record<Side, Sitting>>;
+  readonly sittings: Readonly<Record<Side, ComparisonSide>>;
 
   constructor(
     a: RaconteurPlayer,
@@ -24,7 +24,7 @@ export class App extends PageState<State> {
     private readonly render: () => void,
   ) {
     super(a, beginning, (state) => write(state.a));
-    this.sittings = { a: new Sitting(a, () => this.#tell()), b: new Sitting(b, () => this.#tell()) };
+    this.sittings = { a: new ComparisonSide(a, () => this.#tell()), b: new ComparisonSide(b, () => this.#tell()) };
     this.#playTogether();
   }
 

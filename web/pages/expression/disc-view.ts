@@ -4,7 +4,7 @@ import { html, svg, type TemplateResult } from 'lit';
 import { follow, keySteps, vars } from '../fields.js';
 import type { App } from './app.js';
 import { BANDS, bandOf, told } from './rules.js';
-import { feltAt, rayOf, RAYS, spotOf, stepFrom, STRONGEST, type Felt, type Ray } from './types.js';
+import { feltAt, rayOf, RAYS, spotOf, stepFrom, STRONGEST, type CurrentEmotion, type EmotionRay } from './types.js';
 
 /** Half the width and the height of the picture, in units of which the disc's rim has `RIM`. */
 const WIDE = 170;
@@ -12,7 +12,7 @@ const HIGH = 102;
 const RIM = 88;
 
 /** A type at the rim, its name beyond. */
-function mark(ray: Ray, chosen: boolean): TemplateResult {
+function mark(ray: EmotionRay, chosen: boolean): TemplateResult {
   const [dot, name] = [spotOf(ray, RIM), spotOf(ray, RIM + 6)];
   return svg`<g class=${chosen ? 'word felt' : 'word'}>
     <line x1="0" y1="0" x2=${dot.x} y2=${-dot.y} />
@@ -26,7 +26,7 @@ const ring = (from: number): TemplateResult => svg`<circle class="ring" r=${(RIM
 
 export function disc(app: App): TemplateResult {
   const { emotion, potential } = app.edited;
-  const to = (felt: Felt): void => app.change(app.edit((s) => Object.assign(s, felt)));
+  const to = (felt: CurrentEmotion): void => app.change(app.edit((s) => Object.assign(s, felt)));
   const press = (event: PointerEvent): void => {
     const frame = event.currentTarget as HTMLElement;
     const move = ({ x, y }: { x: number; y: number }, rect: DOMRect): void =>

@@ -15,7 +15,7 @@ export interface Rule {
 }
 
 /** A distance of the camera, and from which potential on it is taken. */
-interface Band {
+interface PotentialBand {
   readonly from: number;
   readonly shot: EnvironmentExpression['shot'];
   readonly name: string;
@@ -23,14 +23,14 @@ interface Band {
 }
 
 /** GEVH 3.5.4.1, rules 3 to 6: each band without its upper end, as `EmotionType::distance` of `crate/stage` has them. */
-export const BANDS: readonly [Band, ...Band[]] = [
+export const BANDS: readonly [PotentialBand, ...PotentialBand[]] = [
   { from: 0, shot: 'full', name: 'full shot', rule: 3 },
   { from: 1.5, shot: 'medium', name: 'medium shot', rule: 4 },
   { from: 2.5, shot: 'closeUp', name: 'close-up', rule: 5 },
   { from: 4.5, shot: 'extremeCloseUp', name: 'extreme close-up', rule: 6 },
 ];
 
-export function bandOf(potential: number): Band {
+export function bandOf(potential: number): PotentialBand {
   return BANDS.findLast((band) => potential >= band.from) ?? BANDS[0];
 }
 

@@ -8,7 +8,7 @@ const REST_MS = 120;
 /** By then the player has faded its new picture in. */
 const FADED_MS = 550;
 
-export class Sitting {
+export class ComparisonSide {
   #shown = '';
   #wanted = '';
   #timer: ReturnType<typeof setTimeout> | undefined;

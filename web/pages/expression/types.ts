@@ -17,7 +17,7 @@ export const POTENTIAL_STEP = 0.1;
 export const rounded = (potential: number): number => Math.round(Math.min(STRONGEST, Math.max(0, potential)) / POTENTIAL_STEP) / Math.round(1 / POTENTIAL_STEP);
 
 /** A type's direction on the disc. */
-export interface Ray {
+export interface EmotionRay {
   readonly name: EmotionName;
   /** 1 to the right, where evaluation is positive, or -1. */
   readonly side: 1 | -1;
@@ -39,7 +39,7 @@ function placeOf(name: EmotionName): EmotionWord {
  * One side of the disc from the most active to the most passive direction of F&H table 4.4. Several types share a
  * direction there, so they are spread evenly: each can be dragged to.
  */
-function fan(names: readonly EmotionName[], side: 1 | -1): readonly Ray[] {
+function fan(names: readonly EmotionName[], side: 1 | -1): readonly EmotionRay[] {
   const rise = (name: EmotionName): number => {
     const { activation, evaluation } = placeOf(name);
     return Math.atan2(activation, side * evaluation);
@@ -51,33 +51,33 @@ function fan(names: readonly EmotionName[], side: 1 | -1): readonly Ray[] {
 const RIGHT = fan(GOOD, 1);
 const LEFT = fan(BAD, -1);
 
-export const RAYS: readonly Ray[] = [...RIGHT, ...LEFT];
+export const RAYS: readonly EmotionRay[] = [...RIGHT, ...LEFT];
 
-export const rayOf = (name: EmotionName): Ray | undefined => RAYS.find((ray) => ray.name === name);
+export const rayOf = (name: EmotionName): EmotionRay | undefined => RAYS.find((ray) => ray.name === name);
 
 /** A place of the disc: to the right and upwards, 1 at its rim. */
-export interface Spot {
+export interface DiscPoint {
   readonly x: number;
   readonly y: number;
 }
 
 /** Where a ray is at a distance from the middle. */
-export function spotOf({ side, rise }: Ray, distance: number): Spot {
+export function spotOf({ side, rise }: EmotionRay, distance: number): DiscPoint {
   const radians = (rise * Math.PI) / 180;
   return { x: side * distance * Math.cos(radians), y: distance * Math.sin(radians) };
 }
 
 /** What is felt: a type and how strong the events are that elicit it. */
-export interface Felt {
+export interface CurrentEmotion {
   readonly emotion: EmotionName;
   readonly potential: number;
 }
 
 /** The type in whose direction a place lies, and a potential that is its distance from the middle; in the very middle nothing is felt. */
-export function feltAt({ x, y }: Spot): Felt {
+export function feltAt({ x, y }: DiscPoint): CurrentEmotion {
   const potential = rounded(Math.hypot(x, y) * STRONGEST);
   if (potential === 0) return { emotion: 'neutral', potential };
-  const along = (ray: Ray): number => {
+  const along = (ray: EmotionRay): number => {
     const to = spotOf(ray, 1);
     return to.x * x + to.y * y;
   };
@@ -86,7 +86,7 @@ export function feltAt({ x, y }: Spot): Felt {
 }
 
 /** Where arrow keys lead on the disc: up and down to the next type of a side, to the rim stronger, through the middle to the other side. */
-export function stepFrom({ emotion, potential }: Felt, right: number, up: number): Felt {
+export function stepFrom({ emotion, potential }: CurrentEmotion, right: number, up: number): CurrentEmotion {
   const own = rayOf(emotion);
   if (own === undefined) return right === 0 ? { emotion, potential } : feltAt({ x: (right * POTENTIAL_STEP) / STRONGEST, y: 0 });
   const [near, far] = own.side > 0 ? [RIGHT, LEFT] : [LEFT, RIGHT];

@@ -3,7 +3,7 @@
 import table from '../../../crate/tissue/src/muscles.tsv?raw';
 
 /** One slider: a muscle or a direct parameter, alone or left and right. */
-export interface Dial {
+export interface FaceControl {
   /** Its name in EML, without the side where there are two. */
   readonly name: string;
   /** What the page calls it. */
@@ -18,15 +18,15 @@ export interface Dial {
 
 export interface Region {
   readonly title: string;
-  readonly dials: readonly Dial[];
+  readonly dials: readonly FaceControl[];
 }
 
-const one = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: false, signed });
-const two = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: true, signed });
+const one = (name: string, label: string, note: string, signed = false): FaceControl => ({ name, label, note, paired: false, signed });
+const two = (name: string, label: string, note: string, signed = false): FaceControl => ({ name, label, note, paired: true, signed });
 
 interface Row {
   readonly title: string;
-  readonly dial: Dial;
+  readonly dial: FaceControl;
 }
 
 /** The rows of a table of muscles, as `crate/tissue/src/muscles.tsv`: what this page shows of them. */
@@ -50,7 +50,7 @@ export function musclesOf(text: string): readonly Region[] {
 }
 
 /** The muscles in the order of the table, pairs once: that of the numbers that the player tells. */
-export const MUSCLE_ORDER: readonly Dial[] = rowsOf(table).map((row) => row.dial);
+export const MUSCLE_ORDER: readonly FaceControl[] = rowsOf(table).map((row) => row.dial);
 
 /** The muscles by region (F&H table 3.1). */
 export const MUSCLES: readonly Region[] = musclesOf(table);
@@ -121,7 +121,7 @@ export const VISEMES: readonly Region[] = [
   },
 ];
 
-export const ALL: readonly Dial[] = [...MUSCLES, ...DIRECT, ...VISEMES].flatMap((region) => region.dials);
+export const ALL: readonly FaceControl[] = [...MUSCLES, ...DIRECT, ...VISEMES].flatMap((region) => region.dials);
 
 /** The names that a dial has in EML by itself: both sides, or one. */
-export const namesOf = ({ name, paired }: Dial): readonly string[] => (paired ? [`${name}Left`, `${name}Right`] : [name]);
+export const namesOf = ({ name, paired }: FaceControl): readonly string[] => (paired ? [`${name}Left`, `${name}Right`] : [name]);

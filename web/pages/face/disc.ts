@@ -26,7 +26,7 @@ export const WORDS: readonly EmotionWord[] = emotions.words.reduce<(EmotionWord 
 }, []);
 
 /** How much of a word is felt, 0 to 1. */
-export interface Share {
+export interface WeightShare {
   readonly word: EmotionWord;
   readonly value: number;
 }
@@ -46,15 +46,15 @@ const NEAR = 0.12;
  * their shares no more than 1 together, so that the player adds them up as they are. A place
  * outside of all words is brought in first.
  */
-export function sharesAt(wanted: EmotionPoint): readonly Share[] {
+export function sharesAt(wanted: EmotionPoint): readonly WeightShare[] {
   const place = { ...wanted, ...within(wanted) };
   const { activation: a, evaluation: e } = place;
   if (Math.hypot(a, e) < 0.5) return [];
   const own = WORDS.find((w) => square(w, place) < 1e-6);
   if (own !== undefined) return [{ word: own, value: 1 }];
-  let best: readonly Share[] = [];
+  let best: readonly WeightShare[] = [];
   let least = Infinity;
-  const consider = (shares: readonly Share[]): void => {
+  const consider = (shares: readonly WeightShare[]): void => {
     const cost = (at(shares).power - place.power) ** 2 + NEAR * shares.reduce((sum, s) => sum + s.value * square(s.word, place), 0);
     if (cost < least) [best, least] = [shares, cost];
   };
@@ -77,7 +77,7 @@ export function sharesAt(wanted: EmotionPoint): readonly Share[] {
 }
 
 /** Where a mixture lies. */
-export function at(shares: readonly Share[]): EmotionPoint {
+export function at(shares: readonly WeightShare[]): EmotionPoint {
   const sum = (key: keyof EmotionPoint): number => shares.reduce((total, { word: w, value }) => total + value * w[key], 0);
   return { activation: sum('activation'), evaluation: sum('evaluation'), power: sum('power') };
 }
@@ -122,7 +122,7 @@ export function within({ evaluation, activation }: Pick<EmotionPoint, 'evaluatio
 }
 
 /** A place in words, for people. */
-export function inWords(shares: readonly Share[]): string {
+export function inWords(shares: readonly WeightShare[]): string {
   if (shares.length === 0) return 'neutral';
   return [...shares]
     .sort((a, b) => b.value - a.value)

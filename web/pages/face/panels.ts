@@ -3,10 +3,10 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { check, numberField } from '../fields.js';
 import type { App } from './app.js';
-import { namesOf, type Dial, type Region } from './dials.js';
+import { namesOf, type FaceControl, type Region } from './dials.js';
 import { AMOUNTS, type Amount } from './manner.js';
 
-function slider(app: App, dial: Dial, names: readonly string[], label: string): TemplateResult {
+function slider(app: App, dial: FaceControl, names: readonly string[], label: string): TemplateResult {
   const value = app.state.values[names[0] ?? ''] ?? 0;
   const set = (to: number): void =>
     app.change((s) => {
@@ -21,7 +21,7 @@ function slider(app: App, dial: Dial, names: readonly string[], label: string): 
 }
 
 /** A dial: one slider for both sides while they are linked, else one each. */
-function control(app: App, dial: Dial): TemplateResult {
+function control(app: App, dial: FaceControl): TemplateResult {
   const names = namesOf(dial);
   if (!dial.paired || app.state.linked) return slider(app, dial, names, dial.label);
   return html`${names.map((name) => slider(app, dial, [name], `${dial.label}, ${name.endsWith('Left') ? 'left' : 'right'}`))}`;

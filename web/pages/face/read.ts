@@ -2,13 +2,13 @@
 
 import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../source.js';
 import { ALL, namesOf } from './dials.js';
-import { at, WORDS, type Share } from './disc.js';
+import { at, WORDS, type WeightShare } from './disc.js';
 import { ALL_AMOUNTS } from './manner.js';
 import type { Line, State } from './state.js';
 
 /** Emotion, control parameters and manner that a script sets at its beginning; what the page has no control for is left out. */
 export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values' | 'way' | 'manner'> {
-  const shares: Share[] = [];
+  const shares: WeightShare[] = [];
   let named = '';
   const values: Record<string, number> = {};
   let way: State['way'] = 'sound';

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../fields.js';
 import type { App } from './app.js';
 import { lines } from './read.js';
-import type { Line, Way } from './state.js';
+import type { Line, PlanBasis } from './state.js';
 
 const STORIES: Readonly<Record<string, string>> = {
   'white-rabbit': 'The White Rabbit',
@@ -13,7 +13,7 @@ const STORIES: Readonly<Record<string, string>> = {
   'virtual-poets/zwei-parallelen': 'Die zwei Parallelen',
   'virtual-poets/os-lusiadas': 'Os Lusíadas',
 };
-const WAYS: Readonly<Record<Way, string>> = { sound: 'From its audio', text: 'From its text' };
+const WAYS: Readonly<Record<PlanBasis, string>> = { sound: 'From its audio', text: 'From its text' };
 /** As long as a line is. */
 const MAX_LETTERS = 300;
 

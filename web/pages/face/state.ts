@@ -26,7 +26,7 @@ export interface Line {
 export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind: 'story'; line: Line };
 
 /** What expressions beside speech are made from, as EML has it. */
-export type Way = 'sound' | 'text';
+export type PlanBasis = 'sound' | 'text';
 
 export interface State {
   emotion: EmotionPoint;
@@ -39,7 +39,7 @@ export interface State {
   speech: Speech;
   /** Address of the story whose voice is at hand; empty for none. */
   story: string;
-  way: Way;
+  way: PlanBasis;
   /** Amounts of what accompanies speech that are not the usual ones, by their names in EML. */
   manner: Record<string, number>;
   layers: Layers;

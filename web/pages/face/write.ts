@@ -2,7 +2,7 @@
 
 import { apply, insertInto, read as parse, setAttribute } from '../source.js';
 import { tag } from '../../speech/markup.js';
-import { ALL, namesOf, type Dial } from './dials.js';
+import { ALL, namesOf, type FaceControl } from './dials.js';
 import { sharesAt } from './disc.js';
 import type { Layers, State } from './state.js';
 
@@ -15,7 +15,7 @@ const AFTER_SECS = 1;
 const set = (parameterId: string, value: number): string => tag('body-set-control-parameter', { time: 0, parameterId, value });
 
 /** A dial's clauses: both sides in one where they are equal. */
-function dial(own: Dial, values: State['values']): string[] {
+function dial(own: FaceControl, values: State['values']): string[] {
   const [left, right] = namesOf(own).map((name) => values[name] ?? 0);
   if (left === right && left !== 0 && left !== undefined) return [set(own.name, left)];
   return namesOf(own).flatMap((name) => (values[name] ? [set(name, values[name])] : []));

@@ -3,7 +3,7 @@
 import { html, svg, type TemplateResult } from 'lit';
 import { cross, dot } from '../../element/engine/pose.js';
 import { follow, keySteps, type Sink } from '../fields.js';
-import type { Hand, Triple } from './gesture.js';
+import type { Hand, Vector3 } from './gesture.js';
 import type { HandDirections } from './palm.js';
 import { radians, roll, twist } from './roll.js';
 
@@ -16,12 +16,12 @@ const LINES = 'M-.24.06C-.1-.02.08-.02.2.12M-.22-.06C-.06-.16.04-.22.08-.32M.2.0
 const NAILS = 'M-.24.45v.03M-.08.6v.03M.085.68v.03M.25.57v.03';
 
 /** Where the picture of a direction lies: x to the right, y down, as the audience sees it. */
-const flat = ([x, y]: Triple): [number, number] => [x, -y];
+const flat = ([x, y]: Vector3): [number, number] => [x, -y];
 const short = (n: number): string => n.toFixed(3);
 
 /** A direction in words of the speaker. */
-export function inWords(direction: Triple): string {
-  const names: [string, Triple][] = [
+export function inWords(direction: Vector3): string {
+  const names: [string, Vector3][] = [
     ['to the front', [0, 0, 1]],
     ['to the back', [0, 0, -1]],
     ['up', [0, 1, 0]],
@@ -51,7 +51,7 @@ export interface Ball extends Sink<HandDirections> {
 export function ball({ hand, directions, live, set, done }: Ball): TemplateResult {
   const { normal, fingers } = directions;
   const across = cross(fingers, normal);
-  const thumb: Triple = hand === 'right' ? across : [-across[0], -across[1], -across[2]];
+  const thumb: Vector3 = hand === 'right' ? across : [-across[0], -across[1], -across[2]];
   const [ux, uy] = flat(thumb);
   const [vx, vy] = flat(fingers);
   const [nx, ny] = flat(normal);

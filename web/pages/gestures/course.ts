@@ -27,7 +27,7 @@ export interface CourseField extends Sink<Course | undefined> {
   live(): Course | undefined;
 }
 
-interface Grip {
+interface DragHandle {
   readonly label: string;
   readonly s: number;
   readonly way: number;
@@ -37,7 +37,7 @@ interface Grip {
   at(s: number, way: number): readonly number[];
 }
 
-function grips({ kind, controls }: Course): Grip[] {
+function grips({ kind, controls }: Course): DragHandle[] {
   const [a = 0, b = 0, c = 0, d = 0] = controls;
   if (kind === 'bezier') {
     return [

@@ -34,13 +34,13 @@ export interface Course {
 }
 
 /** EML's coordinates: x to the speaker's left, y up, z to the back. */
-export type Triple = readonly [number, number, number];
+export type Vector3 = readonly [number, number, number];
 
 /** What a key says; which of the parts are there is the track's matter. */
 export interface Value {
   readonly shape?: { readonly id: number; readonly second?: number; readonly weight: number };
-  readonly palm?: { readonly normal: Triple; readonly angle: number };
-  readonly place?: Triple;
+  readonly palm?: { readonly normal: Vector3; readonly angle: number };
+  readonly place?: Vector3;
 }
 
 export interface Key {
@@ -208,7 +208,7 @@ export const mirrored = (phase: Phase, track: Track, hand: Hand): boolean => pha
 
 /** The same on the other side of the body. */
 export function mirror(value: Value): Value {
-  const flip = ([x, y, z]: Triple): Triple => [x === 0 ? 0 : -x, y, z];
+  const flip = ([x, y, z]: Vector3): Vector3 => [x === 0 ? 0 : -x, y, z];
   return {
     ...value,
     ...(value.palm && { palm: { normal: flip(value.palm.normal), angle: value.palm.angle === 0 ? 0 : -value.palm.angle } }),

@@ -1,19 +1,19 @@
 /** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { along, type PoseNow, type Spot, type Vector } from '../../element/engine/pose.js';
+import { along, type PoseNow, type ScreenPoint, type Vector } from '../../element/engine/pose.js';
 import type { App } from './app.js';
 import { handle } from './fields.js';
-import { mirror, mirrored, trackOf, HANDS, type Track, type Triple } from './gesture.js';
+import { mirror, mirrored, trackOf, HANDS, type Track, type Vector3 } from './gesture.js';
 
 /** A place of EML in the world, metres. */
-export function toWorld({ origin, metresPerUnit }: PoseNow, [x, y, z]: Triple, world: boolean): Vector {
+export function toWorld({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector3, world: boolean): Vector {
   const [ox, oy, oz] = world ? [0, 0, 0] : origin;
   return [ox + x * metresPerUnit, oy + y * metresPerUnit, oz - z * metresPerUnit];
 }
 
 /** The place of EML of a point in the world. */
-export function toPlace({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector, world: boolean): Triple {
+export function toPlace({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector, world: boolean): Vector3 {
   const [ox, oy, oz] = world ? [0, 0, 0] : origin;
   return [(x - ox) / metresPerUnit, (y - oy) / metresPerUnit, (oz - z) / metresPerUnit];
 }
@@ -26,10 +26,10 @@ function nearestAxis(direction: Vector): Vector {
   return [axis(0), axis(1), axis(2)];
 }
 
-const tenths = (place: Triple): Triple => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
+const tenths = (place: Vector3): Vector3 => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
 
 /** The wrist's place now, in EML's coordinates: what a new key begins with. */
-export function wristNow(app: App, world: boolean): Triple | undefined {
+export function wristNow(app: App, world: boolean): Vector3 | undefined {
   const wrist = app.pose?.joints.find((joint) => joint.name === `bone_${app.hand === 'left' ? 'l' : 'r'}_wrist`);
   return wrist && app.pose && tenths(toPlace(app.pose, wrist.position, world));
 }
@@ -38,7 +38,7 @@ export function overlay(app: App): TemplateResult | typeof nothing {
   const { pose, phase, player } = app;
   const { clientWidth: width, clientHeight: height } = player;
   if (pose === undefined || phase === undefined || width === 0) return nothing;
-  const spot = (place: Triple, world: boolean): Spot | undefined => pose.camera.project(toWorld(pose, place, world), width, height);
+  const spot = (place: Vector3, world: boolean): ScreenPoint | undefined => pose.camera.project(toWorld(pose, place, world), width, height);
 
   const paths = HANDS.flatMap((hand) => {
     const track = trackOf(phase, 'place', hand);
@@ -60,7 +60,7 @@ export function overlay(app: App): TemplateResult | typeof nothing {
 }
 
 /** The handle of one place; the one that is edited is the larger. */
-function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place: Triple, world: boolean) => Spot | undefined): TemplateResult | typeof nothing {
+function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place: Vector3, world: boolean) => ScreenPoint | undefined): TemplateResult | typeof nothing {
   const key = track.keys[index];
   const place = key?.value.place;
   const at = place && spot(place, track.world);
@@ -68,8 +68,8 @@ function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place
   const { clientWidth: width, clientHeight: height } = app.player;
   const mine = (): boolean => index === app.keyIndex('place');
   /** Where it is by now: keys may come faster than the page is drawn. */
-  const live = (): Triple => app.track('place')?.keys[index]?.value.place ?? place;
-  const set = (to: Triple): void => app.setValue('place', { place: tenths(to) }, index);
+  const live = (): Vector3 => app.track('place')?.keys[index]?.value.place ?? place;
+  const set = (to: Vector3): void => app.setValue('place', { place: tenths(to) }, index);
   return handle({
     label: `Place ${index + 1} of ${track.keys.length}, ${place[0]} to the left, ${place[1]} up, ${place[2]} to the back. Arrow keys move it, page up and page down nearer and farther.`,
     classes: mine() ? 'place chosen' : 'place',

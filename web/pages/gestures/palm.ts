@@ -6,18 +6,18 @@
 
 import { openInstance, type PalmFunctions } from '../../element/engine/backend.js';
 import type { Backend } from '../../element/base/types.js';
-import type { Hand, Triple } from './gesture.js';
+import type { Hand, Vector3 } from './gesture.js';
 
 /** An orientation of a hand: where the palm looks and where the fingers point, unit vectors square to each other. */
 export interface HandDirections {
-  readonly normal: Triple;
-  readonly fingers: Triple;
+  readonly normal: Vector3;
+  readonly fingers: Vector3;
 }
 
 /** What a normal without direction counts as: to the front, in EML's axes. */
-const FRONT: Triple = [0, 0, -1];
+const FRONT: Vector3 = [0, 0, -1];
 
-const triple = (numbers: ArrayLike<number>, at: number): Triple => [numbers[at] ?? 0, numbers[at + 1] ?? 0, numbers[at + 2] ?? 0];
+const triple = (numbers: ArrayLike<number>, at: number): Vector3 => [numbers[at] ?? 0, numbers[at + 1] ?? 0, numbers[at + 2] ?? 0];
 
 /** The engine's reading of palms. */
 export class Palms {
@@ -28,15 +28,15 @@ export class Palms {
   }
 
   /** The directions that a normal and an angle mean for a hand. EML axes, degrees by the left-hand rule. */
-  directionsOf(hand: Hand, normal: Triple, angle: number): HandDirections {
-    const read = (...[x, y, z]: Triple): Float64Array => this.engine.handDirections(hand === 'left', x, y, z, Number.isFinite(angle) ? angle : 0);
+  directionsOf(hand: Hand, normal: Vector3, angle: number): HandDirections {
+    const read = (...[x, y, z]: Vector3): Float64Array => this.engine.handDirections(hand === 'left', x, y, z, Number.isFinite(angle) ? angle : 0);
     const known = read(...normal);
     const numbers = known.length === 0 ? read(...FRONT) : known;
     return { normal: triple(numbers, 0), fingers: triple(numbers, 3) };
   }
 
   /** The normal and angle, -180 to 180 degrees, of a hand's directions, in EML's axes. */
-  palmOf(hand: Hand, { normal, fingers }: HandDirections): { normal: Triple; angle: number } {
+  palmOf(hand: Hand, { normal, fingers }: HandDirections): { normal: Vector3; angle: number } {
     const numbers = this.engine.palmOf(hand === 'left', Float64Array.of(...normal, ...fingers));
     return { normal: triple(numbers, 0), angle: numbers[3] ?? 0 };
   }

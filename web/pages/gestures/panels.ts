@@ -24,7 +24,7 @@ import {
   type Handedness,
 } from './edit.js';
 import { numberField } from './fields.js';
-import { PHASES, toldApart, type Feature, type Key, type Phase, type PhaseName, type Triple, type Value } from './gesture.js';
+import { PHASES, toldApart, type Feature, type Key, type Phase, type PhaseName, type Vector3, type Value } from './gesture.js';
 import { wristNow } from './overlay.js';
 import type { Palms } from './palm.js';
 import { shapeName, shapePicker, shapePicture } from './shapes.js';
@@ -178,10 +178,10 @@ function shapePanel(app: App, key: Key): TemplateResult {
 }
 
 /** Where a palm looks most often, as the speaker stands; EML's axes. */
-const WAYS: Readonly<Record<string, Triple>> = { Front: [0, 0, -1], Back: [0, 0, 1], Up: [0, 1, 0], Down: [0, -1, 0], Left: [1, 0, 0], Right: [-1, 0, 0] };
+const WAYS: Readonly<Record<string, Vector3>> = { Front: [0, 0, -1], Back: [0, 0, 1], Up: [0, 1, 0], Down: [0, -1, 0], Left: [1, 0, 0], Right: [-1, 0, 0] };
 
 /** The palm on its ball, and where it looks in words. */
-function onBall(app: App, palms: Palms, palm: NonNullable<Value['palm']>, set: (normal: Triple, angle: number) => void): TemplateResult {
+function onBall(app: App, palms: Palms, palm: NonNullable<Value['palm']>, set: (normal: Vector3, angle: number) => void): TemplateResult {
   const { hand } = app;
   const directions = palms.directionsOf(hand, palm.normal, palm.angle);
   const field = ball({
@@ -205,9 +205,9 @@ function onBall(app: App, palms: Palms, palm: NonNullable<Value['palm']>, set: (
 }
 
 function palmPanel(app: App, key: Key): TemplateResult {
-  const palm = key.value.palm ?? { normal: [1, 0, 0] as Triple, angle: 0 };
+  const palm = key.value.palm ?? { normal: [1, 0, 0] as Vector3, angle: 0 };
   const { palms } = app;
-  const set = (normal: Triple, angle: number): void => {
+  const set = (normal: Vector3, angle: number): void => {
     if (Math.hypot(...normal) > 1e-6) app.setValue('palm', { palm: { normal, angle } });
   };
   const axis = (label: string, i: 0 | 1 | 2): TemplateResult =>
@@ -219,11 +219,11 @@ function palmPanel(app: App, key: Key): TemplateResult {
       step: 0.01,
       set: (value) => {
         const now = app.key('palm')?.value.palm ?? palm;
-        set(now.normal.map((n, k) => (k === i ? value : n)) as unknown as Triple, now.angle);
+        set(now.normal.map((n, k) => (k === i ? value : n)) as unknown as Vector3, now.angle);
       },
       done: () => app.done(),
     });
-  const choose = (normal: Triple): void => {
+  const choose = (normal: Vector3): void => {
     set(normal, palm.angle);
     app.done();
   };
@@ -238,7 +238,7 @@ function palmPanel(app: App, key: Key): TemplateResult {
 }
 
 function placePanel(app: App, key: Key): TemplateResult {
-  const place = key.value.place ?? ([0, 0, 0] as Triple);
+  const place = key.value.place ?? ([0, 0, 0] as Vector3);
   const track = app.track('place');
   const world = track?.world ?? false;
   const axis = (label: string, i: 0 | 1 | 2, min: number, max: number): TemplateResult =>
@@ -250,7 +250,7 @@ function placePanel(app: App, key: Key): TemplateResult {
       step: 0.1,
       set: (value) => {
         const now = app.key('place')?.value.place;
-        if (now !== undefined) app.setValue('place', { place: now.map((n, k) => (k === i ? value : n)) as unknown as Triple });
+        if (now !== undefined) app.setValue('place', { place: now.map((n, k) => (k === i ? value : n)) as unknown as Vector3 });
       },
       done: () => app.done(),
     });

@@ -1,13 +1,13 @@
 /** How a palm on a ball turns when the ball is rolled, and when it is turned by its rim. */
 
 import { along, cross, dot, unit } from '../../element/engine/pose.js';
-import type { Triple } from './gesture.js';
+import type { Vector3 } from './gesture.js';
 import type { HandDirections } from './palm.js';
 
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** A vector turned about a unit axis (the formula of Rodrigues). */
-function turned(v: Triple, axis: Triple, angle: number): Triple {
+function turned(v: Vector3, axis: Vector3, angle: number): Vector3 {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const beside = along([v[0] * cos, v[1] * cos, v[2] * cos], cross(axis, v), sin);
   return along(beside, axis, dot(axis, v) * (1 - cos));
@@ -27,6 +27,6 @@ export function roll({ normal, fingers }: HandDirections, right: number, up: num
 
 /** Turns a hand about the line of sight, radians, against the clock as the audience sees it. */
 export function twist({ normal, fingers }: HandDirections, angle: number): HandDirections {
-  const sight: Triple = [0, 0, 1];
+  const sight: Vector3 = [0, 0, 1];
   return { normal: turned(normal, sight, angle), fingers: turned(fingers, sight, angle) };
 }

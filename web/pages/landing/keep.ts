@@ -2,7 +2,7 @@
 
 import { zipSync } from 'fflate';
 import { sourceFor } from '../../speech/here.js';
-import type { Said } from '../../speech/source.js';
+import type { SpokenAudio } from '../../speech/source.js';
 
 /** The folder that a program unpacks. */
 const FOLDER = 'my-story';
@@ -12,7 +12,7 @@ export async function pack(script: string, figure: string, language: string): Pr
   const text = new TextEncoder();
   const files: Record<string, Uint8Array> = { [`${FOLDER}/story.eml`]: text.encode(script) };
   const source = await sourceFor(language, { library: new URL('assets/', document.baseURI), report: () => undefined });
-  const take = ({ bundle, sounds }: Said) => {
+  const take = ({ bundle, sounds }: SpokenAudio) => {
     files[`${FOLDER}/voice/speech.json`] = text.encode(bundle);
     for (const [name, wave] of sounds) files[`${FOLDER}/voice/${name}`] = wave;
   };

@@ -12,7 +12,7 @@ const WIDE = '(min-width: 1280px)';
 const READING_MS = 5000;
 
 /** Where the page shows them. */
-interface Places {
+interface LineElements {
   /** Scrolls. */
   readonly box: HTMLElement;
   readonly list: HTMLElement;
@@ -32,7 +32,7 @@ const clock = (secs: number): string => `${Math.floor(secs / 60)}:${String(Math.
 
 export class Lines {
   readonly #player: RaconteurPlayer;
-  readonly #places: Places;
+  readonly #places: LineElements;
   readonly #wide = matchMedia(WIDE);
   readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
   /** What the visitor's own text says, while that is on stage. */
@@ -48,7 +48,7 @@ export class Lines {
   #current = -1;
   #readsUntilMs = 0;
 
-  constructor(player: RaconteurPlayer, places: Places) {
+  constructor(player: RaconteurPlayer, places: LineElements) {
     this.#player = player;
     this.#places = places;
     player.addEventListener('emptied', () => this.#clear());

@@ -17,13 +17,13 @@ const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
 const shared = (text: string, language: string): string => `#say${language === 'en' ? '' : `.${language}`}=${encodeURIComponent(text)}`;
 
 /** What goes before a text takes the stage. */
-interface Stage {
+interface SayStage {
   /** The chosen story has left the stage, for this script. */
   clear(script: string): void;
 }
 
 /** Lets the form put texts on the stage; whether the address had one. */
-export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
+export function say(player: RaconteurPlayer, { clear }: SayStage): boolean {
   const form = document.querySelector<HTMLFormElement>('#say');
   const field = form?.querySelector('textarea');
   const note = document.querySelector('#say-note');

@@ -11,7 +11,7 @@ const KOKORO = 'assets/voices/kokoro/';
 const KOKORO_MB = 92;
 
 /** Where the page tells of voices. */
-export interface Places {
+export interface VoiceElements {
   /** Who speaks, and how much of that is fetched. */
   readonly note: Element;
   /** What better voice there is: said once, after the first text. */
@@ -20,14 +20,14 @@ export interface Places {
 
 export class Voices {
   readonly #player: RaconteurPlayer;
-  readonly #places: Places;
+  readonly #places: VoiceElements;
   /** Who speaks, in a sentence. */
   #speaks = '';
   #looked = false;
   #natural: SpeechSource | undefined;
   #isNatural = false;
 
-  constructor(player: RaconteurPlayer, places: Places) {
+  constructor(player: RaconteurPlayer, places: VoiceElements) {
     this.#player = player;
     this.#places = places;
     player.addEventListener('voicechange', ({ detail }) => {

@@ -6,7 +6,7 @@ import { PageState } from '../page-state.js';
 import { leastTilt } from '../pad.js';
 import { minus, readPose, type PoseNow } from '../../element/engine/pose.js';
 import { jointsNow } from './joints.js';
-import { Paces } from './paces.js';
+import { JointSpeeds } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';
 import { targetNow } from './turns.js';
 import { write } from './write.js';
@@ -25,7 +25,7 @@ export class App extends PageState<State> {
   view: View = FRONT;
   /** What the picture shows; undefined before the first. */
   pose: PoseNow | undefined;
-  readonly #paces = new Paces(this.state);
+  readonly #paces = new JointSpeeds(this.state);
   /** Of the shot that the view is a look from: how high its middle is and how far the camera, metres. Until it is known, those of somebody of middle height. */
   #shot = { height: 0.9, distance: 5 };
   #lookedMs = -Infinity;

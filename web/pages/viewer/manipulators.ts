@@ -4,17 +4,17 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { check, choice, numberField } from '../fields.js';
 import type { App } from './app.js';
 import { menu } from './fields.js';
-import { LIMB_NAMES, RANGES, type Lead, type Limb, type State, type Way } from './state.js';
+import { LIMB_NAMES, RANGES, type DriveMode, type Limb, type State, type MotionMode } from './state.js';
 
-const LEADS: Readonly<Record<Lead, string>> = { free: 'Nobody', place: 'A target', joints: 'Its joints' };
+const LEADS: Readonly<Record<DriveMode, string>> = { free: 'Nobody', place: 'A target', joints: 'Its joints' };
 
-const ABOUT: Readonly<Record<Lead, string>> = {
+const ABOUT: Readonly<Record<DriveMode, string>> = {
   free: 'It moves with animations and idle motion. Drag its handle in the picture, or choose what drives it.',
   place: 'Drag the handle in the picture, or move it with the arrow keys, page up and page down.',
   joints: 'Each joint separately, within human limits.',
 };
 
-const WAYS: Readonly<Record<Way, string>> = { joints: 'joint by joint', line: 'in a straight line', velocity: 'by inverse velocity' };
+const WAYS: Readonly<Record<MotionMode, string>> = { joints: 'joint by joint', line: 'in a straight line', velocity: 'by inverse velocity' };
 
 const AXES = ['To the left', 'Up', 'To the back'] as const;
 const ANGLES = ['Yaw', 'Pitch', 'Roll'] as const;
@@ -24,7 +24,7 @@ export function manipulators(app: App): TemplateResult {
   const limb = state.limbs[name];
   const of = (s: State): Limb => s.limbs[name];
   const who = LIMB_NAMES[name].toLowerCase();
-  const lead = (next: Lead): void => {
+  const lead = (next: DriveMode): void => {
     if (next !== 'free') app.lead(name, next);
     app.set((s) => (of(s).lead = next));
   };

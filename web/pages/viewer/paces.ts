@@ -3,7 +3,7 @@
 import { GROUPS, type State, type Track } from './state.js';
 
 /** How an animation came to where its speed changed last: as if always at one speed until then. */
-export interface Pace {
+export interface JointSpeed {
   readonly untilSecs: number;
   readonly speed: number;
 }
@@ -14,7 +14,7 @@ interface TrackHistory {
   readonly track: Track;
   readonly clip: string;
   readonly speed: number;
-  readonly pace: Pace | undefined;
+  readonly pace: JointSpeed | undefined;
 }
 
 /** The tracks of the player that plays, by their places in it. */
@@ -27,7 +27,7 @@ function tracksOf({ mechanism, layers, groups }: State): [string, Track][] {
 const SOON_SECS = 0.05;
 
 /** The paces of all tracks. */
-export class Paces {
+export class JointSpeeds {
   #histories: readonly TrackHistory[] = [];
 
   constructor(state: State) {
@@ -49,7 +49,7 @@ export class Paces {
   }
 
   /** How a track came to the speed that it has; undefined when it always had it. */
-  of(track: Track): Pace | undefined {
+  of(track: Track): JointSpeed | undefined {
     return this.#histories.find((course) => course.track === track)?.pace;
   }
 
@@ -62,7 +62,7 @@ export class Paces {
   }
 }
 
-function changed({ speed, pace }: TrackHistory, nowSecs: number): Pace | undefined {
+function changed({ speed, pace }: TrackHistory, nowSecs: number): JointSpeed | undefined {
   if (nowSecs < SOON_SECS) return undefined;
   const { untilSecs, speed: first } = pace ?? { untilSecs: 0, speed };
   const covered = first * untilSecs + speed * (nowSecs - untilSecs);

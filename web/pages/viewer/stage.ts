@@ -3,9 +3,9 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, vars } from '../fields.js';
 import { TURN_PER_PIXEL, zoomByKey, zoomByWheel } from '../pad.js';
-import { along, type PoseNow, type Spot, type Vector } from '../../element/engine/pose.js';
+import { along, type PoseNow, type ScreenPoint, type Vector } from '../../element/engine/pose.js';
 import { FRONT, type App } from './app.js';
-import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
+import { LIMB_NAMES, LIMBS, type LimbName, type Vector3 } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';
 
 /** From the skull's joint to the handle of the head, over the crown: units of the figure, who stands 77 high. */
@@ -30,7 +30,7 @@ function follow(event: PointerEvent, move: (event: PointerEvent) => void, done: 
 }
 
 /** Steps of the keyboard: right, up, nearer. */
-function steps(event: KeyboardEvent): Triple | undefined {
+function steps(event: KeyboardEvent): Vector3 | undefined {
   const by = keySteps(event);
   return by && [by[0], by[1], -by[2]];
 }
@@ -48,7 +48,7 @@ export function overlay(app: App): TemplateResult | typeof nothing {
   const { pose, player } = app;
   const { clientWidth: width, clientHeight: height } = player;
   if (pose === undefined || width === 0) return nothing;
-  const spot = (point: Vector | undefined): Spot | undefined => point && pose.camera.project(point, width, height);
+  const spot = (point: Vector | undefined): ScreenPoint | undefined => point && pose.camera.project(point, width, height);
   const strings = LIMBS.map((name) => {
     const [from, to] = [spot(endOf(pose, name)?.position), spot(handlePlace(app, pose, name))];
     if (name === 'head' || app.state.limbs[name].lead !== 'place' || from === undefined || to === undefined) return nothing;
@@ -97,7 +97,7 @@ function choose(app: App, name: LimbName): void {
   app.redraw();
 }
 
-function turnHead(angles: Triple, right: number, up: number, scale: number): void {
+function turnHead(angles: Vector3, right: number, up: number, scale: number): void {
   const within = (angle: number, most: number): number => Math.round(Math.min(most, Math.max(-most, angle)));
   // EML counts turns about its own axes: to the figure's left is a negative yaw, up a positive pitch.
   angles[0] = within(angles[0] - right * scale, 99);
@@ -105,13 +105,13 @@ function turnHead(angles: Triple, right: number, up: number, scale: number): voi
 }
 
 /** A step as seen in the picture, in EML's axes. */
-function turned(app: App, [right, up, nearer]: Triple): Triple {
+function turned(app: App, [right, up, nearer]: Vector3): Vector3 {
   const [sin, cos] = [Math.sin(app.view.turn), Math.cos(app.view.turn)];
   const tenth = (n: number): number => Math.round(n * 10) / 10;
   return [tenth(right * cos + nearer * sin), up, tenth(right * sin - nearer * cos)];
 }
 
-function move(place: Triple, by: Triple): void {
+function move(place: Vector3, by: Vector3): void {
   for (const i of [0, 1, 2] as const) place[i] = Math.round((place[i] + by[i]) * 10) / 10;
 }
 
@@ -122,7 +122,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
   if (begun === undefined) return;
   const from = { x: event.clientX, y: event.clientY };
   const at = pose.camera.project(begun, frame.width, frame.height);
-  let before: Triple | undefined;
+  let before: Vector3 | undefined;
   follow(
     event,
     (now) => {
@@ -135,7 +135,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
         before = [...app.state.limbs[name][name === 'head' ? 'angles' : 'place']];
       }
       if (name === 'head') {
-        const angles: Triple = [...before];
+        const angles: Vector3 = [...before];
         turnHead(angles, dx, -dy, NOD);
         app.change((s) => (s.limbs[name].angles = angles));
         return;
@@ -150,7 +150,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
 
 /** The pad behind the handles: it turns the view, moves it, and comes nearer. */
 export function lookAround(app: App, pad: HTMLElement): void {
-  const held = new Map<number, Spot>();
+  const held = new Map<number, ScreenPoint>();
   let spread = 0;
   const apart = (): number => {
     const [a, b] = [...held.values()];

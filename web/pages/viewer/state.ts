@@ -25,24 +25,24 @@ export type Group = (typeof GROUPS)[number];
 export const LIMBS = ['leftArm', 'rightArm', 'leftLeg', 'rightLeg', 'head'] as const;
 export type LimbName = (typeof LIMBS)[number];
 
-export type Triple = [number, number, number];
+export type Vector3 = [number, number, number];
 
 /** What leads a limb: nothing, a target in space, or its joints. */
-export type Lead = 'free' | 'place' | 'joints';
+export type DriveMode = 'free' | 'place' | 'joints';
 
 /** How the end of a limb gets to its target (GEVH D.3.21, D.3.22, D.3.24). */
-export type Way = 'joints' | 'line' | 'velocity';
+export type MotionMode = 'joints' | 'line' | 'velocity';
 
 /** One manipulator. */
 export interface Limb {
-  lead: Lead;
+  lead: DriveMode;
   /** Target in EML's world coordinates: units, x left, y up, z back. */
-  place: Triple;
+  place: Vector3;
   /** Yaw, pitch and roll, degrees. */
-  angles: Triple;
+  angles: Vector3;
   /** Degrees. */
   joints: number[];
-  way: Way;
+  way: MotionMode;
   limits: boolean;
   /** Held in its place while the body moves. */
   lock: boolean;
@@ -81,7 +81,7 @@ export const track = (clip: string, rest: Partial<Track> = {}): Track => ({ clip
 
 export const LOOK: Look = { fill: 'solid', skin: true, bones: false, frames: false, centers: false, materials: true, textures: true, manipulators: false };
 
-function limb(place: Triple, angles: Triple, joints: number): Limb {
+function limb(place: Vector3, angles: Vector3, joints: number): Limb {
   return { lead: 'free', place, angles, joints: Array.from({ length: joints }, () => 0), way: 'joints', limits: true, lock: false };
 }
 

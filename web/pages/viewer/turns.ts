@@ -1,21 +1,21 @@
 /** Between the world and EML: places in units, and frames as yaw, pitch and roll. */
 
 import type { PosedJoint, PoseNow, Vector } from '../../element/engine/pose.js';
-import type { LimbName, Triple } from './state.js';
+import type { LimbName, Vector3 } from './state.js';
 
 /** A place of EML's world coordinates (x left, y up, z back) in the world, metres. */
-export function toWorld({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Triple): Vector {
+export function toWorld({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector3): Vector {
   return [x * metresPerUnit, y * metresPerUnit, -z * metresPerUnit];
 }
 
 /** The place in EML's world coordinates of a point of the world; tenths of a unit. */
-export function toPlace({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector): Triple {
+export function toPlace({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector): Vector3 {
   const tenth = (metres: number): number => Math.round((metres / metresPerUnit) * 10) / 10 || 0;
   return [tenth(x), tenth(y), tenth(-z)];
 }
 
 /** Yaw, pitch and roll in EML's degrees of a frame with these axes: roll turns first, then pitch, then yaw (`Units::angles` in `crate/player`). */
-export function anglesOf([x, y, z]: readonly [Vector, Vector, Vector]): Triple {
+export function anglesOf([x, y, z]: readonly [Vector, Vector, Vector]): Vector3 {
   const degrees = (radians: number): number => Math.round((radians * 180) / Math.PI) || 0;
   const level = Math.hypot(z[0], z[2]);
   const pitch = Math.atan2(-z[1], level);
@@ -39,7 +39,7 @@ export const bonesOf = (pose: PoseNow, name: LimbName): PosedJoint[] => BONES[na
 export const endOf = (pose: PoseNow, name: LimbName): PosedJoint | undefined => bonesOf(pose, name).at(-1);
 
 /** The target that a limb is at now. Feet are sent flat: their joint's frame leans with the instep. */
-export function targetNow(pose: PoseNow, name: LimbName): { place: Triple; angles: Triple } | undefined {
+export function targetNow(pose: PoseNow, name: LimbName): { place: Vector3; angles: Vector3 } | undefined {
   const end = endOf(pose, name);
   if (end === undefined) return undefined;
   const place = toPlace(pose, end.position);

@@ -2,7 +2,7 @@
 
 import { SETTLED_SECS } from '../page-state.js';
 import { script, tag } from '../../speech/markup.js';
-import type { Pace } from './paces.js';
+import type { JointSpeed } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 
 /** How long the script lasts, seconds; then it begins again. */
@@ -11,10 +11,10 @@ export const LENGTH_SECS = 600;
 const MOVE_SECS = 0.6;
 
 /** The pace that a track had before its speed changed, if it did. */
-type PaceOf = (track: Track) => Pace | undefined;
+type SpeedOf = (track: Track) => JointSpeed | undefined;
 
 /** What lies on one track of a player, how fast it plays, and whether it is heard. */
-function onTrack(player: string, where: string, track: Track, paceOf: PaceOf): string[] {
+function onTrack(player: string, where: string, track: Track, paceOf: SpeedOf): string[] {
   const { clip, style, times, speed, on } = track;
   if (clip === '') return [];
   const pace = paceOf(track);
@@ -52,7 +52,7 @@ function weigh(layers: readonly Track[]): string[] {
 
 const layer = (index: number): string => tag('ly', { index });
 
-function animations(state: State, paceOf: PaceOf): string[] {
+function animations(state: State, paceOf: SpeedOf): string[] {
   const add = (name: string, type: string, numberOfLayers?: number): string => tag('body-player-add', { time: 0, name, type, numberOfLayers });
   const pass = tag('body-configure-deterministic-animation', { time: 0, smooth: state.swapSecs > 0, swapTime: state.swapSecs > 0 ? state.swapSecs : undefined });
   switch (state.mechanism) {
@@ -106,7 +106,7 @@ function geometry(look: Look): string[] {
 }
 
 /** A whole script that sets everything at its beginning, but for speeds that have changed since. */
-export function write(state: State, paceOf: PaceOf = () => undefined): string {
+export function write(state: State, paceOf: SpeedOf = () => undefined): string {
   const clauses = [...animations(state, paceOf), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
   const extended = clauses.some((clause) => clause.includes(' r:'));
   return script('viewer', extended, clauses);

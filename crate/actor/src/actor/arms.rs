@@ -11,8 +11,8 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::limb::{ArmGoal, ArmSolution};
 
 impl Actor {
-    /// Poses both arms and their hands: their solutions, where the wrists were sent, and how much
-    /// of that is rest.
+    /// Poses both arms and their hands. Returns their solutions, the wrist targets, and the share
+    /// of rest in them.
     pub(super) fn arms(
         &self,
         skeleton: &Skeleton,

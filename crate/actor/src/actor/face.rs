@@ -8,14 +8,15 @@ use crate::articulation::{articulate, hold_closures};
 use crate::idle::stream;
 use crate::lips::{LipTrack, MouthTargets};
 
-/// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
+/// Smile of a figure with no other expression. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
 
 /// Smile of a figure that waits to begin. Designed: a welcome to the audience.
 const WELCOME_SMILE: f64 = 0.34;
 
 impl Actor {
-    /// How active the emotions of a time are, 0 (calm or passive) to 1; pupils widen with it.
+    /// Returns the activation of the emotions at a time, 0 (calm or passive) to 1; pupils widen
+    /// with it.
     #[must_use]
     pub fn arousal(&self, time_secs: f64) -> f64 {
         self.feeling.arousal(time_secs)
@@ -33,8 +34,8 @@ impl Actor {
         self.face(&self.mouth(t), t)
     }
 
-    /// Speech first, then all else that moves a face, each adding to what is there
-    /// (F&H section 4.3.5: contractions are summed, then limited).
+    /// Computes the face controls: speech first, then all other sources, each added to the sum (F&H
+    /// section 4.3.5: contractions are summed, then limited).
     pub(super) fn face(&self, mouth: &MouthTargets, t: f64) -> FaceControls {
         let mut controls = FaceControls::default();
         articulate(mouth, self.feeling.loudness(t), &mut controls);
@@ -60,7 +61,7 @@ impl Actor {
         mouth
     }
 
-    /// Everything that is said: when it begins, story seconds, and its lips.
+    /// Returns the lip track of each utterance with its start time, story seconds.
     #[must_use]
     pub fn lips(&self) -> &[(f64, LipTrack)] {
         &self.lips

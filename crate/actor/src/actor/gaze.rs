@@ -10,11 +10,11 @@ use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::trunk::spine;
 use crate::kinematics::{rotation_of, world_from_bone};
 
-/// How far the head of a figure that waits to begin is tilted, radians. Designed.
+/// Head tilt of a figure that waits to begin, radians. Designed.
 const WELCOME_TILT_RAD: f64 = 0.045;
 
 impl Actor {
-    /// Turns neck and skull towards the listener, beside what moves them otherwise.
+    /// Turns neck and skull towards the listener, in addition to their other motion.
     pub(super) fn head(
         &self,
         skeleton: &Skeleton,
@@ -52,7 +52,7 @@ impl Actor {
         }
     }
 
-    /// Turns the eyes to the listener; how far each looks up or down, radians.
+    /// Turns the eyes to the listener. Returns the up or down pitch of each eye, radians.
     pub(super) fn eyes(
         &self,
         skeleton: &Skeleton,

@@ -19,10 +19,10 @@ use crate::palm;
 /// Distance of the heel's edge behind the ankle, share of stature: a quarter of the foot
 /// (foot length is 0.152 of stature, ANSUR). Designed.
 const HEEL_BEHIND: f64 = 0.033;
-/// A foot lifted this high lets its toes go, share of stature. Designed.
+/// Foot lift above which the toes are released, share of stature. Designed.
 const TOES_FREE: f64 = 0.03;
 
-/// What of a figure clips need.
+/// Measures of a figure that clips need.
 #[derive(Clone, Debug)]
 pub(crate) struct ClipSkeleton {
     pub(crate) legs: [Leg; 2],
@@ -70,8 +70,8 @@ impl ClipSkeleton {
         ball - foot * self.ball_in_foot[side]
     }
 
-    /// Ankle (world, metres), foot rotation (world from ankle), where the knee looks, and the
-    /// toes' local rotation, of a foot track at a time.
+    /// Returns ankle (world, metres), foot rotation (world from ankle), knee direction, and local
+    /// rotation of the toes of a foot track at a time.
     fn foot(&self, track: &FootTrack, side: Side, time_secs: f64) -> (DVec3, DQuat, DVec3, DQuat) {
         let i = side.index();
         let sign = side.sign();
@@ -104,13 +104,13 @@ impl ClipSkeleton {
     }
 }
 
-/// What of a clip counts in a mean.
+/// A clip with its weight in a mean.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WeightedClip {
     /// The clip's own time, seconds.
     pub(crate) time_secs: f64,
     pub(crate) bones: BoneSet,
-    /// How much it counts.
+    /// Weight in the mean.
     pub(crate) share: f64,
 }
 
@@ -206,7 +206,7 @@ impl BoundClip {
         bones.and(self.moves)
     }
 
-    /// Adds what the clip says of some bones at a time of its own to a mean.
+    /// Adds the clip's values of some bones at a clip time to a mean.
     pub(crate) fn add(
         &self,
         skeleton: &Skeleton,

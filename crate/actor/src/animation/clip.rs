@@ -7,18 +7,18 @@ use raconteur_body::hand_shape::HandShape;
 use super::curve::{Curve, Ease};
 use super::groups::BoneSet;
 
-/// Where a foot stands, written so that it suits every figure.
+/// Path of a foot, in units that suit every figure.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct FootTrack {
-    /// Away from where the foot stands in the zero pose, shares of stature: outwards, up,
-    /// to the front; and how far the knee points outwards, radians.
+    /// Offset from the foot's place in the zero pose, shares of stature: outwards, up, to the
+    /// front; and outward angle of the knee, radians.
     pub(crate) place: Curve,
     /// Radians: heel raised over the ball of the foot (negative: toes raised over the heel),
     /// toes turned outwards, sole turned inwards.
     pub(crate) turn: Curve,
 }
 
-/// Where a hand is, relative to the shoulders.
+/// Path of a hand relative to the shoulders.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ReachTrack {
     pub(crate) side: Side,
@@ -43,7 +43,7 @@ pub(crate) struct ReachKey {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Clip {
     pub(crate) duration_secs: f64,
-    /// Whether the end passes into the beginning.
+    /// True if the end continues into the beginning (a closed loop).
     pub(crate) closed: bool,
     /// Local rotations, relative to the zero pose.
     pub(crate) bones: Vec<(Bone, Curve)>,
@@ -61,13 +61,13 @@ impl Clip {
         self.duration_secs
     }
 
-    /// Whether its end passes into its beginning.
+    /// Returns true if the clip's end continues into its beginning.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// How far it takes the figure from its place, share of stature.
+    /// Returns the distance that the clip moves the figure from its place, share of stature.
     #[must_use]
     pub fn travel(&self) -> f64 {
         const LOOKS: u32 = 32;

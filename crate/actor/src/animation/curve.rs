@@ -3,7 +3,7 @@
 use raconteur_base::curve::hermite;
 use raconteur_base::{DQuat, Length};
 
-/// How a track passes its keys.
+/// Interpolation of a track between its keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ease {
     /// Smoothly through, without overshoot: the speed at a key is the harmonic mean of those
@@ -14,7 +14,7 @@ pub enum Ease {
     Rest,
     /// At constant speed between keys.
     Linear,
-    /// Held until the next key.
+    /// Holds each value until the next key.
     Step,
 }
 
@@ -33,7 +33,7 @@ impl Ease {
 pub struct Curve {
     times: Vec<f64>,
     values: Vec<[f64; 4]>,
-    /// Change a second at each key; empty for linear and held curves.
+    /// Change per second at each key; empty for linear and held curves.
     slopes: Vec<[f64; 4]>,
     held: bool,
 }
@@ -62,8 +62,8 @@ impl Curve {
         }
     }
 
-    /// The same for rotations: neighbours are taken on one half of the sphere, so that the
-    /// way between them is the short one.
+    /// Creates the curve from rotations. Neighbouring keys are taken on one half of the sphere, so
+    /// the interpolation follows the short path.
     #[must_use]
     pub fn of_rotations(
         times: &[f64],
@@ -127,7 +127,7 @@ impl Curve {
 /// Two numbers of times that are meant to be one.
 const SAME_SECS: f64 = 1e-6;
 
-/// Adds the keys just outside a period, so that it begins and ends within keys.
+/// Adds the keys just outside a period, so the period begins and ends within keys.
 fn close(times: &mut Vec<f64>, values: &mut Vec<[f64; 4]>, period: f64) {
     let n = times.len();
     let (first, last) = (times[0], times[n - 1]);

@@ -13,13 +13,13 @@ impl BoneSet {
     /// Every bone.
     pub const ALL: Self = Self((1 << Bone::COUNT) - 1);
 
-    /// Whether a bone is in it.
+    /// Returns true if the set contains a bone.
     #[must_use]
     pub fn has(self, bone: Bone) -> bool {
         self.0 & (1 << bone.index()) != 0
     }
 
-    /// Whether there is none.
+    /// Returns true if the set is empty.
     #[must_use]
     pub fn is_empty(self) -> bool {
         self.0 == 0
@@ -43,7 +43,7 @@ impl BoneSet {
         Self(self.0 & other.0)
     }
 
-    /// The bones of this that the other does not have.
+    /// Returns the bones of this set that the other does not contain.
     #[must_use]
     pub fn without(self, other: Self) -> Self {
         Self(self.0 & !other.0)
@@ -65,9 +65,9 @@ impl BoneSet {
     }
 }
 
-/// The default body groups in the order of their tracks. Together they are all bones, and
-/// no bone is in two. The wrist goes with the arm, as it does in GEVH 3.2.3, and the pelvis
-/// with the torso; the place of the whole figure goes with the legs.
+/// Default body groups in the order of their tracks. Together they contain all bones, each bone
+/// exactly once. The wrist belongs to the arm, as in GEVH 3.2.3, and the pelvis to the torso; the
+/// place of the whole figure belongs to the legs.
 pub const BODY_GROUPS: [(&str, BoneSet); 8] = [
     ("head", BoneSet(BoneSet::range(Bone::Cervical, Bone::Chin))),
     (

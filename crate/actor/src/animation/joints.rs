@@ -10,7 +10,7 @@ use raconteur_body::skeleton::zero_frames;
 
 use core::f64::consts::FRAC_PI_2;
 
-/// What kind of joint a name means: which angles it has, and how they turn it.
+/// Kind of joint that a name denotes: its angles and their rotation axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum JointKind {
     /// `flexion` forwards, `side` to the left, `turn` to the left.
@@ -64,7 +64,7 @@ pub(super) const JOINTS: [Joint; 12] = [
 ];
 
 impl Joint {
-    /// Names of its angles, in the order that [`Joint::rotation`] takes them.
+    /// Returns the names of the angles, in the order that [`Joint::rotation`] takes them.
     #[must_use]
     pub(super) fn angles(&self) -> &'static [&'static str] {
         match self.kind {
@@ -106,7 +106,8 @@ impl Joint {
     }
 }
 
-/// A joint by its name in the clip format, and the sides that are meant; none for the middle.
+/// Finds a joint by its name in the clip format, with the sides meant; no sides for a joint on the
+/// midline.
 #[must_use]
 pub(super) fn find(name: &str) -> Option<(&'static Joint, Option<&'static [Side]>)> {
     let (bare, sides) = sides_of(name);

@@ -17,13 +17,13 @@ const MAX_BYTES: usize = 8 << 20;
 const MAX_SECS: f64 = 3600.0;
 /// Most keys of a track.
 const MAX_KEYS: usize = 1 << 16;
-/// A loop's first and last key are one when their numbers are as near as this: a rotation
-/// within 2°, a place within 1 cm.
+/// Tolerance within which a loop's first and last key are equal: a rotation within 2°, a place
+/// within 1 cm.
 const NEAR: f64 = 0.015;
 /// Keys nearer to each other than this count as one time, seconds.
 const SAME_SECS: f64 = 1e-6;
 
-/// What a text says of the whole clip; what has another type says nothing.
+/// Clip-wide fields of a clip file; fields of another type are ignored.
 #[derive(Default, Deserialize)]
 #[serde(default)]
 struct ClipHeader {
@@ -69,7 +69,7 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
     reader.finish()
 }
 
-/// What one track says of one thing that moves.
+/// Data of one track.
 #[derive(Clone, Debug, PartialEq)]
 struct TrackData {
     part: TrackTarget,
@@ -77,7 +77,7 @@ struct TrackData {
     keys: Vec<(f64, Values)>,
 }
 
-/// What moves.
+/// Target that a track moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum TrackTarget {
     Bone(Bone),
@@ -86,7 +86,7 @@ enum TrackTarget {
     Reach(Side),
 }
 
-/// A key: up to nine numbers. A rotation's first four; a foot's place, its knee and its three
+/// A key of up to nine numbers: a rotation's first four; a foot's place, its knee and its three
 /// angles; a hand's place and two directions.
 type Values = [f64; 9];
 
@@ -109,8 +109,8 @@ impl TrackTarget {
         }
     }
 
-    /// A key of the part on the other side. Feet and hands count outwards, so that theirs are
-    /// the same.
+    /// Mirrors a key to the other side. Feet and hands count outwards, so their values stay the
+    /// same.
     fn mirror(self, mut v: Values) -> Values {
         match self {
             Self::Bone(_) => {
@@ -132,7 +132,7 @@ struct Reader<'a> {
     halves: Vec<TrackData>,
 }
 
-/// The angles and places of a foot: name, whether it is an angle, its place in a key.
+/// Angles and places of a foot: name, true for an angle, index in a key.
 const FOOT: [(&str, bool, usize); 7] = [
     ("out", false, 0),
     ("up", false, 1),
@@ -143,10 +143,10 @@ const FOOT: [(&str, bool, usize); 7] = [
     ("roll", true, 6),
 ];
 
-/// What a reach says of a hand.
+/// Columns of a hand's reach.
 const REACH: [&str; 3] = ["place", "fingers", "palm"];
 
-/// Keys of which some values are columns of a track: name, its unit, and the value's place.
+/// Reads keys of which some values are columns of a track: name, its unit, and the value's index.
 fn filled(fields: &Value, n: usize, columns: &[(&str, f64, usize)]) -> Result<Vec<Values>, String> {
     let mut keys = vec![Values::default(); n];
     for &(name, unit, place) in columns {
@@ -158,7 +158,7 @@ fn filled(fields: &Value, n: usize, columns: &[(&str, f64, usize)]) -> Result<Ve
     Ok(keys)
 }
 
-/// Keys of a reach: place, direction of the fingers and of the palm.
+/// Reads keys of a reach: place, direction of the fingers and of the palm.
 fn reached(fields: &Value, n: usize) -> Result<Vec<Values>, String> {
     let mut keys = vec![Values::default(); n];
     for (i, name) in REACH.into_iter().enumerate() {
@@ -281,7 +281,7 @@ impl Reader<'_> {
         found.ok_or_else(|| "ease is not flow, rest, linear or step".to_owned())
     }
 
-    /// Adds to each half what the other side does in its own half, later.
+    /// Adds to each half the mirrored motion of the other side, delayed by half a period.
     fn with_mirrored_halves(&self) -> Vec<TrackData> {
         let mut parts: Vec<TrackTarget> = Vec::new();
         for half in &self.halves {
@@ -405,7 +405,7 @@ fn of_rotation(q: DQuat) -> Values {
     [q.x, q.y, q.z, q.w, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
-/// What a track says, else what the clip says for all.
+/// Returns the track's own value, else the value common to the clip.
 fn value_or_common<'v>(own: &'v Value, common: &'v Value) -> &'v Value {
     if own.is_null() { common } else { own }
 }
@@ -425,7 +425,7 @@ fn numbers(fields: &Value, name: &str, n: usize, default: f64) -> Result<Vec<f64
         .ok_or_else(|| format!("{name} is not one number or as many as there are times"))
 }
 
-/// A column of lists of `N` numbers, or one such list for all.
+/// Returns a column of lists of `N` numbers, or one such list repeated for all keys.
 fn rows<const N: usize>(value: &Value, n: usize) -> Option<Vec<[f64; N]>> {
     let row = |v: &Value| -> Option<[f64; N]> {
         let list = items(v);

@@ -10,18 +10,17 @@ use raconteur_body::Bone;
 
 use super::groups::BoneSet;
 
-/// A foot and how much it is covered.
+/// A foot and its coverage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FootWeight {
-    /// Where its ball is, world, metres: a foot that rises on its ball stays there while it
-    /// passes into one that is flat.
+    /// Position of its ball, world, metres. A foot that rises on its ball stays there while it
+    /// blends into a flat one.
     pub(crate) ball_in_world: DVec3,
     pub(crate) rotation: DQuat,
     pub(crate) share: f64,
 }
 
-/// What some layers make of the figure. Shares are 0 to 1; a value whose share is 0 means
-/// nothing.
+/// Blend of some layers of a figure. Shares are 0 to 1; a value with share 0 is undefined.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BlendedLayers {
     pub(crate) rotations: [DQuat; Bone::COUNT],
@@ -32,7 +31,7 @@ pub(crate) struct BlendedLayers {
 }
 
 impl BlendedLayers {
-    /// Nothing yet.
+    /// The empty blend.
     pub(crate) const EMPTY: Self = Self {
         rotations: [DQuat::IDENTITY; Bone::COUNT],
         shares: [0.0; Bone::COUNT],
@@ -69,8 +68,8 @@ impl BlendedLayers {
         }
     }
 
-    /// The bones of which nothing below can be seen. A leg is not among them before where its
-    /// foot and the figure are is covered, too.
+    /// Returns the bones that hide all layers below. A leg is included only when its foot and the
+    /// figure's place are covered, too.
     pub(crate) fn covered(&self) -> BoneSet {
         let mut covered = BoneSet::NONE;
         for bone in Bone::ALL {
@@ -91,13 +90,13 @@ impl BlendedLayers {
         self.join(above, |a, b| a + b - a * b, |b, sum| b / sum);
     }
 
-    /// Goes a share of the way to `to`.
+    /// Blends towards `to` by a share.
     pub(crate) fn fade(&mut self, to: &Self, share: f64) {
         self.join(to, |a, b| a + (b - a) * share, |b, sum| b * share / sum);
     }
 
-    /// Joins another: `sum` gives the new share of two shares, `part` how much of the value
-    /// is the other's, from the other's share and the new one.
+    /// Joins another blend: `sum` returns the new share of two shares, `part` the other's part of
+    /// the value, from the other's share and the new one.
     fn join(
         &mut self,
         other: &Self,
@@ -130,7 +129,7 @@ impl BlendedLayers {
     }
 }
 
-/// Adds to a sum of shares; gives the part that the new one has of it.
+/// Adds to a sum of shares. Returns the new share's part of the sum.
 fn add_share(sum: &mut f64, share: f64) -> Option<f64> {
     if share <= 0.0 {
         return None;
@@ -139,7 +138,7 @@ fn add_share(sum: &mut f64, share: f64) -> Option<f64> {
     Some(share / *sum)
 }
 
-/// Slerp that keeps the ends to the bit.
+/// Interpolates two rotations by slerp; the end points are returned bit-exact.
 fn between(a: DQuat, b: DQuat, s: f64) -> DQuat {
     if s <= 0.0 {
         a

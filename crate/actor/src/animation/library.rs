@@ -19,8 +19,8 @@ pub struct Library {
 const HAND_SHAPE: &str = "hand-shape-";
 
 impl Library {
-    /// Reads a clip (see [`read_clip`]) and keeps it under a name, in the place of one that
-    /// has it.
+    /// Reads a clip (see [`read_clip`]) and stores it under a name, replacing any clip of that
+    /// name.
     ///
     /// # Errors
     /// A sentence that says what is wrong with the text; the library is as it was.
@@ -31,8 +31,8 @@ impl Library {
         Ok(())
     }
 
-    /// Reads an animation of control parameters (see [`ParameterClip::read`]) and keeps it
-    /// under a name, in the place of one that has it.
+    /// Reads an animation of control parameters (see [`ParameterClip::read`]) and stores it under a
+    /// name, replacing any of that name.
     ///
     /// # Errors
     /// A sentence that says what is wrong with the text; the library is as it was.

@@ -5,7 +5,7 @@ use raconteur_base::curve::{last_at_or_before, ramp};
 /// A piecewise linear value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PiecewiseLinear {
-    /// When each transition begins.
+    /// Start times of the transitions.
     from: Vec<f64>,
     segments: Vec<LinearSegment>,
 }
@@ -68,7 +68,8 @@ impl PiecewiseLinear {
         piece.before + piece.integral(from_secs, t)
     }
 
-    /// From `t` on, goes to `value` within `length_secs`. No earlier than what was set before.
+    /// Starts a transition to `value` at `t` that takes `length_secs`. `t` must not precede earlier
+    /// transitions.
     pub(crate) fn set(&mut self, t: f64, value: f64, length_secs: f64) {
         let piece = LinearSegment {
             to_secs: t + length_secs,
@@ -80,7 +81,8 @@ impl PiecewiseLinear {
         self.segments.push(piece);
     }
 
-    /// The first time from `t` on at which the integral is `target`; none when never.
+    /// Returns the first time from `t` on at which the integral equals `target`; `None` if it never
+    /// does.
     pub(crate) fn time_of_integral(&self, t: f64, target: f64) -> Option<f64> {
         let first = last_at_or_before(&self.from, t).unwrap_or(0);
         for i in first..self.segments.len() {
@@ -96,8 +98,8 @@ impl PiecewiseLinear {
         None
     }
 
-    /// Where the integral first comes to `target` between two times in which the value is
-    /// linear.
+    /// Returns the time at which the integral first reaches `target` between two times with linear
+    /// value.
     fn crossing(&self, a: f64, b: f64, target: f64) -> Option<f64> {
         let missing = target - self.integral(a);
         if missing <= 0.0 {

@@ -1,6 +1,6 @@
 //! Where a clip is when it has played for so long.
 
-/// How an animation plays (GEVH D.3.18).
+/// Playback mode of an animation (GEVH D.3.18).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Playback {
     /// Over and over.
@@ -10,22 +10,22 @@ pub enum Playback {
     LoopReverse,
     /// Forwards and backwards in turn.
     PingPong,
-    /// So many times, then its end is held.
+    /// Plays a number of times, then holds its end.
     Iterations(u32),
-    /// So many times backwards, then its beginning is held.
+    /// Plays backwards a number of times, then holds its beginning.
     IterationsReverse(u32),
-    /// So many times, then it leaves the stack.
+    /// Plays a number of times, then leaves the stack.
     TemporaryIterations(u32),
-    /// So many times backwards, then it leaves the stack.
+    /// Plays backwards a number of times, then leaves the stack.
     TemporaryIterationsReverse(u32),
 }
 
-/// A place in a clip, seconds from its beginning.
+/// A position in a clip, seconds from its beginning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ClipTime {
     pub(crate) at_secs: f64,
-    /// Where the pass before ended, and the share of it that is still to be seen: a clip whose
-    /// end does not meet its beginning eases over.
+    /// End time of the previous pass, and its remaining share: a clip whose end does not meet its
+    /// beginning is cross-faded.
     pub(crate) seam: Option<(f64, f64)>,
 }
 
@@ -35,7 +35,7 @@ const SEAM_SECS: f64 = 0.35;
 const SEAM_SHARE: f64 = 0.4;
 
 impl Playback {
-    /// How many passes it has; none when it goes on.
+    /// Returns the number of passes; `None` for endless playback.
     #[must_use]
     pub fn iterations(self) -> Option<u32> {
         match self {
@@ -47,7 +47,7 @@ impl Playback {
         }
     }
 
-    /// Whether it leaves the stack when its passes are over.
+    /// Returns true if the animation leaves the stack when its passes are over.
     #[must_use]
     pub fn is_temporary(self) -> bool {
         matches!(
@@ -63,8 +63,8 @@ impl Playback {
         )
     }
 
-    /// Where a clip of a length is after it has played for `played_secs`, which runs
-    /// backwards at a negative speed.
+    /// Returns the position in a clip of a given length after `played_secs` of playback; a negative
+    /// speed runs backwards.
     pub(crate) fn place(self, played_secs: f64, length_secs: f64, closed: bool) -> ClipTime {
         let still = |at_secs| ClipTime {
             at_secs,

@@ -17,10 +17,10 @@ use super::script::{CommandProblem, PlayerKind, PlayerScript};
 use crate::kinematics::world_from_bone;
 use crate::limb::{ARM_BONES, ArmRig, LEG_BONES, Sex};
 
-/// Most changes that are seen at once; of older ones the end is shown.
+/// Maximum number of concurrent fades; older ones are shown at their end.
 const MAX_FADES: usize = 16;
-/// Layers are scaled up to a full weight where others have nothing to play, at most by its
-/// inverse: the last of a weight still fades. Designed.
+/// Minimum total weight. Layers are scaled up to full weight where others have nothing to play, at
+/// most by the inverse of this value, so the last of a weight still fades. Designed.
 const MIN_WEIGHT: f64 = 0.1;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
@@ -37,20 +37,20 @@ pub struct Players {
     body: ClipSkeleton,
 }
 
-/// How the figure stands without players.
+/// Standing pose of the figure without players.
 struct StandingPose {
     pelvis: DAffine3,
     legs: [[DQuat; 3]; 2],
 }
 
-/// What players make of a figure at one time, for the steps that come after them.
+/// Pose of a figure from its players at one time, for the following steps.
 #[derive(Clone, Copy, Debug)]
 pub struct AnimatedPose {
     layers: BlendedLayers,
 }
 
 impl Players {
-    /// What is wrong with the commands of a script, whoever performs it.
+    /// Returns the problems of a script's commands that do not depend on the performing figure.
     #[must_use]
     pub fn problems(script: &PlayerScript) -> Vec<CommandProblem> {
         Schedule::new(script, &|_| false, &|_| 0.0).1
@@ -82,16 +82,16 @@ impl Players {
         (players, problems)
     }
 
-    /// The weights of a player's layers at a time, by the player's place among all that were
-    /// ever added.
+    /// Returns the weights of a player's layers at a time. Players are indexed in the order in
+    /// which they were added.
     pub fn weights_at(&self, player: usize, time_secs: f64) -> impl Iterator<Item = f64> {
         let plan = self.schedule.players.get(player);
         let tracks = plan.into_iter().flat_map(|p| &p.tracks);
         tracks.map(move |t| t.weight.sample(time_secs))
     }
 
-    /// Lays the animations of a time over an idle pose. `None` when there are none: the pose
-    /// is then as it was. Allocates nothing.
+    /// Applies the animations of a time to an idle pose. Returns `None` and leaves the pose
+    /// unchanged when there are none. Allocates nothing.
     ///
     /// Spine and sway keep the idle motion; arms keep the idle pose, since gestures come
     /// later: see [`Animated::blend_arm`].
@@ -127,8 +127,7 @@ impl Players {
         Some(AnimatedPose { layers })
     }
 
-    /// Puts the feet where they should be: where the layers that move them say, and where the
-    /// idle stance keeps them, by their shares.
+    /// Places the feet: a share-weighted mix of the layers that move them and of the idle stance.
     fn plant_feet(
         &self,
         skeleton: &Skeleton,
@@ -192,7 +191,7 @@ impl Players {
         }
     }
 
-    /// What all players make together; none when none is there.
+    /// Returns the blend of all players; `None` when there is no player.
     fn layers(&self, skeleton: &Skeleton, t: f64) -> Option<BlendedLayers> {
         let orders = &self.schedule.orders;
         orders.started_by(t).next()?;
@@ -213,7 +212,7 @@ impl Players {
         anything.then_some(sum)
     }
 
-    /// What one player makes, but for what moves hidden bones alone.
+    /// Returns the blend of one player, without clips that move only hidden bones.
     fn player(
         &self,
         skeleton: &Skeleton,
@@ -259,7 +258,7 @@ impl Players {
         out
     }
 
-    /// By how much the weights of layers are scaled so that those which play share the whole.
+    /// Returns the factor that scales layer weights so the playing layers share the full weight.
     fn scale(&self, plan: &PlayerPlan, t: f64) -> f64 {
         if plan.kind == PlayerKind::BodyGroup {
             return 1.0;
@@ -284,9 +283,9 @@ impl Players {
 }
 
 impl AnimatedPose {
-    /// Takes an arm, which a gesture or idle life has posed, as far to the animation as the
-    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
-    /// fingers, which may gesture while the arm rests.
+    /// Blends an arm posed by a gesture or idle motion towards the animation: `rest_share` is 1 at
+    /// rest, 0 in a gesture. `finger_share` is the same for fingers, which may gesture while the
+    /// arm rests.
     pub fn blend_arm(&self, side: Side, rest_share: f64, finger_share: f64, pose: &mut Pose) {
         let arm = ARM_BONES[side.index()].iter().map(|b| (b, rest_share));
         let fingers = finger_bones(side)
@@ -302,7 +301,7 @@ impl AnimatedPose {
         }
     }
 
-    /// Whether neck or head are moved.
+    /// Returns true if the neck or the head is moved.
     #[must_use]
     pub fn moves_head(&self) -> bool {
         [Bone::Cervical, Bone::Skull]
@@ -317,13 +316,13 @@ fn is_arm(bone: Bone) -> bool {
 }
 
 impl Track {
-    /// How much of the track is on.
+    /// Returns the enabled share of the track.
     fn presence_factor(&self, t: f64) -> f64 {
         minimum_jerk(self.on.sample(t))
     }
 
-    /// What is heard of the stack's top and what it passes over from, with shares that sum
-    /// to 1 where the stack was never empty.
+    /// Visits the clips that contribute to the output: the top of the stack and those it fades over
+    /// from. Shares sum to 1 where the stack was never empty.
     fn visit_audible(&self, t: f64, mut each: impl FnMut(&PlayingClip, f64)) {
         let mut left = 1.0;
         for (i, stretch) in self.top.started_by(t).enumerate() {
@@ -339,7 +338,8 @@ impl Track {
     }
 }
 
-/// How far a stretch has faded in; the oldest that is looked at wholly.
+/// Returns the fade-in share of an interval; the oldest interval considered counts as fully faded
+/// in.
 fn faded<T>(stretch: &Interval<T>, t: f64, age: usize) -> f64 {
     if stretch.fade_secs <= 0.0 || age + 1 >= MAX_FADES {
         return 1.0;
@@ -347,8 +347,8 @@ fn faded<T>(stretch: &Interval<T>, t: f64, age: usize) -> f64 {
     minimum_jerk((t - stretch.from_secs) / stretch.fade_secs)
 }
 
-/// Calls for what is on, the oldest first, with the share by which it has faded in over what
-/// came before.
+/// Visits the active intervals, oldest first, with the share by which each has faded in over the
+/// earlier ones.
 fn in_order<T>(stretches: &Intervals<T>, t: f64, mut each: impl FnMut(&T, f64)) {
     let mut seen = 0;
     for (i, stretch) in stretches.started_by(t).enumerate() {

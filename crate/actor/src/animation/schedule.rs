@@ -11,16 +11,15 @@ use super::script::{
     Property, TrackRef, Tracks,
 };
 
-/// Default length of a cross-fade, seconds. Designed: as quick as one takes a step.
+/// Default length of a cross-fade, seconds. Designed: as quick as one step.
 const SWAP_SECS: f64 = 0.4;
-/// Length of a change that a script wants at once (`smooth='false'`), seconds: GEVH means no
-/// transition at all, but a body has inertia. Designed: some five frames of a film's picture
-/// look immediate, and no joint jumps.
+/// Length of an immediate change (`smooth='false'`), seconds. GEVH means no transition at all, but
+/// a body has inertia. Designed: about five film frames look immediate, and no joint jumps.
 pub const AT_ONCE_SECS: f64 = 0.08;
 /// Longest cross-fade, seconds.
 const MAX_SWAP_SECS: f64 = 60.0;
 
-/// Something that is on from a time on, and fades in.
+/// A value that is active from a start time on and fades in.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Interval<T> {
     pub(crate) from_secs: f64,
@@ -37,8 +36,8 @@ impl<T> Intervals<T> {
         Self(Vec::new())
     }
 
-    /// From a time on something else is on. Of several at one time the last counts. What
-    /// begins with the story has been on before it.
+    /// Activates a value from a time on. Of several at one time the last counts. A value set at the
+    /// start of the story counts as active before it.
     fn push(&mut self, from_secs: f64, fade_secs: f64, what: T) {
         if self.0.last().is_some_and(|s| s.from_secs >= from_secs) {
             self.0.pop();
@@ -51,7 +50,7 @@ impl<T> Intervals<T> {
         });
     }
 
-    /// What has begun by a time, the latest first.
+    /// Returns the intervals that have begun by a time, latest first.
     pub(crate) fn started_by(&self, t: f64) -> impl Iterator<Item = &Interval<T>> {
         let n = self.0.partition_point(|s| s.from_secs <= t);
         self.0[..n].iter().rev()
@@ -63,7 +62,7 @@ impl<T> Intervals<T> {
 pub(crate) struct PlayingClip {
     /// Index of its clip.
     pub(crate) clip: usize,
-    /// Integral of the track's speed when it was put on.
+    /// Integral of the track's speed when the clip was put on.
     pub(crate) begun: f64,
     pub(crate) style: Playback,
 }
@@ -124,7 +123,7 @@ struct Reader<'a> {
 }
 
 impl Schedule {
-    /// Reads a script. `exists` tells which clips there are, `length` how long one is.
+    /// Reads a script. `exists` returns true for known clips, `length` the length of a clip.
     pub(crate) fn new(
         script: &PlayerScript,
         exists: &dyn Fn(&str) -> bool,
@@ -258,8 +257,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// A player that is there, by name; without one, the one that has none, or the first that was
-    /// added.
+    /// Finds a player by name; without a name, the unnamed player, or the first that was added.
     fn find(&self, name: &Option<String>) -> Result<usize, CommandProblemKind> {
         let found = match name {
             Some(name) => self.present.iter().position(|p| p.name == *name),
@@ -271,7 +269,7 @@ impl Reader<'_> {
         found.ok_or_else(|| CommandProblemKind::NoPlayer(name.clone()))
     }
 
-    /// The tracks of a player that are meant, and whether one is not there.
+    /// Returns the addressed tracks of a player, and true if one of them does not exist.
     #[allow(clippy::type_complexity, reason = "three results of one search")]
     fn tracks(
         &mut self,
@@ -341,7 +339,7 @@ impl PlayerPlan {
         Self { kind, tracks }
     }
 
-    /// The place of a track that is meant.
+    /// Returns the index of an addressed track.
     fn index(&self, track: TrackRef) -> Option<usize> {
         let by_group = self.kind == PlayerKind::BodyGroup;
         let i = match track {
@@ -352,8 +350,8 @@ impl PlayerPlan {
         (i < self.tracks.len()).then_some(i)
     }
 
-    /// Sets a property of some tracks from a time on: how long weights and speeds take to come
-    /// there, and what is switched.
+    /// Sets a property of some tracks from a time on: the transition time for weights and speeds,
+    /// or a switch.
     fn set(
         &mut self,
         t: f64,
@@ -381,8 +379,8 @@ impl PlayerPlan {
         }
     }
 
-    /// Gives some tracks a weight, and the others the rest, in proportion: the weights of
-    /// layers sum to 1 at every time, since all go straight to their new values (GEVH 3.2.1).
+    /// Gives some tracks a weight, and the others the remainder, in proportion. The weights of
+    /// layers sum to 1 at every time, since all move linearly to their new values (GEVH 3.2.1).
     fn weigh(&mut self, t: f64, tracks: &[usize], value: f64, length_secs: f64) {
         let value = value.clamp(0.0, 1.0);
         if self.kind == PlayerKind::BodyGroup {
@@ -420,11 +418,11 @@ impl PlayerPlan {
     }
 }
 
-/// An animation on a stack, and when it leaves by itself.
+/// An animation on a stack with its expiry time.
 struct StackEntry {
     playing: PlayingClip,
     until_secs: f64,
-    /// How long its leaving takes.
+    /// Fade-out duration, seconds.
     fade_secs: f64,
 }
 
@@ -463,7 +461,7 @@ impl Track {
         self.expire(&mut stack, f64::INFINITY);
     }
 
-    /// Takes off what leaves by itself up to a time.
+    /// Removes the entries that expire by a time.
     fn expire(&mut self, stack: &mut Vec<StackEntry>, t: f64) {
         loop {
             let mut next = (f64::INFINITY, SWAP_SECS);

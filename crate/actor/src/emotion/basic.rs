@@ -12,7 +12,7 @@ use raconteur_speech::emotion::EmotionPoint;
 
 use crate::parameters::FaceControl;
 
-/// How many basic emotions there are.
+/// Number of basic emotions.
 pub const BASICS: usize = 6;
 
 /// A basic emotion, in the order of their angles on the disc of activation and evaluation.
@@ -21,7 +21,7 @@ pub const BASICS: usize = 6;
 pub enum BasicEmotion {
     /// F&H's joy.
     Joy,
-    /// Full activation and nothing else (F&H section 4.4.3).
+    /// Full activation and no other component (F&H section 4.4.3).
     Surprise,
     /// F&H's hate.
     Disgust,
@@ -33,7 +33,7 @@ pub enum BasicEmotion {
     Sadness,
 }
 
-/// A share of a dial in percent. Values of the left side hold for the right as well.
+/// A share of a control in percent. Values of the left side hold for the right as well.
 pub(super) type Share = (FaceControl, i8);
 
 pub(super) const fn m(muscle: M, percent: i8) -> Share {
@@ -59,7 +59,7 @@ const SURPRISE: &[Share] = &[
     (FaceControl::JAW, 55),
 ];
 
-/// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
+/// AU 9, 10, 17 with 4 and 7, which accompany a wrinkled nose, and a little 15.
 const DISGUST: &[Share] = &[
     m(M::LevatorLabiiAlaequeLeft, 90),
     m(M::LevatorLabiiLeft, 45),
@@ -94,7 +94,7 @@ const ANGER: &[Share] = &[
     (FaceControl::JAW_FORWARD, 25),
 ];
 
-/// AU 1, 2, 4, 5, 20, 26, the lips a little parted (AU 25).
+/// AU 1, 2, 4, 5, 20, 26, the lips slightly parted (AU 25).
 const FEAR: &[Share] = &[
     m(M::FrontalisMedialLeft, 90),
     m(M::FrontalisLateralLeft, 35),
@@ -143,13 +143,13 @@ impl BasicEmotion {
         }
     }
 
-    /// Where it lies: the place of its word (F&H table 4.4).
+    /// Returns its place in the emotion space: the place of its word (F&H table 4.4).
     #[must_use]
     pub fn place(self) -> EmotionPoint {
         raconteur_speech::emotion::place(self.word()).unwrap_or_default()
     }
 
-    /// What takes part in its expression at its place, in percent: on both sides.
+    /// Returns the controls in its expression at its place, in percent, on both sides.
     pub(super) fn shares(self) -> &'static [Share] {
         match self {
             Self::Joy => JOY,

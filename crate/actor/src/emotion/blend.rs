@@ -20,19 +20,19 @@ pub enum EmotionSpace {
     Sphere,
 }
 
-/// An emotion: where it lies, by which word it is called, if by any, and how it is blended.
+/// An emotion: its place in the emotion space, its word, if any, and its blend.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affect {
-    /// Where it lies.
+    /// Place in the emotion space.
     pub place: EmotionPoint,
-    /// Its word in [`raconteur_speech::emotion::WORDS`]; it may have a look of its own.
+    /// Its word in [`raconteur_speech::emotion::WORDS`], which may have an expression of its own.
     pub word: Option<&'static str>,
     /// In which space its expression is blended of the basic ones.
     pub space: EmotionSpace,
 }
 
 impl Affect {
-    /// That of a word; none when there is no such word.
+    /// Returns the emotion of a word; `None` for an unknown word.
     #[must_use]
     pub fn named(word: &str) -> Option<Self> {
         let (own, _) = emotion::WORDS
@@ -45,7 +45,7 @@ impl Affect {
         })
     }
 
-    /// That of a place without a word.
+    /// Returns the emotion of a place without a word.
     #[must_use]
     pub fn from_point(place: EmotionPoint) -> Self {
         Self {
@@ -59,12 +59,12 @@ impl Affect {
 /// this much as near, measured by the tangents of half their angles. Designed.
 const FAR: f64 = 0.3;
 
-/// How much each basic emotion counts when it is near: disgust and anger lie in one
-/// direction (2° apart), so that they count as one. Designed.
+/// Weight of each basic emotion when it is near: disgust and anger lie in one direction (2° apart),
+/// so together they count as one. Designed.
 const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
 
-/// How much an expression takes of each look, by [`Look::ALL`]: of the basic ones first, by
-/// [`Basic::ALL`].
+/// Weight of each base expression in an expression, indexed by [`BaseExpression::ALL`]: the basic
+/// ones first, by [`BasicEmotion::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ExpressionWeights {
     /// By muscles that have no antagonist, and by all else.
@@ -110,10 +110,10 @@ impl ExpressionWeights {
         mixture
     }
 
-    /// The expression of a place on the disc, whatever its power: of the two neighbours by
-    /// angle. In the sums of equation 4.10 the farther neighbour fades by the ratio of the
-    /// shares: midway between the two stands the equation as printed, at either stands
-    /// equation 4.7, and nothing jumps.
+    /// Returns the expression of a place on the disc, whatever its power, from the two neighbours
+    /// by angle. In the sums of equation 4.10 the farther neighbour fades by the ratio of the
+    /// shares: midway between the two the equation holds as printed, at either one equation 4.7,
+    /// and the transition is continuous.
     #[must_use]
     pub fn on_disc(place: EmotionPoint) -> Self {
         let [angle, radius] = polar(place);
@@ -148,9 +148,9 @@ impl ExpressionWeights {
         mixture
     }
 
-    /// The expression of a place by its direction on the sphere, of as many neighbours as are
-    /// near, scaled by its distance from the middle. The nearest rules; the others have part
-    /// as they are nearly as near. Sums of equation 4.10 fade as they do on the disc.
+    /// Returns the expression of a place by its direction on the sphere, from the near neighbours,
+    /// scaled by its distance from the middle. The nearest dominates; the others contribute by
+    /// their relative nearness. Sums of equation 4.10 fade as they do on the disc.
     #[must_use]
     pub fn on_sphere(place: EmotionPoint) -> Self {
         let sites = BasicEmotion::ALL.map(|basic| vector(basic.place()));
@@ -170,7 +170,7 @@ impl ExpressionWeights {
         mixture
     }
 
-    /// The expression of a place in a space.
+    /// Returns the expression of a place in a space.
     #[must_use]
     pub fn from_point(place: EmotionPoint, space: EmotionSpace) -> Self {
         match space {
@@ -179,8 +179,9 @@ impl ExpressionWeights {
         }
     }
 
-    /// The expression of an emotion. A word that has a look of its own has it on the sphere; on the
-    /// disc every emotion is blended of the six by its place, as in F&H.
+    /// Returns the expression of an emotion. A word with an expression of its own uses it on the
+    /// sphere; on the disc every emotion is blended from the six basic ones by its place, as in
+    /// F&H.
     #[must_use]
     pub fn perceived_weights(affect: Affect) -> Self {
         let looks = affect.word.and_then(look::of_word);
@@ -197,7 +198,7 @@ impl ExpressionWeights {
         }
     }
 
-    /// The same without the wink, and how much of a wink is in it.
+    /// Returns the weights without the wink, and the amount of wink in them.
     pub(super) fn split_wink(mut self) -> (Self, f64) {
         let wink = BaseExpression::Wink.index();
         self.bound[wink] = 0.0;
@@ -226,7 +227,8 @@ impl ExpressionWeights {
         }
     }
 
-    /// What the face does: antagonists set against each other, nothing beyond its range.
+    /// Returns the face controls: antagonists balanced against each other, all values within their
+    /// range.
     #[must_use]
     pub fn expression(&self) -> Expression {
         let mut expression = Expression::default();
@@ -242,14 +244,14 @@ impl ExpressionWeights {
     }
 }
 
-/// A place as a vector.
+/// Returns a place as a vector.
 pub(super) fn vector(place: EmotionPoint) -> DVec3 {
     DVec3::new(place.evaluation, place.activation, place.power)
 }
 
-/// How near sites are to a direction: each entry of `near` is multiplied by 1 for the nearest
-/// and by less for those farther, down to 0. Where the direction is that of a site, all
-/// others are 0; in the middle of the space, which has no direction, all are.
+/// Computes the nearness of sites to a direction: multiplies each entry of `near` by 1 for the
+/// nearest and by less for those farther, down to 0. In the direction of a site, all others are 0;
+/// in the middle of the space, which has no direction, all are 0.
 pub(super) fn nearness(direction: DVec3, sites: &[DVec3], near: &mut [f64]) {
     let Some(direction) = direction.try_normalized() else {
         near.fill(0.0);

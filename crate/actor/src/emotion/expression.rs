@@ -7,7 +7,7 @@ use super::basic::BasicEmotion;
 use super::look::BaseExpression;
 use crate::parameters::{DIALS, FaceControl};
 
-/// Whether a dial is of a muscle that has antagonists.
+/// Returns true if a control is of a muscle that has antagonists.
 #[must_use]
 pub fn has_antagonist(dial: FaceControl) -> bool {
     let muscles = ANTAGONISTS.iter().flat_map(|(a, b)| a.iter().chain(*b));
@@ -31,13 +31,13 @@ impl Default for Expression {
     }
 }
 
-/// Up to here a value is kept; beyond, the rest of the range takes all that is
-/// requested on the way to 1. As far as any of the six basic expressions goes at its place,
-/// so that none of them is changed there.
+/// Limit up to which a value is unchanged; the rest of the range compresses all larger requests on
+/// the way to 1. It equals the greatest value of any of the six basic expressions at its place, so
+/// none of them is changed there.
 const ROOM_FROM: f64 = 0.95;
 
-/// A value of any size brought into −1 to 1: it always grows with the request, and is the
-/// same up to [`ROOM_FROM`].
+/// Compresses a value of any size into −1 to 1. The result always grows with the request, and
+/// equals it up to [`ROOM_FROM`].
 #[must_use]
 pub(super) fn compress(value: f64) -> f64 {
     let over = value.abs() - ROOM_FROM;
@@ -49,7 +49,7 @@ pub(super) fn compress(value: f64) -> f64 {
 }
 
 impl Expression {
-    /// That of a basic emotion at its place.
+    /// Returns the expression of a basic emotion at its place.
     #[must_use]
     pub fn from_basic(basic: BasicEmotion) -> Self {
         let mut expression = Self::default();
@@ -57,7 +57,8 @@ impl Expression {
         expression
     }
 
-    /// Adds a look, free muscles and those with antagonists by factors of their own.
+    /// Adds a base expression, with separate factors for free muscles and for those with
+    /// antagonists.
     pub(super) fn gather(&mut self, look: BaseExpression, free: f64, bound: f64) {
         look.for_each_control(&mut |dial, percent| {
             let factor = if has_antagonist(dial) { bound } else { free };
@@ -65,9 +66,8 @@ impl Expression {
         });
     }
 
-    /// Takes sums of muscles with antagonists to contractions: of two sets that pull against
-    /// each other the stronger keeps what it has more, shared out as its muscles contribute
-    /// (F&H equation 4.10).
+    /// Converts sums of muscles with antagonists to contractions: of two opposing sets the stronger
+    /// keeps its excess, distributed by the contributions of its muscles (F&H equation 4.10).
     pub(super) fn settle(&mut self) {
         for (one, other) in ANTAGONISTS {
             let sum = |set: &[M]| set.iter().map(|m| self.values[m.index()]).sum::<f64>();
@@ -83,8 +83,8 @@ impl Expression {
         }
     }
 
-    /// Brings every value into its range, each by itself: the stronger an emotion, the stronger
-    /// all that is of it.
+    /// Limits every value to its range independently: the stronger an emotion, the stronger all of
+    /// its components.
     pub(super) fn limit(&mut self) {
         self.values.iter_mut().for_each(|v| *v = compress(*v));
     }

@@ -9,10 +9,10 @@ use raconteur_body::face::Muscle as M;
 use super::basic::{BASICS, BasicEmotion, Share, m};
 use crate::parameters::FaceControl;
 
-/// How many looks there are.
+/// Number of base expressions.
 pub const LOOKS: usize = BASICS + 9;
 
-/// A way to look: a basic expression, or one of a word's own.
+/// A base expression: that of a basic emotion, or a word's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseExpression {
     /// One of the six.
@@ -33,13 +33,13 @@ pub enum BaseExpression {
     Love,
     /// Joking.
     Kidding,
-    /// One eye closed, with the cheek raised to it; it comes with kidding, for a moment.
+    /// One eye closed, with the cheek raised to it; it accompanies kidding briefly.
     Wink,
 }
 
-/// Head and gaze go down (AU 54, 64) without a smile: Keltner 1995,
-/// doi:10.1037/0022-3514.68.3.441. Lips pressed (AU 24) and their corners lowered are of the
-/// same display held back: Keltner & Buswell 1996, doi:10.1080/026999396380312.
+/// Head and gaze go down (AU 54, 64) without a smile: Keltner 1995, doi:10.1037/0022-3514.68.3.441.
+/// Pressed lips (AU 24) with lowered corners belong to the same display when restrained: Keltner &
+/// Buswell 1996, doi:10.1080/026999396380312.
 const SHAME: &[Share] = &[
     m(M::FrontalisMedialLeft, 55),
     m(M::CorrugatorLeft, 35),
@@ -54,7 +54,7 @@ const SHAME: &[Share] = &[
 
 /// A small smile (AU 12 without 6) with the head tilted back: Tracy & Robins 2004,
 /// doi:10.1111/j.0956-7976.2004.01503008.x; 2007, doi:10.1037/1528-3542.7.4.789. The lids are
-/// a little lower, for one looks down at others.
+/// slightly lowered, because the gaze goes down at others.
 const PRIDE: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 42),
     m(M::LevatorAnguliLeft, 25),
@@ -64,10 +64,9 @@ const PRIDE: &[Share] = &[
     (FaceControl::LOWER_LID_LEFT, 15),
 ];
 
-/// The upper lip raised (AU 10), which of the faces of disgust is the one towards persons and what
-/// they do: Rozin, Lowery & Ebert 1994, doi:10.1037/0022-3514.66.5.870; more on one side, as
-/// in contempt (Ekman & Friesen 1986, doi:10.1007/BF00992253), with AU 15 and the head
-/// drawn away.
+/// The upper lip raised (AU 10), the face of disgust shown towards persons and their acts: Rozin,
+/// Lowery & Ebert 1994, doi:10.1037/0022-3514.66.5.870; more on one side, as in contempt (Ekman &
+/// Friesen 1986, doi:10.1007/BF00992253), with AU 15 and the head drawn away.
 const DISLIKING: &[Share] = &[
     m(M::CorrugatorLeft, 35),
     m(M::DepressorSuperciliiLeft, 30),
@@ -85,8 +84,8 @@ const DISLIKING_RIGHT: &[Share] = &[
 ];
 
 /// One corner of the mouth tightened (AU 14), as in contempt (Ekman & Friesen 1986,
-/// doi:10.1007/BF00992253; Matsumoto & Ekman 2004, doi:10.1037/0022-3514.87.4.529), with
-/// the lowered brows, narrow lids and pressed lips (AU 4, 7, 24) of an anger that is kept in.
+/// doi:10.1007/BF00992253; Matsumoto & Ekman 2004, doi:10.1037/0022-3514.87.4.529), with the
+/// lowered brows, narrow lids and pressed lips (AU 4, 7, 24) of suppressed anger.
 const RESENTMENT: &[Share] = &[
     m(M::CorrugatorLeft, 75),
     m(M::DepressorSuperciliiLeft, 80),
@@ -115,8 +114,8 @@ const SATISFACTION: &[Share] = &[
     (FaceControl::LOWER_LID_LEFT, 20),
 ];
 
-/// A sigh: it marks relief (Vlemincx et al. 2009, doi:10.1111/j.1469-8986.2009.00842.x). No
-/// prototype of its face is agreed on; *designed*: lids nearly closed, brows let go upwards,
+/// A sigh, which marks relief (Vlemincx et al. 2009, doi:10.1111/j.1469-8986.2009.00842.x). There
+/// is no agreed prototype of its face; *designed*: lids nearly closed, brows relaxed upwards,
 /// breath through parted lips (AU 43, 1, 25, 26), a weak smile.
 const RELIEF: &[Share] = &[
     m(M::FrontalisMedialLeft, 50),
@@ -127,7 +126,7 @@ const RELIEF: &[Share] = &[
     (FaceControl::LIP_PROTRUSION_LOWER, 20),
 ];
 
-/// A felt smile (AU 6, 12) with the head inclined to the other: Gonzaga et al. 2001,
+/// A genuine smile (AU 6, 12) with the head inclined to the other person: Gonzaga et al. 2001,
 /// doi:10.1037/0022-3514.81.2.247. Raised inner brows and soft lids are *designed*.
 const LOVE: &[Share] = &[
     m(M::ZygomaticusMajorLeft, 55),
@@ -150,9 +149,9 @@ const KIDDING_RIGHT: &[Share] = &[
     m(M::FrontalisMedialRight, 20),
 ];
 
-/// AU 46 with AU 6 and 12 of its side. The left eye closes: two people in three look with
-/// the right one (Bourassa, McManus & Bryden 1996, doi:10.1080/713754206), which stays on
-/// whom the wink is for.
+/// AU 46 with AU 6 and 12 of its side. The left eye closes: two people in three look with the right
+/// one (Bourassa, McManus & Bryden 1996, doi:10.1080/713754206), which stays on the addressee of
+/// the wink.
 const WINK_LEFT: &[Share] = &[
     m(M::OrbicularisOculiLeft, 60),
     m(M::ZygomaticusMajorLeft, 25),
@@ -163,7 +162,7 @@ const WINK_LEFT: &[Share] = &[
 ];
 
 impl BaseExpression {
-    /// All, in the order of [`Look::index`].
+    /// All base expressions, in the order of [`BaseExpression::index`].
     pub const ALL: [Self; LOOKS] = [
         Self::Basic(BasicEmotion::Joy),
         Self::Basic(BasicEmotion::Surprise),
@@ -182,13 +181,13 @@ impl BaseExpression {
         Self::Wink,
     ];
 
-    /// Its place among all; basic ones first, by [`Basic::ALL`].
+    /// Returns its index among all base expressions; basic ones first, by [`BasicEmotion::ALL`].
     #[must_use]
     pub fn index(self) -> usize {
         Self::ALL.iter().position(|l| *l == self).unwrap_or(0)
     }
 
-    /// Shows what takes part in it, in percent.
+    /// Visits the controls that take part in it, in percent.
     pub(super) fn for_each_control(self, visit: &mut dyn FnMut(FaceControl, i8)) {
         let (both, one): (&[Share], &[Share]) = match self {
             Self::Basic(basic) => (basic.shares(), &[]),
@@ -214,13 +213,13 @@ impl BaseExpression {
     }
 }
 
-/// How much an emotion of a word takes of each look at the strength of its place; none for a word
-/// that has the expression of its place. The two that Ortony, Clore and Collins (1988) make
-/// of two others, gratification of pride and joy, remorse of shame and distress, are half of
-/// each; gratitude, which they make of admiration and joy, is joy with the bow of thanks
-/// (see [`Signs`](super::Signs)). Liking is a weaker joy than its place, which it shares with
-/// satisfaction, would have it (*designed*). Anxiety and panic are fear scaled by the ratio of distances
-/// from the middle of the disc (F&H equation 4.7, figure 4.17).
+/// Returns the weight of each base expression in the emotion of a word at the strength of its
+/// place; `None` for a word that has the expression of its place. The two that Ortony, Clore and
+/// Collins (1988) compose of two others, gratification of pride and joy, remorse of shame and
+/// distress, are half of each; gratitude, which they compose of admiration and joy, is joy with the
+/// bow of thanks (see [`EmotionSigns`](super::EmotionSigns)). Liking is a weaker joy than its
+/// place, shared with satisfaction, would imply (*designed*). Anxiety and panic are fear scaled by
+/// the ratio of distances from the middle of the disc (F&H equation 4.7, figure 4.17).
 pub(super) fn of_word(word: &str) -> Option<&'static [(BaseExpression, f64)]> {
     const FEAR: BaseExpression = BaseExpression::Basic(BasicEmotion::Fear);
     const JOY: BaseExpression = BaseExpression::Basic(BasicEmotion::Joy);

@@ -17,15 +17,16 @@ pub struct EmotionSigns {
     pub gaze_down_rad: f64,
     /// The head bowed, radians.
     pub head_down_rad: f64,
-    /// The head turned from whom one speaks to, to the figure's right, radians; the eyes stay.
+    /// Turn of the head away from the addressee, to the figure's right, radians; the eyes stay on
+    /// the addressee.
     pub head_turn_rad: f64,
     /// The head tilted to the figure's left, radians.
     pub head_tilt_rad: f64,
-    /// How much faster one breathes, as a share.
+    /// Increase of the breathing rate, as a share.
     pub breath_rate: f64,
-    /// How much deeper, as a share.
+    /// Increase of the breathing depth, as a share.
     pub breath_depth: f64,
-    /// How much more one moves, as a share.
+    /// Increase of movement, as a share.
     pub liveliness: f64,
 }
 
@@ -50,10 +51,10 @@ const KNOWN: [(&str, [i8; 6]); 8] = [
     ("pride", [10, -2, -8, -5, 20, 10]),
 ];
 
-/// How far one bows who thanks, radians.
+/// Angle of a bow of thanks, radians.
 const BOW_RAD: f64 = 0.18;
 
-/// Signs of nothing.
+/// Neutral signs.
 const CALM: EmotionSigns = EmotionSigns {
     blush: 0.0,
     gaze_down_rad: 0.0,
@@ -65,9 +66,10 @@ const CALM: EmotionSigns = EmotionSigns {
     liveliness: 0.0,
 };
 
-/// Those of a look of its own. Head and gaze of shame and pride are of the sources of their
-/// looks, in pride about 20°; in disliking and resentment the head turns from whom the eyes
-/// stay with; relief sighs. Amounts, and all of the rest, are *designed*.
+/// Returns the signs of a base expression of its own. Head and gaze of shame and pride follow the
+/// sources of their expressions, in pride about 20°; in disliking and resentment the head turns
+/// away while the eyes stay on the person; relief sighs. The amounts, and all others, are
+/// *designed*.
 fn of_look(look: BaseExpression) -> EmotionSigns {
     match look {
         BaseExpression::Basic(basic) => EmotionSigns::from_point(basic.place()),
@@ -141,8 +143,8 @@ fn of_look(look: BaseExpression) -> EmotionSigns {
 }
 
 impl EmotionSigns {
-    /// Those of an emotion: of the looks of its word, where it shows these, else of its place.
-    /// Who thanks bows (*designed*).
+    /// Returns the signs of an emotion: those of its word's base expressions, where it shows these,
+    /// else those of its place. Gratitude includes a bow (*designed*).
     #[must_use]
     pub fn from_affect(affect: Affect) -> Self {
         let word = affect.word.filter(|_| affect.space == EmotionSpace::Sphere);
@@ -162,7 +164,8 @@ impl EmotionSigns {
         signs
     }
 
-    /// Those of a place: of the known emotions that are near in direction, by distance.
+    /// Returns the signs of a place: those of the known emotions near in direction, weighted by
+    /// distance.
     #[must_use]
     pub fn from_point(place: EmotionPoint) -> Self {
         let sites: [DVec3; KNOWN.len()] =
@@ -191,7 +194,7 @@ impl EmotionSigns {
         signs
     }
 
-    /// Adds so much of others.
+    /// Adds other signs by a factor.
     pub(super) fn add(&mut self, other: &Self, factor: f64) {
         self.blush += factor * other.blush;
         self.gaze_down_rad += factor * other.gaze_down_rad;
@@ -203,7 +206,7 @@ impl EmotionSigns {
         self.liveliness += factor * other.liveliness;
     }
 
-    /// The same so much stronger or weaker, within what people show.
+    /// Returns the signs scaled by a factor, limited to what people show.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         let mut scaled = CALM;
@@ -211,14 +214,15 @@ impl EmotionSigns {
         scaled.limited()
     }
 
-    /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
+    /// Returns the turn of the head: yaw to the figure's left, pitch down, roll to the left,
+    /// radians.
     #[must_use]
     pub fn head(&self) -> [f64; 3] {
         [-self.head_turn_rad, self.head_down_rad, self.head_tilt_rad]
     }
 
-    /// The same where no sign is beyond what people show: each grows with the emotion all
-    /// the way, but ever less near its end.
+    /// Returns the signs limited to what people show: each grows monotonically with the emotion,
+    /// but ever less near its limit.
     pub(super) fn limited(self) -> Self {
         let to = |sign: f64, least: f64, most: f64| {
             let end: f64 = if sign < 0.0 { least } else { most };

@@ -349,15 +349,15 @@ fn the_middle_of_the_space_is_calm() {
     }
 }
 
-/// Words that F&H give one face: table 4.4 has them at one place, or section 4.4.3 takes one for
-/// the other.
+/// Words to which F&H assign one face: table 4.4 has them at one place, or section 4.4.3 equates
+/// them.
 const SAME: [[&str; 2]; 3] = [
     ["joy", "happy-for"],
     ["distress", "sorry-for"],
     ["hate", "disgust"],
 ];
 
-/// What a stranger sees of an emotion, with angles against those that are plain to see.
+/// Returns the visible signs of an emotion, with angles scaled by plainly visible ones.
 fn seen(word: &str, intensity: f64) -> Vec<f64> {
     let affect = Affect::named(word).expect(word);
     let mut mixture = ExpressionWeights::perceived_weights(affect);

@@ -10,35 +10,35 @@ use super::signs::EmotionSigns;
 use super::wink;
 use crate::parameters::{Curve, FaceControl, SET_SECS};
 
-/// An emotion neither comes nor goes in less, seconds. Designed: the quickest onsets of
-/// expressions that are felt.
+/// Shortest onset or fade of an emotion, seconds. Designed: the quickest onsets of genuine
+/// expressions.
 pub const MIN_SECS: f64 = 0.25;
-/// The most that an emotion is stronger than in its place.
+/// Greatest strength of an emotion, relative to that of its place.
 const STRONGEST: f64 = 4.0;
-/// Emotions of spans that are in force at once; more are left out. A story needs fewer, and
-/// it bounds the work.
+/// Maximum number of emotion spans in force at one time; more are left out. A story needs fewer,
+/// and the limit bounds the work.
 const LANES: usize = 16;
 
 /// An emotion in force.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EmotionSpan {
-    /// When it begins to grow, story seconds.
+    /// Start of the onset, story seconds.
     pub start_secs: f64,
-    /// When it is there in full.
+    /// Time of full strength, story seconds.
     pub apex_secs: f64,
     /// Until when it stays so; at or before the apex: no longer than that.
     pub until_secs: f64,
-    /// When it is gone.
+    /// End of the fade, story seconds.
     pub end_secs: f64,
-    /// Which one it is.
+    /// The emotion.
     pub affect: Affect,
-    /// How strong, 1 being that of its place.
+    /// Strength; 1 is that of its place.
     pub intensity: f64,
 }
 
 impl EmotionSpan {
-    /// The same with times in their order, no time to grow or to fade less than
-    /// [`MIN_SECS`]; none when a time or a place is no number.
+    /// Returns the span with its times in order and no onset or fade shorter than [`MIN_SECS`];
+    /// `None` when a time or a place is not finite.
     fn ordered(self) -> Option<Self> {
         let all = [
             self.start_secs,
@@ -70,8 +70,8 @@ impl EmotionSpan {
         })
     }
 
-    /// How much of it is there, 0 to 1: straight from the start to the apex and from there
-    /// to the end (F&H section 4.3.5), eased.
+    /// Returns the strength at a time, 0 to 1: linear from the start to the apex and from there to
+    /// the end (F&H section 4.3.5), eased.
     fn strength(&self, t: f64) -> f64 {
         let up = (t - self.start_secs) / (self.apex_secs - self.start_secs);
         let down = (self.end_secs - t) / (self.end_secs - self.until_secs);
@@ -79,19 +79,19 @@ impl EmotionSpan {
     }
 }
 
-/// What an emotion does in full: computed once.
+/// Full effect of an emotion, computed once.
 #[derive(Clone, Copy, Debug, Default)]
 struct EmotionEffect {
     mixture: ExpressionWeights,
     signs: EmotionSigns,
     place: EmotionPoint,
     strength: f64,
-    /// How far one eye winks; of a span at its apex. It is no part of sums.
+    /// Closure of one eye by a wink, for a span at its apex. It is not part of sums.
     wink: f64,
 }
 
 impl EmotionEffect {
-    /// An emotion that comes and goes: its wink has a time of its own.
+    /// Returns the effect of a transient emotion; its wink has its own timing.
     fn from_affect(affect: Affect, intensity: f64) -> Self {
         let mut effect = Self::default();
         let mut full = Self::sustained(affect);
@@ -103,7 +103,7 @@ impl EmotionEffect {
         effect
     }
 
-    /// An emotion that somebody holds: with its wink, if it has one.
+    /// Returns the effect of a sustained emotion, including its wink, if any.
     fn sustained(affect: Affect) -> Self {
         Self {
             mixture: ExpressionWeights::perceived_weights(affect),
@@ -124,25 +124,25 @@ impl EmotionEffect {
     }
 }
 
-/// How one breathes.
+/// State of breathing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Breathing {
-    /// By how many seconds breath is ahead of what it would be in calm: the phase at a time
-    /// is that of calm breath at the time and this. It grows at the rate of breath less 1.
+    /// Lead of the breath over calm breath, seconds: the phase at a time is that of calm breath at
+    /// the time plus this lead. It grows at the breathing rate less 1.
     pub lead_secs: f64,
     /// Factor on the depth.
     pub depth: f64,
 }
 
 impl Breathing {
-    /// As one breathes who feels nothing.
+    /// Breathing without emotion.
     pub const CALM: Self = Self {
         lead_secs: 0.0,
         depth: 1.0,
     };
 }
 
-/// The emotions of a performance, made ready. Evaluation is a function of time and allocates
+/// Emotions of a performance, prepared. Evaluation is a pure function of time and allocates
 /// nothing.
 ///
 /// Emotions that are in force together are mixed by their strengths, which are never more
@@ -154,17 +154,17 @@ pub struct EmotionTrack {
     lanes: Vec<Vec<(EmotionSpan, EmotionEffect)>>,
     /// Emotions that are set by name.
     scripted: Vec<(EmotionEffect, Curve)>,
-    /// Times between which the rate of breath goes straight, rising; the rates less 1, and
-    /// their integral up to each.
+    /// Times between which the breathing rate is linear, ascending; the rates less 1, and their
+    /// integral up to each.
     knots: Vec<f64>,
     rates: Vec<f64>,
     leads: Vec<f64>,
 }
 
 impl EmotionTrack {
-    /// From emotions in any order and those that are set by name (see
-    /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)). What is no
-    /// number is left out.
+    /// Creates the track from emotions in any order and those set by name (see
+    /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)). Values that are
+    /// not finite are left out.
     #[must_use]
     pub fn new(spans: &[EmotionSpan], scripted: &[(&str, Curve)]) -> Self {
         let mut spans: Vec<EmotionSpan> = spans.iter().filter_map(|s| s.ordered()).collect();
@@ -201,8 +201,8 @@ impl EmotionTrack {
         track
     }
 
-    /// Integrates the rate of breath, taken as straight between the times at which something
-    /// begins or ends.
+    /// Integrates the breathing rate, taken as linear between the times at which an emotion begins
+    /// or ends.
     fn plan_breath(&mut self) {
         let spans = self.lanes.iter().flatten().flat_map(|(s, _)| {
             let half = |a: f64, b: f64| a + 0.5 * (b - a);
@@ -233,7 +233,7 @@ impl EmotionTrack {
         (self.knots, self.rates) = (knots, rates);
     }
 
-    /// All that is felt at a time.
+    /// Returns the sum of all emotions at a time.
     fn sum(&self, t: f64) -> EmotionEffect {
         let mut sum = EmotionEffect::default();
         let mut winks: f64 = 0.0;
@@ -261,8 +261,7 @@ impl EmotionTrack {
         sum
     }
 
-    /// Adds the expression, the lids and the blood in the skin at a time to what a face is
-    /// asked to do.
+    /// Adds the expression, the lids and the blush at a time to the face controls.
     pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
         let mut sum = self.sum(time_secs);
         let mut expression = sum.mixture.expression();
@@ -278,13 +277,13 @@ impl EmotionTrack {
         controls.blush += sum.signs.limited().blush;
     }
 
-    /// Where one is in the space of emotions; its middle when one is calm.
+    /// Returns the place in the emotion space at a time; the middle when calm.
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> EmotionPoint {
         self.sum(time_secs).place.scaled(1.0)
     }
 
-    /// How much is felt, 0 (calm) to 1 (one emotion in full, or several together).
+    /// Returns the strength of emotion, 0 (calm) to 1 (one emotion in full, or several together).
     #[must_use]
     pub fn strength(&self, time_secs: f64) -> f64 {
         self.sum(time_secs).strength
@@ -296,20 +295,21 @@ impl EmotionTrack {
         1.0 + self.sum(time_secs).signs.limited().liveliness
     }
 
-    /// By how much the eyes turn from where they look else: yaw to the figure's left and
-    /// pitch down, radians.
+    /// Returns the turn of the eyes from their gaze direction: yaw to the figure's left and pitch
+    /// down, radians.
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> [f64; 2] {
         [0.0, self.sum(time_secs).signs.limited().gaze_down_rad]
     }
 
-    /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
+    /// Returns the turn of the head: yaw to the figure's left, pitch down, roll to the left,
+    /// radians.
     #[must_use]
     pub fn head(&self, time_secs: f64) -> [f64; 3] {
         self.sum(time_secs).signs.limited().head()
     }
 
-    /// How one breathes.
+    /// Returns the state of breathing at a time.
     #[must_use]
     pub fn breath(&self, time_secs: f64) -> Breathing {
         let lead_secs = match last_at_or_before(&self.knots, time_secs) {

@@ -14,13 +14,13 @@ use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
 use targets::{MorphTarget as T, NAMES, Weights};
 
-/// Turn of the eye that the whole of a gaze target stands for, radians. ARKit gives no
-/// angle; the eye's range in usual looking. Designed.
+/// Turn of the eye represented by a full gaze target, radians. ARKit gives no angle; this is the
+/// eye's range in usual looking. Designed.
 const LOOK_RAD: f64 = 0.5;
 /// Turn of the upper lids that opens the eyes wide, radians: 1.5 mm on the globe. Designed.
 const WIDE_RAD: f64 = 0.12;
 
-/// Where a figure keeps its face: found once, used each frame.
+/// Bones and morph targets of a figure's face: resolved once, used each frame.
 #[derive(Clone, Debug)]
 pub struct FaceRig {
     /// The morph targets that are the left half, the right half and the whole of each target.
@@ -93,8 +93,8 @@ impl FaceRig {
         }
     }
 
-    /// The rig of a figure whose skin follows the tissue: it moves jaw, lids, eyes and tongue,
-    /// and leaves alone all morph targets that move skin.
+    /// Returns the rig of a figure whose skin follows the tissue simulation: it moves jaw, lids,
+    /// eyes and tongue, and leaves all morph targets that move skin unchanged.
     #[must_use]
     fn without_skin(mut self) -> Self {
         for (target, slots) in self.slots.iter_mut().enumerate() {
@@ -117,10 +117,10 @@ impl FaceRig {
         self.eyes_in_skull
     }
 
-    /// Sets jaw, lids and morph weights. Values of `controls` out of range are brought into
-    /// it; `eye_pitch_rad` is the eyes' downward pitch, which the lids follow, left and right;
-    /// `pose` has the eyes already. Weights, 0 to 1, of targets that the actor does not use
-    /// are left alone; slots beyond `weights` are ignored.
+    /// Sets jaw, lids and morph weights. Limits `controls` to their ranges; `eye_pitch_rad` is the
+    /// eyes' downward pitch, which the lids follow, left and right; `pose` already contains the
+    /// eyes. Weights, 0 to 1, of targets that the actor does not use stay unchanged; slots beyond
+    /// `weights` are ignored.
     pub fn write(
         &self,
         controls: &FaceControls,

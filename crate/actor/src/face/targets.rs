@@ -10,8 +10,8 @@ use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 use MorphTarget as T;
 use Muscle as M;
 
-/// How far in front of the jaw's hinge the lips are, metres: what slides down opens them as
-/// a turn by the slide over this does. Designed.
+/// Distance of the lips in front of the jaw's hinge, metres: a downward slide opens them like a
+/// turn by the slide divided by this distance. Designed.
 const LIPS_M: f64 = 0.09;
 
 /// A morph target, or the pair of its left and right halves.
@@ -62,12 +62,12 @@ pub(super) enum MorphTarget {
 impl MorphTarget {
     pub(super) const COUNT: usize = Self::TongueOut as usize + 1;
 
-    /// Targets that stand for a joint of the face: nothing of them may be written where the
-    /// joint itself carries skin.
+    /// Targets that represent a joint of the face: they must not be written where the joint itself
+    /// carries skin.
     pub(super) const OF_JAW: [Self; 3] = [T::JawOpen, T::JawForward, T::Jaw];
     pub(super) const OF_LIDS: [Self; 1] = [T::Blink];
     pub(super) const OF_EYES: [Self; 4] = [T::LookUp, T::LookDown, T::LookIn, T::LookOut];
-    /// Targets that move something else than skin.
+    /// Targets that move parts other than skin.
     pub(super) const OF_TONGUE: [Self; 2] = [T::TongueUp, T::TongueOut];
 }
 
@@ -109,7 +109,8 @@ pub(super) const NAMES: [&str; T::COUNT] = [
     "tongueOut",
 ];
 
-/// The place of a target by ARKit's name. The compiler asks, and refuses a name that there is not.
+/// Returns the index of a target by ARKit's name. Evaluated by the compiler, which rejects unknown
+/// names.
 const fn place(name: &str) -> usize {
     let mut k = 0;
     while k < NAMES.len() {
@@ -129,10 +130,9 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
     k == a.len() && k == b.len()
 }
 
-/// By how much a muscle that is fully contracted (of a pair the left one) moves a target of
-/// its side, percent, as the table of muscles says ([`ARKIT`]). Nasalis and depressor septi have
-/// none: no target moves the nostrils alone. The frontal belly's target is one for both sides
-/// and takes their mean.
+/// Weight of a target of its side for a fully contracted muscle (of a pair the left one), percent,
+/// from the table of muscles ([`ARKIT`]). Nasalis and depressor septi have none: no target moves
+/// the nostrils alone. The frontal belly's target is common to both sides and takes their mean.
 static TABLE: [(Muscle, usize, u8); ARKIT.len()] = {
     let mut table = [(ARKIT[0].0, 0, 0); ARKIT.len()];
     let mut k = 0;
@@ -147,8 +147,8 @@ static TABLE: [(Muscle, usize, u8); ARKIT.len()] = {
 /// Weights of all targets, left and right; of one in the middle both are the same.
 pub(super) type Weights = [[f64; 2]; T::COUNT];
 
-/// Weights of what muscles, jaw and tongue move; lids that blink and eyes that turn are
-/// [`FaceRig`](super::FaceRig)'s. Values of `controls` are in their ranges.
+/// Returns the weights driven by muscles, jaw and tongue. [`FaceRig`](super::FaceRig) handles
+/// blinking lids and turning eyes. Values of `controls` are in their ranges.
 pub(super) fn of_controls(controls: &FaceControls) -> Weights {
     let mut weights = linear(&controls.contraction);
     let w = &mut weights;

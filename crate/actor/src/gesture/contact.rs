@@ -20,9 +20,9 @@ const RADII_M: [[f64; 4]; 2] = [
 ];
 /// Length of the last bone of a finger, as a share of the one before.
 pub const TIP_SHARE: f64 = 0.8;
-/// Width of the edge in which hands begin to give way, metres.
+/// Width of the contact edge in which hands begin to yield, metres.
 const EDGE_M: f64 = 0.004;
-/// Share of a push that goes to the hands' own sides, whatever the contact says. Designed.
+/// Share of a push directed to the hands' own sides, whatever the contact direction. Designed.
 const BIAS: f64 = 0.5;
 /// Steps of the search for where two hands are free of each other.
 const STEPS: usize = 8;
@@ -37,20 +37,21 @@ pub struct Capsule {
 }
 
 impl Capsule {
-    /// How deep this and another, moved by an offset, are in each other; negative apart;
-    /// metres.
+    /// Returns the penetration depth of this capsule and another, moved by an offset; negative when
+    /// apart; metres.
     #[must_use]
     pub fn depth_m(&self, other: &Self, offset: DVec3) -> f64 {
         self.radius_m + other.radius_m - self.gap(other, offset).magnitude()
     }
 
-    /// From the axis of the other, moved by an offset, the shortest way to this one's axis.
+    /// Returns the shortest vector from the axis of the other, moved by an offset, to this one's
+    /// axis.
     fn gap(&self, other: &Self, offset: DVec3) -> DVec3 {
         shortest(self.ends, other.ends.map(|p| p + offset))
     }
 }
 
-/// The shortest way from one line segment, `b`, to another, metres.
+/// Returns the shortest vector from line segment `b` to another, metres.
 fn shortest(a: [DVec3; 2], b: [DVec3; 2]) -> DVec3 {
     let (u, v, w) = (a[1] - a[0], b[1] - b[0], a[0] - b[0]);
     let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));
@@ -69,7 +70,7 @@ fn shortest(a: [DVec3; 2], b: [DVec3; 2]) -> DVec3 {
     w + u * s - v * t
 }
 
-/// One hand of a figure: all about it that does not change with the pose.
+/// Pose-independent measures of one hand of a figure.
 #[derive(Clone, Debug)]
 struct HandSolid {
     /// World from wrist in the zero pose.
@@ -126,7 +127,7 @@ impl HandSolid {
     }
 }
 
-/// A hand as it is wanted.
+/// Requested pose of a hand.
 #[derive(Clone, Copy, Debug)]
 pub struct TargetHand {
     /// Wrist, metres.
@@ -137,17 +138,17 @@ pub struct TargetHand {
     pub fingers: [(Bone, DQuat); 15],
 }
 
-/// Both hands of a figure, and the body that they keep out of.
+/// Both hands of a figure, and the body that they must not enter.
 #[derive(Clone, Debug)]
 pub struct Contact {
     hands: [HandSolid; 2],
     space: BodySpace,
-    /// 1 where the left hand goes behind the right, −1 where it goes before it.
+    /// 1 if the left hand passes behind the right, −1 if it passes in front.
     left_behind: f64,
 }
 
 impl Contact {
-    /// Measures a figure with a dominant hand, which goes before the other.
+    /// Measures a figure with a dominant hand, which passes in front of the other.
     #[must_use]
     pub fn new(skeleton: &Skeleton, space: &BodySpace, dominant: Side) -> Self {
         Self {
@@ -160,7 +161,8 @@ impl Contact {
         }
     }
 
-    /// What moves a hand (in the axes of the zero pose's trunk) out of trunk and head.
+    /// Returns the displacement that moves a hand (in the axes of the zero pose's trunk) out of
+    /// trunk and head.
     #[must_use]
     pub fn exit_displacement(&self, side: Side, hand: &TargetHand) -> DVec3 {
         let mut sum = DVec3::ZERO;
@@ -182,8 +184,8 @@ impl Contact {
         }
     }
 
-    /// What moves the left hand away from the right until they are free of each other; each
-    /// takes half. The axes are the body's left and front.
+    /// Returns the displacement that separates the left hand from the right; each hand takes half.
+    /// The axes are the body's left and front.
     #[must_use]
     pub fn apart(&self, hands: [&TargetHand; 2], [left, front]: [DVec3; 2]) -> DVec3 {
         let [a, b] = [0, 1].map(|i| self.hands[i].capsules(hands[i]));

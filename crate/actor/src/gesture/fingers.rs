@@ -9,10 +9,11 @@ use super::RestPostures;
 use super::pace::MAX_SPEED_FINGER_RAD_S;
 use super::tracks::piece_at;
 
-/// Fingers form a little before the hand arrives: they take this share less of the time.
+/// Lead of finger formation: fingers take this share less of the time, so they form slightly before
+/// the hand arrives.
 const EARLY: f64 = 1.2;
-/// How far a profile may overshoot the way between two shapes: fingers have little room
-/// beyond theirs.
+/// Maximum overshoot of a profile between two shapes: fingers have little range beyond their
+/// shapes.
 const OVERSHOOT: f64 = 0.15;
 
 /// Finger angles of one hand over the whole story.
@@ -25,9 +26,9 @@ pub(super) struct FingerTrack {
 /// A shape, and how the fingers move on from it.
 #[derive(Clone, Copy, Debug)]
 struct FingerNode {
-    /// `None` is rest.
+    /// Hand shape; `None` is rest.
     shape: Option<HandAngles>,
-    /// To the next node; `None`: as fingers do by default.
+    /// Profile to the next node; `None` uses the default motion of fingers.
     profile: Option<Profile>,
 }
 
@@ -53,12 +54,12 @@ impl FingerTrack {
         (from.angles().lerp(&to.angles(), m), rest_share)
     }
 
-    /// The last key; rest when there is none.
+    /// Returns the last key; rest when there is none.
     pub(super) fn last(&self) -> Option<HandAngles> {
         self.nodes.last().and_then(|node| node.shape)
     }
 
-    /// Time of the last key; minus infinity when there is none.
+    /// Returns the time of the last key; minus infinity when there is none.
     pub(super) fn last_secs(&self) -> f64 {
         self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
     }
@@ -85,7 +86,7 @@ impl FingerTrack {
         time_secs
     }
 
-    /// Takes keys later than this back.
+    /// Removes keys later than a time.
     pub(super) fn forget_after(&mut self, time_secs: f64) {
         let keep = self.times.partition_point(|t| *t <= time_secs);
         self.times.truncate(keep);

@@ -33,40 +33,41 @@ pub use rest::{RestPostures, RestingHand};
 pub struct HandKey {
     /// Story time, seconds.
     pub time_secs: f64,
-    /// Place of the wrist, world, metres. `None` leaves it on its way to the next key that
-    /// has one, or keeps it when there is none.
+    /// Position of the wrist, world, metres. `None` leaves it on its path to the next key that has
+    /// one, or keeps it when there is none.
     pub wrist_in_world: Option<DVec3>,
-    /// Whether the place is the world's, whatever way the figure has gone: otherwise it goes
+    /// True if the position is fixed in the world even when the figure walks; otherwise it moves
     /// with the figure.
     pub stays_in_world: bool,
-    /// Hand rotation ([`crate::palm`]). `None` likewise; the hand is relaxed when no key
-    /// has turned it.
+    /// Hand rotation ([`crate::palm`]). `None` likewise; the hand is relaxed if no key has turned
+    /// it.
     pub hand_in_world: Option<DQuat>,
     /// Finger angles. `None` likewise.
     pub shape: Option<HandAngles>,
-    /// How the wrist moves to this key from the one before in its stroke.
+    /// Motion of the wrist to this key from the previous one in its stroke.
     pub wrist_course: Transition,
-    /// How the hand turns to this key from the one before in its stroke.
+    /// Turn of the hand to this key from the previous one in its stroke.
     pub hand_course: Transition,
-    /// How the fingers move to this key from the one before in its stroke; the space does not
+    /// Motion of the fingers to this key from the previous one in its stroke; the space does not
     /// matter, since fingers are always interpolated by joint.
     pub shape_course: Transition,
 }
 
-/// How a feature moves to a key (GEVH 3.5.1).
+/// Transition of a feature to a key (GEVH 3.5.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Transition {
-    /// The pace. `None` leaves pace and path to the planner: minimum jerk along a slightly
-    /// curved path, passing through keys that lie on the way.
+    /// Velocity profile. `None` leaves pace and path to the planner: minimum jerk along a slightly
+    /// curved path through keys that lie on the path.
     pub profile: Option<Profile>,
-    /// The interpolated quantity. `None`: positions; of rotations what is more natural.
+    /// Interpolated quantity. `None` interpolates positions, and for rotations the more natural
+    /// quantity.
     pub space: Option<InterpolationSpace>,
 }
 
 /// The quantity that is interpolated between two keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InterpolationSpace {
-    /// Positions and orientations in the world: a straight way.
+    /// Positions and orientations in the world: a straight path.
     Cartesian,
     /// Joint angles: the wrist swings as shoulder and elbow turn, the hand turns as the wrist
     /// bends.
@@ -76,38 +77,38 @@ pub enum InterpolationSpace {
 /// A part of a gesture (GEVH 3.5.2, appendix C.3.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GesturePhase {
-    /// What carries the meaning. The planner sees to what goes before and after.
+    /// The meaningful phase. The planner adds the phases before and after.
     #[default]
     Stroke,
-    /// The way to where the stroke starts: it begins when the phase does.
+    /// The movement to the start of the stroke, beginning at the start of the phase.
     Preparation,
-    /// A hold before or after the stroke: the hand stays, or does what the keys say, until the
-    /// end of the phase.
+    /// A hold before or after the stroke: the hand stays, or follows the keys, until the end of the
+    /// phase.
     Hold,
-    /// The way back to rest, in the time of the phase.
+    /// The return to rest, within the phase.
     Retraction,
-    /// A way back that ends half-way, in the time of the phase.
+    /// A return that ends half-way, within the phase.
     PartialRetraction,
 }
 
-/// A stretch of keys that belong together, usually one gesture phase or one clause.
+/// A group of keys that belong together, usually one gesture phase or one clause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GestureStroke {
-    /// What part of a gesture it is.
+    /// Gesture phase.
     pub phase: GesturePhase,
-    /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by
-    /// its own time, whatever this says; in other phases it sets out now.
+    /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by that
+    /// key's own time, whatever this value; in other phases it departs at this time.
     pub start_secs: f64,
-    /// End, story time, seconds: the last key is held at least until here.
+    /// End, story time, seconds: the last key is held at least until this time.
     pub end_secs: f64,
-    /// Keys by time; others are sorted. Phases other than strokes need none.
+    /// Keys, sorted by time on use. Phases other than strokes need none.
     pub keys: Vec<HandKey>,
-    /// The pace of the whole stretch, over the profiles of its keys: times of keys are places
-    /// on this course. `None` leaves them where they are.
+    /// Velocity profile of the whole stroke, overriding the profiles of its keys: key times become
+    /// places along this profile. `None` leaves them unchanged.
     pub pace: Option<Profile>,
 }
 
-/// A stretch of story time, seconds.
+/// An interval of story time, seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeSpan {
     /// Beginning.
@@ -116,30 +117,30 @@ pub struct TimeSpan {
     pub end_secs: f64,
 }
 
-/// How a figure moves its arms by default.
+/// Default arm motion of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IdleSettings {
     /// Seed of all that is left to chance.
     pub seed: u64,
     /// Liveliness, 0 (still) to 1.
     pub amount: f64,
-    /// The dominant hand: it lies before the other where both rest, and leaves first. A
+    /// The dominant hand: it lies in front of the other when both rest, and leaves first. A
     /// left-hander is the mirror image of a right-hander.
     pub dominant: Side,
 }
 
-/// All that a script asks of one arm.
+/// Script of one arm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ArmScript {
     /// Strokes in any order.
     pub strokes: Vec<GestureStroke>,
-    /// When gestures are switched on. Empty means always.
+    /// Intervals in which gestures are switched on. Empty means always.
     pub on: Vec<TimeSpan>,
 }
 
 impl ArmScript {
-    /// The script in the axes of a figure that goes about: places of the world as it sees them
-    /// at the time of their key. `figure_from_world` is where it is then.
+    /// Returns the script in the axes of a moving figure, with world places as seen at the time of
+    /// their key. `figure_from_world` gives the figure's transform at a time.
     #[must_use]
     pub fn from_viewpoint(&self, figure_from_world: impl Fn(f64) -> DAffine3) -> Self {
         let mut script = self.clone();

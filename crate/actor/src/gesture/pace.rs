@@ -5,31 +5,31 @@ use raconteur_body::hand_shape::HandAngles;
 
 use super::path::reach_secs;
 
-/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4.1 m/s, as
-/// in brisk conversation. What a script wants faster comes later.
+/// Maximum mean speed of a wrist, metres per second: with the peak of a free movement 4.1 m/s, as
+/// in brisk conversation. Faster requests arrive later.
 pub(super) const MAX_SPEED_M_S: f64 = 2.2;
-/// Fastest mean turn of a hand, radians a second: half a turn takes a fifth of a second.
+/// Maximum mean turn rate of a hand, radians per second: half a turn takes a fifth of a second.
 /// Designed.
 pub(super) const MAX_SPEED_TURN_RAD_S: f64 = 15.0;
 /// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
 /// second at best. Designed.
 pub(super) const MAX_SPEED_FINGER_RAD_S: f64 = 18.0;
-/// A key that repeats the place of the one before within this distance keeps it, metres.
+/// Distance within which a key repeats the previous place and keeps it, metres.
 pub(super) const SAME_PLACE_M: f64 = 1e-6;
 /// Turns and finger angles within this are one, radians.
 const SAME_RAD: f64 = 1e-6;
-/// Time of an unhurried turn: for setting it going, and for each radian, seconds. Designed:
-/// half a turn takes 0.7 s, as long as a reach of 20 cm.
+/// Duration of an unhurried turn: to start, and per radian, seconds. Designed: half a turn takes
+/// 0.7 s, as long as a reach of 20 cm.
 const TURN_SECS: [f64; 2] = [0.2, 0.16];
 /// Time in which fingers form another shape unhurried, seconds. Designed.
 pub(super) const SHAPING_SECS: f64 = 0.35;
 
-/// Times for a way, seconds.
+/// Durations of a movement, seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct MoveDurations {
     /// The shortest that the planner plans.
     pub(super) least_secs: f64,
-    /// What people take who are not pressed.
+    /// Unhurried duration.
     pub(super) easy_secs: f64,
 }
 
@@ -71,7 +71,7 @@ impl MoveDurations {
         }
     }
 
-    /// For two things at once.
+    /// Returns the durations of two simultaneous movements.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             least_secs: self.least_secs.max(other.least_secs),

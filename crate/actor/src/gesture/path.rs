@@ -23,7 +23,7 @@ pub(super) struct ArcPath {
 }
 
 impl ArcPath {
-    /// The place at a parameter 0..1, from the start.
+    /// Returns the position at a parameter 0..1, from the start.
     pub(super) fn place(&self, u: f64) -> DVec3 {
         self.along * u + self.arch * (4.0 * u * (1.0 - u))
     }
@@ -32,7 +32,7 @@ impl ArcPath {
         (self.along + self.arch * (4.0 - 8.0 * u)).magnitude()
     }
 
-    /// Length of the way up to a parameter.
+    /// Returns the path length up to a parameter.
     fn length(&self, u: f64) -> f64 {
         let between = |a: f64, b: f64| {
             let parts = GAUSS.iter().map(|(x, w)| w * self.slope(a + (b - a) * x));
@@ -46,8 +46,8 @@ impl ArcPath {
         }
     }
 
-    /// The place after a share of the way's length: movements have the speed of a profile
-    /// along their curved way, however it bends.
+    /// Returns the position after a share of the path length. Movements follow the speed of a
+    /// profile along their curved path, whatever its curvature.
     pub(super) fn after(&self, share: f64) -> DVec3 {
         let whole = self.length(1.0);
         let mut u = share;

@@ -7,15 +7,15 @@ use raconteur_base::{DQuat, DVec3};
 use super::pace::MoveDurations;
 use super::{ArmScript, GesturePhase, HandKey, TimeSpan};
 
-/// Two keys this close are one moment, seconds.
+/// Tolerance within which two keys count as simultaneous, seconds.
 const SAME_SECS: f64 = 1e-6;
-/// A feature that joins a gesture in its hold is prepared in this time, seconds. Designed.
+/// Preparation time of a feature that joins a gesture during its hold, seconds. Designed.
 const JOIN_SECS: f64 = 0.5;
 
-/// A run of keys within one switched-on span, with the time to hold the last.
+/// A run of keys within one enabled interval, with the hold time of the last.
 pub(super) struct Phrase {
     pub(super) phase: GesturePhase,
-    /// When it begins: the first key, or the phase.
+    /// Start time: the first key, or the phase.
     pub(super) start: f64,
     pub(super) keys: Vec<HandKey>,
     pub(super) hold_until: f64,
@@ -29,14 +29,14 @@ impl Phrase {
         self.keys.iter().find(|k| has(k))
     }
 
-    /// When a feature's first key is, if it has one.
+    /// Returns the time of a feature's first key, if it has one.
     pub(super) fn first(&self, has: fn(&HandKey) -> bool) -> Option<f64> {
         self.first_key(has).map(|k| k.time_secs)
     }
 
-    /// Whether the way to a feature's first key is part of the script, from the beginning of
-    /// the phrase, and not the planner's preparation: in a phase that is no stroke, or where
-    /// the key comes later than the stroke and says how it is reached.
+    /// Returns true if the path to a feature's first key is part of the script, from the beginning
+    /// of the phrase, and not the planner's preparation: in a phase other than a stroke, or if the
+    /// key comes later than the stroke and defines its transition.
     pub(super) fn includes_approach(&self, feature: usize) -> bool {
         let Some(first) = self.keys.iter().find(|k| FEATURES[feature].0(k)) else {
             return false;
@@ -46,7 +46,7 @@ impl Phrase {
         scripted && first.time_secs > self.start + SAME_SECS
     }
 
-    /// When something begins to happen.
+    /// Returns the time at which the first motion begins.
     fn begins(&self) -> f64 {
         match self.keys.first() {
             Some(key) if !(0..FEATURES.len()).any(|f| self.includes_approach(f)) => key.time_secs,
@@ -68,15 +68,15 @@ pub(super) fn has_shape(key: &HandKey) -> bool {
     key.shape.is_some()
 }
 
-/// Places in [`FEATURES`].
+/// Indices in [`FEATURES`].
 pub(super) const WRIST: usize = 0;
 pub(super) const HAND: usize = 1;
 pub(super) const SHAPE: usize = 2;
 
-/// Whether a key says something of a feature, and how to take it back.
+/// A feature of a key: a predicate for its presence, and a function that removes it.
 type Feature = (fn(&HandKey) -> bool, fn(&mut HandKey));
 
-/// What a key may say.
+/// Features that a key may set.
 const FEATURES: [Feature; 3] = [
     (has_wrist, |k| k.wrist_in_world = None),
     (has_hand, |k| k.hand_in_world = None),
@@ -154,8 +154,9 @@ fn usable(key: &HandKey) -> bool {
 }
 
 impl Phrase {
-    /// Whether a phrase that begins no earlier contends with this one: it begins before this
-    /// one is over, or a stroke ends elsewhere than the next begins at that very moment.
+    /// Returns true if a phrase that begins no earlier conflicts with this one: it begins before
+    /// this one is over, or a stroke ends in a different place than the next begins at the same
+    /// instant.
     fn overlaps(&self, next: &Self) -> bool {
         let gap = next.begins() - self.hold_until;
         let strokes = self.phase == GesturePhase::Stroke && next.phase == GesturePhase::Stroke;
@@ -169,10 +170,10 @@ impl Phrase {
         gap < -SAME_SECS || (gap <= SAME_SECS && strokes && elsewhere)
     }
 
-    /// A stroke that ends elsewhere than the next one begins at that very moment, as one does
-    /// that is repeated, comes to its end earlier by the time of the way back: as much as the
-    /// way back takes unhurried, or its share of what there is since the last key but one.
-    /// Where that is too little for both ways, or the stroke has one key only, nothing changes.
+    /// Shortens a stroke that ends in a different place than the next begins at the same instant,
+    /// as in a repeated stroke. It ends earlier by the time of the way back: the unhurried time, or
+    /// its share of the time since the last key but one. Where that is too short for both
+    /// movements, or the stroke has one key only, nothing changes.
     fn turn_back_for(&mut self, next: &Self) {
         let [.., before, last] = &mut self.keys[..] else {
             return;
@@ -194,9 +195,9 @@ impl Phrase {
         last.time_secs -= back.easy_secs.min(share * secs);
     }
 
-    /// Makes way for a phrase that begins before this one is over: of each feature that both
-    /// have, the later word counts from its first key on. Takes the other in when what
-    /// remains goes on beside it, and gives it back when it follows.
+    /// Yields to a phrase that begins before this one is over: for each feature in both, the later
+    /// phrase takes over from its first key on. Merges the other when the remainder continues in
+    /// parallel, and returns it when it follows.
     fn yield_to(&mut self, mut next: Self) -> Option<Self> {
         let begins = next.begins();
         let goes_back = matches!(
@@ -241,8 +242,7 @@ impl Phrase {
         None
     }
 
-    /// A feature that has come to its last key stays there until it is time to set out for
-    /// the first key of a phrase that joins.
+    /// Holds a feature at its last key until it must depart for the first key of a joining phrase.
     fn stay_until(&mut self, feature: usize, leaves_secs: f64) {
         let has = FEATURES[feature].0;
         let Some(last) = self.keys.iter().rev().find(|k| has(k)) else {
@@ -269,7 +269,7 @@ impl Phrase {
 }
 
 impl HandKey {
-    /// The time to another key, in all that both say.
+    /// Returns the time to another key, over all features that both set.
     fn needs_to(&self, to: &Self) -> MoveDurations {
         let wrist = self.wrist_in_world.zip(to.wrist_in_world);
         let hand = self.hand_in_world.zip(to.hand_in_world);
@@ -286,7 +286,7 @@ impl HandKey {
         wrist.and(hand).and(fingers)
     }
 
-    /// Takes over what another key of the same moment says.
+    /// Takes over the features of another key at the same time.
     fn merge(&mut self, other: &Self) {
         if other.wrist_in_world.is_some() {
             (self.wrist_in_world, self.wrist_course) = (other.wrist_in_world, other.wrist_course);

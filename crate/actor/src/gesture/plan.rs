@@ -15,17 +15,17 @@ use super::tracks::{HandTrack, WristTrack, piece_at};
 use super::{ArmScript, IdleSettings, RestPostures};
 use crate::ArmRig;
 
-/// What a hand should do at one time.
+/// Target of a hand at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct HandTarget {
-    /// Wrist; in the world for scripted places, relative to the zero pose of the trunk at
-    /// rest. [`HandTarget::rest_share`] says how much of either.
+    /// Wrist position; in the world for scripted places, relative to the zero pose of the trunk at
+    /// rest. [`HandTarget::rest_share`] gives the mix of both.
     pub wrist: DVec3,
     /// Hand rotation, likewise by [`HandTarget::hand_rest_share`].
     pub hand: DQuat,
     /// Finger angles.
     pub shape: HandAngles,
-    /// 1 at rest (the wrist goes with the trunk), 0 in a gesture (it is in the world).
+    /// 1 at rest (the wrist moves with the trunk), 0 in a gesture (it is in the world).
     pub rest_share: f64,
     /// The same for the hand's rotation.
     pub hand_rest_share: f64,
@@ -33,16 +33,16 @@ pub struct HandTarget {
     pub finger_rest_share: f64,
 }
 
-/// Which phase an arm is in.
+/// Phase of an arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HandState {
     /// At rest.
     Rest,
-    /// On its way to a stroke, in it, held, or returning.
+    /// Moving to a stroke, in it, held, or returning.
     Busy,
 }
 
-/// A stretch of time with a pace of its own.
+/// An interval with its own pace.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpeedSpan {
     pub(super) start_secs: f64,
@@ -56,7 +56,7 @@ pub struct ArmPlan {
     wrist: WristTrack,
     hand: HandTrack,
     fingers: FingerTrack,
-    /// Starts of the stretches in `paces`.
+    /// Start times of the intervals in `paces`.
     pace_starts: Vec<f64>,
     paces: Vec<SpeedSpan>,
     keys: Vec<PlannedKey>,
@@ -65,8 +65,8 @@ pub struct ArmPlan {
 }
 
 impl ArmPlan {
-    /// Plans one arm of a figure with its body in the way. Keys at impossible times or places
-    /// (not finite) are left out.
+    /// Plans one arm of a figure, avoiding its body. Keys with non-finite times or places are left
+    /// out.
     #[must_use]
     pub fn new(
         script: &ArmScript,
@@ -109,9 +109,8 @@ impl ArmPlan {
         &self.rig
     }
 
-    /// What the hand should do at a time: at a planned key its place exactly, between two of them
-    /// what the way from one to the other makes of the time, before the first and after the last
-    /// rest. O(log n), no allocation.
+    /// Returns the hand target at a time: at a planned key its exact place, between two keys the
+    /// interpolation, before the first and after the last rest. O(log n), no allocation.
     #[must_use]
     pub fn sample(&self, time_secs: f64) -> HandTarget {
         let rest = self.rest.sample(time_secs);
@@ -141,13 +140,13 @@ impl ArmPlan {
         }
     }
 
-    /// What the script asks for and when it comes about, in the order of planning.
+    /// Returns the script's keys with their planned times, in the order of planning.
     #[must_use]
     pub fn keys(&self) -> &[PlannedKey] {
         &self.keys
     }
 
-    /// Stretches of time in which wrist or hand are not at rest, story time, seconds.
+    /// Returns the intervals in which wrist or hand are not at rest, story time, seconds.
     pub(crate) fn moving(&self) -> Vec<(f64, f64)> {
         let wrist = self.wrist.nodes.iter().map(|node| node.place.is_some());
         let moved = [
@@ -171,9 +170,8 @@ impl ArmPlan {
         self.rest.use_welcome_posture(skeleton);
     }
 
-    /// The time that the hand needs from where it is at `from_secs`, or from rest, to the
-    /// first key of an unprepared stroke, seconds. `None` for a key that moves the
-    /// fingers only.
+    /// Returns the time that the hand needs from its position at `from_secs`, or from rest, to the
+    /// first key of an unprepared stroke, seconds. `None` for a key that moves the fingers only.
     #[must_use]
     pub fn time_to(&self, from_secs: f64, wrist_in_world: Option<DVec3>) -> f64 {
         let places = [
@@ -189,7 +187,7 @@ impl ArmPlan {
         reach_secs(wrist_in_world.map_or(0.0, far))
     }
 
-    /// Whether the arm is busy at a time.
+    /// Returns the state of the arm at a time.
     #[must_use]
     pub fn state_at(&self, time_secs: f64) -> HandState {
         let piece = piece_at(&self.wrist.times, self.paced(time_secs));

@@ -16,13 +16,13 @@ use crate::limb::BodySpace;
 
 /// Hands flow directly into a stroke that begins this soon, seconds. Designed.
 const FLOW_SECS: f64 = 1.1;
-/// Up to this gap hands sink half-way to the ready place between strokes, seconds. Designed.
+/// Maximum gap in which hands sink half-way to the ready place between strokes, seconds. Designed.
 const SINK_SECS: f64 = 2.3;
-/// Longest hold after a stroke, seconds. Designed (holds of some 0.3 to 0.6 s are common).
+/// Maximum hold after a stroke, seconds. Designed (holds of about 0.3 to 0.6 s are common).
 const HOLD_SECS: f64 = 0.55;
-/// How far a held hand sinks, metres: no one holds quite still.
+/// Sinking of a held hand, metres: no one holds perfectly still.
 const HOLD_DRIFT_M: f64 = 0.007;
-/// Share by which the fingers of a held hand give way to their relaxed shape. Designed.
+/// Share by which the fingers of a held hand relax towards their relaxed shape. Designed.
 const HOLD_SOFTENING: f64 = 0.16;
 /// Time for returning to rest, as a multiple of reaching the same distance: retractions
 /// are slower than preparations.
@@ -31,8 +31,8 @@ const RETRACT_SLOWNESS: f64 = 1.25;
 const MIN_RETURN_SECS: f64 = 0.35;
 /// Longest time in which fingers form before a stroke, seconds. Designed.
 const MAX_SHAPING_SECS: f64 = 0.9;
-/// A hand waits before it leaves for the next stroke, so that the way there takes no longer
-/// than this, seconds. Designed.
+/// Maximum travel time to the next stroke, seconds: the hand departs later rather than travel
+/// longer. Designed.
 const MAX_TRAVEL_SECS: f64 = 0.85;
 
 /// The course of everything that a script leaves to the planner.
@@ -41,7 +41,7 @@ const FREE: Transition = Transition {
     space: None,
 };
 
-/// What the planner makes of a script.
+/// Planner output for a script.
 pub(super) struct PlannerOutput {
     pub(super) wrist: WristTrack,
     pub(super) hand: HandTrack,
@@ -49,17 +49,17 @@ pub(super) struct PlannerOutput {
     pub(super) keys: Vec<PlannedKey>,
 }
 
-/// A place that a script asks for, as it was planned.
+/// A scripted place as planned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedKey {
-    /// When the script wants the hand there, story time, seconds.
+    /// Scripted arrival time, story time, seconds.
     pub time_secs: f64,
-    /// When it gets there: later where the way is too far for the time.
+    /// Actual arrival time; later where the distance is too long for the time.
     pub arrives_secs: f64,
-    /// Where: the script's place as far as it is in reach and outside the body, metres.
-    /// `None` for keys that only turn the hand or move its fingers.
+    /// Wrist position: the scripted place, limited to reach and outside the body, metres. `None`
+    /// for keys that only turn the hand or move its fingers.
     pub wrist_in_world: Option<DVec3>,
-    /// Whether a stroke begins with it.
+    /// True if it begins a stroke.
     pub begins_stroke: bool,
 }
 
@@ -71,9 +71,9 @@ pub(super) struct Planner<'a> {
     side: Side,
     amount: f64,
     out: PlannerOutput,
-    /// The hand is on its way back: it does not hold what it has reached.
+    /// True while the hand is returning: it does not hold the reached position.
     returning: bool,
-    /// When gestures are switched off.
+    /// Time at which gestures are switched off.
     must_end: f64,
 }
 
@@ -116,7 +116,7 @@ impl<'a> Planner<'a> {
         self.out
     }
 
-    /// Performs a phrase after the planned ones, and before what comes next.
+    /// Performs a phrase after the planned ones, and before the next one.
     fn perform(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         let leads = phrase.includes_approach(WRIST) || phrase.includes_approach(HAND);
         let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
@@ -142,15 +142,15 @@ impl<'a> Planner<'a> {
         self.settle(self.held_until(phrase, next), sink);
     }
 
-    /// Until when the hand holds what it has reached in a phrase: to its end, or until it has
-    /// to set out for the next phrase, whose preparation takes place within the hold.
+    /// Returns the end of the hold in a phrase: its end, or the departure time for the next phrase,
+    /// whose preparation takes place within the hold.
     fn held_until(&self, phrase: &Phrase, next: Option<&Phrase>) -> f64 {
         let sets_out = next.map_or(f64::INFINITY, |next| self.sets_out_secs(next));
         phrase.hold_until.min(sets_out)
     }
 
-    /// When the hand has to leave where it is at the latest to begin a phrase in time and
-    /// unhurried. Infinite where the phrase says itself when to set out, or nothing moves.
+    /// Returns the latest departure time for beginning a phrase in time and unhurried. Infinite if
+    /// the phrase defines its own departure, or nothing moves.
     fn sets_out_secs(&self, next: &Phrase) -> f64 {
         let mut latest = f64::INFINITY;
         let mut meet =
@@ -200,7 +200,7 @@ impl<'a> Planner<'a> {
         self.out.wrist.last_secs().max(self.out.hand.last_secs())
     }
 
-    /// Leaves a hold towards a phrase that begins at `next`. Whether the phrase flows
+    /// Leaves a hold towards a phrase that begins at `next`. Returns true if the phrase continues
     /// from there; otherwise the hand is at rest.
     fn leave(&mut self, next: f64, phrase: &Phrase) -> bool {
         let Some(place) = self.out.wrist.last() else {
@@ -232,7 +232,7 @@ impl<'a> Planner<'a> {
         true
     }
 
-    /// Goes half-way towards the ready place.
+    /// Moves half-way towards the ready place.
     fn sink(&mut self, place: DVec3, time: f64) {
         let wrist = place.lerp(self.rest.ready(), 0.5);
         let hand = self.out.hand.last().unwrap_or(DQuat::IDENTITY);
@@ -264,7 +264,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The script's place as far as it is in reach and outside the body.
+    /// Returns the scripted place limited to reach and outside the body.
     fn reachable(&self, wrist: DVec3) -> DVec3 {
         self.rig.within_reach(self.space.project_outside(wrist))
     }
@@ -336,7 +336,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Notes a key that does not move the wrist, if it comes late.
+    /// Records a key that does not move the wrist, if it is late.
     fn note(&mut self, time_secs: f64, arrives_secs: f64) {
         if arrives_secs > time_secs {
             self.out.keys.push(PlannedKey {
@@ -348,7 +348,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Adds a place of the wrist, no earlier than it can be reached. Returns when it is.
+    /// Adds a wrist position, no earlier than it can be reached. Returns its time.
     fn push_wrist(&mut self, time: f64, place: Option<DVec3>, course: Transition) -> f64 {
         let track = &mut self.out.wrist;
         let mut time = time;
@@ -373,8 +373,8 @@ impl<'a> Planner<'a> {
         time
     }
 
-    /// Holds the present features until a later time, all features to the same. A hand that is
-    /// held sinks a little, and its fingers ease; `share` is how much of that.
+    /// Holds the present features until a later time, all features to the same. A held hand sinks
+    /// slightly, and its fingers relax; `share` scales this.
     fn settle(&mut self, until: f64, share: f64) {
         let out = &mut self.out;
         let Some(place) = out.wrist.last() else {
@@ -402,14 +402,14 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// A hold that a script asks for.
+    /// Performs a scripted hold.
     fn hold(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         if phrase.start - self.planned_secs() <= FLOW_SECS {
             self.settle(self.held_until(phrase, next), 0.0);
         }
     }
 
-    /// A return that a script asks for: after its keys to rest, or half-way there, by its end.
+    /// Performs a scripted return: after its keys to rest, or half-way there, by its end.
     fn return_to_rest(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         self.settle(phrase.start, 1.0);
         self.push_wrists(phrase, true);

@@ -12,11 +12,11 @@ use raconteur_body::{HandShape, Skeleton};
 use super::IdleSettings;
 use crate::{ArmRig, palm};
 
-/// Shortest time that a posture of rest is kept, seconds. Designed.
+/// Minimum duration of a rest posture, seconds. Designed.
 const KEEP_SECS: f64 = 13.0;
 /// Time for changing from one posture to the other, seconds. Designed.
 const CHANGE_SECS: f64 = 1.5;
-/// How many of the stretches are spent with the arms hanging.
+/// Share of intervals spent with the arms hanging.
 const HANGING_SHARE: f64 = 0.4;
 const RANDOM_POSTURE: u64 = 0x5e57;
 const RANDOM_DRIFT: u64 = 0xd21f7;
@@ -41,7 +41,7 @@ pub struct RestPostures {
 }
 
 impl RestPostures {
-    /// Places the postures on a figure.
+    /// Adapts the rest postures to a figure.
     #[must_use]
     pub fn new(skeleton: &Skeleton, rig: &ArmRig, life: &IdleSettings) -> Self {
         let (side, space) = (rig.side(), rig.space());
@@ -88,9 +88,9 @@ impl RestPostures {
         }
     }
 
-    /// Rests from now on in one posture alone, a welcome: the arms a little away from the
-    /// sides, the forearms before them, the palms turned to the audience. Near enough to the
-    /// hanging arm that a story may begin with that.
+    /// Restricts rest to one posture, a welcome: the arms slightly away from the sides, the
+    /// forearms in front of them, the palms turned to the audience. It is close enough to the
+    /// hanging arm for a story to begin with that.
     pub(crate) fn use_welcome_posture(&mut self, skeleton: &Skeleton) {
         let scale = skeleton.scale();
         let sign = self.side.sign();
@@ -123,7 +123,7 @@ impl RestPostures {
         }
     }
 
-    /// A place in front of the body from which gestures start and to which hands sink
+    /// Returns the place in front of the body from which gestures start and to which hands sink
     /// back between them, relative to the trunk of the zero pose, metres.
     #[must_use]
     pub fn ready(&self) -> DVec3 {

@@ -12,24 +12,25 @@ use raconteur_base::{DQuat, DVec3, Length, Side};
 use crate::limb::ArmSolution;
 use crate::limb::wrist::{WristAngles, rotation_vector};
 
-/// Fastest turn of a joint that gestures leave as it is, radians a second: a hand turns with up to
-/// 28 as the planner lets it.
+/// Maximum joint turn rate of gestures that is left unchanged, radians per second: the planner lets
+/// a hand turn with up to 28.
 const MAX_SPEED_RAD_PER_S: f64 = 32.0;
-/// Greatest change of that between two looks, radians a second.
+/// Maximum change of the turn rate between two samples, radians per second.
 const KICK_RAD_PER_S: f64 = 8.0;
-/// Fastest turn of the way through the joints, radians a second.
+/// Maximum turn rate of the smoothed path through the joints, radians per second.
 const CALM_RAD_PER_S: f64 = 14.0;
-/// Shortest time that it takes on each side of the jump, seconds.
+/// Minimum smoothing time on each side of the jump, seconds.
 const MIN_SECS: f64 = 0.1;
-/// Looks a second over all that a hand does, and where it may jump.
+/// Sampling rate of the coarse jump search over all hand motion, hertz.
 const COARSE_HZ: f64 = 30.0;
 const FINE_HZ: f64 = 240.0;
-/// Turn between two coarse looks from which finer ones are made, radians: of an arm that meets
-/// what it is asked for, and of one that cannot.
+/// Turn between two coarse samples that triggers finer sampling, radians: for an arm that reaches
+/// its target, and for one that cannot.
 const LARGE_RAD: [f64; 2] = [0.6, 0.08];
 /// A hand this far off its rotation is not met, radians.
 const MISSED_RAD: f64 = 0.02;
-/// Coarse looks at most, 20 minutes of gestures of an arm: no script takes time without bound.
+/// Maximum number of coarse samples, 20 minutes of gestures of an arm: it bounds the time spent on
+/// any script.
 const MAX_LOOKS: usize = 36_000;
 
 /// Local rotations of scapula, shoulder, elbow and wrist.
@@ -45,14 +46,14 @@ fn turned(a: &Joints, b: &Joints) -> f64 {
     turns.fold(0.0, f64::max)
 }
 
-/// A stretch of time in which joints are led past a jump.
+/// An interval in which joints are guided past a jump.
 #[derive(Clone, Debug)]
 struct SmoothedSpan {
     /// From when to when the joints jump, story time, seconds.
     jump: [f64; 2],
     /// The joints then.
     joints: [Joints; 2],
-    /// How long they are led before and after, seconds.
+    /// Duration of the guidance before and after, seconds.
     margin_secs: f64,
 }
 
@@ -100,14 +101,14 @@ impl SmoothedSpan {
     }
 }
 
-/// Where one arm is led, in order of time.
+/// Smoothed intervals of one arm, in order of time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct JumpSmoothing {
     stretches: Vec<SmoothedSpan>,
 }
 
 impl JumpSmoothing {
-    /// Looks at an arm over stretches of time, story seconds, in their order.
+    /// Searches an arm for jumps over time intervals, story seconds, in their order.
     pub(crate) fn find(
         spans: impl Iterator<Item = (f64, f64)>,
         arm_at: &dyn Fn(f64) -> ArmSolution,
@@ -138,8 +139,8 @@ impl JumpSmoothing {
         }
     }
 
-    /// Leads an arm at a time: within a stretch that was found to jump its four joints turn
-    /// smoothly from those before to those after it; everywhere else the arm is left alone.
+    /// Corrects an arm at a time: within an interval found to jump, its four joints turn smoothly
+    /// from those before to those after it; elsewhere the arm is unchanged.
     pub(crate) fn correct(&self, side: Side, time_secs: f64, arm: &mut ArmSolution) {
         let begun = self.stretches.partition_point(|c| c.span()[0] <= time_secs);
         if let Some(calm) = begun.checked_sub(1).and_then(|i| self.stretches.get(i)) {
@@ -172,7 +173,7 @@ fn refine(from: f64, to: f64, arm_at: &dyn Fn(f64) -> ArmSolution, jumps: &mut V
     }
 }
 
-/// Jumps whose stretches would overlap become one.
+/// Merges jumps whose intervals would overlap.
 fn together(jumps: &[[f64; 2]], arm_at: &dyn Fn(f64) -> ArmSolution) -> Vec<SmoothedSpan> {
     let calm = |jump: [f64; 2]| SmoothedSpan::new(jump, jump.map(|secs| joints(&arm_at(secs))));
     let mut order = jumps.to_vec();
@@ -193,7 +194,7 @@ fn together(jumps: &[[f64; 2]], arm_at: &dyn Fn(f64) -> ArmSolution) -> Vec<Smoo
 mod tests {
     use super::*;
 
-    /// An arm whose forearm goes from one end of its range to the other at once, at 1 s.
+    /// Returns an arm whose forearm flips from one end of its range to the other instantly, at 1 s.
     fn flips(secs: f64) -> ArmSolution {
         let pronation_rad = if secs < 1.0 { 1.3 } else { -1.4 } + 0.2 * secs;
         let angles = WristAngles {

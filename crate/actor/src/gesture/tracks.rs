@@ -9,8 +9,8 @@ use super::{InterpolationSpace, RestingHand, Transition};
 use crate::ArmRig;
 use crate::limb::arm::ArmPosture;
 
-/// The piece between two nodes that a time lies in: the index of its first node, the share
-/// of its time, its length in seconds. `None` before the first node and from the last on.
+/// Returns the segment between two nodes that contains a time: the index of its first node, the
+/// share of its time, its length in seconds. `None` before the first node and from the last on.
 pub(super) fn piece_at(times: &[f64], time_secs: f64) -> Option<(usize, f64, f64)> {
     let i = last_at_or_before(times, time_secs)?;
     let length = times.get(i + 1)? - times[i];
@@ -22,21 +22,21 @@ pub(super) fn piece_at(times: &[f64], time_secs: f64) -> Option<(usize, f64, f64
     Some((i, s, length))
 }
 
-/// 1 for rest, which has no place, 0 for a place.
+/// Returns 1 for rest, which has no place, 0 for a place.
 fn rest_share<T>(place: Option<&T>) -> f64 {
     f64::from(u8::from(place.is_none()))
 }
 
-/// Where a wrist is at one time, and how it goes on to the next node.
+/// Position of a wrist at one time, and its motion to the next node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WristNode {
-    /// `None` is rest, which moves.
+    /// Position; `None` is rest, which moves.
     pub(super) place: Option<DVec3>,
     /// With which it passes, metres a second.
     pub(super) velocity: DVec3,
     /// Bulge of the piece that starts here, metres.
     pub(super) arch: DVec3,
-    /// Pace of the piece that starts here; `None`: the planner's.
+    /// Profile of the segment that starts here; `None` uses the planner's.
     pub(super) profile: Option<Profile>,
     /// Index of the piece's arm movement when it is interpolated by joint.
     swing: Option<u32>,
@@ -46,11 +46,11 @@ pub(super) struct WristNode {
 #[derive(Clone, Copy, Debug)]
 struct Swing {
     ends: [ArmPosture; 2],
-    /// What the postures miss their places by, metres.
+    /// Errors of the postures at their places, metres.
     errors: [DVec3; 2],
 }
 
-/// The places of one wrist.
+/// Positions of one wrist over time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WristTrack {
     pub(super) times: Vec<f64>,

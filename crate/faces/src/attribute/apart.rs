@@ -7,7 +7,7 @@
 use super::Attribute;
 use crate::space::FaceSpace;
 
-/// What a standard deviation of another attribute costs, where one of the face itself costs 1.
+/// Cost of one standard deviation of another attribute, relative to one of the face itself (1).
 const COST: f64 = 2.0;
 /// The equations count as solved when so much of their right side is left, as a share of its square.
 const SOLVED: f64 = 1e-20;

@@ -9,12 +9,12 @@ pub struct Affine {
     pub scale: [f64; 3],
     /// Turn about x, y and z in this order, radians.
     pub turn_rad: [f64; 3],
-    /// Way along x, y and z, metres.
+    /// Translation along x, y and z, metres.
     pub way_m: [f64; 3],
 }
 
 impl Affine {
-    /// Nothing.
+    /// Identity: no change.
     pub const NONE: Self = Self {
         scale: [1.0; 3],
         turn_rad: [0.0; 3],

@@ -4,7 +4,7 @@ use super::{Change, Editor, Face, Part, Region, difference};
 use crate::error::FaceError;
 use crate::pack::Difference;
 
-/// A value of an attribute that is held.
+/// Constraint that holds an attribute at a value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constraint {
     /// Of shape or of texture.
@@ -13,18 +13,19 @@ pub struct Constraint {
     pub name: String,
     /// The value.
     pub value: f64,
-    /// Where the face may be changed to hold it.
+    /// Region in which the face may change to meet the constraint.
     pub region: Region,
 }
 
-/// Columns of the system whose rest is less, as a share of their own square, say nothing new.
+/// Threshold below which the remainder of a column of the system, as a share of its own square,
+/// carries no information.
 const SAME: f64 = 1e-9;
 /// Values that differ by less are the same.
 const MEETS: f64 = 1e-6;
 
 impl Editor {
-    /// Brings a face to the values by multiples of the attributes' changes (equation 3.6), each in its
-    /// region.
+    /// Brings a face to the given values by multiples of the attributes' changes (equation 3.6),
+    /// each in its region.
     ///
     /// # Errors
     /// When no multiples meet them all, or an attribute is none; the face is as it was then. The first
@@ -47,9 +48,10 @@ impl Editor {
         Ok(())
     }
 
-    /// One more of an attribute alone: of a feature, what lies in its segments; of what a whole person is, the change
-    /// of the whole head while other attributes of its part keep their values. Values are linear in the face, so
-    /// that it is the same for every face.
+    /// Returns the change for one unit of an attribute in isolation: for a feature, the change
+    /// within its segments; for a trait of the whole person, the change of the whole head at which
+    /// other attributes of its part keep their values. Values are linear in the face, so the result
+    /// is the same for every face.
     ///
     /// # Errors
     /// When an attribute is none, or one of those that are kept says what the attribute does.
@@ -86,8 +88,8 @@ impl Editor {
         })
     }
 
-    /// How much of each change meets the values, all of one part: the equations are solved by elimination, row by row in
-    /// the order of the constraints.
+    /// Returns the amount of each change that meets the values, all of one part. The equations are
+    /// solved by elimination, row by row in the order of the constraints.
     fn amounts(
         &self,
         face: &Face,

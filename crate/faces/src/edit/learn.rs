@@ -22,18 +22,20 @@ pub struct FeatureMeasure {
     pub gradient: Vec<(u32, f64)>,
 }
 
-/// What a standard deviation of another feature costs, where one of the face itself costs 1.
+/// Cost of one standard deviation of another feature, relative to one of the face itself (1).
 const COST: f64 = 2.0;
-/// So much of the squared way of all vertices lies in the segments.
+/// Required share of the squared displacement of all vertices that lies within the segments.
 const INSIDE: f64 = 0.92;
-/// What the squared way outside costs for each square metre: the first that is enough. 10,000 makes 0.1 mm at
-/// ten thousand vertices cost as much as a standard deviation.
+/// Candidate costs of the squared displacement outside the segments, per square metre; the first
+/// sufficient one is used. At 10,000, 0.1 mm at ten thousand vertices costs as much as a standard
+/// deviation.
 const OUTSIDE_COSTS: [f64; 6] = [1e3, 1e4, 1e5, 1e6, 1e7, 1e8];
 
-/// What each mode makes in some segments, one column for a mode, of one standard deviation each.
+/// Displacements of each mode within some segments: one column per mode, for one standard deviation
+/// each.
 struct SegmentModes {
     images: Mat<f64>,
-    /// Products of what lies outside of the segments.
+    /// Gram matrix of the displacements outside the segments.
     outside: Mat<f64>,
     inside: Mat<f64>,
 }
@@ -96,7 +98,7 @@ impl Editor {
         })
     }
 
-    /// What each mode within segments does to a measure.
+    /// Returns the effect of each mode within the segments on a measure.
     fn effects(&self, measure: &FeatureMeasure, images: &Mat<f64>) -> Result<Vec<f64>, FaceError> {
         let space = &self.model().shape;
         let gradient = if measure.gradient.is_empty() {

@@ -8,25 +8,27 @@ use super::{Editor, Face, TEXTURE_STREAM};
 use crate::person::PersonRecord;
 use crate::space::FaceSpace;
 
-/// A sum of faces can be none, however it is straightened; then another is drawn, at most so often.
+/// Maximum number of retries for a random face. A mixture of faces can be invalid even after
+/// correction; then another one is generated.
 const TURNS: u64 = 8;
-/// Tells the seeds of turns apart.
+/// Stream constant that separates the seeds of the retries.
 const TURN_STREAM: u64 = 0x9e37_79b9_7f4a_7c15;
 /// A random face is not farther from the average along a mode, standard deviations.
 const MAX_DEVIATIONS: f64 = 3.0;
-/// So many of the faces of a database are like a person.
+/// Number of database faces that count as similar to a person.
 const ALIKE: usize = 24;
-/// Of so many of them a random face is mixed.
+/// Number of similar faces mixed into a random face.
 const MIXED: usize = 4;
-/// People who differ by these are as far apart: years, and the share of an ancestry. Others of the other sex
-/// are none of theirs.
+/// Scales of dissimilarity between people: years, and the share of an ancestry. People of the other
+/// sex never count as similar.
 const YEARS: f64 = 10.0;
 const SHARE: f64 = 0.25;
 
-/// Their mean is of few, and goes with each of them; so they differ from it by less than from that of all.
+/// Spread of a random face around the mean of its mixture. The mean is of few faces and correlates
+/// with each, so they differ from it by less than from the mean of all.
 const SPREAD: f64 = 1.05;
 
-/// How unlike two people are.
+/// Returns the dissimilarity of two people.
 fn unlike(a: &PersonRecord, b: &PersonRecord) -> f64 {
     let square = |x: f64| x * x;
     let ancestry: f64 = (0..3)
@@ -51,13 +53,13 @@ impl Editor {
         face
     }
 
-    /// Whether no skin passes through skin in a face as it is drawn.
+    /// Returns true if the displayed face has no self-intersections.
     fn is_sound(&self, face: &Face) -> bool {
         let untangle = self.untangle.as_ref();
         untangle.is_none_or(|untangle| untangle.is_sound(&self.drawn(face)))
     }
 
-    /// The face of a seed that is drawn in some turn.
+    /// Returns the random face of a seed at a given retry.
     fn random_at(&self, seed: u64, turn: u64) -> Face {
         let textures = self.model.texture.as_ref();
         if let Some(mixture) = self.mixture(seed, turn) {
@@ -70,14 +72,15 @@ impl Editor {
         self.face(&drawn(&self.model.shape, seed), &texture)
     }
 
-    /// Whom the random face of a seed is most like: a face of the database, by its number. None where the
-    /// model does not tell who its faces are.
+    /// Returns the database index of the person most similar to the random face of a seed; `None`
+    /// if the model has no records of its people.
     #[must_use]
     pub fn random_person(&self, seed: u64) -> Option<usize> {
         self.mixture(seed, 0).map(|mixture| mixture.person)
     }
 
-    /// What a random face is mixed of in some turn: the person is the same in all.
+    /// Returns the mixture of a random face at a given retry; the person is the same at every
+    /// retry.
     fn mixture(&self, seed: u64, turn: u64) -> Option<Mixture> {
         let people = &self.model.people;
         let pick = |turn: u64, k: i64, of: usize| {
@@ -114,7 +117,7 @@ impl Editor {
     }
 }
 
-/// Faces of the database that are alike, and how much of what tells each from their mean is taken.
+/// Mixture of similar database faces, with the amount of each one's difference from their mean.
 struct Mixture {
     person: usize,
     alike: Vec<usize>,
@@ -137,7 +140,7 @@ impl Mixture {
     }
 }
 
-/// Coefficients drawn by the deviations of a space alone.
+/// Draws random coefficients from the deviations of a space alone.
 fn drawn(space: &FaceSpace, seed: u64) -> Vec<f64> {
     let deviations = (0..).zip(space.deviations());
     let one = |(mode, deviation): (u64, &f64)| {

@@ -7,29 +7,29 @@ use crate::blend::SoftMask;
 use crate::error::FaceError;
 use crate::segment::Half;
 
-/// Where a change is let in.
+/// Region of the head that limits a change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// None for the whole head.
+    /// Mask of the region; `None` for the whole head.
     mask: Option<SoftMask>,
-    /// Whether it is of segments, and not of the whole head or a half.
+    /// True if the region consists of segments, not of the whole head or a half.
     is_of_segments: bool,
     half: Option<Half>,
-    /// Vertices that lie in it.
+    /// Vertices of the region.
     vertices: Vec<u32>,
-    /// How much of what lies in the head goes along: left eye, right eye, chin.
+    /// Weights of the inner parts of the head: left eye, right eye, chin.
     organs: [f64; 3],
-    /// How much of a look goes along: of irises, of brows, of lips, of all else.
+    /// Weights of the appearance numbers: of irises, brows, lips, all others.
     looks: [f64; 4],
-    /// Which of these a number of a look belongs to.
+    /// Kind of each appearance number, as an index into these weights.
     kinds: Vec<usize>,
 }
 
-/// So far from a region, along the skin, blending begins to end, and has ended: where vertices are far apart, the steps
-/// of smoothing lead farther than is meant. Metres.
+/// Distances from a region along the skin at which blending starts to fade and at which it has
+/// ended, metres. They limit the smoothing where vertices are far apart.
 const BLEND_M: [f64; 2] = [0.018, 0.04];
 
-/// Names by which numbers of looks belong to segments.
+/// Names that assign appearance numbers to segments.
 const LOOK_KINDS: [(&str, &str); 3] = [
     ("iris", "eyes and lids"),
     ("brows", "eyebrows"),
@@ -51,12 +51,12 @@ impl Region {
         }
     }
 
-    /// Whether it is of segments, and not of the whole head or a half.
+    /// Returns true if the region consists of segments, not of the whole head or a half.
     pub(super) fn is_of_segments(&self) -> bool {
         self.is_of_segments
     }
 
-    /// The half of the head that it is; none for both.
+    /// Returns the half of the head that the region covers; `None` for both.
     pub(super) fn half(&self) -> Option<Half> {
         self.half
     }
@@ -65,8 +65,8 @@ impl Region {
         self.mask.as_ref()
     }
 
-    /// Share of a number of what lies in the head: centres of the left and the right eye, turns of the
-    /// left and the right lid, the chin.
+    /// Returns the weight of an inner-part value: centres of the left and the right eye, rotations
+    /// of the left and the right lid, the chin.
     pub(super) fn organ_share(&self, number: usize) -> f64 {
         match number {
             0..=2 | 6 => self.organs[0],
@@ -101,8 +101,8 @@ impl Region {
 }
 
 impl Editor {
-    /// The region of segments by their names, on one half or both; the whole head where there are none
-    /// and no half.
+    /// Returns the region of the named segments, on one half or both; the whole head if no segments
+    /// and no half are given.
     ///
     /// # Errors
     /// When a segment is none.
@@ -172,7 +172,8 @@ impl Editor {
         Ok(mask)
     }
 
-    /// How much of a segment a mask lets in: the mean over its vertices, on a half or both.
+    /// Returns the share of a segment that a mask covers: the mean over its vertices, on one half
+    /// or both.
     fn share(&self, mask: &SoftMask, segment: &str, half: Option<Half>) -> f64 {
         let Some(index) = self.model.segments.find(segment) else {
             return 0.0;

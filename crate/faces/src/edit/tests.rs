@@ -271,8 +271,8 @@ fn constraints_hold_in_segments_through_random_edits() {
     assert_eq!(face, before);
 }
 
-/// What is left to choose beside constraints is orthogonal to the change, as deviations count: no other face
-/// that meets them is nearer.
+/// The remaining freedom beside the constraints is orthogonal to the change, in standard
+/// deviations: no other face that meets them is nearer.
 #[test]
 fn constraints_change_a_face_as_little_as_can_be_in_deviations() {
     let editor = editor();

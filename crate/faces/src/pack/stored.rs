@@ -19,8 +19,8 @@ const SHAPE: &[u8; 8] = b"RFACES\x03S";
 const TEXTURE: &[u8; 8] = b"RFACES\x03T";
 /// Steps of a mode's largest number.
 const STEPS: f64 = 127.0;
-/// A step of a mode makes no less of a difference at one standard deviation: metres for shapes,
-/// logarithms for textures. Finer is not seen, and noise packs badly.
+/// Minimum quantisation step of a mode at one standard deviation: metres for shapes, logarithms for
+/// textures. Finer steps are not visible, and noise compresses badly.
 const FINEST_SHAPE: f64 = 1.5e-5;
 const FINEST_TEXTURE: f64 = 1e-3;
 /// Steps of a standard deviation in coefficients of the database.
@@ -34,7 +34,7 @@ struct StoredSpace {
     modes: Vec<i8>,
 }
 
-/// Effects as modes are stored: a byte a number, each row with a step of its own.
+/// Effects stored like modes: one byte per number, each row with its own step.
 #[derive(Serialize, Deserialize)]
 struct StoredFollower {
     mean: Vec<f32>,
@@ -205,7 +205,8 @@ pub(super) fn read_texture(bytes: &[u8]) -> Result<TextureModel, FaceError> {
     stored.read().ok_or_else(|| bad(APART))
 }
 
-/// Rows of numbers in one byte each, and the step of each row, which is not finer than is said with it.
+/// Quantises rows of numbers to one byte each. Returns them with the step of each row, which is at
+/// least the given minimum.
 fn stepped<'a>(rows: impl Iterator<Item = (&'a [f64], f64)>) -> (Vec<f32>, Vec<i8>) {
     let (mut steps, mut all) = (Vec::new(), Vec::new());
     for (row, finest) in rows {
@@ -294,7 +295,7 @@ impl StoredFollower {
         }
     }
 
-    /// A follower of so many coefficients, or of none where it has no numbers.
+    /// Reads a follower with `count` coefficients, or an empty one if it has no numbers.
     fn read(self, count: usize) -> Option<Follower> {
         let effects = unstepped(&self.steps, &self.effects, self.mean.len())?;
         let fits = effects.len() == count || self.mean.is_empty();
@@ -378,7 +379,7 @@ impl StoredFeature {
     }
 }
 
-/// How so many coefficients go with years.
+/// Reads the age model for a number of coefficients.
 fn life(stored: &[Vec<f32>], modes: usize) -> Option<AgeModel> {
     let effects = stored.iter().map(|effect| double(effect)).collect();
     Some(AgeModel { effects }).filter(|life| life.fits(modes))

@@ -9,26 +9,26 @@ use super::{AttributeRatings, Rating};
 const COLUMNS: [&str; 4] = ["rater", "face", "attribute", "value"];
 /// Values reach this far to either side.
 const MAX_RATING: f64 = 3.0;
-/// So much of what is wrong is quoted, characters.
+/// Maximum length of quoted input in an error message, characters.
 const MAX_QUOTE_CHARS: usize = 40;
 
-/// What the form says before its table.
+/// Instructions at the top of the rating form.
 const INSTRUCTIONS: &str = "\
 # value: how much of the attribute a face has among all faces, from -3 (least) over 0 (average) to 3 (most)
 # Leave the value empty where you cannot say. Fill in your name, the same in all your lines and without # at its beginning.
 ";
 
-/// Why a table of ratings cannot be read.
+/// Error returned when a table of ratings cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RatingError {
     /// The table is too long.
     #[error("there are more than {most} lines")]
     TooLong {
-        /// How many there may be.
+        /// Maximum number allowed.
         most: usize,
     },
-    /// The table does not begin with the names of its columns.
+    /// The table does not start with its column names.
     #[error("line {line}: the first line names the columns rater, face, attribute and value")]
     NoHeader {
         /// The line, counted from 1.
@@ -39,16 +39,16 @@ pub enum RatingError {
     Columns {
         /// The line, counted from 1.
         line: usize,
-        /// How many it has.
+        /// Number found.
         found: usize,
     },
-    /// Nobody is said to have rated.
+    /// The rater's name is missing.
     #[error("line {line} has a value and no rater")]
     NoRater {
         /// The line, counted from 1.
         line: usize,
     },
-    /// Nothing is said to be rated.
+    /// The attribute name is missing.
     #[error("line {line} names no attribute")]
     NoAttribute {
         /// The line, counted from 1.
@@ -59,7 +59,7 @@ pub enum RatingError {
     BadFace {
         /// The line, counted from 1.
         line: usize,
-        /// What stands there.
+        /// Text found.
         found: String,
     },
     /// There is no face of that index.
@@ -69,15 +69,15 @@ pub enum RatingError {
         line: usize,
         /// The index.
         face: usize,
-        /// How many faces there are.
+        /// Number of faces.
         examples: usize,
     },
-    /// The value is none of the scale.
+    /// The value is not on the scale.
     #[error("line {line}: {found:?} is no number from -3 to 3")]
     BadValue {
         /// The line, counted from 1.
         line: usize,
-        /// What stands there.
+        /// Text found.
         found: String,
     },
     /// A rater has rated a face twice.
@@ -85,16 +85,16 @@ pub enum RatingError {
     Twice {
         /// The line, counted from 1.
         line: usize,
-        /// Who.
+        /// Rater.
         rater: String,
-        /// Which face.
+        /// Face index.
         face: usize,
-        /// For what.
+        /// Attribute rated.
         attribute: String,
     },
 }
 
-/// What raters think of faces.
+/// Ratings of faces by raters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ratings {
     attributes: BTreeMap<String, AttributeRatings>,
@@ -223,7 +223,7 @@ impl Ratings {
         Ok(())
     }
 
-    /// Makes sure that all faces that were rated are among so many examples.
+    /// Checks that all rated faces are among the given number of examples.
     ///
     /// # Errors
     /// When one is not; the first such line is named.
@@ -252,7 +252,7 @@ impl Ratings {
     }
 }
 
-/// What is quoted of a text.
+/// Returns the quoted part of a text.
 fn quote(text: &str) -> String {
     text.chars().take(MAX_QUOTE_CHARS).collect()
 }

@@ -3,12 +3,13 @@
 use super::FaceSpace;
 use crate::error::FaceError;
 
-/// A direction whose length is less, as a share of the longest, is none.
+/// Threshold below which a direction counts as zero, as a share of the longest.
 const NONE: f64 = 1e-3;
 
 impl FaceSpace {
-    /// The space with further modes: the directions in which what the modes leave of faces goes with
-    /// signals, each a number for each face. The new modes are orthonormal, and uncorrelated over the faces.
+    /// Returns the space with additional modes: the directions in which the residual of the faces
+    /// correlates with signals, each with one number per face. The new modes are orthonormal, and
+    /// uncorrelated over the faces.
     ///
     /// # Errors
     /// When faces or signals do not correspond.
@@ -57,7 +58,7 @@ impl FaceSpace {
         })
     }
 
-    /// How the numbers of faces go with a signal.
+    /// Returns the covariance of the numbers of faces with a signal.
     fn covariance_with(&self, faces: &[Vec<f64>], signal: &[f64]) -> Result<Vec<f64>, FaceError> {
         let count = signal.len().max(1) as f64;
         let mean = signal.iter().sum::<f64>() / count;
@@ -81,7 +82,7 @@ impl FaceSpace {
         Ok(sum)
     }
 
-    /// What is left of directions beside the modes and each other, of length 1.
+    /// Orthonormalises directions against the modes and each other.
     fn orthonormal(&self, directions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let remove = |from: &mut [f64], along: &[f64]| {

@@ -14,14 +14,14 @@ const COLUMNS: usize = 72;
 const ROWS: usize = 26;
 /// The skin's reach in a direction is that of its farthest vertex within this angle's cosine (14°).
 const NEAR_COS: f64 = 0.97;
-/// Every so-manieth vertex of the skin tells enough of it.
+/// Sampling step over the skin vertices.
 const STEP: usize = 2;
 /// Hair under cloth is so thick.
 const PRESSED_M: f64 = 0.0035;
-/// Hair comes out from under the rim by this much over this angle.
+/// Height by which hair emerges under the rim over this angle.
 const LOOSE_M: f64 = 0.02;
 const LOOSE_RAD: f64 = 0.3;
-/// How often the reach is evened out.
+/// Number of smoothing rounds for the reach.
 const ROUNDS: usize = 6;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -31,7 +31,7 @@ enum Cut {
     Scarf,
 }
 
-/// What lies over a head.
+/// Surface that covers a head.
 pub(in super::super) struct Cover {
     cut: Cut,
     centre: DVec3,
@@ -50,7 +50,7 @@ impl Cover {
         Self::crown(Cut::Cap, fit, [front, 0.034, -0.012])
     }
 
-    /// A hat lies higher.
+    /// Builds the cover of a hat, which sits higher.
     pub(in super::super) fn hat(fit: &Fit) -> Self {
         let front = fit.position(landmark::TRICHION).y - 0.008;
         Self::crown(Cut::Hat, fit, [front, 0.046, 0.022])
@@ -142,13 +142,13 @@ impl Cover {
         self.reach = reach;
     }
 
-    /// A place of the cloth so far above the skin.
+    /// Returns a point of the cloth at a distance above the skin.
     fn place(&self, i: usize, j: usize, off: f64) -> DVec3 {
         let (turn, angle) = (self.turn(j), self.rim[j] * i as f64 / ROWS as f64);
         self.centre + self.direction(turn, angle) * (self.reach[i][j] + off)
     }
 
-    /// Presses hair under the cloth, and takes it away under a scarf; beards stay.
+    /// Presses hair under the cloth, and removes it under a scarf; beards stay.
     pub(in super::super) fn press(&self, mesh: &mut Mesh, origin: DVec3) {
         if mesh.name == hairs::BEARD {
             return;
@@ -167,8 +167,8 @@ impl Cover {
         }
     }
 
-    /// How far from the centre hair may be in a direction: under the cloth, and only little by little
-    /// more below its rim.
+    /// Returns the maximum distance of hair from the centre in a direction: limited to the cloth,
+    /// and relaxed gradually below its rim.
     fn most(&self, off: DVec3) -> f64 {
         let [pole, first, quarter] = self.axes;
         let turn = ops::atan2(off.dot(quarter), off.dot(first)).rem_euclid(TAU);
@@ -209,7 +209,7 @@ impl Cover {
         }
     }
 
-    /// Cloth whose distance from the skin is given by row and column; its rim turns in.
+    /// Builds cloth with the distance from the skin given by row and column; its rim turns in.
     fn shell(&self, off: &dyn Fn(usize, usize) -> f64) -> Solid {
         let row = |i: usize, off: &dyn Fn(usize, usize) -> f64| {
             (0..COLUMNS).map(|j| self.place(i, j, off(i, j))).collect()
@@ -289,7 +289,8 @@ impl Cover {
     }
 }
 
-/// How far a knitted cap is from the skin: hair lies under it, and its edge is turned up.
+/// Returns the distance of a knitted cap from the skin: hair lies under it, and its edge is turned
+/// up.
 fn knitted(row: usize) -> f64 {
     let t = row as f64 / ROWS as f64;
     let fold = smooth(((t - 0.70) / 0.05).clamp(0.0, 1.0))
@@ -297,7 +298,7 @@ fn knitted(row: usize) -> f64 {
     lerp(0.014, 0.006, t * t) + 0.0045 * fold
 }
 
-/// How far the skin reaches in a direction.
+/// Returns the distance from the centre to the skin in a direction.
 fn reach_of(fit: &Fit, centre: DVec3, direction: DVec3) -> f64 {
     let mut far = 0.0_f64;
     for p in fit.skin.iter().step_by(STEP) {

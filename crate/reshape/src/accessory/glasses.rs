@@ -11,7 +11,7 @@ use raconteur_body::figure::{MaterialKind, Mesh};
 
 /// From the centre of the eyeball to the glass: 12 mm to the cornea, and the usual 13 mm to the back of the glass.
 const BEFORE_EYE_M: f64 = 0.025;
-/// The glass keeps so far from lashes and cheeks.
+/// Clearance of the lenses from lashes and cheeks.
 const OFF_SKIN_M: f64 = 0.002;
 /// The lower rim is nearer to the face by this angle's tangent (pantoscopic tilt of 8°).
 const TILT: f64 = 0.14;
@@ -59,7 +59,7 @@ impl Rim {
     }
 }
 
-/// Where the glasses stand.
+/// Position and orientation of the glasses.
 struct Frame {
     rim: Rim,
     /// Middle between the glasses, at the height of the pupils.
@@ -99,7 +99,7 @@ impl Frame {
         frame
     }
 
-    /// A point of the plane of the glasses at a place of the picture plane.
+    /// Returns the point of the plane of the glasses at a position of the frontal plane.
     fn plane(&self, x: f64, y: f64) -> DVec3 {
         DVec3::new(
             x,

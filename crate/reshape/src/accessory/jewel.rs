@@ -12,7 +12,7 @@ const BALL_M: f64 = 0.0024;
 /// Radius of an ear's ring, and of its wire.
 const RING_M: f64 = 0.011;
 const WIRE_M: f64 = 0.0007;
-/// The hole is so far above the lowest point of the lobe.
+/// Height of the hole above the lowest point of the lobe.
 const HOLE_M: f64 = 0.0045;
 
 fn studs(fit: &Fit) -> Solid {

@@ -14,7 +14,7 @@ use super::{NewFace, Reshaper, narrow, wide};
 use raconteur_body::figure::{Figure, Material, MaterialKind, Mesh, TextureMaps};
 use raconteur_body::skeleton::Bone;
 
-/// What is worn.
+/// Kind of accessory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AccessoryKind {
@@ -32,16 +32,16 @@ pub enum AccessoryKind {
     NoseStud,
     /// A knitted cap.
     KnittedCap,
-    /// A felt hat with a brim.
+    /// Felt hat with a brim.
     Hat,
     /// A cloth about head and neck, the face open.
     Headscarf,
 }
 
-/// A thing that is worn, and its colour.
+/// Accessory and its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 pub struct Accessory {
-    /// What it is.
+    /// Kind of the accessory.
     pub kind: AccessoryKind,
     /// Linear red, green and blue, 0..1.
     pub colour: [f32; 3],
@@ -57,16 +57,16 @@ pub(super) mod landmark {
     pub(in super::super) const TRICHION: usize = 0;
     /// Gnathion: the lowest point of the chin.
     pub(in super::super) const GNATHION: usize = 5_874;
-    /// Stomion: where the lips meet in the middle.
+    /// Stomion: midpoint of the line where the lips meet.
     pub(in super::super) const STOMION: usize = 12_038;
 }
 
-/// The head that things are made for, in its frame, metres.
+/// Head that accessories are fitted to, in its frame, metres.
 pub(super) struct Fit {
     skin: Vec<DVec3>,
     normals: Vec<DVec3>,
     eyes: [DVec3; 2],
-    /// Where the frame of the head lies in the world.
+    /// Origin of the head's frame in the world.
     origin: DVec3,
 }
 
@@ -97,21 +97,21 @@ impl Fit {
         self.normals.get(vertex).copied().unwrap_or(DVec3::Z)
     }
 
-    /// The farthest front of the skin in a box about a place of the picture plane, metres.
+    /// Returns the frontmost z of the skin in a box around a position of the frontal plane, metres.
     fn front(&self, x: f64, y: f64, reach: f64) -> Option<f64> {
         let near = |p: &&DVec3| (p.x - x).abs() < reach && (p.y - y).abs() < reach && p.z > 0.0;
         let all = self.skin.iter().filter(near).map(|p| p.z);
         all.max_by(f64::total_cmp)
     }
 
-    /// How far the skin reaches to a side in a box about a height and depth, metres.
+    /// Returns the lateral extent of the skin in a box around a height and depth, metres.
     fn side(&self, sign: f64, y: f64, z: f64, reach: f64) -> Option<f64> {
         let near = |p: &&DVec3| (p.z - z).abs() < reach && (p.y - y).abs() < reach;
         let all = self.skin.iter().filter(near).map(|p| p.x * sign);
         all.max_by(f64::total_cmp)
     }
 
-    /// A solid of the head's frame as a mesh that goes with the skull.
+    /// Converts a solid in the head's frame to a mesh that follows the skull.
     fn mesh(&self, name: &str, solid: Solid, material: Material) -> Mesh {
         let count = solid.positions.len();
         let place = |p: &DVec3| narrow(*p + self.origin);
@@ -150,7 +150,7 @@ fn material(kind: MaterialKind, colour: [f32; 3], roughness: f32) -> Material {
     }
 }
 
-/// What a thing covers of the head, if it does.
+/// Returns the cover of an accessory; `None` if it does not cover the head.
 pub(super) fn cover(kind: AccessoryKind, fit: &Fit) -> Option<Cover> {
     match kind {
         AccessoryKind::KnittedCap => Some(Cover::cap(fit)),
@@ -160,7 +160,7 @@ pub(super) fn cover(kind: AccessoryKind, fit: &Fit) -> Option<Cover> {
     }
 }
 
-/// A thing as parts of the figure.
+/// Returns an accessory as meshes of the figure.
 pub(super) fn meshes(worn: &Accessory, fit: &Fit) -> Vec<Mesh> {
     let Accessory { kind, colour } = *worn;
     if let Some(cover) = cover(kind, fit) {

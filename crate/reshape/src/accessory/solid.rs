@@ -15,8 +15,8 @@ pub(super) struct Solid {
 }
 
 impl Solid {
-    /// A sheet of rows of equally many points; each row and each column goes on to the next. Texture
-    /// coordinates are metres along them. `closed`: rows end where they begin.
+    /// Builds a sheet from rows of equally many points; each row and each column connects to the
+    /// next. Texture coordinates are metres along them. `closed`: rows end where they begin.
     pub(super) fn sheet(rows: &[Vec<DVec3>], closed: bool) -> Self {
         let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
         let columns = if closed { width + 1 } else { width };
@@ -80,7 +80,7 @@ impl Solid {
         self
     }
 
-    /// Another part of the same thing.
+    /// Appends another part of the same object.
     pub(super) fn join(&mut self, other: Self) {
         let first = self.positions.len() as u32;
         self.positions.extend(other.positions);

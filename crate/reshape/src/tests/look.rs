@@ -61,7 +61,7 @@ fn lent(from: &str) -> Hair {
     }
 }
 
-/// The figure with a look and its own skin, scaled along each axis.
+/// Returns the figure with a look and its own skin, scaled along each axis.
 fn with(reshaper: &Reshaper, look: &Look, scale: [f64; 3]) -> Figure {
     let scaled = |x: f64, i: usize| x * scale[i % 3];
     let skin: Vec<f64> = own(reshaper)
@@ -162,7 +162,8 @@ fn whatever_is_worn_makes_a_figure_that_is_written_and_read() {
     }
 }
 
-/// No skin comes through glasses: every part of them is before the skin beneath it, as seen from the front.
+/// No skin shows through glasses: every part of them is in front of the skin behind it, in frontal
+/// view.
 #[test]
 fn glasses_are_before_the_face() {
     let reshaper = sofia();
@@ -274,7 +275,8 @@ fn coloured_hair_has_a_scalp() {
     }
 }
 
-/// Where lent hair leaves a head bare, the figure's own is painted over, and nothing shades it.
+/// Where the donor's hair leaves a head bare, the figure's own hair is painted over, and nothing
+/// shades it.
 #[test]
 fn a_bald_crown_is_skin() {
     let reshaper = sofia();
@@ -298,7 +300,7 @@ fn a_bald_crown_is_skin() {
     assert!(shade(&with(&reshaper, &bald, [1.0; 3])) > shade(&reshaper.figure));
 }
 
-/// Where another beard is asked for, the painted one of the figure is gone.
+/// A new beard removes the painted one of the figure.
 #[test]
 fn a_painted_beard_is_shaved() {
     let papous = read_figure("papous", PAPOUS).expect("a figure");
@@ -311,7 +313,8 @@ fn a_painted_beard_is_shaved() {
     assert!(paint("own").bare.is_empty());
 }
 
-/// A moustache stands on the lip of any face, on both halves of it, and none of its roots is in the skin.
+/// A moustache grows on the lip of any face, on both halves of it, and none of its roots is inside
+/// the skin.
 #[test]
 fn a_moustache_stands_on_the_lip() {
     let reshaper = sofia();
@@ -345,8 +348,8 @@ fn a_moustache_stands_on_the_lip() {
     }
 }
 
-/// Freckles are on the face, stubble below the nose and off the lips; each seed has freckles, spots of age and moles of
-/// its own.
+/// Freckles are on the face, stubble below the nose and off the lips; each seed has its own
+/// freckles, age spots and moles.
 #[test]
 fn spots_lie_where_they_belong() {
     let reshaper = sofia();
@@ -368,7 +371,7 @@ fn spots_lie_where_they_belong() {
     }
 }
 
-/// Irises have the colour that is asked for.
+/// Irises take the requested colour.
 #[test]
 fn irises_are_recoloured() {
     let reshaper = sofia();
@@ -391,7 +394,7 @@ fn irises_are_recoloured() {
     }
 }
 
-/// Strands that a cap presses down lie under it, not through it.
+/// Strands pressed down by a cap lie under it, not through it.
 #[test]
 fn hair_lies_under_a_cap() {
     let reshaper = sofia();
@@ -442,7 +445,7 @@ fn a_ray_meets_the_skin_that_it_is_aimed_at() {
     assert_eq!(reshaper.pick(&figure, &skull, DVec3::ZERO, DVec3::Z), None);
 }
 
-/// Texture coordinates of a triangle's corners are those that the chart of its middle tells.
+/// The texture coordinates of a triangle's corners match the chart of its centre.
 #[test]
 fn a_chart_tells_where_its_neighbours_are() {
     let reshaper = sofia();

@@ -14,9 +14,9 @@ const ARCH_SHARE: f64 = 0.08;
 const ARCH_PER_M: f64 = 0.09;
 
 impl Planner<'_> {
-    /// Gives keys between two movements in much the same direction the speed to pass
-    /// through instead of stopping: the harmonic mean of both speeds along the bisector,
-    /// less the sharper the turn, so that the path never overshoots.
+    /// Gives keys between two movements in similar directions a speed to pass through instead of
+    /// stopping: the harmonic mean of both speeds along the bisector, reduced by the sharpness of
+    /// the turn, so the path never overshoots.
     pub(super) fn pass_through(&mut self) {
         let track = &mut self.out.wrist;
         for i in 1..track.nodes.len().saturating_sub(1) {
