@@ -11,7 +11,7 @@ import { History, type SavedHistory } from './history.js';
 import { LIMITS } from './limits.js';
 import { lookOf, type Person } from './people.js';
 import { isLibraryName, readScene, type Scene } from './scene.js';
-import { FaceView } from './showing.js';
+import { FaceView } from './face-view.js';
 import { skinOf } from './skin.js';
 import { AttributeReading, AttributeSlopes, type Values } from './values.js';
 import { yearsOf } from './words.js';

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { App } from './app.js';
 import type { Session } from './session.js';
-import type { Listed } from './shelf.js';
+import type { Listed } from './session-store.js';
 
 /** What is done with kept sessions. */
 export interface Sessions {

@@ -5,7 +5,7 @@ import type { FaceConstraint } from '../element/face/faces.js';
 import type { FigureFace } from '../element/base/face-types.js';
 import type { App } from './app.js';
 import { openHidden, wait } from './hidden-player.js';
-import { BoundedMap } from './latest.js';
+import { BoundedMap } from './bounded-map.js';
 import { lookOf } from './people.js';
 
 /** Who looks at faces for so long wants their pictures, milliseconds; a player of its own is no small thing to open. */

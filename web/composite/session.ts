@@ -1,7 +1,7 @@
 /** Sessions that the browser keeps, each of one editor at a time. */
 
 import type { SavedHistory, Step } from './history.js';
-import { SessionStore, type Change, type Head, type Listed } from './shelf.js';
+import { SessionStore, type Change, type Head, type Listed } from './session-store.js';
 
 /** Views that change are kept so soon after they rest; steps at once. */
 const SOON_MS = 250;

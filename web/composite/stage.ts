@@ -7,7 +7,7 @@ import { lookFrom } from '../pages/head-view.js';
 import type { App } from './app.js';
 import { LIGHTS } from './scene.js';
 import { REST_SECS, saying, still } from './script.js';
-import { reason, type EditorFeedback } from './tell.js';
+import { reason, type EditorFeedback } from './editor-feedback.js';
 
 /** As long as a sentence is. */
 const MAX_LETTERS = 300;

@@ -1,7 +1,7 @@
 /** Small pictures of the steps of the history, taken of the stage when nothing else is to be done. */
 
 import type { App } from './app.js';
-import { BoundedMap } from './latest.js';
+import { BoundedMap } from './bounded-map.js';
 import { cropped } from './shots.js';
 
 /** Pictures that are kept; each takes about two thousand bytes. */

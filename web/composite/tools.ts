@@ -6,7 +6,7 @@ import type { App } from './app.js';
 import type { RaconteurComposite } from './element.js';
 import { LIMITS } from './limits.js';
 import { parse } from './saved.js';
-import { reason, type EditorFeedback } from './tell.js';
+import { reason, type EditorFeedback } from './editor-feedback.js';
 
 export function tools(app: App, editor: RaconteurComposite, tell: EditorFeedback): TemplateResult {
   const { history } = app;

@@ -1,6 +1,6 @@
 /** Keeps the state of a course in a record store: what was told last, until the store has it. */
 
-import { RetryTimer } from './again.js';
+import { RetryTimer } from './retry-timer.js';
 import type { Outcome } from './store.js';
 
 export class StateKeeper {

@@ -1,9 +1,9 @@
 /** How a course with a record store is launched: by a link, as Tin Can packages are, or by a cmi5 system (cmi5, 8 and 10). */
 
-import { until } from './again.js';
+import { until } from './retry-timer.js';
 import { RecordError } from './report.js';
 import { RecordStore, type Access, type Outcome, type Owner } from './store.js';
-import type { StorageProblem } from './trouble.js';
+import type { StorageProblem } from './storage-problems.js';
 
 /** What the address of the page says. */
 export interface Link {

@@ -1,9 +1,9 @@
 /** Sends statements to a store, in order and in batches, and loses none: what the store has not taken is kept, and tried again. */
 
-import { RetryTimer } from './again.js';
+import { RetryTimer } from './retry-timer.js';
 import { Slot, type Shelf } from './shelf.js';
 import { bytesOf, MAX_KEPT_BYTES, type Outcome, type Statement } from './store.js';
-import type { StorageProblem } from './trouble.js';
+import type { StorageProblem } from './storage-problems.js';
 
 /** What is said within this time is sent together. */
 const TOGETHER_MS = 1000;

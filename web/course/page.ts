@@ -6,7 +6,7 @@ import type { Answered } from '../element/base/answers.js';
 import type { Course } from './course.js';
 import { RecordError, type Known, type Record } from './report.js';
 import { showResult } from './result.js';
-import type { Trouble, Troubles } from './trouble.js';
+import type { Trouble, Troubles } from './storage-problems.js';
 import { wordsOf } from './words.js';
 
 /** Elements that the page of `raconteur export` has. */

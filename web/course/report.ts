@@ -4,7 +4,7 @@ import type { Answered, Score } from '../element/base/answers.js';
 import type { Span } from '../element/base/ranges.js';
 import type { Question } from '../element/base/questions.js';
 import type { Memory } from './memory.js';
-import type { StorageProblems } from './trouble.js';
+import type { StorageProblems } from './storage-problems.js';
 
 /** Where a learner is and how far they have come. */
 export interface Report {

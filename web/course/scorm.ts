@@ -4,12 +4,12 @@
  */
 
 import { interaction12, interaction2004, type Elements } from './interactions.js';
-import { until } from './again.js';
+import { until } from './retry-timer.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import { RecordError, type KnownLearner, type Record, type Reply, type Report } from './report.js';
 import { LocalCopy, Slot, type Shelf } from './shelf.js';
 import { decimal } from './texts.js';
-import { StorageProblems } from './trouble.js';
+import { StorageProblems } from './storage-problems.js';
 
 /** The object of the system: texts in, texts out. */
 type Api = { readonly [method: string]: (...given: string[]) => string };

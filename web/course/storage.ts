@@ -4,7 +4,7 @@ import type { Score } from '../element/base/answers.js';
 import { bestOf, joined, NOTHING, readMemory, writeMemory, type Memory } from './memory.js';
 import type { KnownLearner, Record, Report } from './report.js';
 import { FOLLOW_MS, Slot, type Shelf } from './shelf.js';
-import { StorageProblems } from './trouble.js';
+import { StorageProblems } from './storage-problems.js';
 
 export class BrowserRecord implements Record {
   readonly troubles = new StorageProblems();

@@ -1,7 +1,7 @@
 /** What the page of a course says, in the language of the course. */
 
 import type { Absence } from './report.js';
-import type { Trouble } from './trouble.js';
+import type { Trouble } from './storage-problems.js';
 
 export interface CourseWords {
   readonly chapters: string;

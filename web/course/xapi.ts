@@ -13,7 +13,7 @@ import type { LearningEvent, KnownLearner, Record, Reply, Report } from './repor
 import { LocalCopy, Slot, type Shelf } from './shelf.js';
 import { hasVerb, launchedAs, movedTo, statementOf, type LearnerPosition, type Session, type Verb } from './statements.js';
 import { RecordStore, type Outcome, type Statement } from './store.js';
-import { StorageProblems } from './trouble.js';
+import { StorageProblems } from './storage-problems.js';
 
 /** Under which a course keeps its memory in the store. */
 const STATE = 'raconteur';

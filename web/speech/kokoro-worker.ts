@@ -3,7 +3,7 @@
 import { fetchText } from '../element/base/fetching.js';
 import { Flite } from './flite-program.js';
 import { type Model, openModel, type ModelOutput, styleFor } from './kokoro-model.js';
-import { DeferredAnswers } from './later.js';
+import { DeferredAnswers } from './deferred-answers.js';
 import { type Host, serve } from './serve.js';
 
 /** No table of a voice is larger; the dictionaries have some megabytes. */

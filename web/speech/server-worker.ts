@@ -1,7 +1,7 @@
 /** Speaks by a server; the worker's name tells where that is and which voices it has. */
 
 import { fetchText } from '../element/base/fetching.js';
-import { DeferredAnswers } from './later.js';
+import { DeferredAnswers } from './deferred-answers.js';
 import { type Host, serve } from './serve.js';
 
 /** A sentence with its sound: `Answer` of `crate/voice`. */

@@ -5,7 +5,7 @@ import { Course } from '../course/course.js';
 import { NOTHING } from '../course/memory.js';
 import type { KnownLearner, Record, Reply, Report } from '../course/report.js';
 import { Scorm, SCORM_12 } from '../course/scorm.js';
-import { StorageProblems } from '../course/trouble.js';
+import { StorageProblems } from '../course/storage-problems.js';
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Answered } from '../element/base/answers.js';
 import { Ranges, type Span } from '../element/base/ranges.js';

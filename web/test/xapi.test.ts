@@ -3,7 +3,7 @@ import { NOTHING } from '../course/memory.js';
 import { Outbox } from '../course/outbox.js';
 import { RecordError } from '../course/report.js';
 import type { Outcome, Statement } from '../course/store.js';
-import { StorageProblems } from '../course/trouble.js';
+import { StorageProblems } from '../course/storage-problems.js';
 import { XapiRecord } from '../course/xapi.js';
 import { ACTOR, COURSE, FakeStore, launchOf, memoryAt, prepare, REGISTRATION, report, SESSION_ID, settled, shelf, verbs } from './course-store.js';
 import { sized } from './tier.js';

@@ -17,27 +17,27 @@ use raconteur_speech::phones::{CHANNELS, Channel, Class, PhoneRow, PhoneTargets}
 /// Segments considered to either side (F&H 3.1.3: the greatest known reach of
 /// coarticulation).
 const REACH: usize = 11;
-/// Where a diphthong turns to its glide, as a share of its length. Designed.
+/// Time at which a diphthong turns to its glide, as a share of its length. Designed.
 const GLIDE_AT: f64 = 0.55;
-/// Where p and b let go, as a share of their length; what follows is the burst. Designed.
+/// Time of release of p and b, as a share of their length; the burst follows. Designed.
 const RELEASE_AT: f64 = 0.75;
-/// Dominance magnitude over the lips' opening that a held closure keeps in the average. Its
-/// own (12 to 25) would flatten the vowels around it, and the gate closes the lips anyway.
+/// Dominance magnitude over lip opening of a held closure in the average. Its own (12 to 25) would
+/// flatten the neighbouring vowels, and the gate closes the lips anyway.
 const HELD_ALPHA: f64 = 1.5;
-/// Time in which lips close before a closure and open after it, seconds. Designed;
-/// measured lip closing gestures take 50 to 100 ms in all.
+/// Time in which lips close before a closure and open after it, seconds. Designed; measured lip
+/// closing gestures take 50 to 100 ms in all.
 const CLOSING_SECS: f64 = 0.055;
 const OPENING_SECS: f64 = 0.05;
-/// Closures are complete this long before they are heard, seconds: skin follows muscles with
-/// a delay of about this. Designed.
+/// Lead of closures over their sound, seconds: skin follows muscles with a delay of about this.
+/// Designed.
 const AHEAD_SECS: f64 = 0.016;
-/// The same of a lower lip that goes to the teeth, which is a longer way. Designed.
+/// The same lead for a lower lip that moves to the teeth, a longer path. Designed.
 const BITE_AHEAD_SECS: f64 = 0.026;
-/// Silence takes this long to close the mouth, and is left this long before the next
-/// sound, seconds. Designed.
+/// Time in which silence closes the mouth, and in which the mouth leaves it before the next phone,
+/// seconds. Designed.
 const SILENCE_CLOSES_SECS: f64 = 0.10;
 const SILENCE_OPENS_SECS: f64 = 0.12;
-/// How far from an utterance the mouth may still move, seconds.
+/// Time before and after an utterance in which the mouth may still move, seconds.
 const MARGIN_SECS: f64 = 0.6;
 
 /// State of the mouth at one time.
@@ -45,9 +45,9 @@ const MARGIN_SECS: f64 = 0.6;
 pub struct MouthTargets {
     /// The ten channels in the order of [`Channel`].
     pub channels: [f64; CHANNELS],
-    /// How firmly a bilabial presses the lips together, 0..1.
+    /// Pressure of a bilabial on the lips, 0..1.
     pub press: f64,
-    /// How far the lower lip is at the upper teeth (f, v), 0..1.
+    /// Closure of the lower lip against the upper teeth (f, v), 0..1.
     pub bite: f64,
 }
 
@@ -90,9 +90,9 @@ struct LipSegment {
 }
 
 impl LipTrack {
-    /// From an utterance's phones (seconds from its start, ascending): a segment for each, two for a
-    /// diphthong, with the times between which its dominance holds. The utterance is taken to have
-    /// silence on both sides.
+    /// Creates the track from an utterance's phones (seconds from its start, ascending): a segment
+    /// for each, two for a diphthong, with the interval of constant dominance. The utterance is
+    /// assumed to have silence on both sides.
     #[must_use]
     pub fn new(phones: &[Phone]) -> Self {
         let mut segments = Vec::with_capacity(phones.len() + 8);
@@ -121,10 +121,10 @@ impl LipTrack {
         Self { segments, starts }
     }
 
-    /// The segments in order, for those who draw dominance: name of the phone's row, start,
-    /// end, and between which times it is at its peak (seconds from the utterance's start),
-    /// its magnitudes for opening, rounding, spreading and tongue, and the rates at which it
-    /// rises before and falls after the peak, 1/s: α·exp(−θ·|τ|) (F&H 3.1.3).
+    /// Returns the segments in order, for plots of dominance: name of the phone's row, start, end,
+    /// and the interval of its peak (seconds from the utterance's start), its magnitudes for
+    /// opening, rounding, spreading and tongue, and the rates at which it rises before and falls
+    /// after the peak, 1/s: α·exp(−θ·|τ|) (F&H 3.1.3).
     pub fn segments(&self) -> impl Iterator<Item = (&'static str, [f64; 10])> {
         self.segments.iter().map(|s| {
             let ([held, until], [o, r, w, g]) = (s.held, s.alphas);
@@ -134,7 +134,7 @@ impl LipTrack {
         })
     }
 
-    /// Whether the mouth may move at this offset.
+    /// Returns true if the mouth may move at this offset.
     #[must_use]
     pub fn covers(&self, offset_secs: f64) -> bool {
         let first = self.segments.first().map_or(0.0, |s| s.start);
@@ -186,7 +186,7 @@ impl LipTrack {
         self.close(t, now, channels)
     }
 
-    /// Holds the closures near a time.
+    /// Applies the closures near a time.
     fn close(&self, t: f64, now: usize, mut channels: [f64; CHANNELS]) -> MouthTargets {
         let mut out = MouthTargets::default();
         // Parts of a diphthong may be as short as 20 ms: three and the rest of the one being
@@ -243,13 +243,13 @@ impl LipSegment {
         }
     }
 
-    /// exp(−θ·|τ|): 1 while held.
+    /// Returns exp(−θ·|τ|); 1 while held.
     fn decay(&self, t: f64) -> f64 {
         let [before, after] = self.targets.thetas_per_s;
         ops::exp(-(before * (self.held[0] - t).max(0.0) + after * (t - self.held[1]).max(0.0)))
     }
 
-    /// How firmly the segment's closure rules, 0..1.
+    /// Returns the strength of the segment's closure, 0..1.
     fn gate(&self, t: f64) -> f64 {
         let mut ahead = AHEAD_SECS;
         let (firm, closing, opening) = match self.targets.class {

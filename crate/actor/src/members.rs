@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for Members {
     }
 }
 
-/// The values of a list; none where this is something else.
+/// Returns the values of a list; empty for any other value.
 pub(crate) fn items(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }

@@ -51,7 +51,7 @@ pub struct Blueprint {
     pub pieces: Vec<PartWithNormals>,
     /// Chains that hang on the skull.
     pub chains: Vec<HairChain>,
-    /// Pictures that materials point at.
+    /// Images referenced by materials.
     pub images: Vec<Image>,
 }
 
@@ -110,8 +110,8 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
     }
 }
 
-/// World from joint in the bind pose: bones as given; a helper is turned by its parent
-/// alone, so that it rests with the bone it helps.
+/// Returns the world-from-joint transforms of the bind pose: bones as given; a helper takes the
+/// rotation of its parent only, so that it is at rest with the bone that it helps.
 fn bind_frames(blueprint: &Blueprint, skeleton: &Skeleton) -> Vec<DAffine3> {
     let mut frames: Vec<DAffine3> = Vec::with_capacity(skeleton.joints().len());
     for (i, joint) in skeleton.joints().iter().enumerate() {
@@ -277,7 +277,8 @@ fn bind(binding: &mut Binding, base: u32, bound: &[(u32, Vec<(u32, f64)>)]) {
     }
 }
 
-/// Kinds whose shading reads texture coordinates; for the others they would only take room.
+/// Returns true if the shading of a material reads texture coordinates; for the other kinds they
+/// would only take space.
 fn has_coordinates(material: &Material) -> bool {
     use MaterialKind::{Cornea, Eye, Hair, Lash};
     let textured = material.maps != TextureMaps::default();
@@ -290,10 +291,9 @@ fn is_hair(kind: MaterialKind) -> bool {
     matches!(kind, MaterialKind::Hair | MaterialKind::Lash)
 }
 
-/// Vertices of a part that share a place (seams of texture coordinates): their normals
-/// are one.
+/// Vertices of a part at the same position (texture seams): they share one normal.
 struct Seams {
-    /// The first vertex at each vertex's place.
+    /// First vertex at the position of each vertex.
     first: Vec<u32>,
 }
 
@@ -346,7 +346,7 @@ pub(super) fn triangles(face: &[u32], positions: &[DVec3]) -> Vec<[u32; 3]> {
     out
 }
 
-/// The four largest weights in 255ths (what the file stores), largest first.
+/// Returns the four largest weights in 255ths (the stored format), largest first.
 fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]) {
     let mut sums: BTreeMap<u16, f64> = BTreeMap::new();
     for (joint, weight) in &vertex.weights {

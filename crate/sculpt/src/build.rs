@@ -25,17 +25,17 @@ use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, FaceJoints, zero_frames};
 use raconteur_tissue::Tissue;
 
-/// The skin's pictures among a figure's images.
+/// Indices of the skin's textures among a figure's images.
 const SKIN_MAPS: TextureMaps = TextureMaps {
     base_color: Some(0),
     normal: Some(1),
     wrinkles: Some(2),
 };
 
-/// Clothes that hair may touch lie within this distance of the middle of the head, metres.
+/// Maximum distance from the centre of the head at which hair may touch clothes, metres.
 const NEAR_HEAD_M: f64 = 0.45;
 
-/// Builds a figure. The same parameters give the same figure to the bit.
+/// Builds a figure. The same parameters give a bit-identical figure.
 #[must_use]
 pub fn build(params: &FigureParams) -> AnnotatedFigure {
     let Mannequin {
@@ -113,7 +113,7 @@ pub fn build(params: &FigureParams) -> AnnotatedFigure {
     }
 }
 
-/// The surface of clothes about the head, in its frame: what hair lies on.
+/// Returns the surface of clothes around the head, in its frame: hair rests on it.
 pub(super) fn clothes_near_head(
     clothes: &[MeshPart],
     world_from_head: DAffine3,
@@ -134,8 +134,8 @@ pub(super) fn clothes_near_head(
         .collect()
 }
 
-/// Builds the head alone, with what moves under its skin, on the skeleton of the whole: enough to
-/// try what a face does, in a fraction of the time. It has no hair, hands, clothes or maps.
+/// Builds only the head with its face tissue, on the full skeleton: enough to test facial animation
+/// in a fraction of the time. It has no hair, hands, clothes or maps.
 #[must_use]
 pub fn build_face(params: &FigureParams) -> AnnotatedFigure {
     let made = Mannequin::from_params(params);
@@ -167,7 +167,7 @@ pub fn build_face(params: &FigureParams) -> AnnotatedFigure {
     }
 }
 
-/// What moves under the skin of the face.
+/// Returns the soft tissue of the face.
 pub(super) fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tissue {
     let mut rigid: Vec<MeshPart> = head.parts.clone();
     rigid.retain(|p| matches!(p.name.as_str(), part::TEETH | part::GUMS));
@@ -315,7 +315,7 @@ fn plain_part(
     }
 }
 
-/// Drops the morph targets of what follows the tissue: nothing moves it twice.
+/// Removes the morph targets of meshes driven by the tissue, so that nothing moves twice.
 pub(super) fn leave_to_tissue(figure: &mut Figure) {
     for mesh in figure.meshes.iter_mut().filter(|m| m.binding.is_some()) {
         mesh.morphs.clear();

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
 
-/// Points by the cell that they lie in.
+/// Points indexed by grid cell.
 pub(crate) struct Cells {
     width: f64,
     cells: BTreeMap<[i32; 3], Vec<u32>>,
@@ -28,8 +28,8 @@ impl Cells {
         (p / self.width).floor().to_array().map(|x| x as i32)
     }
 
-    /// The points of a place's cell and of the 26 around it: all within a cell's width, and some
-    /// beyond.
+    /// Returns the points of a position's cell and of the 26 around it: all within a cell's width,
+    /// and some beyond.
     pub(crate) fn neighbours(&self, p: DVec3) -> impl Iterator<Item = u32> + '_ {
         let [x, y, z] = self.cell(p);
         (0..27)

@@ -7,10 +7,10 @@ use raconteur_base::DVec3;
 use raconteur_base::mirror_vector;
 use raconteur_body::figure::{Figure, MaterialKind};
 
-/// The skin of a figure, with the bag of the mouth: places that several vertices share made one.
+/// Skin of a figure, including the mouth cavity, with coincident vertices merged.
 #[derive(Clone, Debug, Default)]
 pub struct Skin {
-    /// Places, metres.
+    /// Positions, metres.
     pub points: Vec<DVec3>,
     /// Counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -43,9 +43,9 @@ impl Skin {
     }
 }
 
-/// How far a point's mirror image can lie from the nearest of the points, and that point. `cell` is the
-/// length within which one is sought, at least the tolerance; beyond it the distance counts
-/// as infinite.
+/// Returns the largest distance between a point's mirror image and the nearest point, and that
+/// point. `cell` is the search length, at least the tolerance; beyond it the distance counts as
+/// infinite.
 #[cfg(test)]
 pub(super) fn farthest_from_mirrored(points: &[DVec3], cell: f64) -> (f64, DVec3) {
     let index = |p: DVec3| (p / cell).round().to_array().map(|x| x as i64);

@@ -17,12 +17,13 @@ use crate::population;
 use crate::skin::SkinParams;
 use crate::skin::tone::Tones;
 
-/// What makes examples of one crowd.
+/// Generator of the examples of a crowd.
 pub struct Examples<'m> {
     model: &'m Model,
     details: Vec<Detail>,
-    /// The body model's mean is nobody's: its eyes are small, its mouth is high and narrow. Details vary
-    /// about those of the figures that come with the project, which were fitted to surveys.
+    /// Mean values of details. The body model's mean matches no real person: its eyes are small,
+    /// its mouth is high and narrow. Details vary around those of the bundled figures, which were
+    /// fitted to surveys.
     centre: BTreeMap<String, f64>,
     binding: Binding,
     tones: Tones,
@@ -43,33 +44,33 @@ fn centre() -> BTreeMap<String, f64> {
     sums
 }
 
-/// A detail goes no farther.
+/// Maximum amount of a detail.
 const MAX_DETAIL: f64 = 0.95;
 
-/// A person as drawn, before the crowd is brought to its population.
+/// Randomly generated person before the crowd is matched to its population.
 #[derive(Clone, Debug)]
 pub struct Draft {
     /// The person of the body model.
     pub traits: Traits,
     /// Amounts of [`FIELDS`](crate::head::FIELDS), in their order.
     pub fields: Vec<f64>,
-    /// What it looks like apart from its shape.
+    /// Appearance apart from the shape.
     pub look: Look,
-    /// Where the cage of the head lies; with the fields of expressions once the crowd is brought to its
-    /// population, as those who are measured look neutral.
+    /// Head shape at the cage of the head; expression fields are added only after matching to the
+    /// population, because the measured people have neutral faces.
     pub bound: ModelHeadShape,
 }
 
 /// One head.
 #[derive(Clone, Debug)]
 pub struct Example {
-    /// The person, with the head brought to the population.
+    /// Person, with the head matched to the population.
     pub draft: Draft,
-    /// The vertices of the drawn skin, x, y and z of each; metres in the frame of the head.
+    /// Vertices of the rendered skin, x, y, z of each; metres in the frame of the head.
     pub skin: Vec<f64>,
     /// Natural logarithms of linear red, green and blue of each vertex.
     pub tone: Vec<f64>,
-    /// What lies in the head.
+    /// Inner parts of the head.
     pub organs: Organs,
     /// The triangles of the skin, the same for all.
     pub triangles: Vec<[u32; 3]>,
@@ -91,7 +92,7 @@ impl Example {
         found.map(|(_, mm)| *mm)
     }
 
-    /// A named place of the skin, millimetres in the frame of the head.
+    /// Returns a named landmark of the skin, millimetres in the frame of the head.
     #[must_use]
     pub fn place(&self, name: &str) -> Option<DVec3> {
         let found = self.landmarks.iter().find(|(known, _)| known == name)?;
@@ -105,7 +106,7 @@ impl Example {
         self.draft.fields.get(field_index(name)?).copied()
     }
 
-    /// A number of its look by its name.
+    /// Returns an appearance number by name.
     #[must_use]
     pub fn look_value(&self, name: &str) -> Option<f64> {
         let index = looks::NAMES.iter().position(|known| *known == name)?;
@@ -138,7 +139,8 @@ impl<'m> Examples<'m> {
         })
     }
 
-    /// Person number `index` as the body model has such people, with fields of our own.
+    /// Generates person number `index` from the body model's statistics, with additional
+    /// deformation fields.
     ///
     /// # Errors
     /// When the model lacks what the traits name.
@@ -172,7 +174,7 @@ impl<'m> Examples<'m> {
         })
     }
 
-    /// Brings a crowd to the measures of the population.
+    /// Matches a crowd to the measures of the population.
     #[must_use]
     pub fn fitted_to_population(&self, drafts: Vec<Draft>) -> Vec<Draft> {
         let people: Vec<Traits> = drafts.iter().map(|d| d.traits.clone()).collect();
@@ -212,7 +214,8 @@ impl<'m> Examples<'m> {
         }
     }
 
-    /// What one of each field of an expression, by its index in [`FIELDS`], makes of the skin of the mean head.
+    /// Returns, for each expression field by its index in [`FIELDS`], the displacement of the mean
+    /// head's skin at amount 1.
     #[must_use]
     pub fn expressions(&self) -> Vec<(usize, Vec<f64>)> {
         let skin = |amounts: &[f64]| {
@@ -240,7 +243,7 @@ impl<'m> Examples<'m> {
             .collect()
     }
 
-    /// The tone of a look, as [`Example::tone`] has it.
+    /// Returns the tone of a look, in the format of [`Example::tone`].
     #[must_use]
     pub fn tone(&self, look: &Look) -> Vec<f64> {
         let skin = looks::skin(look, &SkinParams::plain());
@@ -248,7 +251,7 @@ impl<'m> Examples<'m> {
     }
 }
 
-/// A named place of a skin, metres; of the pupils, the middles of the eyes.
+/// Returns a named landmark of a skin, metres; for the pupils, the centres of the eyes.
 fn place(skin: &BareSkin, name: &str) -> Option<DVec3> {
     let [left, right] = skin.organs.eye_centres;
     let found = skin.landmarks.iter().find(|(known, _)| known == name);
@@ -259,7 +262,7 @@ fn place(skin: &BareSkin, name: &str) -> Option<DVec3> {
     }
 }
 
-/// Amounts of the fields of expressions alone, or of all others.
+/// Returns the amounts of the expression fields only, or of all others.
 fn of_expressions(fields: &[f64], are_they: bool) -> Vec<f64> {
     let mut own = if are_they {
         vec![0.0; fields.len()]
@@ -298,7 +301,7 @@ fn fan(face: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
         .map(|pair| [face[0], pair[0], pair[1]])
 }
 
-/// About the mean of a sex and an age, metres; the head is what is looked at.
+/// Returns approximately the mean stature for a sex and an age, metres; only the head matters here.
 #[must_use]
 pub fn stature_m(traits: &Traits) -> f64 {
     let grown = ((traits.age_years - 8.0) / 9.0).clamp(0.0, 1.0);
@@ -306,7 +309,7 @@ pub fn stature_m(traits: &Traits) -> f64 {
     1.28 + (adult - 1.28) * grown
 }
 
-/// The measures of a head by the places of its landmarks, metres; millimetres, by name.
+/// Computes the measures of a head from its landmarks in metres; returns millimetres, by name.
 #[must_use]
 pub fn measured_mm(place: &dyn Fn(&str) -> Option<DVec3>) -> Vec<(&'static str, f64)> {
     known_measures()

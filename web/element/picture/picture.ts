@@ -1,6 +1,6 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
-import { applyView, PictureRequest } from './asked.js';
+import { applyView, PictureRequest } from './picture-request.js';
 import { createEngine } from '../engine/backend.js';
 import type { DonorHair } from '../face/face-look.js';
 import { GivenFace } from '../face/given-face.js';
@@ -9,7 +9,7 @@ import type { FigureFile } from '../engine/figure.js';
 import { FigureImages } from './figure-images.js';
 import type { StoryFiles } from '../engine/loader.js';
 import { giveBack } from './graphics.js';
-import { FramePacer } from './pace.js';
+import { FramePacer } from './frame-pacer.js';
 import type { PictureEvents } from './picture-events.js';
 import { StoryReader } from './story-reader.js';
 import { isTrap, trapError } from '../engine/trap.js';

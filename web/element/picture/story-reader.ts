@@ -1,6 +1,6 @@
 /** How an engine is told what it is to show. */
 
-import type { PictureRequest } from './asked.js';
+import type { PictureRequest } from './picture-request.js';
 import { unusable } from '../engine/figure.js';
 import type { StoryFiles } from '../engine/loader.js';
 import { isTrap, trapError } from '../engine/trap.js';

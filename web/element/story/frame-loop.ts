@@ -4,9 +4,9 @@ import { captionAt } from '../captions/captions.js';
 import type { PlayerContext } from './context.js';
 import { passCue } from './cues.js';
 import { dispatch } from '../media/media-events.js';
-import { AnimationLoops } from '../picture/pulse.js';
+import { AnimationLoops } from '../picture/animation-loops.js';
 import type { Show } from './show.js';
-import { IdleClock } from './welcome.js';
+import { IdleClock } from './idle-clock.js';
 
 /** While the story waits, for its voice or for sounds, or plays at the speed 0, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
 const STILL_MS = 1000;

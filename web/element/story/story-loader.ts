@@ -11,7 +11,7 @@ import { PictureKeeper, type OpenedPicture } from '../picture/keeper.js';
 import { LiveScript } from '../engine/live.js';
 import { fetchStory, type StoryFiles, type StoryRequest } from '../engine/loader.js';
 import { dispatch, takeBack } from '../media/media-events.js';
-import type { InlineStory } from './own-text.js';
+import type { InlineStory } from './inline-story.js';
 import type { PictureEvents } from '../picture/picture-events.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';

@@ -8,7 +8,7 @@ import type { Telling, Words } from '../base/types.js';
 export function telling(context: PlayerContext, stage: Promise<Show>, words: Words, interrupt: () => void): Telling {
   const end = new AbortController();
   const tell = async (): Promise<void> => {
-    const [{ tellWords }, show] = await Promise.all([import('./tell.js'), stage]);
+    const [{ tellWords }, show] = await Promise.all([import('./narration.js'), stage]);
     await tellWords(context, show, words, end.signal);
   };
   return {

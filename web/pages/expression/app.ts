@@ -2,7 +2,7 @@
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import { PageState } from '../page-state.js';
-import { ComparisonSide } from './sitting.js';
+import { ComparisonSide } from './comparison-side.js';
 import { beginning, settingOf, type Setting, type Side, type State } from './state.js';
 import { write } from './write.js';
 

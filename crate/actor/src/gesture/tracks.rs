@@ -86,17 +86,17 @@ impl WristTrack {
         (wrist, share + (to - share) * m.clamp(0.0, 1.0))
     }
 
-    /// Time of the last node; minus infinity when there is none.
+    /// Returns the time of the last node; minus infinity when there is none.
     pub(super) fn last_secs(&self) -> f64 {
         self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The place of the last node; `None` at rest.
+    /// Returns the position of the last node; `None` at rest.
     pub(super) fn last(&self) -> Option<DVec3> {
         self.nodes.last().and_then(|n| n.place)
     }
 
-    /// Adds a node that the last one leads to by `course`.
+    /// Adds a node, reached from the last one by `course`.
     pub(super) fn push(
         &mut self,
         rig: &ArmRig,
@@ -125,24 +125,24 @@ impl WristTrack {
         });
     }
 
-    /// Whether the piece that starts at a node is the planner's to shape.
+    /// Returns true if the planner may shape the segment that starts at a node.
     pub(super) fn is_free(&self, i: usize) -> bool {
         self.nodes[i].profile.is_none() && self.nodes[i].swing.is_none()
     }
 
-    /// Takes the last node back.
+    /// Removes the last node.
     pub(super) fn pop(&mut self) {
         self.times.pop();
         self.nodes.pop();
     }
 }
 
-/// How a hand is turned at one time, and how it turns on.
+/// Rotation of a hand at one time, and its transition to the next node.
 #[derive(Clone, Copy, Debug)]
 struct HandNode {
-    /// `None` is rest, which moves.
+    /// Rotation; `None` is rest, which moves.
     hand: Option<DQuat>,
-    /// Where the wrist is then; set when the whole track is there.
+    /// Position of the wrist at that time; set when the whole track is complete.
     wrist: DVec3,
     course: Transition,
 }
@@ -155,7 +155,7 @@ pub(super) struct HandTrack {
 }
 
 impl HandTrack {
-    /// Of each node whether it is no rest.
+    /// Returns, for each node, true if it is not rest.
     pub(super) fn turned(&self) -> impl Iterator<Item = bool> {
         self.nodes.iter().map(|node| node.hand.is_some())
     }
@@ -192,12 +192,12 @@ impl HandTrack {
         self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The last rotation; `None` at rest.
+    /// Returns the last rotation; `None` at rest.
     pub(super) fn last(&self) -> Option<DQuat> {
         self.nodes.last().and_then(|n| n.hand)
     }
 
-    /// Adds a node that the last one leads to by `course`.
+    /// Adds a node, reached from the last one by `course`.
     pub(super) fn push(&mut self, time_secs: f64, hand: Option<DQuat>, course: Transition) {
         if let Some(last) = self.nodes.last_mut() {
             last.course = course;
@@ -210,7 +210,7 @@ impl HandTrack {
         });
     }
 
-    /// Takes nodes later than this back.
+    /// Removes nodes later than a time.
     pub(super) fn forget_after(&mut self, time_secs: f64) {
         let keep = self.times.partition_point(|t| *t <= time_secs);
         self.times.truncate(keep);
@@ -225,10 +225,10 @@ impl HandTrack {
     }
 }
 
-/// Hand rotation on the way from one place to another. Unless a script says, small turns take
-/// the short way in the world, so that a palm kept down stays down; large ones turn as a wrist
-/// does, by the angles that the forearm sees: the short way in the world might lead through
-/// what no arm can do.
+/// Interpolates the hand rotation on the path from one place to another. Unless the script
+/// specifies otherwise, small turns take the short way in the world, so a palm held down stays
+/// down. Large turns follow the wrist angles relative to the forearm, because the short way in the
+/// world might be impossible for an arm.
 fn turned(
     rig: &ArmRig,
     from: &RestingHand,

@@ -7,7 +7,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Length, ops};
 
 /// Largest turn of an eye, radians (some 35° before the head must follow).
 const EYE_MAX_RAD: f64 = 0.6;
-/// Share of a direction that head and neck take. Designed.
+/// Share of a gaze direction taken by head and neck. Designed.
 pub const HEAD_SHARE: f64 = 0.55;
 
 /// Yaw beyond which a target behind the back is not followed, radians.
@@ -15,9 +15,9 @@ const ASIDE_RAD: f64 = 1.4;
 /// Share of a direction's length below which it is overhead or below the feet, and has no side.
 const OVERHEAD: f64 = 0.3;
 
-/// Yaw (left) and pitch (down) to look in a direction in axes x left, y up, z front, radians.
-/// What passes behind the back, overhead or below the feet is let go on one side and taken up
-/// on the other: the yaw is 0 there, and no small step of it turns the head round.
+/// Returns yaw (left) and pitch (down) of a gaze direction in axes x left, y up, z front, radians.
+/// Directions that pass behind the back, overhead or below the feet switch sides: the yaw is 0
+/// there, so no small step turns the head around.
 #[must_use]
 pub fn angles_of(direction: DVec3) -> [f64; 2] {
     let flat = ops::hypot(direction.x, direction.z);
@@ -30,8 +30,8 @@ pub fn angles_of(direction: DVec3) -> [f64; 2] {
     ]
 }
 
-/// Rotation of one eye in the skull's zero axes that looks at a point, turned by `away`,
-/// within the eye's range; and its pitch (positive down), radians.
+/// Returns the rotation of one eye in the skull's zero axes that looks at a point, turned by
+/// `away`, within the eye's range; and its pitch (positive down), radians.
 #[must_use]
 pub fn eye_towards(
     world_from_skull_axes: &DAffine3,

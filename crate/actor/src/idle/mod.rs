@@ -4,7 +4,7 @@ pub mod gaze;
 pub mod stance;
 pub mod trunk;
 
-/// Random streams, so that no two motions share their noise.
+/// Random streams: no two motions share their noise.
 pub(crate) mod stream {
     pub(crate) const SPINE: u64 = 0x100;
     pub(crate) const HEAD: u64 = 0x110;

@@ -13,16 +13,16 @@ use crate::limb::limits::limits;
 use crate::limb::two_bone::TwoBone;
 use crate::limb::{LEG_BONES, Limb, Sex};
 
-/// How long the weight stays on one foot, seconds on average. Designed.
+/// Mean time that the weight stays on one foot, seconds. Designed.
 const SHIFT_SECS: f64 = 9.0;
-/// Time that a shift takes, seconds. Designed.
+/// Duration of a weight shift, seconds. Designed.
 const SHIFT_LENGTH_SECS: f64 = 1.8;
 /// Sideways travel of the pelvis to either side, for a stature of 1.7 m, metres. Designed.
 const SWAY_M: f64 = 0.022;
 /// Tilt of the pelvis with it, radians: the side without weight sinks. Designed.
 const TILT_RAD: f64 = 0.022;
-/// Room for the knees: the pelvis stands this much lower than with straight legs, metres.
-/// A knee bends by some 15° for 9 mm, so little is enough.
+/// Clearance for the knees: the pelvis is lowered by this from straight legs, metres. A knee bends
+/// by about 15° for 9 mm, so a small value suffices.
 const SINK_M: f64 = 0.0008;
 
 /// The legs of a figure.
@@ -33,7 +33,7 @@ pub struct Stance {
     seed: u64,
 }
 
-/// One leg of a figure: everything about it that does not change with the pose.
+/// Pose-independent measures of one leg of a figure.
 #[derive(Clone, Debug)]
 pub(crate) struct Leg {
     chain: TwoBone,
@@ -56,7 +56,7 @@ impl Stance {
         }
     }
 
-    /// Where the weight is at a time: −1 on the right foot, 1 on the left.
+    /// Returns the weight distribution at a time: −1 on the right foot, 1 on the left.
     #[must_use]
     pub fn weight_at(&self, time_secs: f64) -> f64 {
         let side = |bucket: i64| {
@@ -146,8 +146,8 @@ impl Leg {
         &self.ankle_in_world
     }
 
-    /// How far the pelvis must sink for the leg to reach an ankle and have `spare_m` left,
-    /// metres.
+    /// Returns the drop of the pelvis required for the leg to reach an ankle with `spare_m` to
+    /// spare, metres.
     pub(crate) fn shortage_m(
         &self,
         world_from_pelvis: &DAffine3,
@@ -162,9 +162,9 @@ impl Leg {
         (-to.y - most + 1e-4).max(0.0)
     }
 
-    /// A place for the ankle that the leg reaches without snapping: within the last `spare_m`
-    /// of the reach the knee would stretch ever faster, so places there and beyond are eased
-    /// into it, metres.
+    /// Returns an ankle position that the leg reaches without snapping, metres. Within the last
+    /// `spare_m` of the reach the knee would stretch ever faster, so positions there and beyond are
+    /// eased.
     pub(crate) fn eased(&self, world_from_pelvis: &DAffine3, ankle: DVec3, spare_m: f64) -> DVec3 {
         let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
         let distance = to.magnitude();
@@ -181,9 +181,9 @@ impl Leg {
         self.chain.reach_m()
     }
 
-    /// Local rotations of hip, knee and ankle that put the ankle at a place with the foot
-    /// turned so (world from ankle), the knee looking along `knee` (world, any length). Of
-    /// a place out of reach the direction is kept.
+    /// Solves the local rotations of hip, knee and ankle that place the ankle at a position with a
+    /// given foot rotation (world from ankle), the knee pointing along `knee` (world, any length).
+    /// The direction of a position out of reach is preserved.
     pub(crate) fn solve(
         &self,
         world_from_pelvis: &DAffine3,
@@ -203,8 +203,8 @@ impl Leg {
         [hip.normalized(), flexed, ankle.normalized()]
     }
 
-    /// World from ankle, and where the knee looks, for local rotations of hip, knee and
-    /// ankle: what [`Leg::solve`] undoes.
+    /// Returns world from ankle, and the knee direction, for local rotations of hip, knee and
+    /// ankle: the inverse of [`Leg::solve`].
     pub(crate) fn placed(
         &self,
         world_from_pelvis: &DAffine3,

@@ -9,10 +9,10 @@ use crate::emotion::Breathing;
 
 /// Breaths at rest, Hz (12 to 18 a minute is the adult norm).
 const BREATH_HZ: f64 = 0.25;
-/// How many more while speaking, Hz. Designed.
+/// Increase of the breathing rate while speaking, Hz. Designed.
 const BREATH_SPEAKING_HZ: f64 = 0.07;
 
-/// What the trunk needs of the speech: when there is any.
+/// Speech intervals as needed by the trunk motion.
 #[derive(Clone, Debug, Default)]
 pub struct SpeechRhythm {
     /// Beginning of each utterance, ascending, seconds.
@@ -39,7 +39,7 @@ impl SpeechRhythm {
         rhythm
     }
 
-    /// Seconds spoken before a time.
+    /// Returns the seconds spoken before a time.
     fn spoken_before(&self, time_secs: f64) -> f64 {
         last_at_or_before(&self.starts, time_secs).map_or(0.0, |i| {
             self.spoken[i] + (time_secs.min(self.ends[i]) - self.starts[i]).max(0.0)
@@ -81,7 +81,7 @@ impl TrunkMotion {
         breathing.depth * ops::sin(phase + 0.35 * ops::sin(phase))
     }
 
-    /// Rotations of lumbar and thoracic spine; the head's gaze comes later. `weight` is the
+    /// Returns the rotations of lumbar and thoracic spine, without the head's gaze. `weight` is the
     /// stance's, `amount` scales everything.
     #[must_use]
     pub fn turns(

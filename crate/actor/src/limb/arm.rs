@@ -26,13 +26,13 @@ use crate::kinematics::world_from_bone;
 /// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
 /// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
 const SOFT_SHARE: f64 = 0.01;
-/// Farthest place that a plan asks for, a share of the reach: more than the trunk sways.
+/// Farthest position that a plan requests, as a share of the reach: more than the trunk's sway.
 const PLANNED_SHARE: f64 = 1.03;
 
 /// The target of an arm.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmGoal {
-    /// Place of the wrist, world, metres.
+    /// Position of the wrist, world, metres.
     pub wrist_in_world: DVec3,
     /// Hand rotation ([`crate::palm`]); `None` leaves the wrist relaxed.
     pub hand_in_world: Option<DQuat>,
@@ -40,7 +40,7 @@ pub struct ArmGoal {
     pub shrug_rad: f64,
 }
 
-/// Local rotations of one arm's bones and how well they meet the goal.
+/// Local rotations of one arm's bones and their errors against the goal.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmSolution {
     /// Rotation of the scapula bone.
@@ -55,10 +55,10 @@ pub struct ArmSolution {
     pub elbow_in_world: DVec3,
     /// Distance between the wrist and its goal, metres.
     pub error_m: f64,
-    /// Angle between the hand and its goal, radians; 0 without a wanted rotation.
+    /// Angle between the hand and its goal, radians; 0 without a requested rotation.
     pub hand_error_rad: f64,
-    /// Whether the wrist position lies in the workspace: the error is then below 1e-9 m, or
-    /// up to 2 mm in the last hundredth of the reach, where the elbow eases out.
+    /// True if the wrist position lies in the workspace: the error is then below 1e-9 m, or up to 2
+    /// mm in the last hundredth of the reach, where the elbow is eased.
     pub reached: bool,
 }
 
@@ -73,7 +73,7 @@ impl ArmSolution {
     }
 }
 
-/// One arm of a figure: everything about it that does not change with the pose.
+/// Pose-independent measures of one arm of a figure.
 #[derive(Clone, Debug)]
 pub struct ArmRig {
     side: Side,
@@ -123,7 +123,7 @@ impl ArmRig {
         self.side
     }
 
-    /// What the arm hangs on.
+    /// Returns the shoulder girdle that carries the arm.
     #[must_use]
     pub fn girdle(&self) -> &Girdle {
         &self.girdle
@@ -135,7 +135,7 @@ impl ArmRig {
         &self.limb
     }
 
-    /// The space of the body that it keeps out of.
+    /// Returns the body space that the arm must not enter.
     #[must_use]
     pub fn space(&self) -> &BodySpace {
         &self.space
@@ -209,14 +209,14 @@ impl ArmRig {
         SolvedArm { solution, lower }
     }
 
-    /// Where the arm stands on a thorax, with the scapula turned so.
+    /// Returns the base of the arm on a thorax, for a scapula rotation.
     fn base(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> LimbBase {
         let girdle = self.girdle.placed(world_from_thorax, scapula);
         self.limb.base(world_from_thorax, Some(girdle))
     }
 
-    /// Where the elbow goes. Both arms are solved at once, and gestures keep their hands apart:
-    /// nothing is known here of the other arm.
+    /// Returns the swivel angle of the elbow. Both arms are solved independently, and gestures
+    /// separate the hands: the other arm is not considered here.
     fn swivel(
         &self,
         world_from_thorax: &DAffine3,
@@ -241,9 +241,9 @@ impl ArmRig {
         self.limb.swivel_for(target, base, &comfort)
     }
 
-    /// `wrist_in_world`, or, where that is far out of reach, the nearest place that is only
-    /// a little out of reach (3 %) with the thorax of the zero pose: hands then slow down for it
-    /// instead of running into the end of the arm.
+    /// Returns `wrist_in_world`, or, if it is far out of reach, the nearest position that is only
+    /// slightly out of reach (3 %) with the thorax of the zero pose: hands then slow down instead
+    /// of hitting the limit of the arm.
     #[must_use]
     pub fn within_reach(&self, wrist_in_world: DVec3) -> DVec3 {
         let thorax = self.thorax_zero_in_world;
@@ -258,14 +258,15 @@ impl ArmRig {
         }
     }
 
-    /// Hand rotation of a relaxed wrist at this place, with the thorax of the zero pose:
-    /// what a keyframe without a palm gets.
+    /// Returns the hand rotation of a relaxed wrist at a position, with the thorax of the zero
+    /// pose: the default for keyframes without a palm.
     #[must_use]
     pub fn relaxed_hand(&self, wrist_in_world: DVec3) -> DQuat {
         self.hand_from_angles(wrist_in_world, &WristAngles::relaxed(self.side))
     }
 
-    /// A hand rotation at a place as wrist angles of a natural arm, thorax in the zero pose.
+    /// Returns a hand rotation at a position as wrist angles of a natural arm, thorax in the zero
+    /// pose.
     #[must_use]
     pub fn angles_of_hand(&self, wrist_in_world: DVec3, hand_in_world: DQuat) -> WristAngles {
         let target = self.limb.target_rotation(hand_in_world);
@@ -281,7 +282,7 @@ impl ArmRig {
         turned.normalized()
     }
 
-    /// The arm with its wrist at a place and the hand as it likes, the thorax in the zero pose.
+    /// Solves the arm for a wrist position with a relaxed hand, the thorax in the zero pose.
     fn natural(&self, wrist_in_world: DVec3) -> SolvedArm {
         let goal = ArmGoal {
             wrist_in_world,
@@ -302,7 +303,7 @@ impl ArmRig {
         }
     }
 
-    /// The hand rotation of a solution: what was wanted, as far as the wrist could.
+    /// Returns the hand rotation of a solution: the requested rotation within the wrist's limits.
     #[must_use]
     pub fn hand_of(&self, world_from_thorax: &DAffine3, s: &ArmSolution) -> DQuat {
         let (parent, _) = self.girdle.placed(world_from_thorax, s.scapula);
@@ -310,7 +311,7 @@ impl ArmRig {
         turned.normalized()
     }
 
-    /// Where a posture puts the wrist, with the thorax of the zero pose, world, metres.
+    /// Returns the wrist position of a posture, with the thorax of the zero pose, world, metres.
     #[must_use]
     pub fn wrist_of(&self, posture: &ArmPosture) -> DVec3 {
         let thorax = &self.thorax_zero_in_world;
@@ -320,7 +321,7 @@ impl ArmRig {
     }
 }
 
-/// The joints of an arm that place its wrist, for interpolation by joint.
+/// Joints of an arm that place its wrist, for interpolation by joint.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmPosture {
     /// Rotation of the scapula bone.
@@ -332,7 +333,7 @@ pub struct ArmPosture {
 }
 
 impl ArmPosture {
-    /// The posture a share of the way to another; shares beyond 0..1 go on beyond the ends.
+    /// Interpolates towards another posture by a share; shares outside 0..1 extrapolate.
     #[must_use]
     pub fn lerp(&self, to: &Self, s: f64) -> Self {
         Self {

@@ -24,8 +24,7 @@ const EDGE: f64 = 0.04;
 /// Heights at which the trunk's front is measured.
 const LEVELS: usize = 16;
 
-/// How far the front of a trunk stands before its axis, from the hips up to the shoulders,
-/// metres.
+/// Distance of the front of a trunk from its axis, from the hips up to the shoulders, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrunkShape {
     depths_m: [f64; LEVELS],
@@ -158,12 +157,12 @@ impl BodySpace {
         self.waist
     }
 
-    /// Where among the measured heights one is, in steps.
+    /// Returns the fractional index of a height among the measured heights.
     fn level(&self, y: f64) -> f64 {
         (y - self.bottom) / (self.top - self.bottom) * (LEVELS - 1) as f64
     }
 
-    /// How far the trunk's front stands before its axis at a height.
+    /// Returns the distance of the trunk's front from its axis at a height.
     fn depth_m(&self, y: f64) -> f64 {
         let Some(shape) = &self.shape else {
             return self.half_depth;
@@ -174,20 +173,21 @@ impl BodySpace {
         a + (b - a) * (level - below as f64)
     }
 
-    /// The nearest place outside trunk and head for a wrist. Places farther out than a few
-    /// hundredths of the half axes are left exactly alone.
+    /// Returns the nearest wrist position outside trunk and head. Positions farther out than a few
+    /// hundredths of the half axes are unchanged.
     #[must_use]
     pub fn project_outside(&self, p: DVec3) -> DVec3 {
         self.project(p, self.hand)
     }
 
-    /// The way out of trunk and head for what needs `room_m` around it: nothing outside.
+    /// Returns the displacement out of trunk and head for a point with clearance `room_m`; zero
+    /// outside.
     #[must_use]
     pub fn exit_displacement(&self, p: DVec3, room_m: f64) -> DVec3 {
         self.project(p, room_m) - p
     }
 
-    /// How deep a place that needs `room_m` around it is in the trunk, as a share of the half
+    /// Returns the depth in the trunk of a point with clearance `room_m`, as a share of the half
     /// axes: 1 in the middle, 0 outside.
     pub(super) fn depth_in_trunk(&self, p: DVec3, room_m: f64) -> f64 {
         // Most of an arm is beside the trunk, and needs no measure of its depth there.
@@ -204,7 +204,7 @@ impl BodySpace {
         }
     }
 
-    /// The half axes of the column about a place that needs `room` around it.
+    /// Returns the half axes of the column around a point with clearance `room`.
     fn half_axes_at(&self, p: DVec3, room: f64) -> [f64; 2] {
         let depth = if p.z > self.axis_z {
             self.depth_m(p.y)
@@ -214,7 +214,7 @@ impl BodySpace {
         [self.half_width + room, depth + room]
     }
 
-    /// The way out for a wrist.
+    /// Returns the displacement of a wrist out of the body.
     #[must_use]
     pub fn wrist_exit_displacement(&self, p: DVec3) -> DVec3 {
         self.exit_displacement(p, self.hand)

@@ -22,7 +22,7 @@ pub const ROLL: usize = 6;
 /// Joints of wrist or ankle.
 pub(crate) const END: core::ops::Range<usize> = 3..ROLL;
 
-/// Where a manipulator stands at one moment, figure axes.
+/// Base frame of a manipulator at one instant, figure axes.
 #[derive(Clone, Copy, Debug)]
 pub struct LimbBase {
     /// The first joint, metres.
@@ -38,11 +38,11 @@ pub struct LimbBase {
 pub struct PosedLimb {
     /// Local rotations of the upper, lower and end bone.
     pub rotations: [DQuat; 3],
-    /// Where the end comes, figure axes.
+    /// Frame of the end, figure axes.
     pub frame: RigidFrame,
 }
 
-/// One limb of a figure: everything about it that does not change with the pose.
+/// Pose-independent measures of one limb of a figure.
 #[derive(Clone, Debug)]
 pub struct LimbRig {
     /// Upper, lower and end bone.
@@ -67,7 +67,7 @@ pub struct LimbRig {
     end_zero: DQuat,
 }
 
-/// World from the base's axes for a body that stands upright.
+/// Returns world from the base's axes for an upright body.
 fn base_axes() -> DQuat {
     DQuat::from_rotation_z(-FRAC_PI_2)
 }
@@ -126,8 +126,8 @@ impl LimbRig {
         }
     }
 
-    /// Where the manipulator stands when the trunk stands so and, for an arm, the girdle
-    /// (rotation of the scapula bone and place of the shoulder joint, figure axes).
+    /// Returns the base of the manipulator for a trunk pose and, for an arm, a girdle pose
+    /// (rotation of the scapula bone and position of the shoulder joint, figure axes).
     #[must_use]
     pub fn base(&self, trunk: &DAffine3, girdle: Option<(DQuat, DVec3)>) -> LimbBase {
         let turned = rotation_of(trunk);
@@ -158,7 +158,7 @@ impl LimbRig {
         self.chain.distances_m(within_limits)
     }
 
-    /// Signs that lead from the table's joints to [`Joints`], which mirror each other.
+    /// Returns the signs that convert the table's joints to [`Joints`], which mirror each other.
     fn signs(&self) -> [f64; 7] {
         let s = self.sign;
         if self.is_arm {
@@ -185,7 +185,7 @@ impl LimbRig {
             * DQuat::from_rotation_z(s[5] * joints[5])
     }
 
-    /// How far bones turn from joints to others, the most of them, radians.
+    /// Returns the largest turn of a bone between two sets of joints, radians.
     pub(crate) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
         let upper = self.link(from).angle_between(self.link(to));
         let end = self.turn(from).angle_between(self.turn(to));
@@ -218,8 +218,8 @@ impl LimbRig {
         turn * self.target_zero
     }
 
-    /// How the end is turned from the zero pose, figure axes, by local rotations of the bones on
-    /// the bone that they hang on.
+    /// Returns the rotation of the end from the zero pose, figure axes, from local rotations of the
+    /// bones on their parent bone.
     pub(super) fn end_turn(&self, parent: DQuat, [upper, lower, end]: [DQuat; 3]) -> DQuat {
         let lower = parent * self.upper_zero * upper * self.chain.zero() * lower;
         self.turn_on(lower, end)
@@ -237,8 +237,8 @@ impl LimbRig {
         (lower * self.end_zero).inverse() * (target * self.target_from_end)
     }
 
-    /// How far joints 4 to 6 are beyond their limits for a local rotation of the end bone, by
-    /// the nearer of the two ways to turn it so; radians, 0 within.
+    /// Returns the amount by which joints 4 to 6 exceed their limits for a local rotation of the
+    /// end bone, by the nearer of the two solutions; radians, 0 within.
     #[must_use]
     pub fn end_beyond_limits_rad(&self, rotation: DQuat) -> f64 {
         let turn = self.target_from_end * rotation * self.target_from_end.inverse();

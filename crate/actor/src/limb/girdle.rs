@@ -10,8 +10,8 @@ use crate::kinematics::{rotation_of, world_from_bone};
 /// Greatest rise of the clavicle with the arm, radians: 20° of the arm's 180°. Designed, within
 /// the 30° at its sternal end that Inman et al. 1944 measured.
 const SCAPULA_RISE_RAD: f64 = 0.34;
-/// How far below the horizontal (sine) an arm makes the scapula rise, and the range in
-/// which the rise becomes complete. Designed: an arm that hangs leaves it down.
+/// Angle below the horizontal (sine) from which an arm raises the scapula, and the range in which
+/// the rise becomes complete. Designed: a hanging arm leaves it down.
 const SCAPULA_RISE_FROM: f64 = 0.3;
 const SCAPULA_RISE_RANGE: f64 = 1.25;
 /// Distance of the wrist, as a share of the reach, from which the scapula rises, and the range
@@ -26,7 +26,7 @@ const PROTRACTION_ACROSS: f64 = 0.5;
 /// range in which the protraction becomes complete. Designed.
 const SCAPULA_PROTRACTION_REACH: [f64; 2] = [0.5, 0.5];
 
-/// One side's scapula on the thorax: all about it that does not change with the pose.
+/// Pose-independent measures of one side's scapula on the thorax.
 #[derive(Clone, Debug)]
 pub struct Girdle {
     /// +1 on the left, −1 on the right.
@@ -40,7 +40,7 @@ pub struct Girdle {
 }
 
 impl Girdle {
-    /// Measures one side of a skeleton whose arm reaches so far, metres.
+    /// Measures one side of a skeleton with an arm of a given reach, metres.
     #[must_use]
     pub fn new(skeleton: &Skeleton, side: Side, reach_m: f64) -> Self {
         let [scapula, shoulder, ..] = ARM_BONES[side.index()].map(Bone::index);
@@ -63,7 +63,7 @@ impl Girdle {
         )
     }
 
-    /// What an arm hangs on ([`super::LimbRig::base`]) with the thorax and the scapula turned so:
+    /// Returns the base of an arm ([`super::LimbRig::base`]) for a thorax and a scapula rotation:
     /// world from the scapula, its rotation, and the shoulder joint, world, metres.
     #[must_use]
     pub fn placed(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> (DQuat, DVec3) {
@@ -71,9 +71,9 @@ impl Girdle {
         (turned, self.shoulder_at(world_from_thorax, scapula))
     }
 
-    /// Rotation of the scapula bone for a wrist: it rises by up to 0.34 rad as the wrist comes up
-    /// and away from the body, and by a shrug, radians; it protracts as far as the wrist is ahead
-    /// and not across the chest.
+    /// Returns the rotation of the scapula bone for a wrist: it rises by up to 0.34 rad as the
+    /// wrist rises and moves away from the body, and by a shrug, radians; it protracts as far as
+    /// the wrist is ahead and not across the chest.
     #[must_use]
     pub fn scapula_for(
         &self,

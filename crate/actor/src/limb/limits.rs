@@ -7,10 +7,10 @@ use raconteur_base::ops;
 
 use super::{Joints, Limb};
 
-/// Whose limits hold.
+/// Sex whose joint limits apply.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sex {
-    /// GEVH table B.1; also where nothing is known.
+    /// GEVH table B.1; also the default for unknown sex.
     #[default]
     Male,
     /// GEVH table B.2.
@@ -66,9 +66,9 @@ const FEMALE: Anthropometry = Anthropometry {
     ankle: [[-39.0, 35.0], [-19.9, 79.6], [-55.0, 63.0]],
 };
 
-/// How the forearm's range is divided between pronation and supination, counted from the
-/// thumb-up middle: 80° and 90° are the clinical norms (AAOS 1965). GEVH prints the range
-/// without its zero; read from either end it would forbid a palm held down at the waist.
+/// Share of pronation in the forearm's range, counted from the thumb-up middle: 80° and 90° are the
+/// clinical norms (AAOS 1965). GEVH prints the range without its zero; read from either end it
+/// would forbid a palm held down at the waist.
 const PRONATION_SHARE: f64 = 80.0 / 170.0;
 
 /// The least and the most that a joint turns, radians.
@@ -94,14 +94,14 @@ impl Limit {
         }
     }
 
-    /// Whether an angle is within.
+    /// Returns true if an angle is within the limit.
     #[must_use]
     pub fn contains(self, angle_rad: f64) -> bool {
         (self.least_rad..=self.most_rad).contains(&angle_rad)
     }
 
-    /// The equal angle (up to full turns) that lies nearest to the middle of the range; where
-    /// there is no limit the angle itself.
+    /// Returns the equivalent angle (up to full turns) nearest to the middle of the range; without
+    /// a limit the angle itself.
     #[must_use]
     pub fn wrapped(self, angle_rad: f64) -> f64 {
         if self.least_rad.is_infinite() {
@@ -111,9 +111,9 @@ impl Limit {
         middle + ops::wrap_angle(angle_rad - middle)
     }
 
-    /// The angle brought within. Beyond a limit it stays there; on the far side of the
-    /// circle the limit gives way, so that turning on past it makes no joint snap from one
-    /// limit to the other.
+    /// Clamps an angle to the range. Beyond a limit it stays there; on the far side of the circle
+    /// the limit yields, so turning further past it makes no joint snap from one limit to the
+    /// other.
     #[must_use]
     pub fn clamp(self, angle_rad: f64) -> f64 {
         let angle = self.wrapped(angle_rad);
@@ -129,11 +129,11 @@ impl Limit {
     }
 }
 
-/// The limits of a limb's joints, in the order and with the signs of [`Joints`]: positive
-/// is abduction, flexion forwards (elbow, knee and wrist: towards the inside, ankle: toes
-/// down), pronation or turning in, deviation to the thumb, turning the sole out; for the
-/// head a tilt to the left, a nod forwards and a turn to the left. The seventh joint, which
-/// the appendix does not know, is free.
+/// Returns the limits of a limb's joints, in the order and with the signs of [`Joints`]: positive
+/// is abduction, forward flexion (elbow, knee and wrist: towards the inside, ankle: toes down),
+/// pronation or inward rotation, deviation to the thumb, eversion of the sole; for the head a tilt
+/// to the left, a nod forwards and a turn to the left. The seventh joint, which is not in the
+/// appendix, is free.
 #[must_use]
 pub fn limits(limb: Limb, sex: Sex) -> [Limit; 7] {
     let table = match sex {
@@ -180,7 +180,7 @@ pub fn limits(limb: Limb, sex: Sex) -> [Limit; 7] {
     limits
 }
 
-/// Joints a share of the way to being within their limits.
+/// Moves joints towards their limits by a share.
 pub(crate) fn clamp_joints(limits: &[Limit; 7], share: f64, joints: &Joints) -> Joints {
     let mut kept = *joints;
     for (angle, limit) in kept.iter_mut().zip(limits) {

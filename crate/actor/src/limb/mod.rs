@@ -43,12 +43,12 @@ pub const LEG_BONES: [[Bone; 3]; 2] = [
     [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
 ];
 
-/// What of a figure's build its limbs go by.
+/// Parameters of a figure's build that affect its limbs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Build {
-    /// Whose limits its joints have.
+    /// Sex, which selects the joint limits.
     pub sex: Sex,
-    /// Shape of its trunk; none: an average one.
+    /// Shape of its trunk; `None` uses an average one.
     pub trunk: Option<TrunkShape>,
 }
 
@@ -94,7 +94,7 @@ impl Limb {
         self as usize
     }
 
-    /// The side, and whether it is an arm; none for the head.
+    /// Returns the side, and true for an arm; `None` for the head.
     #[must_use]
     pub fn side(self) -> Option<(Side, bool)> {
         match self {
@@ -107,13 +107,13 @@ impl Limb {
     }
 }
 
-/// Joint angles, radians. Of a limb the six of GEVH table 3.1 and, last, the turn of the
-/// upper bone about itself; of the head five, the rest 0. Zero is the neutral pose: arms
-/// hanging with the palms to the thighs, legs standing, head upright. Equal angles on both
-/// sides mirror each other. Signs: see [`limits::limits`].
+/// Joint angles, radians. For a limb the six of GEVH table 3.1 and, last, the axial rotation of the
+/// upper bone; for the head five, the rest 0. Zero is the neutral pose: arms hanging with the palms
+/// to the thighs, legs standing, head upright. Equal angles on both sides mirror each other. Signs:
+/// see [`limits::limits`].
 pub type Joints = [f64; 7];
 
-/// A place and an orientation, figure axes or a manipulator's base axes.
+/// A position and an orientation, figure axes or a manipulator's base axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidFrame {
     /// Metres.
@@ -123,7 +123,7 @@ pub struct RigidFrame {
 }
 
 impl RigidFrame {
-    /// On the straight way to another frame: line and shortest turn.
+    /// Interpolates towards another frame: straight line and shortest rotation.
     #[must_use]
     pub fn lerp(&self, to: &Self, share: f64) -> Self {
         Self {

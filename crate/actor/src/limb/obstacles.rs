@@ -7,25 +7,25 @@ use super::body_space::BodySpace;
 /// Radius of the arm about its bones for a stature of 1.7 m, metres: the elbow is some
 /// 10 cm across, clothed.
 const ARM_RADIUS_M: f64 = 0.045;
-/// Room that an elbow needs beside the trunk, likewise: it may touch that, and flesh gives way.
+/// Clearance of an elbow from the trunk, in metres: it may touch the trunk, since flesh yields.
 const ELBOW_M: f64 = 0.03;
 /// Radius of the head with its hair, likewise. Head breadth and length are 15 and 19 cm.
 const HEAD_RADIUS_M: f64 = 0.115;
-/// Effort of an arm that lies half its clearance deep in something. Designed.
+/// Effort of an arm that intersects an obstacle by half its clearance. Designed.
 const COLLISION: f64 = 3.0;
-/// Share of that for the other arm, which comes and goes faster than anything else.
+/// Share of that for the other arm, which moves faster than any other obstacle.
 const OTHER_ARM: f64 = 0.3;
 
-/// What an arm must keep clear of, figure axes.
+/// Obstacles of an arm, figure axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Obstacles<'a> {
     /// Trunk and head of the figure.
     pub body: &'a BodySpace,
-    /// Body axes of the zero pose from figure: where the trunk stands upright.
+    /// Body axes of the zero pose from figure axes; the trunk is upright in them.
     pub body_from_figure: DAffine3,
     /// The middle of the head, metres.
     pub head: DVec3,
-    /// Elbow and wrist of the other arm, metres; none where it keeps clear of this one.
+    /// Elbow and wrist of the other arm, metres; `None` if the arm is not considered.
     pub other_forearm: Option<[DVec3; 2]>,
 }
 
@@ -39,8 +39,8 @@ pub(super) struct Clearance<'a> {
     other_arm: Option<OtherArm>,
 }
 
-/// The other forearm from its elbow, it over the square of its length, and one over the square
-/// of the distance that arms keep.
+/// Other forearm: elbow, forearm vector divided by its squared length, and the reciprocal squared
+/// clearance between arms.
 struct OtherArm {
     elbow: DVec3,
     forearm: DVec3,
@@ -77,13 +77,13 @@ impl<'a> Clearance<'a> {
         }
     }
 
-    /// A place in body axes.
+    /// Transforms a point to body axes.
     pub(super) fn in_body(&self, point: DVec3) -> DVec3 {
         self.obstacles.body_from_figure.transform_point3(point)
     }
 
-    /// How much effort it is to have an arm's shoulder, elbow and wrist in a place, which is
-    /// given in figure axes and [in the body's](Self::in_body).
+    /// Returns the effort of an arm with shoulder, elbow and wrist at given positions, in figure
+    /// axes and [body axes](Self::in_body).
     pub(super) fn effort(&self, arm: [DVec3; 3], arm_in_body: [DVec3; 3]) -> f64 {
         // The shoulder itself touches the trunk, and the wrist is at its target.
         let points = |[shoulder, elbow, wrist]: [DVec3; 3]| {
@@ -112,8 +112,8 @@ impl<'a> Clearance<'a> {
     }
 }
 
-/// How deep a place is inside something, 1 in its middle, from the square of its distance as
-/// a share of the clearance; 0 outside.
+/// Returns the depth inside an obstacle, 1 in its middle, from the squared distance as a share of
+/// the clearance; 0 outside.
 fn depth(share_squared: f64) -> f64 {
     if share_squared >= 1.0 {
         0.0

@@ -11,8 +11,8 @@ use raconteur_base::{DMat3, DQuat, DVec3, Length, METRES_PER_INCH, ops};
 use super::chain::{LimbBase, LimbRig, ROLL};
 use super::{Joints, RigidFrame, limits};
 
-/// Most sets of joint angles for one target: two flexions, two ways to turn the shoulder
-/// and two for the wrist.
+/// Maximum number of joint-angle sets for one target: two flexions, two solutions of the shoulder
+/// and two of the wrist.
 pub const MAX_SOLUTIONS: usize = 8;
 
 /// All joint angles that reach a target.
@@ -36,7 +36,7 @@ impl Solutions {
         }
     }
 
-    /// Every way to turn the shoulder (joints 1, 2 and 7) with every way to turn the wrist.
+    /// Adds every combination of shoulder solutions (joints 1, 2 and 7) and wrist solutions.
     pub(crate) fn push_combinations(
         &mut self,
         shoulder: [[f64; 3]; 2],
@@ -51,27 +51,27 @@ impl Solutions {
     }
 }
 
-/// What decides between solutions, in the order of the thesis's filters.
+/// Criteria for choosing between solutions, in the order of the thesis's filters.
 #[derive(Clone, Copy, Debug)]
 pub struct SolutionCriteria<'a> {
-    /// How much limits count, 0 to 1.
+    /// Weight of the joint limits, 0 to 1.
     pub limited: f64,
-    /// The angles that the limb has now; among solutions that meet the target alike the one
-    /// with the least variation is chosen.
+    /// Current angles of the limb; among equally exact solutions the one with the least variation
+    /// is chosen.
     pub current: Option<&'a Joints>,
     /// The angles that are preferred where there is no current configuration.
     pub preferred: &'a Joints,
 }
 
-/// A limb hanging or standing a little bent: the default preference.
+/// A limb hanging or standing slightly bent: the default preference.
 pub const AT_EASE: Joints = [0.2, 0.2, 0.3, 0.0, 0.0, 0.0, 0.0];
 
 /// Targets within this share of the square of a rotation's elements count as met alike.
 const ALIKE: f64 = 1e-9;
 
 impl LimbRig {
-    /// The joint angles of bones, the inverse of [`LimbRig::posed`]: both ways to turn the
-    /// shoulder with both ways to turn the wrist, each angle in −π..π.
+    /// Returns the joint angles of bones, the inverse of [`LimbRig::posed`]: all combinations of
+    /// two shoulder and two wrist solutions, each angle in −π..π.
     #[must_use]
     pub fn joints_of(&self, rotations: [DQuat; 3], base: &LimbBase) -> Solutions {
         let upper = base.parent * self.upper_zero * rotations[0];
@@ -83,9 +83,9 @@ impl LimbRig {
         found
     }
 
-    /// A place (from the base, metres) moved to the nearest one in reach, and whether it had
-    /// to be: to the sphere of the stretched limb, or of the most bent one. `limited` is how
-    /// much the limit of the elbow counts, 0 to 1.
+    /// Projects a position (from the base, metres) to the nearest one in reach, and returns true if
+    /// it moved: to the sphere of the stretched limb, or of the most bent one. `limited` is the
+    /// weight of the elbow limit, 0 to 1.
     #[must_use]
     pub fn projected(&self, from_base: DVec3, limited: f64) -> (DVec3, bool) {
         let free = self.distances_m(false);
@@ -99,8 +99,8 @@ impl LimbRig {
         (direction * distance.clamp(shortest, longest), true)
     }
 
-    /// All solutions of the six joints of table 3.1, the seventh being 0: up to eight, none
-    /// where the swivel of the table cannot reach. The target is in reach, figure axes.
+    /// Returns all solutions of the six joints of table 3.1, with the seventh 0: up to eight, none
+    /// if the swivel of the table cannot reach. The target is in reach, figure axes.
     #[must_use]
     pub fn table_solutions(&self, target: &RigidFrame, base: &LimbBase) -> Solutions {
         let mut found = Solutions::default();
@@ -132,9 +132,9 @@ impl LimbRig {
         found
     }
 
-    /// All solutions with the elbow or knee in a direction from the line between base and
-    /// target (figure axes, unit, across that line): eight, or the two that no limit excludes
-    /// anyway, with the elbow bent the right way and joint 5 within a right angle. The target
+    /// Returns all solutions with the elbow or knee in a given direction from the line between base
+    /// and target (figure axes, unit, perpendicular to that line): eight, or the two that no limit
+    /// excludes, with the elbow bent the natural way and joint 5 within a right angle. The target
     /// is in reach.
     #[must_use]
     pub fn solutions(
@@ -165,7 +165,7 @@ impl LimbRig {
         self.turn_angles((lower * self.lower_from_target).inverse() * rotation)
     }
 
-    /// Adds both ways to turn the wrist to joints 1 to 3.
+    /// Adds both wrist solutions to joints 1 to 3.
     fn complete(&self, joints: &Joints, rotation: DQuat, base: &LimbBase, into: &mut Solutions) {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         for wrist in self.wrist_for(upper, joints[2], rotation) {
@@ -190,10 +190,9 @@ impl LimbRig {
         choose(solutions, choice, &keep, &error).map(|(_, kept)| kept)
     }
 
-    /// Joints a share of the way to being within their limits. A shoulder or hip that was brought
-    /// back turns its bone about itself so that elbow or knee stay where they were as far as they
-    /// can: where the bone points along the first axis, that one may be anything, and the bone
-    /// must not turn with it.
+    /// Moves joints towards their limits by a share. A shoulder or hip that was clamped rotates its
+    /// bone axially so elbow or knee stay in place as far as possible: where the bone points along
+    /// the first axis, that angle is undefined, and the bone must not rotate with it.
     #[must_use]
     pub fn clamp_joints(&self, share: f64, joints: &Joints) -> Joints {
         let mut kept = limits::clamp_joints(&self.limits, share, joints);
@@ -204,8 +203,8 @@ impl LimbRig {
         kept
     }
 
-    /// How far the upper bone and the end are turned by bringing joints within their limits,
-    /// radians: 0 and not nearly so where they are.
+    /// Returns the rotation of the upper bone and of the end caused by clamping joints to their
+    /// limits, radians; exactly 0 for unclamped joints.
     pub(crate) fn bent(&self, raw: &Joints, kept: &Joints) -> [f64; 2] {
         let is_kept = |joints: &[usize]| joints.iter().all(|&i| same(raw[i], kept[i]));
         let upper = || self.link(raw).angle_between(self.link(kept));
@@ -216,8 +215,8 @@ impl LimbRig {
         ]
     }
 
-    /// Joints with the shoulder or hip turned in the one of its two ways that is nearer to other
-    /// joints: the bones stay the same. With limits, only if it is within them.
+    /// Returns the joints with the shoulder or hip in whichever of its two solutions is nearer to
+    /// other joints; the bones do not move. With limits, only a solution within them is used.
     pub(crate) fn alike(&self, joints: &Joints, to: &Joints, limited: bool) -> Joints {
         let mut turned = *joints;
         turned[0] = self.limits[0].wrapped(joints[0] + PI);
@@ -231,8 +230,8 @@ impl LimbRig {
         }
     }
 
-    /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which limits
-    /// leave alone, or turn less.
+    /// Rotates the upper bone further, in base axes. Of its two angle sets, the one that limits do
+    /// not change, or change less, is chosen.
     pub(crate) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
         let sets = self.shoulder_angles((turn * self.link(joints)).normalized());
         let [first, second] = sets.map(|[a, b, roll]| {
@@ -248,8 +247,7 @@ impl LimbRig {
         };
     }
 
-    /// The matrix error of joints that were brought within their limits from joints that meet
-    /// the target.
+    /// Returns the matrix error of clamped joints, relative to joints that meet the target.
     #[must_use]
     pub fn error(&self, raw: &Joints, kept: &Joints, target: &RigidFrame, base: &LimbBase) -> f64 {
         if [0, 1, 2, ROLL].iter().all(|&i| same(raw[i], kept[i])) {
@@ -262,15 +260,15 @@ impl LimbRig {
     }
 }
 
-/// Whether two angles are one, up to full turns.
+/// Returns true if two angles are equal, up to full turns.
 fn same(a: f64, b: f64) -> bool {
     ops::wrap_angle(a - b).abs() <= 1e-12
 }
 
-/// Chooses among solutions: first by matrix error once the joints are within their limits
-/// (`keep` brings them there as far as those count, `error` gives it for joints of a solution and those that they had to become), then by least variation or,
-/// without a current configuration, by preference. The solution's index, and its angles
-/// within the limits as far as those count; none without solutions.
+/// Chooses among solutions: first by matrix error with the joints within their limits (`keep`
+/// clamps them by the weight of the limits, `error` returns the error of a solution's joints and
+/// their clamped values), then by least variation or, without a current configuration, by
+/// preference. Returns the solution's index and its clamped angles; `None` without solutions.
 #[must_use]
 pub fn choose(
     solutions: &Solutions,
@@ -300,9 +298,9 @@ pub fn choose(
     best
 }
 
-/// Sum of the squared differences of two frames' matrices, lengths in tenths of the thesis's
-/// unit (an inch): a wrist that is off its place always weighs more than a turned one, so that
-/// no shoulder leaves its place to turn the hand better.
+/// Returns the sum of the squared differences of two frames' matrices, with lengths in tenths of
+/// the thesis's unit (an inch): a displaced wrist always weighs more than a turned one, so no
+/// shoulder moves to improve the hand's rotation.
 #[must_use]
 pub fn matrix_error(a: &RigidFrame, b: &RigidFrame) -> f64 {
     let rotation = DMat3::from_quat(a.rotation) - DMat3::from_quat(b.rotation);
@@ -313,7 +311,7 @@ pub fn matrix_error(a: &RigidFrame, b: &RigidFrame) -> f64 {
         + squares((a.position - b.position) / (0.1 * METRES_PER_INCH))
 }
 
-/// Sum of the squared differences of joint angles, each the short way round.
+/// Returns the sum of the squared differences of joint angles, each the short way round.
 pub(crate) fn variation(a: &Joints, b: &Joints) -> f64 {
     let square = |(a, b): (&f64, &f64)| {
         let d = ops::wrap_angle(a - b);

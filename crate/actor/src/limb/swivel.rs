@@ -13,22 +13,22 @@ use super::chain::{LimbBase, LimbRig};
 use super::obstacles::{Clearance, Obstacles};
 use super::{Joints, RigidFrame};
 
-/// Direction, in body axes of the left side (x outwards), of a hand held in front at
-/// ease, where [`ELBOW_AT_EASE`] applies; the swivel field is singular opposite to it.
+/// Direction, in body axes of the left side (x outwards), of a hand held in front at ease, where
+/// [`ELBOW_AT_EASE`] applies; the swivel field is singular opposite to it.
 const HAND_AT_EASE: DVec3 = DVec3::new(0.22, 0.12, 1.0);
 /// Direction of the elbow from the line between shoulder and wrist there. Designed.
 const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
 
-/// Swivels that are weighed: the first, radians from the natural direction (positive lifts
-/// the elbow), how many there are, and how far each is from the last.
+/// Swivel candidates: the first, radians from the natural direction (positive lifts the elbow),
+/// their number, and their spacing.
 const FIRST_RAD: f64 = -0.75;
 const CANDIDATES: usize = 9;
 const STEP_RAD: f64 = 0.25;
 /// Sine and cosine of the first swivel and of the step.
 const FIRST_SIN_COS: [f64; 2] = [-0.681_638_760_023_334_2, 0.731_688_868_873_820_9];
 const STEP_SIN_COS: [f64; 2] = [0.247_403_959_254_522_94, 0.968_912_421_710_644_7];
-/// Effort by which one direction is e times as likely as another. Designed: sharp enough to
-/// keep out of the body, soft enough to be steady.
+/// Effort difference that makes one direction e times as likely as another. Designed: sharp enough
+/// to avoid the body, soft enough to be steady.
 const SOFTNESS: f64 = 0.04;
 /// Effort of a lifted or lowered elbow, per square radian. Designed.
 const LIFTED: f64 = 0.16;
@@ -36,8 +36,8 @@ const LIFTED: f64 = 0.16;
 /// Effort of an upper arm a radian beyond the limits of the shoulder. Designed: more than any
 /// collision, since beyond them it cannot go.
 const LIMITS: f64 = 8.0;
-/// Sine of the angle to the back below which every upper arm is within its limits: a little
-/// less than the flexion overhead of table B.1 goes beyond 180°.
+/// Sine of the angle to the back below which every upper arm is within its limits: slightly less
+/// than the overhead flexion of table B.1 exceeds 180°.
 const BACKWARDS: f64 = 0.45;
 
 /// Effort of an elbow or knee that points away from where the user prefers it. Designed: more
@@ -45,23 +45,24 @@ const BACKWARDS: f64 = 0.45;
 /// body or beyond the limits of the shoulder.
 const PREFERRED: f64 = 1.5;
 
-/// Joint angles that the user prefers, and how much each set counts, 0 to 1.
+/// Preferred joint angles with their weights, 0 to 1.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JointPreference(pub [(Option<Joints>, f64); 2]);
 
-/// What decides where elbow or knee go.
+/// Criteria for the position of elbow or knee.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SwivelCriteria<'a> {
-    /// What is in the way.
+    /// Obstacles.
     pub obstacles: Option<&'a Obstacles<'a>>,
-    /// What the user prefers; goes before comfort (GEVH 3.3.2.1).
+    /// The user's preference; has priority over comfort (GEVH 3.3.2.1).
     pub preference: JointPreference,
-    /// Whether the end turns as it likes, whatever the rotation of the target.
+    /// True if the end may turn freely, whatever the rotation of the target.
     pub is_relaxed: bool,
 }
 
-/// How likely a direction of so much more effort than the best is: the exponential function of its negative over
-/// [`SOFTNESS`], as the limit of powers stopped at the 1024th, because it is evaluated often.
+/// Returns the likelihood of a direction with a given excess effort over the best: the exponential
+/// function of its negative over [`SOFTNESS`], approximated by the limit of powers stopped at the
+/// 1024th because it is evaluated often.
 fn likelihood(effort: f64) -> f64 {
     let mut power = (1.0 - effort * (1.0 / (1024.0 * SOFTNESS))).max(0.0);
     for _ in 0..10 {
@@ -150,10 +151,10 @@ impl LimbRig {
         ops::atan2(hinge.dot(second), hinge.dot(first))
     }
 
-    /// The best swivel for a target in reach, radians from the natural direction: the mean of nine
-    /// about that, each weighed by the exponential function of its negative effort. Effort is to be
-    /// lifted, to strain the hand, to go beyond the shoulder's limits, against the user's preference
-    /// or into what is in the way.
+    /// Returns the best swivel for a target in reach, radians from the natural direction: the mean
+    /// of nine around it, each weighted by the exponential function of its negative effort. Effort
+    /// grows with lifting, strain of the hand, shoulder angles beyond the limits, deviation from
+    /// the user's preference, and obstacles.
     #[must_use]
     pub fn swivel_for(
         &self,
@@ -221,8 +222,8 @@ impl LimbRig {
         mean_swivel(&efforts)
     }
 
-    /// Where elbow or knee are with these joints, across the line to a target: along the two
-    /// axes that a swivel turns in, shares of the upper limb.
+    /// Returns the position of elbow or knee with these joints, perpendicular to the line to a
+    /// target: along the two axes of a swivel, shares of the upper limb.
     fn hinge_across(&self, joints: &Joints, base: &LimbBase, axes: [DVec3; 3]) -> [f64; 2] {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         let hinge = upper * self.chain.hinge();
@@ -250,8 +251,8 @@ impl LimbRig {
         off[0].min(off[1])
     }
 
-    /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend
-    /// and twist, by their cosines.
+    /// Returns the strain of a swivel on the wrist or ankle beyond its relaxed range: bend and
+    /// twist, by their cosines.
     fn strain(&self, circle: &SwivelCircle, outwards: DVec3) -> f64 {
         const FREE_BEND: f64 = 0.17;
         const FREE_TWIST: f64 = 0.62;

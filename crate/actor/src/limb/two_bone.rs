@@ -97,9 +97,8 @@ impl TwoBone {
         self.flexions_for(distance_m)[0].clamp(0.0, self.max_flexion_rad)
     }
 
-    /// Both flexions that put the end at a distance from the base, as if there were no
-    /// limits: bent the natural way and the other. A distance that the chain does not have
-    /// gives the nearest one that it has.
+    /// Returns both flexions that put the end at a distance from the base, ignoring limits: bent
+    /// the natural way and the other. An unreachable distance gives the nearest reachable one.
     #[must_use]
     pub fn flexions_for(&self, distance_m: f64) -> [f64; 2] {
         let amplitude = (self.parts.x * self.parts.x + self.parts.y * self.parts.y).sqrt();
@@ -156,7 +155,7 @@ impl TwoBone {
         }
     }
 
-    /// Place of the end in the upper bone's frame at a flexion.
+    /// Returns the position of the end in the upper bone's frame at a flexion.
     #[must_use]
     pub fn end_in_upper(&self, flexion_rad: f64) -> DVec3 {
         self.upper + self.zero * (self.flexed(flexion_rad) * self.lower)

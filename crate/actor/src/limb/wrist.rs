@@ -14,8 +14,8 @@ use super::limits::Limit;
 /// Share of a limit up to which a joint follows exactly; beyond, it approaches the limit.
 const FREE_SHARE: f64 = 0.9;
 
-/// A hand rotation as the forearm sees it, for moving between hand rotations that lie far
-/// apart the way a wrist does.
+/// A hand rotation relative to the forearm, for interpolation between distant hand rotations by
+/// wrist angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WristAngles {
     /// Pronation from the thumb-up middle, radians, −π..π.
@@ -53,7 +53,7 @@ impl WristAngles {
         (twist * DQuat::from_scaled_axis(self.swing)).normalized()
     }
 
-    /// Linear interpolation: pronation never goes the long way round.
+    /// Interpolates linearly; pronation never takes the long way round.
     #[must_use]
     pub fn lerp(&self, to: &Self, s: f64) -> Self {
         Self {
@@ -76,7 +76,7 @@ fn soft_limit(x: f64, [low, high]: [f64; 2]) -> f64 {
     }
 }
 
-/// What one wrist and its forearm can do.
+/// Range of one wrist and its forearm.
 #[derive(Clone, Copy, Debug)]
 pub struct WristLimits {
     side: Side,
@@ -101,8 +101,8 @@ impl WristLimits {
         }
     }
 
-    /// The nearest rotation that the wrist can make. On the circle of twists the limit gives way
-    /// towards the far side, so that no path of orientations makes the forearm snap.
+    /// Returns the nearest rotation within the wrist's range. On the circle of twists the limit
+    /// yields towards the far side, so no path of orientations makes the forearm snap.
     #[must_use]
     pub fn limited(&self, local: DQuat) -> DQuat {
         let WristAngles {
@@ -123,8 +123,8 @@ impl WristLimits {
         .rotation(self.side)
     }
 
-    /// How far a wrist rotation, local to the forearm, lies beyond what the wrist can do,
-    /// radians; 0 within.
+    /// Returns the amount by which a wrist rotation, local to the forearm, exceeds the wrist's
+    /// range, radians; 0 within.
     #[must_use]
     pub fn beyond_rad(&self, local: DQuat) -> f64 {
         let angles = WristAngles::from_local(self.side, local);

@@ -12,22 +12,22 @@ use super::between;
 use crate::limb::chain::{END, LimbRig, ROLL};
 use crate::limb::{Joints, RigidFrame};
 
-/// Joints that are bent by so much in all, radians, take the mean of the last goals.
+/// Total joint correction by limits, radians, from which the mean of the last goals is used.
 pub(super) const FORCED: f64 = 0.2;
 
-/// A place of the end, and the joints that reach it on the body that was planned with.
+/// A position of the end, and the joints that reach it on the body used for planning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachTarget {
     /// Figure axes.
     pub(super) frame: RigidFrame,
-    /// The place in the axes of the trunk that was planned with, metres.
+    /// Position in the axes of the trunk used for planning, metres.
     pub(super) place: DVec3,
     pub(super) joints: Joints,
-    /// Where elbow or knee were, radians from their natural way; 0 for the head.
+    /// Swivel of elbow or knee, radians from the natural direction; 0 for the head.
     pub(super) swivel_rad: f64,
-    /// How much it counts, 0 to 1.
+    /// Weight, 0 to 1.
     pub(super) share: f64,
-    /// Where the limb was sent, figure axes: what its error is told against.
+    /// Target of the limb, figure axes: the reference for its error.
     pub(super) target: RigidFrame,
 }
 
@@ -41,7 +41,7 @@ impl ReachTarget {
         }
     }
 
-    /// A share of the way to another one.
+    /// Interpolates towards another one by a share.
     pub(super) fn lerp(&self, to: &Self, share: f64) -> Self {
         let swivel_rad = ops::wrap_angle(to.swivel_rad - self.swivel_rad);
         Self {
@@ -53,21 +53,22 @@ impl ReachTarget {
         }
     }
 
-    /// Where the limb was sent; none while a way through the joints has not come there.
+    /// Returns the target of the limb; `None` while a joint-space path has not reached it.
     pub(super) fn target(&self) -> Option<RigidFrame> {
         (self.share >= 1.0).then_some(self.target)
     }
 
-    /// How far the place is from where it was planned, in the axes of the trunk as it is, metres.
+    /// Returns the displacement of the position from its planned one, in the axes of the present
+    /// trunk, metres.
     pub(super) fn moved_on(&self, trunk: &DAffine3) -> DVec3 {
         self.share * (trunk.inverse().transform_point3(self.frame.position) - self.place)
     }
 
-    /// Adds to joints what the place asks for on the body as it is: the turn of the upper bone as a
-    /// turn, since two sets of angles turn it alike, all others by their angles. What limits keep from its place
-    /// is left as it was planned, for how it is not met may change with every sway of the body.
-    /// `now` are the joints for the place that are nearest to those planned, and how much limits
-    /// force its upper bone and its end, radians.
+    /// Corrects joints for the present body: the turn of the upper bone as a rotation, since two
+    /// sets of angles are equivalent, all others by their angles. A part kept from its place by
+    /// limits stays as planned, because its deviation could change with every sway of the body.
+    /// `now` gives the joints for the place nearest to those planned, and the rotation that limits
+    /// force on its upper bone and its end, radians.
     pub(super) fn correct_joints(
         &self,
         joints: &mut Joints,

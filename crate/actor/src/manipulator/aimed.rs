@@ -9,7 +9,7 @@ use crate::limb::chain::LimbBase;
 use crate::limb::{Joints, Limb, RigidFrame};
 
 impl Manipulators {
-    /// Solves joints again for what they are to reach on a base.
+    /// Solves joints again for their target on a base.
     pub(super) fn aimed(
         &self,
         limb: Limb,
@@ -31,7 +31,7 @@ impl Manipulators {
         joints
     }
 
-    /// What joints are to reach on a base that stands on a trunk.
+    /// Returns the target of joints on a base of a trunk.
     pub(super) fn aim(
         &self,
         limb: Limb,

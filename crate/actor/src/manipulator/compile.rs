@@ -25,17 +25,17 @@ use crate::limb::{Joints, Limb, RigidFrame};
 
 /// Longest time that inverse velocity is followed to a target, seconds.
 const TARGET_SECS: f64 = 8.0;
-/// Time for which all velocities of a performance that never come to rest are followed, seconds: one
-/// of them takes half of what is left, so that no script takes time and memory without bound.
+/// Total time for which unending velocity motions of a performance are followed, seconds. Each
+/// takes half of the remaining time, so every script is bounded in time and memory.
 const VELOCITY_SECS: f64 = 1200.0;
-/// Time for which it is seen whether a limb at a velocity snaps, seconds.
+/// Time over which a limb moving at a velocity is checked for snaps, seconds.
 const SCANNED_SECS: f64 = 30.0;
-/// Share of the remaining way that is made up in a second, and the highest speed.
+/// Share of the remaining distance covered per second, and the highest speed.
 const GAIN_HZ: f64 = 3.0;
 const MAX_SPEED_M_PER_S: f64 = 0.7;
 const MAX_SPEED_RAD_PER_S: f64 = 2.5;
 
-/// Where a limb is at a moment.
+/// State of a limb at one instant.
 pub(super) struct LimbState {
     /// Story time, seconds.
     pub(super) at_secs: f64,
@@ -50,7 +50,7 @@ pub(super) struct LimbState {
     pub(super) help: DVec3,
     /// Elbow or knee from the base, metres.
     pub(super) hinge: DVec3,
-    /// What the cue and the lean are off those for the place.
+    /// Offset of the cue and the lean from those for the position.
     pub(super) cue_lag: DVec3,
     pub(super) lean_lag: [DVec3; 2],
 }
@@ -230,7 +230,7 @@ impl Manipulators {
         self.replace(limb, at, scene, &now);
     }
 
-    /// Makes up for what the last course of a limb does not take over from where the limb was.
+    /// Compensates for parts of a limb's previous state that its new course does not take over.
     fn replace(&mut self, limb: Limb, at: f64, scene: &CommandContext<'_>, now: &LimbState) {
         if let Some((goal @ MotionGoal::Frame { .. }, _)) = self.goal(limb, at) {
             if let Some(rig) = self.limbs.get(limb.index()) {
@@ -259,7 +259,7 @@ impl Manipulators {
         }
     }
 
-    /// Where a limb is at a time, by idle life and the commands up to now.
+    /// Returns the state of a limb at a time, from idle motion and the commands so far.
     fn now(&self, limb: Limb, time_secs: f64, scene: &CommandContext<'_>) -> LimbState {
         let skeleton = scene.skeleton;
         let upright = scene.idle(time_secs);
@@ -346,7 +346,7 @@ impl Manipulators {
         limits::clamp_joints(self.limits(limb), 0.0, &raw)
     }
 
-    /// Joint angles set, those that are given, in some seconds or at once.
+    /// Sets the given joint angles over some seconds or immediately.
     fn to_joints(
         &self,
         limb: Limb,
@@ -382,7 +382,7 @@ impl Manipulators {
         }
     }
 
-    /// To the joint angles of a target, which are those for the body at the end of the way.
+    /// Moves to the joint angles of a target, computed for the body at the end of the path.
     fn interpolate_joints(
         &self,
         limb: Limb,
@@ -412,8 +412,8 @@ impl Manipulators {
         }
     }
 
-    /// The joints that bring a limb to a target at a time, as near to those of now as can be, with
-    /// no other limb moving the body.
+    /// Returns the joints that bring a limb to a target at a time, nearest to the present ones,
+    /// with no other limb moving the body.
     fn held_at(
         &self,
         limb: Limb,
@@ -461,19 +461,19 @@ impl Manipulators {
     }
 }
 
-/// The longest way of a joint, radians.
+/// Returns the largest change of a joint, radians.
 fn longest(from: &Joints, to: &Joints) -> f64 {
     let ways = from.iter().zip(to).map(|(a, b)| (a - b).abs());
     ways.fold(0.0, f64::max)
 }
 
 impl Motion {
-    /// Whether it says where the limb goes.
+    /// Returns true if the motion defines a path of the limb.
     fn moves(&self) -> bool {
         !matches!(self, Self::Configure { .. })
     }
 
-    /// Whether it brings the limb somewhere from one moment to the next.
+    /// Returns true if the motion moves the limb instantly.
     pub(super) fn cuts(&self) -> bool {
         matches!(self, Self::Joints { secs, .. } if *secs <= 0.0)
     }

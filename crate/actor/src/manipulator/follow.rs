@@ -12,13 +12,13 @@ use crate::limb::chain::LimbBase;
 use crate::limb::limits;
 use crate::limb::{Limb, RigidFrame};
 
-/// Steps of inverse velocity a second, and how many make a sample.
+/// Inverse-velocity steps per second, and their number per sample.
 const STEPS_HZ: f64 = 120.0;
 const STEPS_A_SAMPLE: usize = 2;
-/// Time in which it comes to its speed, seconds.
+/// Acceleration time to full speed, seconds.
 const START_SECS: f64 = 0.25;
-/// Turn of the joints in a step, radians, and way of the girdle's cue, metres, below which a limb has
-/// come to rest: at its limits, or where it can reach no farther. In ten minutes nobody sees it.
+/// Joint turn per step, radians, and displacement of the girdle's cue, metres, below which a limb
+/// is at rest: at its limits, or at the end of its reach. Invisible over ten minutes.
 const RESTING: f64 = 1e-9;
 
 impl Manipulators {
@@ -93,7 +93,7 @@ impl Manipulators {
     }
 }
 
-/// Whether a step changes nothing that can be seen.
+/// Returns true if a step changes nothing visible.
 fn rests(from: &HeldLimb, to: &HeldLimb) -> bool {
     let turns = from
         .joints

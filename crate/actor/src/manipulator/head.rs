@@ -53,7 +53,7 @@ impl HeadRig {
         &self.limits
     }
 
-    /// Where the manipulator stands on a thorax, figure axes.
+    /// Returns the base of the manipulator on a thorax, figure axes.
     #[must_use]
     pub fn base(&self, thorax: &DAffine3) -> LimbBase {
         let parent = rotation_of(thorax);
@@ -74,13 +74,13 @@ impl HeadRig {
             * DQuat::from_rotation_z(-joints[4])
     }
 
-    /// How far bones turn from joints to others, the most of them, radians.
+    /// Returns the largest turn of a bone between two sets of joints, radians.
     pub(super) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
         let neck = Self::neck_turn(from).angle_between(Self::neck_turn(to));
         neck.max(Self::skull_turn(from).angle_between(Self::skull_turn(to)))
     }
 
-    /// Forward kinematics: local rotations of neck and skull, and where the skull comes.
+    /// Computes forward kinematics: local rotations of neck and skull, and the frame of the skull.
     #[must_use]
     pub fn posed(&self, joints: &Joints, base: &LimbBase) -> PosedLimb {
         let neck = Self::neck_turn(joints);
@@ -100,8 +100,8 @@ impl HeadRig {
         }
     }
 
-    /// The joint angles of bones that [`HeadRig::posed`] could have turned; of others the
-    /// nearest: a neck has no twist here.
+    /// Returns the joint angles of bones posed by [`HeadRig::posed`]; for other rotations the
+    /// nearest: the neck has no twist here.
     #[must_use]
     pub fn joints_of(&self, rotations: [DQuat; 2], base: &LimbBase) -> Solutions {
         let neck = base.parent * self.neck_zero * rotations[0] * self.body_from_neck.inverse();
@@ -113,8 +113,8 @@ impl HeadRig {
         self.solutions(&target, base, false)
     }
 
-    /// A place of the skull's joint (from the base, metres) brought onto the sphere about
-    /// the neck, and whether it had to be.
+    /// Projects a position of the skull's joint (from the base, metres) onto the sphere about the
+    /// neck, and returns true if it moved.
     #[must_use]
     pub fn projected(&self, from_base: DVec3) -> (DVec3, bool) {
         let radius = self.skull_from_neck.magnitude();
@@ -123,9 +123,9 @@ impl HeadRig {
         (direction * radius, moved)
     }
 
-    /// A target brought to where the neck can hold the skull, as far as limits hold
-    /// (`limited`, 0..1), its orientation kept: the skull then makes up for what the neck
-    /// leaves, and stays still while the neck is stopped.
+    /// Clamps a target to the range of the neck by the weight of the limits (`limited`, 0..1),
+    /// preserving its orientation: the skull compensates for the neck, and stays still while the
+    /// neck is stopped.
     #[must_use]
     pub(super) fn clamp_target(
         &self,
@@ -148,9 +148,8 @@ impl HeadRig {
         })
     }
 
-    /// All four solutions, or the one that no limit excludes anyway, with the neck upright. The
-    /// target lies on the sphere about the neck; where the neck cannot point, the nearest
-    /// is taken.
+    /// Returns all four solutions, or the one that no limit excludes, with the neck upright. The
+    /// target lies on the sphere about the neck; where the neck cannot point, the nearest is taken.
     #[must_use]
     pub fn solutions(&self, target: &RigidFrame, base: &LimbBase, natural_only: bool) -> Solutions {
         let mut found = Solutions::default();

@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, Length};
 use crate::limb::RigidFrame;
 use crate::limb::wrist::rotation_vector;
 
-/// How many metres count as much as a radian.
+/// Length in metres that counts as much as a radian.
 const METRES_PER_RAD: f64 = 0.3;
 /// Below this measure of manipulability (the root of the determinant of J·Jᵀ) damping sets
 /// in, and its greatest value (Nakamura and Hanafusa 1986, doi:10.1115/1.3143764). An arm
@@ -14,7 +14,7 @@ const METRES_PER_RAD: f64 = 0.3;
 const MANIPULABLE: f64 = 0.37;
 const DAMPING: f64 = 0.05;
 
-/// How the end of a limb moves, figure axes.
+/// Linear and angular velocity of the end of a limb, figure axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
     /// Metres a second.
@@ -24,7 +24,7 @@ pub struct Twist {
 }
 
 impl Twist {
-    /// The speeds that would take one frame to another in a second.
+    /// Returns the velocity that takes one frame to another in one second.
     #[must_use]
     pub fn between(from: &RigidFrame, to: &RigidFrame) -> Self {
         let turn = (to.rotation * from.rotation.inverse()).normalized();
@@ -36,7 +36,7 @@ impl Twist {
     }
 }
 
-/// Joint speeds for the speeds of an end at `end` (figure axes, metres): damped least
+/// Returns joint speeds for the velocity of an end at `end` (figure axes, metres): damped least
 /// squares over joints given by axis and a point on it. Axes of length zero do not move.
 #[must_use]
 pub fn joint_speeds(axes: &[(DVec3, DVec3); 7], end: DVec3, twist: &Twist) -> [f64; 7] {

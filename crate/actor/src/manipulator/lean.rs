@@ -12,16 +12,16 @@ use crate::limb::Limb;
 /// Designed: as people begin to lean before their arm is stretched.
 const BEGINS: f64 = 0.985;
 const SOFT: f64 = 0.02;
-/// How much more the spine turns than the shoulder would need if all of the spine turned
-/// at its foot.
+/// Factor by which the spine turns more than the shoulder would need if all of the spine turned at
+/// its foot.
 const GAIN: f64 = 1.3;
 /// Lean that is approached by the farthest targets, radians.
 const MAX_RAD: f64 = 0.8;
-/// How often the lean that one arm needs more because of the other one is found again.
+/// Number of iterations for the additional lean that one arm needs because of the other.
 const ROUNDS: usize = 3;
 
-/// The lean that an arm asks for: a rotation vector in figure axes. `shoulder` is where the
-/// joint is without it, `lumbar` the foot of the spine.
+/// Returns the lean that an arm requires: a rotation vector in figure axes. `shoulder` is the
+/// joint's position without lean, `lumbar` the foot of the spine.
 pub(super) fn required_lean(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64) -> DVec3 {
     let to = target - shoulder;
     let distance = to.magnitude();
@@ -54,8 +54,8 @@ impl Manipulators {
         apply(skeleton, leans.into_iter().flatten().sum(), pose);
     }
 
-    /// The lean that each arm asks for in a pose without any, rotation vectors: for itself, and
-    /// more because of the other arm.
+    /// Returns the lean that each arm requires in a pose without lean, rotation vectors: for
+    /// itself, and in addition because of the other arm.
     pub(super) fn leans(
         &self,
         skeleton: &Skeleton,
@@ -78,7 +78,7 @@ impl Manipulators {
         })
     }
 
-    /// The lean that a goal of an arm asks for in a pose without it.
+    /// Returns the lean that a goal of an arm requires in a pose without it.
     pub(super) fn lean_for(
         &self,
         limb: Limb,
@@ -94,8 +94,8 @@ impl Manipulators {
         }
     }
 
-    /// The lean that a goal of an arm asks for more in a pose without any, where arms lean it by
-    /// `own` and `other`.
+    /// Returns the additional lean that a goal of an arm requires in a pose without lean, when arms
+    /// lean it by `own` and `other`.
     pub(super) fn help_for(
         &self,
         limb: Limb,
@@ -132,7 +132,7 @@ impl Manipulators {
         }
     }
 
-    /// The lean that brings an arm to a place from a pose; none for other limbs.
+    /// Returns the lean that brings an arm to a position from a pose; zero for other limbs.
     fn lean_to(&self, limb: Limb, to: DVec3, skeleton: &Skeleton, pose: &Pose) -> DVec3 {
         let Some(arm) = self.arms.get(limb.index()) else {
             return DVec3::ZERO;

@@ -39,11 +39,11 @@ pub use smoothing::MAX_RAD_PER_S;
 /// A limb's motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
-    /// Turns the manipulator on or off, and its limits; `None` keeps a setting.
+    /// Turns the manipulator and its limits on or off; `None` keeps a setting.
     Configure {
-        /// Off gives the limb back to gestures, animations and idle life.
+        /// Enables control; off returns the limb to gestures, animations and idle motion.
         is_on: Option<bool>,
-        /// Whether joints stay within their limits. They do by default.
+        /// Enables joint limits. Default: on.
         limits: Option<bool>,
         /// Angles of the first joints, radians, that solutions are preferred near: the user's
         /// preference of GEVH 3.3.2.1. An empty list leaves the choice to the limb again.
@@ -53,19 +53,19 @@ pub enum Motion {
     Joints {
         /// Radians; joints without an angle stay.
         angles: [Option<f64>; 6],
-        /// How long it takes, seconds; 0 cuts to the angles, from one moment to the next.
+        /// Duration, seconds; 0 sets the angles instantly.
         secs: f64,
     },
     /// To a frame by the joints (GEVH D.3.21).
     JointInterpolation {
-        /// Where to, figure axes.
+        /// Destination, figure axes.
         to: RigidFrame,
-        /// How long it takes.
+        /// Speed of the joints.
         pace: JointSpeed,
     },
     /// To a frame on a straight line with the shortest turn (GEVH D.3.22).
     FrameInterpolation {
-        /// Where to, figure axes.
+        /// Destination, figure axes.
         to: RigidFrame,
         /// Seconds.
         secs: f64,
@@ -74,7 +74,7 @@ pub enum Motion {
     Function(Box<Path>),
     /// To a frame by inverse velocity (GEVH D.3.24).
     JacobianTarget(RigidFrame),
-    /// At velocities by inverse velocity until another command comes (GEVH D.3.24).
+    /// Moves at velocities by inverse velocity until the next command (GEVH D.3.24).
     JacobianVelocity {
         /// Metres a second, figure axes.
         linear: DVec3,
@@ -83,16 +83,16 @@ pub enum Motion {
     },
     /// Stops where it is (GEVH D.3.25).
     Stop,
-    /// Holds the target in the world while the body moves, or lets go (GEVH D.3.26).
+    /// Holds the target in the world while the body moves, or releases it (GEVH D.3.26).
     Lock(bool),
 }
 
-/// How fast joints go.
+/// Speed of a joint motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointSpeed {
-    /// All of it in so many seconds.
+    /// Total duration in seconds.
     Secs(f64),
-    /// The joint with the longest way at so many radians a second.
+    /// Speed of the joint with the longest path, radians per second.
     RadPerSec(f64),
 }
 
@@ -101,9 +101,9 @@ pub enum JointSpeed {
 pub struct Command {
     /// Story time, seconds.
     pub time_secs: f64,
-    /// What moves.
+    /// Limb to move.
     pub limb: Limb,
-    /// How.
+    /// Motion of the limb.
     pub motion: Motion,
 }
 
@@ -112,7 +112,7 @@ pub struct Command {
 pub struct RootMotion {
     /// Story time, seconds.
     pub time_secs: f64,
-    /// Where the point of the floor under the figure goes, world, and how it turns.
+    /// Path of the floor point under the figure, world, and its turn.
     pub path: Path,
 }
 
@@ -127,7 +127,7 @@ pub struct ManipulatorScript {
 }
 
 impl ManipulatorScript {
-    /// Figure axes from world as a function of time; none where the figure never moves.
+    /// Returns figure axes from world as a function of time; `None` if the figure never moves.
     #[must_use]
     pub fn figure_from_world(&self) -> Option<impl Fn(f64) -> DAffine3> {
         let root = root::RootTrack::new(&self.moves);
@@ -138,7 +138,7 @@ impl ManipulatorScript {
     }
 }
 
-/// Joints a share of the way to others, angle by angle.
+/// Interpolates joints by a share, angle by angle.
 fn between(from: &Joints, to: &Joints, share: f64) -> Joints {
     let mut joints = *from;
     for (a, b) in joints.iter_mut().zip(to) {

@@ -8,25 +8,26 @@ use super::between;
 use super::path::TimedPath;
 use crate::limb::{Joints, RigidFrame};
 
-/// Time in which elbow and girdle take their own way again after a change of motion, seconds.
+/// Time in which elbow and girdle return to their own path after a change of motion, seconds.
 pub(super) const SETTLE_SECS: f64 = 0.6;
-/// Time that gathering and losing speed takes at a given joint speed, seconds.
+/// Acceleration and deceleration time at a given joint speed, seconds.
 const RAMP_SECS: f64 = 0.2;
 
 /// A limb held by its joints.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct HeldLimb {
     pub(super) joints: Joints,
-    /// The wrist as the girdle is to take it, trunk axes, metres.
+    /// Wrist position that drives the girdle, trunk axes, metres.
     pub(super) cue: DVec3,
-    /// Lean of the spine that the limb asks for, rotation vector.
+    /// Lean of the spine required by the limb, rotation vector.
     pub(super) lean: DVec3,
-    /// What it asks for more because the other arm leans the spine away from it.
+    /// Additional lean required because the other arm leans the spine away from it.
     pub(super) help: DVec3,
 }
 
 impl HeldLimb {
-    /// The wrist as the girdle is to take it on a trunk for what is aimed at, trunk axes, metres.
+    /// Returns the wrist position that drives the girdle on a trunk for a reach target, trunk axes,
+    /// metres.
     pub(super) fn cued(&self, aim: Option<&ReachTarget>, trunk: &DAffine3) -> DVec3 {
         self.cue + aim.map_or(DVec3::ZERO, |aim| aim.moved_on(trunk))
     }
@@ -41,36 +42,37 @@ impl HeldLimb {
     }
 }
 
-/// What a limb is to do at one moment.
+/// Goal of a limb at one instant.
 #[derive(Clone, Copy, Debug)]
 #[expect(
     clippy::large_enum_variant,
     reason = "goals are made at every evaluation, which allocates nothing"
 )]
 pub(super) enum MotionGoal {
-    /// Joints as they are given, and where they are to bring the end, if that is said.
+    /// Given joints, and the position to which they should bring the end, if any.
     Joints(HeldLimb, Option<ReachTarget>),
-    /// The end in a place.
+    /// The end at a frame.
     Frame {
         frame: RigidFrame,
-        /// How far elbow or knee are turned from their natural way, radians.
+        /// Turn of elbow or knee from the natural direction, radians.
         swivel_rad: f64,
-        /// What the girdle's cue is off the target, trunk axes, metres.
+        /// Offset of the girdle's cue from the target, trunk axes, metres.
         cue_lag: DVec3,
-        /// What the spine's lean is off what the target asks for, rotation vector: its own, and
-        /// what it asks for more because of the other arm.
+        /// Difference of the spine's lean from that required by the target, rotation vector: its
+        /// own, and the additional one because of the other arm.
         lean_lag: [DVec3; 2],
     },
 }
 
-/// How a segment moves.
+/// Kind of motion of a segment.
 #[derive(Clone, Debug)]
 pub(super) enum MotionKind {
     /// Joint angles, with minimum jerk or at an even speed.
     Joints {
         from: HeldLimb,
         to: HeldLimb,
-        /// Where `to` is to bring the end; none where the angles themselves are asked for.
+        /// Position to which `to` should bring the end; `None` if the angles themselves are the
+        /// goal.
         aim: Option<Box<ReachTarget>>,
         secs: f64,
         even: bool,
@@ -85,19 +87,19 @@ pub(super) enum MotionKind {
     },
     /// A function of time.
     Curve(TimedPath),
-    /// Joint angles at even steps, and where they bring the end.
+    /// Joint angles at even steps, and the resulting frames of the end.
     Samples {
         steps: Vec<(HeldLimb, ReachTarget)>,
         step_secs: f64,
-        /// The target that they are on the way to, if there is one.
+        /// Target that they approach, if there is one.
         to: Option<Box<RigidFrame>>,
     },
-    /// A place in the world.
+    /// A frame in the world.
     Lock(RigidFrame),
 }
 
 impl MotionKind {
-    /// How long it moves, seconds; infinite for a loop.
+    /// Returns the duration of the motion, seconds; infinite for a loop.
     pub(super) fn secs(&self) -> f64 {
         match self {
             Self::Joints { secs, .. } | Self::Line { secs, .. } => *secs,
@@ -114,18 +116,18 @@ impl MotionKind {
 #[derive(Clone, Debug)]
 pub(super) struct LimbMotion {
     pub(super) kind: MotionKind,
-    /// Where elbow or knee were turned at its beginning, radians from their natural way.
+    /// Turn of elbow or knee at the start, radians from the natural direction.
     pub(super) swivel_rad: f64,
-    /// What the girdle's cue was off the place, trunk axes, metres.
+    /// Offset of the girdle's cue from the position, trunk axes, metres.
     pub(super) cue_lag: DVec3,
-    /// The spine's lean minus the target's, rotation vector: its own, and what it asked for more
+    /// The spine's lean minus the target's, rotation vector: its own, and the additional one
     /// because of the other arm.
     pub(super) lean_lag: [DVec3; 2],
-    /// What its joints were off, radians, and its upper bone, base axes.
+    /// Offset of its joints, radians, and of its upper bone, base axes.
     pub(super) mend: JointCorrection,
 }
 
-/// What joints are off from where they are to be.
+/// Offset of joints from their goal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct JointCorrection {
     /// Each joint, radians; of limbs those of the shoulder or hip are 0.
@@ -144,7 +146,7 @@ impl Default for JointCorrection {
 }
 
 impl LimbMotion {
-    /// What the limb is to do some seconds after it began.
+    /// Returns the goal of the limb some seconds after the start.
     pub(super) fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> MotionGoal {
         let frame = match &self.kind {
             MotionKind::Joints {
@@ -202,8 +204,8 @@ impl LimbMotion {
     }
 }
 
-/// Share of a way gone at an even speed, with time added at both ends to gather and lose it:
-/// [`even_secs`] is the whole.
+/// Returns the share of a path covered at even speed, with time added at both ends for acceleration
+/// and deceleration; [`even_secs`] is the total time.
 fn evenly(secs: f64, whole: f64) -> f64 {
     let ramp = RAMP_SECS.min(0.5 * whole);
     if ramp <= 0.0 {
@@ -226,7 +228,7 @@ fn evenly(secs: f64, whole: f64) -> f64 {
     way / (whole - ramp)
 }
 
-/// Time that a way of `rad` takes at an even speed of `rad_per_sec`, seconds.
+/// Returns the time for a turn of `rad` at an even speed of `rad_per_sec`, seconds.
 pub(super) fn even_secs(rad: f64, rad_per_sec: f64) -> f64 {
     let cruise = rad / rad_per_sec;
     // A short way never comes to its speed.

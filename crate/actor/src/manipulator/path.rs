@@ -10,9 +10,9 @@ use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
 use crate::limb::RigidFrame;
 
-/// A place of which parts may be left open. Positions in metres, figure axes (or world, for
-/// the whole figure); angles in radians: yaw about y, then pitch about x, then roll about z,
-/// each in the turned axes.
+/// A placement with optional components. Positions in metres, figure axes (or world, for the whole
+/// figure); angles in radians: yaw about y, then pitch about x, then roll about z, each in the
+/// turned axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
     /// x, y and z.
@@ -47,7 +47,7 @@ pub fn rotation_from([yaw, pitch, roll]: [f64; 3]) -> DQuat {
     DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(pitch) * DQuat::from_rotation_z(roll)
 }
 
-/// What pitch and roll turn.
+/// Returns the rotation of pitch and roll.
 fn tilt_of([_, pitch, roll]: [f64; 3]) -> DQuat {
     rotation_from([0.0, pitch, roll])
 }
@@ -75,7 +75,7 @@ pub enum PathShape {
     Sinusoid {
         /// Height of the wave and its direction, metres.
         across: DVec3,
-        /// Waves on the way.
+        /// Number of waves along the path.
         cycles: f64,
     },
     /// A cubic Bézier curve.
@@ -99,9 +99,9 @@ pub enum PathShape {
         /// Angle at which it starts, from sideways (the figure's left when the plane faces
         /// the front) upwards, radians.
         from_rad: f64,
-        /// Rounds in one period; negative goes the other way.
+        /// Revolutions in one period; negative reverses the direction.
         turns: f64,
-        /// Way along the normal in one period, metres.
+        /// Displacement along the normal in one period, metres.
         rise: f64,
     },
     /// Bernoulli's lemniscate, a lying eight.
@@ -112,7 +112,7 @@ pub enum PathShape {
         normal: DVec3,
         /// From the middle to either end, metres.
         half_width: f64,
-        /// How far it is turned about the normal, radians.
+        /// Rotation about the normal, radians.
         tilt_rad: f64,
         /// Rounds in one period.
         turns: f64,
@@ -124,13 +124,13 @@ pub enum PathShape {
 pub struct Path {
     /// Its form.
     pub shape: PathShape,
-    /// Where it begins; `None` is where the limb is. Round shapes use the angles only.
+    /// Start; `None` is the present place of the limb. Round shapes use the angles only.
     pub from: Placement,
-    /// Where it ends; `None` is as at the beginning.
+    /// End; `None` repeats the start.
     pub to: Placement,
-    /// How long it takes, seconds.
+    /// Duration, seconds.
     pub period_secs: f64,
-    /// Whether it begins again after its period.
+    /// True if it repeats after its period.
     pub looping: bool,
 }
 
@@ -138,7 +138,7 @@ pub struct Path {
 enum PathGeometry {
     /// Bézier control points, a wave across and its number.
     Cubic([DVec3; 4], DVec3, f64),
-    /// Centre, the two half axes, the way along the normal, first angle and rounds.
+    /// Centre, the two half axes, the displacement along the normal, first angle and revolutions.
     Round([DVec3; 4], f64, f64),
     /// Centre and the two half axes, rounds.
     Eight([DVec3; 3], f64),
@@ -185,8 +185,8 @@ const HURRY_RAD_PER_S: f64 = 3.0;
 
 /// Peak speed of [`eased`] to its mean.
 const EASED_PEAK: f64 = 4.0 / 3.0;
-/// Fastest that a figure turns along its way, radians a second: the round and a half a second
-/// of a dancer's pirouette.
+/// Maximum turn rate of a figure along its path, radians per second: one and a half revolutions per
+/// second, as in a dancer's pirouette.
 pub const MAX_TURN_RAD_PER_S: f64 = 1.5 * TAU;
 
 /// A path ready to be followed.
@@ -195,7 +195,7 @@ pub struct TimedPath {
     form: PathGeometry,
     from_angles: [f64; 3],
     to_angles: [f64; 3],
-    /// Whether it turns by the yaw, however often round, or the shortest way.
+    /// True to turn by the yaw, including full revolutions; false to take the shortest way.
     by_angles: bool,
     period_secs: f64,
     looping: bool,
@@ -286,10 +286,10 @@ impl PathGeometry {
 }
 
 impl TimedPath {
-    /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
-    /// by the yaw from the beginning to the end, however often round, as a figure may, and tilts
+    /// Fills in open components of a path from the current place of the limb or figure. `by_angles`
+    /// turns by the yaw from start to end, including full revolutions, as a figure may, and tilts
     /// the shortest way; it takes longer than its period where it would turn faster than
-    /// [`MAX_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
+    /// [`MAX_TURN_RAD_PER_S`]. Without it all rotations take the shortest way, as for a hand.
     #[must_use]
     pub fn new(path: &Path, now: &RigidFrame, by_angles: bool) -> Self {
         let now_angles = angles_of(now.rotation);
@@ -333,7 +333,7 @@ impl TimedPath {
         curve
     }
 
-    /// Where the curve begins.
+    /// Returns the start of the curve.
     #[must_use]
     pub fn start(&self) -> RigidFrame {
         self.on_form(0.0)
@@ -356,7 +356,7 @@ impl TimedPath {
         }
     }
 
-    /// How long it takes, with the way to its beginning, seconds; infinite in a loop.
+    /// Returns the duration, including the approach to its start, seconds; infinite in a loop.
     #[must_use]
     pub fn secs(&self) -> f64 {
         if self.looping {
@@ -366,7 +366,7 @@ impl TimedPath {
         }
     }
 
-    /// Where it is some seconds after its beginning.
+    /// Returns the frame some seconds after its start.
     #[must_use]
     pub fn sample(&self, secs: f64) -> RigidFrame {
         let secs = secs.max(0.0);

@@ -20,7 +20,7 @@ use crate::limb::solve::Solutions;
 use crate::limb::{ARM_BONES, ArmRig};
 use crate::limb::{Joints, Limb, RigidFrame, Sex};
 
-/// The rigs of a figure, and what each of its limbs does when.
+/// Rigs of a figure with the scheduled motions of each limb.
 #[derive(Clone, Debug)]
 pub struct Manipulators {
     pub(super) arms: [Arc<ArmRig>; 2],
@@ -28,14 +28,13 @@ pub struct Manipulators {
     pub(super) head: HeadRig,
     pub(super) tracks: [LimbTrack; 5],
     pub(super) root: RootTrack,
-    /// Joints that lead the limbs where their targets would make them snap.
+    /// Joints that guide the limbs where their targets would make them snap.
     pub(super) steady: [SmoothedPaths; 5],
 }
 
 impl Manipulators {
-    /// Measures a figure and prepares a script for it. `idle` poses the figure as it is
-    /// without manipulators at a time; commands begin where that, or the commands before
-    /// them, have brought their limb.
+    /// Measures a figure and prepares a script for it. `idle` poses the figure without manipulators
+    /// at a time; commands start from that pose, or from the result of earlier commands.
     #[must_use]
     pub fn new(
         script: &ManipulatorScript,
@@ -69,21 +68,22 @@ impl Manipulators {
         }
     }
 
-    /// World from figure axes at a time: where `vh-move` has brought the figure; none where
-    /// it never moves.
+    /// Returns world from figure axes at a time, as moved by `vh-move`; `None` if it never moves.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
         self.root.sample(time_secs)
     }
 
-    /// Whether the script cuts a limb to other joints after a time, up to another one, seconds.
+    /// Returns true if the script cuts a limb to other joints after one time and up to another,
+    /// seconds.
     #[must_use]
     pub fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
         let mut cuts = self.steady.iter().flat_map(|steady| &steady.cuts_secs);
         cuts.any(|cut| *cut > after_secs && *cut <= to_secs)
     }
 
-    /// What a limb is to do at a time, and how far it is under control; none where it is not.
+    /// Returns the goal of a limb at a time, and its degree of control; `None` if it is not
+    /// controlled.
     pub(super) fn goal(&self, limb: Limb, time_secs: f64) -> Option<(MotionGoal, f64)> {
         let track = &self.tracks[limb.index()];
         let weight = track.weight(time_secs);
@@ -97,8 +97,8 @@ impl Manipulators {
         Some((track.goal(time_secs, &figure_from_world)?, weight))
     }
 
-    /// Moves arms and legs; after everything else that moves them. Where each was sent, figure
-    /// axes, in the order of [`Limb::ALL`], as far as manipulators lead them.
+    /// Moves arms and legs, after all other sources of motion. Returns each target, figure axes, in
+    /// the order of [`Limb::ALL`], for the limbs under manipulator control.
     pub fn limbs(
         &self,
         skeleton: &Skeleton,
@@ -108,7 +108,7 @@ impl Manipulators {
         self.first_limbs(self.limbs.len(), skeleton, time_secs, pose)
     }
 
-    /// Moves so many limbs, in the order of [`Limb::ALL`].
+    /// Moves the first limbs in the order of [`Limb::ALL`], up to a count.
     pub(super) fn first_limbs(
         &self,
         count: usize,
@@ -140,7 +140,7 @@ impl Manipulators {
         self.place(Limb::Head, &met, weight, pose);
     }
 
-    /// A target brought within reach, its orientation kept.
+    /// Projects a target into reach, preserving its orientation.
     pub(super) fn projected(
         &self,
         limb: Limb,
@@ -174,7 +174,7 @@ impl Manipulators {
         }
     }
 
-    /// The bone that a limb stands on, figure axes.
+    /// Returns the bone that carries a limb, figure axes.
     pub(super) fn trunk(&self, limb: Limb, skeleton: &Skeleton, pose: &Pose) -> DAffine3 {
         match self.limbs.get(limb.index()) {
             Some(rig) => rig.trunk(skeleton, pose),
@@ -182,7 +182,7 @@ impl Manipulators {
         }
     }
 
-    /// Where a limb's base is on its trunk, an arm's with the scapula turned so.
+    /// Returns a limb's base on its trunk; an arm's with the given scapula rotation.
     pub(super) fn base(&self, limb: Limb, trunk: &DAffine3, scapula: Option<DQuat>) -> LimbBase {
         match (self.limbs.get(limb.index()), self.arms.get(limb.index())) {
             (Some(rig), Some(arm)) => {
@@ -194,7 +194,7 @@ impl Manipulators {
         }
     }
 
-    /// Joints a share of the way to being within their limits.
+    /// Moves joints towards their limits by a share.
     pub(super) fn clamp_joints(&self, limb: Limb, share: f64, joints: &Joints) -> Joints {
         match self.limbs.get(limb.index()) {
             Some(rig) => rig.clamp_joints(share, joints),
@@ -216,7 +216,7 @@ impl Manipulators {
         }
     }
 
-    /// What an arm must keep clear of in a pose; none for other limbs.
+    /// Returns the obstacles of an arm in a pose; `None` for other limbs.
     pub(super) fn obstacles(
         &self,
         limb: Limb,

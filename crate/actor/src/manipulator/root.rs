@@ -13,7 +13,7 @@ pub(super) struct RootTrack {
     moves: Vec<(f64, TimedPath)>,
 }
 
-/// Where a figure stands of which nothing is said.
+/// Default frame of a figure.
 const HOME: RigidFrame = RigidFrame {
     position: DVec3::ZERO,
     rotation: DQuat::IDENTITY,
@@ -47,7 +47,7 @@ impl RootTrack {
         }
     }
 
-    /// When each motion begins and how long it takes, seconds; infinite in a loop.
+    /// Returns the start of each motion and its duration, seconds; infinite in a loop.
     pub(super) fn motions(&self) -> Vec<(f64, f64)> {
         self.moves
             .iter()
@@ -55,7 +55,7 @@ impl RootTrack {
             .collect()
     }
 
-    /// World from figure axes; none where the figure never moves.
+    /// Returns world from figure axes; `None` if the figure never moves.
     pub(super) fn sample(&self, time_secs: f64) -> Option<DAffine3> {
         (!self.moves.is_empty()).then(|| {
             let frame = self.frame(time_secs);

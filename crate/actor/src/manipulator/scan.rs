@@ -10,41 +10,42 @@ use crate::limb::ARM_BONES;
 use crate::limb::chain::END;
 use crate::limb::{Joints, Limb};
 
-/// How joints catch up with a target after a snap: a share of the remaining way in a second, not
-/// faster and not slower than this. Designed: as a quick movement that ends softly.
+/// Rate at which joints catch up with a target after a snap, as a share of the remaining distance
+/// per second; minimum and maximum speed. Designed: as a quick movement that ends softly.
 const CATCH_UP_HZ: f64 = 6.0;
 const MAX_SPEED_RAD_PER_S: f64 = 10.0;
 const MIN_SPEED_RAD_PER_S: f64 = 2.0;
 /// Mean speed between even times from which it is looked at as a snap: in between it may be
 /// some more.
 const SNAP_RAD_PER_S: f64 = 0.7 * MAX_RAD_PER_S;
-/// Flexion of elbow or knee below which they may stretch and bend between even times, radians:
-/// near the reach a small way of the end is a large one of theirs.
+/// Flexion of elbow or knee below which they may stretch and bend between even times, radians: near
+/// the reach a small displacement of the end is a large one of these joints.
 const STRETCHED_RAD: f64 = 0.4;
-/// Turn between even times below which nothing happens between them, radians: of elbows and
-/// knees that are stretched, and of all others.
+/// Turn between even times below which no motion between them is considered, radians: for stretched
+/// elbows and knees, and for all others.
 const STILL_RAD: f64 = 0.003;
 const UNSEEN_RAD: f64 = 0.02;
 /// The shortest time in which a snap is looked for, seconds, and how often it is doubled to an
 /// even step.
 const MIN_SECS: f64 = 1.0 / 480.0;
 const HALVINGS: u32 = 4;
-/// Turn of both halves of a time that hide no snap, whatever part of them is at once, radians.
+/// Turn in both halves of an interval that cannot hide a snap, even if part of it is instantaneous,
+/// radians.
 const HARMLESS_RAD: f64 = SNAP_RAD_PER_S * MIN_SECS;
 /// Times that a step by the joints is shortened to its bones' speed.
 const SHORTENINGS: usize = 4;
 /// Joints this near to those of the target have caught up, radians.
 const CAUGHT_RAD: f64 = 1e-6;
-/// Longest time that joints are given to catch up when all else rests, and the pause in which
-/// limbs are not followed, seconds.
+/// Maximum catch-up time of joints when all else rests, and the pause in which limbs are not
+/// followed, seconds.
 const AFTER_SECS: f64 = 3.0;
 const PAUSE_SECS: f64 = 0.5;
 /// Time for which a loop is followed, seconds.
 const LOOP_SECS: f64 = 60.0;
 /// Times farther than this from the story's beginning are ignored, seconds.
 const MAX_TIME_SECS: f64 = 1e9;
-/// Even times followed in one performance at most, 20 minutes of motion: what comes after
-/// them follows the targets alone, so that no script takes time without bound.
+/// Maximum number of even times followed in one performance, 20 minutes of motion: later motion
+/// follows the targets alone, so every script is bounded in time.
 const MAX_STEPS: u32 = 36_000;
 
 /// The state of one limb while it is followed.
@@ -52,9 +53,9 @@ const MAX_STEPS: u32 = 36_000;
 struct ScannedLimb {
     /// Joints of the target at the last even time.
     target: Option<Joints>,
-    /// Whether the joints have not caught up with the target.
+    /// True if the joints have not caught up with the target.
     is_behind: bool,
-    /// Whether its motion is over.
+    /// True if its motion is over.
     rests: bool,
 }
 
@@ -66,10 +67,10 @@ pub(super) struct Scan {
     rests_from: [f64; 5],
     /// From when on everything is, seconds.
     busy_until: f64,
-    /// Limbs that move in a loop, and whether the figure does: they never rest.
+    /// Flags of the limbs that move in a loop, and of the figure: they never rest.
     loops: [bool; 5],
     figure_loops: bool,
-    /// The next even time; none while everything rests.
+    /// The next even time; `None` while everything rests.
     next: Option<i64>,
     steps: u32,
 }
@@ -111,7 +112,7 @@ impl Scan {
     }
 }
 
-/// For how long a motion of so many seconds is followed.
+/// Returns the time for which a motion of a given duration is followed.
 fn followed_secs(secs: f64) -> f64 {
     if secs.is_finite() { secs } else { LOOP_SECS }
 }
@@ -163,7 +164,7 @@ impl Manipulators {
         }
     }
 
-    /// Follows a limb from where the figure has it, before a command takes it on.
+    /// Begins to follow a limb from its present state, before a command takes it over.
     pub(super) fn begin_scan(&mut self, scan: &Scan, limb: Limb, scene: &CommandContext<'_>) {
         let i = limb.index();
         let Some(next) = scan.next else {
@@ -312,8 +313,8 @@ impl Manipulators {
         joints
     }
 
-    /// Joints an even time after others on their way to those of a target, which turn at a
-    /// speed themselves, radians a second.
+    /// Returns the joints one even time later on their way to those of a moving target, with their
+    /// own turn rate, radians per second.
     fn catch_up(
         &self,
         limb: Limb,
@@ -346,7 +347,7 @@ impl Manipulators {
         joints
     }
 
-    /// Whether a limb's target makes it snap on the way to an even time.
+    /// Returns true if a limb's target makes it snap before an even time.
     fn snaps(
         &self,
         limb: Limb,
@@ -364,8 +365,8 @@ impl Manipulators {
             && self.jumps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
     }
 
-    /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
-    /// 480th of a second that follow a time.
+    /// Returns true if a limb's target makes it snap in one of 2 to the power of `halvings` parts
+    /// of the 480th of a second after a time.
     fn jumps_between(
         &self,
         limb: Limb,
@@ -394,7 +395,7 @@ impl Manipulators {
                 })
     }
 
-    /// The joints of a limb's target alone at a time, or those that it has without one.
+    /// Returns the joints of a limb's target alone at a time, or its joints without a target.
     fn undisturbed_at(&self, limb: Limb, time_secs: f64, scene: &CommandContext<'_>) -> Joints {
         let mut pose = scene.idle(time_secs);
         self.lean(scene.skeleton, time_secs, &mut pose);
@@ -413,7 +414,8 @@ impl Manipulators {
         }
     }
 
-    /// How far the bones of a limb turn on their way by the joints to others, radians.
+    /// Returns the turn of the bones of a limb on a joint-space path between two sets of joints,
+    /// radians.
     fn rotation_distance(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
         const PARTS: u32 = 4;
         let to = nearest(to, from, self.limbs.get(limb.index()));
@@ -427,7 +429,7 @@ impl Manipulators {
         sum
     }
 
-    /// How far the bones of a limb turn from joints to others, the most of them, radians.
+    /// Returns the largest turn of a bone of a limb between two sets of joints, radians.
     fn turned(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
         match self.limbs.get(limb.index()) {
             Some(rig) => rig.turned(from, to),

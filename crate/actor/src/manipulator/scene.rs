@@ -2,14 +2,14 @@
 
 use raconteur_body::{Pose, Skeleton};
 
-/// The figure at one moment.
+/// State of the figure at one instant.
 #[derive(Clone, Copy)]
 pub(super) struct FigureState<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) pose: &'a Pose,
 }
 
-/// What commands are resolved with.
+/// Context for resolving commands.
 pub(super) struct CommandContext<'a> {
     pub(super) skeleton: &'a Skeleton,
     pub(super) idle: &'a dyn Fn(f64, &mut Pose),

@@ -18,10 +18,10 @@ use crate::limb::Joints;
 use crate::limb::chain::{LimbRig, ROLL};
 use crate::limb::solve::variation;
 
-/// Fastest turn of a bone that a manipulator leads, radians a second. People's knees and
-/// elbows reach 10 to 20 rad/s when they move fast without a run-up; only throws and kicks
-/// are faster (a kicking knee 28 rad/s: Lees et al. 2010, doi:10.1080/02640414.2010.481305).
-/// A clause that asks for more arrives later.
+/// Maximum turn rate of a bone driven by a manipulator, radians per second. Human knees and elbows
+/// reach 10 to 20 rad/s in fast movement without a run-up; only throws and kicks are faster (a
+/// kicking knee 28 rad/s: Lees et al. 2010, doi:10.1080/02640414.2010.481305). A clause that
+/// requests more arrives later.
 pub const MAX_RAD_PER_S: f64 = 20.0;
 
 /// Even times a second.
@@ -39,11 +39,11 @@ pub(super) fn spline(u: f64) -> [f64; 4] {
     ]
 }
 
-/// Where a limb is at an even time.
+/// State of a limb at an even time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) joints: Joints,
-    /// Whether the joints lead there, and not the target: those of the whole limb, and those of
+    /// True if the joints drive the limb there instead of the target: for the whole limb, and for
     /// its end.
     pub(super) leads: [bool; 2],
 }
@@ -56,36 +56,38 @@ pub(super) struct Interval {
     /// The even time of the first sample, not after `from`.
     pub(super) first: i64,
     pub(super) samples: Vec<Sample>,
-    /// Whether the limb rests at its end; else it goes on in a loop, which has not been followed
-    /// farther.
+    /// True if the limb rests at its end; otherwise it continues in a loop, which has not been
+    /// followed farther.
     pub(super) rests: bool,
-    /// The last even times at which the joints lead whatever comes.
+    /// Last even times at which the joints certainly drive the limb.
     pub(super) lead_to: [i64; 2],
-    /// Whether a command takes the limb on in it, just after `from`.
+    /// True if a command takes over the limb in it, just after `from`.
     pub(super) takes: bool,
 }
 
-/// What leads a limb beside its target at one time.
+/// Joints that drive a limb in addition to its target at one time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmoothedPath {
     pub(super) joints: Joints,
-    /// How much those of the whole limb and those of its end do, 0 to 1.
+    /// Weights of the whole limb's joints and of its end's, 0 to 1.
     pub(super) weights: [f64; 2],
-    /// How much they do where the target cannot be met: a limb that rests then keeps its
-    /// joints, or the sway of the body would have it change its way of not meeting it.
+    /// Weight where the target cannot be met: a limb at rest then keeps its joints; otherwise the
+    /// sway of the body would change the deviation.
     pub(super) weight_unmet: f64,
 }
 
-/// The stretches of one limb, in order of time.
+/// Smoothed intervals of one limb, in order of time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SmoothedPaths {
     pub(super) stretches: Vec<Interval>,
-    /// When the limb is cut to other joints, in order, seconds: no stretch goes on beyond that.
+    /// Times at which the limb is cut to other joints, in order, seconds: no interval extends
+    /// beyond them.
     pub(super) cuts_secs: Vec<f64>,
 }
 
 impl SmoothedPaths {
-    /// What leads at a time; none where the limb is not followed, or no joints ever lead.
+    /// Returns the driving joints at a time; `None` if the limb is not followed, or no joints ever
+    /// drive it.
     pub(super) fn sample(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<SmoothedPath> {
         let even = (time_secs * EVEN_HZ).floor();
         let begun = self.stretches.partition_point(|s| s.from as f64 <= even);
@@ -98,7 +100,7 @@ impl SmoothedPaths {
         on.sample(time_secs, rig)
     }
 
-    /// Whether the limb is cut to other joints between an even time and the one before it.
+    /// Returns true if the limb is cut to other joints between an even time and the one before it.
     pub(super) fn is_cut_before(&self, even: i64) -> bool {
         let before_secs = (even - 1) as f64 / EVEN_HZ;
         self.cuts_secs.last().is_some_and(|cut| *cut >= before_secs)
@@ -106,11 +108,11 @@ impl SmoothedPaths {
 }
 
 impl Interval {
-    /// Time after its end in which a limb comes to rest on its joints, even times.
+    /// Time after its end in which a limb comes to rest on its joints, in even times.
     const RESTING: f64 = 10.0;
 
-    /// Samples around which the joints lead with one of them: two for the spline to do so all the
-    /// way between two, and two for them to lead already when the target begins to snap.
+    /// Number of samples around a driven sample that are driven too: two for the spline between two
+    /// samples, and two for the joints to be driven when the target begins to snap.
     const AROUND: usize = 4;
 
     /// Begins at an even time.
@@ -128,7 +130,7 @@ impl Interval {
         }
     }
 
-    /// Goes on by an even time.
+    /// Appends an even time.
     pub(super) fn push(&mut self, joints: Joints, leads: [bool; 2]) {
         let next = self.next();
         let recent = self.samples.len().saturating_sub(Self::AROUND);
@@ -144,7 +146,7 @@ impl Interval {
         });
     }
 
-    /// Lets joints that lead do so some time longer.
+    /// Extends the driven interval.
     pub(super) fn follow(&mut self) {
         let to = self.next() + Self::AROUND as i64;
         if let Some(last) = self.samples.last() {
@@ -156,15 +158,15 @@ impl Interval {
         }
     }
 
-    /// Whether a command took the limb on so shortly before the next even time that joints which
-    /// lead there do so already when it comes.
+    /// Returns true if a command took over the limb so shortly before the next even time that
+    /// joints driven there are already driven when it comes.
     pub(super) fn begins(&self) -> bool {
         self.takes && self.next() - self.from <= 2 * Self::AROUND as i64
     }
 
-    /// Has a limb that snaps just after a command took it on go on as it did before, for as long
-    /// as the spline looks ahead from there: so it begins where the limb is. The last joints of
-    /// that, and whether they are those of the next even time; none if no command took it on.
+    /// Delays a limb that snaps just after a command took it over: it continues as before for the
+    /// look-ahead of the spline, so it starts from its present place. Returns the last joints of
+    /// that, and true if they are those of the next even time; `None` if no command took it over.
     pub(super) fn delay_snap(&mut self, rig: Option<&LimbRig>) -> Option<(Joints, bool)> {
         let taken = usize::try_from(self.from - self.first).ok()?;
         let done = self.samples.len().checked_sub(taken + 1)?;
@@ -248,7 +250,7 @@ impl Interval {
     }
 }
 
-/// Joints that turn the bones alike, in the one of their ways that is nearest to others.
+/// Returns equivalent joints of the same bones, nearest to other joints.
 pub(super) fn nearest(joints: &Joints, to: &Joints, rig: Option<&LimbRig>) -> Joints {
     let mut near = *joints;
     // Three joints in one place turn alike in two ways, here those of wrist, ankle or skull.
@@ -271,7 +273,7 @@ pub(super) fn nearest(joints: &Joints, to: &Joints, rig: Option<&LimbRig>) -> Jo
     near
 }
 
-/// Joints a share of the way to others by the joints: those within limits stay there.
+/// Interpolates joints by a share; joints within limits stay within.
 pub(super) fn lerp_joints(from: &Joints, to: &Joints, share: f64, limited: bool) -> Joints {
     let mut joints = *from;
     for (i, (joint, to)) in joints.iter_mut().zip(to).enumerate() {

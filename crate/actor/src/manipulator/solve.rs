@@ -19,64 +19,64 @@ use crate::limb::solve::{AT_EASE, SolutionCriteria, choose, matrix_error};
 use crate::limb::swivel::{JointPreference, SwivelCriteria};
 use crate::limb::{Joints, Limb, RigidFrame};
 
-/// A hand or foot that is turned off its target by more, radians, says nothing any more of where
-/// elbow or knee should be: what strains it least changes with every sway of the body.
+/// Rotation error of a hand or foot, radians, above which it no longer influences elbow or knee:
+/// its least strain would change with every sway of the body.
 const HOPELESS: f64 = 1.0;
-/// Less than this is nothing to make up for, radians.
+/// Smallest correction, radians.
 const MENDED: f64 = 1e-3;
-/// How many metres off its target count as a radian.
+/// Distance from the target that counts as a radian, metres.
 const FORCED_M: f64 = 0.15;
-/// Even times whose goals are taken, seconds apart: a limb passes from one way of not
-/// meeting its target to another in some three of them, and lags by two. Designed: as quick
-/// as a quick movement.
+/// Spacing of the even times whose goals are averaged, seconds: a limb changes between deviations
+/// from its target within about three of them, and lags by two. Designed: as quick as a quick
+/// movement.
 const EVEN_SECS: f64 = 1.0 / 20.0;
 
-/// How a limb is to be placed.
+/// Options for placing a limb.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SolveOptions {
-    /// How much limits count.
+    /// Weight of the joint limits.
     pub(super) limited: f64,
-    /// How much the girdle follows the arm instead of what it did before.
+    /// Share by which the girdle follows the arm instead of its previous motion.
     pub(super) set_in: f64,
-    /// The swivel from the natural direction; none: the best one.
+    /// Swivel from the natural direction; `None` uses the best one.
     pub(super) swivel_rad: Option<f64>,
-    /// What the user prefers.
+    /// The user's preference.
     pub(super) preference: JointPreference,
 }
 
-/// How a limb is to come to a frame.
+/// Request for moving a limb to a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachRequest<'a> {
     /// Of elbow or knee from the natural direction, radians.
     pub(super) swivel_rad: f64,
-    /// How much limits count, 0 to 1.
+    /// Weight of the joint limits, 0 to 1.
     pub(super) limited: f64,
-    /// Joints that those of the solution are to be near to; none: the most comfortable.
+    /// Joints that the solution should be near; `None` chooses the most comfortable.
     pub(super) current: Option<&'a Joints>,
 }
 
-/// A goal met as far as it can be.
+/// Closest solution to a goal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LimbSolution {
     pub(super) base: LimbBase,
-    /// How much the upper bone had to be brought to its limits, and a target that is too near
-    /// out to where the bent limb comes: radians, and lengths as [`FORCED_M`] to a radian.
+    /// Correction of the upper bone by its limits, and of a too near target to the distance of the
+    /// bent limb: radians, and lengths as [`FORCED_M`] to a radian.
     forced: f64,
-    /// How much wrist or ankle had to be brought to their limits, radians.
+    /// Correction of wrist or ankle by their limits, radians.
     forced_end: f64,
     pub(super) posed: PosedLimb,
     /// The scapula's rotation, of an arm.
     pub(super) scapula: Option<DQuat>,
     /// Joints of the solution.
     pub(super) joints: Joints,
-    /// What the girdle followed, trunk axes, metres.
+    /// Cue that the girdle followed, trunk axes, metres.
     pub(super) cue: DVec3,
     pub(super) target: RigidFrame,
 }
 
 impl LimbSolution {
-    /// How far limits or reach keep the limb from its target, and its end, radians. What is beyond
-    /// [`HOPELESS`] at the end is the whole limb's.
+    /// Returns the deviation of the limb and of its end from the target because of limits or reach,
+    /// radians. The part of the end beyond [`HOPELESS`] counts for the whole limb.
     pub(super) fn forced_by(&self) -> [f64; 2] {
         let limb = self.forced.max(self.forced_end - HOPELESS);
         [limb, self.forced.max(self.forced_end)]
@@ -84,7 +84,7 @@ impl LimbSolution {
 }
 
 impl Manipulators {
-    /// Meets the goal of a limb at a time, or goes its steady way.
+    /// Solves the goal of a limb at a time, or follows its smoothed path.
     pub(super) fn solve_at(
         &self,
         limb: Limb,
@@ -111,7 +111,7 @@ impl Manipulators {
         met
     }
 
-    /// Turns the bones of a limb a share of the way to where it meets its goal.
+    /// Blends the bones of a limb towards its solution by a share.
     pub(super) fn place(&self, limb: Limb, met: &LimbSolution, weight: f64, pose: &mut Pose) {
         if let (Some(scapula), Some(bones)) = (met.scapula, ARM_BONES.get(limb.index())) {
             blend(pose, bones[0], scapula, weight);
@@ -125,7 +125,7 @@ impl Manipulators {
         }
     }
 
-    /// Meets the goal of a limb at a time by that goal alone.
+    /// Solves the goal of a limb at a time from that goal alone.
     ///
     /// Joints that meet their target turn as steadily as it does. Those that cannot, because
     /// of their limits or their reach, may have to change from one way of not meeting it to
@@ -198,7 +198,7 @@ impl Manipulators {
         met
     }
 
-    /// The swivel that a goal of a limb has at a time, without what its course is off.
+    /// Returns the swivel of a goal of a limb at a time, without the offset of its course.
     pub(super) fn swivel_at(
         &self,
         limb: Limb,
@@ -224,8 +224,8 @@ impl Manipulators {
         }
     }
 
-    /// The goals of a limb at the last even times up to a time, with their weights. Later ones
-    /// would let a command work before it comes.
+    /// Returns the goals of a limb at the last even times up to a time, with their weights. Later
+    /// ones would let a command act before its time.
     fn recent(&self, limb: Limb, time_secs: f64) -> [(Option<MotionGoal>, f64); 4] {
         let step = (time_secs / EVEN_SECS).floor();
         let weights = spline(time_secs / EVEN_SECS - step);
@@ -239,8 +239,8 @@ impl Manipulators {
         })
     }
 
-    /// The swivel of elbow or knee at a time: the mean of the last best ones, which may
-    /// change quickly from one side of an obstacle to the other. None for the head.
+    /// Returns the swivel of elbow or knee at a time: the mean of the last best ones, which may
+    /// change quickly from one side of an obstacle to the other. `None` for the head.
     fn steady_swivel(
         &self,
         limb: Limb,
@@ -271,8 +271,8 @@ impl Manipulators {
         Some(mean)
     }
 
-    /// The girdle's cue (trunk axes, metres), the scapula's rotation, if there is one, and the
-    /// base of a limb that is led by a goal on a trunk.
+    /// Returns the girdle's cue (trunk axes, metres), the scapula's rotation, if any, and the base
+    /// of a limb driven by a goal on a trunk.
     fn pose_girdle(
         &self,
         limb: Limb,
@@ -297,8 +297,8 @@ impl Manipulators {
         (cue, scapula, self.base(limb, trunk, scapula))
     }
 
-    /// Meets a goal of a limb as far as it can be. Of several ways the one nearest to
-    /// `current` is taken, or the most comfortable.
+    /// Solves a goal of a limb as closely as possible. Of several solutions the one nearest to
+    /// `current`, or the most comfortable, is chosen.
     pub(super) fn solve(
         &self,
         limb: Limb,
@@ -361,8 +361,8 @@ impl Manipulators {
 }
 
 impl Manipulators {
-    /// The joints that bring a limb to a frame, or as near as reach and limits let it, and how much
-    /// those forced its upper bone and its end, radians.
+    /// Returns the joints that bring a limb to a frame, or as near as reach and limits allow, and
+    /// the corrections of its upper bone and its end, radians.
     pub(super) fn solved(
         &self,
         limb: Limb,
@@ -403,7 +403,7 @@ impl Manipulators {
     }
 }
 
-/// Turns a bone a share of the way.
+/// Rotates a bone by a share.
 fn blend(pose: &mut Pose, bone: Bone, rotation: DQuat, weight: f64) {
     let to = if weight >= 1.0 {
         rotation

@@ -9,10 +9,9 @@ use crate::limb::Joints;
 use crate::limb::solve::AT_EASE;
 use crate::limb::swivel::JointPreference;
 
-/// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
-/// brake.
+/// Braking time of a stopped limb, seconds. Designed: as fast as muscles brake.
 pub(super) const BRAKE_SECS: f64 = 0.2;
-/// Time in which a limb is given back, seconds.
+/// Release time of a limb, seconds.
 const RELEASE_SECS: f64 = 0.5;
 /// Time in which limits and the girdle's own motion set in, seconds.
 const SET_IN_SECS: f64 = 0.4;
@@ -20,11 +19,11 @@ const SET_IN_SECS: f64 = 0.4;
 #[derive(Clone, Copy, Debug)]
 struct TrackSegment {
     start_secs: f64,
-    /// Which course.
+    /// Index of the course.
     course: usize,
     /// Its time at the segment's beginning, seconds.
     from_secs: f64,
-    /// Whether it comes to rest from there.
+    /// True if it comes to rest from there.
     brakes: bool,
 }
 
@@ -48,7 +47,7 @@ impl TrackSegment {
 struct Switch {
     time_secs: f64,
     on: bool,
-    /// How much it was on just before, 0 to 1.
+    /// Weight just before, 0 to 1.
     before: f64,
 }
 
@@ -76,15 +75,15 @@ pub(super) struct LimbTrack {
     segments: Vec<TrackSegment>,
     control: Vec<Switch>,
     limits: Vec<Switch>,
-    /// Joint angles that are preferred from a time on; none: those at ease.
+    /// Preferred joint angles from a time on; `None` prefers those at ease.
     preferred: Vec<(f64, Option<Joints>)>,
-    /// Whether control sets in by and by.
+    /// True if control sets in gradually.
     sets_in: bool,
 }
 
 impl LimbTrack {
-    /// The track of a limb whose joints are not all of those of its bones, so that no motion
-    /// can begin quite where it is: control sets in by and by.
+    /// Creates the track of a limb whose joints do not cover all of its bones, so no motion can
+    /// begin exactly at its present pose: control sets in gradually.
     pub(super) fn setting_in() -> Self {
         Self {
             sets_in: true,
@@ -92,8 +91,8 @@ impl LimbTrack {
         }
     }
 
-    /// How far the limb is under control at a time, 0 to 1. It is at once when a motion
-    /// begins, since that begins where the limb is, unless it can't.
+    /// Returns the degree of control of the limb at a time, 0 to 1. It is 1 immediately when a
+    /// motion begins at the limb's present pose, else it grows gradually.
     pub(super) fn weight(&self, time_secs: f64) -> f64 {
         match last(&self.control, time_secs) {
             None => 0.0,
@@ -103,7 +102,7 @@ impl LimbTrack {
         }
     }
 
-    /// How far girdle and limits have set in, 0 to 1.
+    /// Returns the degree to which girdle and limits have set in, 0 to 1.
     pub(super) fn set_in(&self, time_secs: f64) -> f64 {
         match last(&self.control, time_secs) {
             None => 0.0,
@@ -112,17 +111,17 @@ impl LimbTrack {
         }
     }
 
-    /// How much joint limits count, 0 to 1.
+    /// Returns the weight of the joint limits, 0 to 1.
     pub(super) fn limited(&self, time_secs: f64) -> f64 {
         last(&self.limits, time_secs).map_or(1.0, |s| s.weight_at(time_secs, SET_IN_SECS))
     }
 
-    /// Whether a motion is in control, or the limb was given back.
+    /// Returns true if a motion is in control; false after the limb was released.
     pub(super) fn in_control(&self) -> bool {
         self.control.last().is_some_and(|s| s.on)
     }
 
-    /// Takes control, or gives the limb back.
+    /// Takes control, or releases the limb.
     pub(super) fn switch_control(&mut self, time_secs: f64, on: bool) {
         if self.in_control() != on {
             let before = self.weight(time_secs);
@@ -134,7 +133,7 @@ impl LimbTrack {
         }
     }
 
-    /// Takes control all at once, whatever the limb did before.
+    /// Takes control immediately, whatever the limb did before.
     pub(super) fn cut_control(&mut self, time_secs: f64) {
         self.control.push(Switch {
             time_secs,
@@ -143,16 +142,16 @@ impl LimbTrack {
         });
     }
 
-    /// A time, or the last one up to `now_secs` when the limb came under control, whichever is
-    /// later.
+    /// Returns a time, or the last time up to `now_secs` when the limb came under control,
+    /// whichever is later.
     pub(super) fn begun_by(&self, now_secs: f64, time_secs: f64) -> f64 {
         let mut thrown = self.control.iter().rev();
         let begun = thrown.find(|s| s.on && s.time_secs <= now_secs);
         begun.map_or(time_secs, |s| time_secs.max(s.time_secs))
     }
 
-    /// What joints still are off at a time from where they were at the beginning of their
-    /// course; none once that is made up for.
+    /// Returns the remaining joint offset at a time from the start of the course; `None` once it is
+    /// corrected.
     pub(super) fn correct_start(&self, time_secs: f64) -> Option<JointCorrection> {
         let segment = self.segment(time_secs)?;
         let mend = &self.motions[segment.course].mend;
@@ -163,14 +162,14 @@ impl LimbTrack {
         })
     }
 
-    /// Lets the last course begin with its elbow or knee off by so much, radians.
+    /// Starts the last course with an elbow or knee offset, radians.
     pub(super) fn swivel_last(&mut self, off_rad: f64) {
         if let Some(course) = self.motions.last_mut() {
             course.swivel_rad = off_rad;
         }
     }
 
-    /// Lets the last course begin with its joints off by so much.
+    /// Starts the last course with a joint offset.
     pub(super) fn correct_last(&mut self, off: JointCorrection) {
         if let Some(course) = self.motions.last_mut() {
             course.mend = off;
@@ -187,7 +186,8 @@ impl LimbTrack {
         });
     }
 
-    /// Prefers solutions near angles of the first joints, radians; near none if there are none.
+    /// Prefers solutions near angles of the first joints, radians; an empty list removes the
+    /// preference.
     pub(super) fn prefer(&mut self, time_secs: f64, angles_rad: &[f64]) {
         let mut joints = AT_EASE;
         for (joint, angle) in joints.iter_mut().zip(angles_rad) {
@@ -197,8 +197,8 @@ impl LimbTrack {
         self.preferred.push((time_secs, is_said.then_some(joints)));
     }
 
-    /// The preference at a time; elbow or knee take their new way as slowly as after a
-    /// change of motion.
+    /// Returns the preference at a time; elbow or knee move to it as slowly as after a change of
+    /// motion.
     pub(super) fn preference(&self, time_secs: f64) -> JointPreference {
         let said = self.preferred.partition_point(|(t, _)| *t <= time_secs);
         let nth = |i: Option<usize>| i.and_then(|i| self.preferred.get(i));
@@ -210,7 +210,7 @@ impl LimbTrack {
         JointPreference([(before, 1.0 - share), (*now, share)])
     }
 
-    /// Whether limits were last turned on.
+    /// Returns true if limits were last turned on.
     pub(super) fn has_limits(&self) -> bool {
         self.limits.last().is_none_or(|s| s.on)
     }
@@ -232,7 +232,7 @@ impl LimbTrack {
         self.motions.push(course);
     }
 
-    /// Stops the motion that is on at a time; what has stopped stays.
+    /// Stops the active motion at a time; a stopped motion stays stopped.
     pub(super) fn brake(&mut self, time_secs: f64) {
         if let Some(on) = self.segment(time_secs).filter(|s| !s.brakes) {
             self.segments.push(TrackSegment {
@@ -244,7 +244,8 @@ impl LimbTrack {
         }
     }
 
-    /// How long after a time the limb still moves by itself, seconds; infinite for a loop.
+    /// Returns the time for which the limb still moves after a given time, seconds; infinite for a
+    /// loop.
     pub(super) fn rests_after_secs(&self, time_secs: f64) -> f64 {
         let Some(segment) = self.segment(time_secs) else {
             return 0.0;
@@ -257,13 +258,13 @@ impl LimbTrack {
         left.max(0.0) + SETTLE_SECS
     }
 
-    /// Whether the end is locked to a place from some time before this one.
+    /// Returns true if the end is already locked to a place at this time.
     pub(super) fn is_locked(&self, time_secs: f64) -> bool {
         let on = self.segment(time_secs);
         on.is_some_and(|s| matches!(self.motions[s.course].kind, MotionKind::Lock(_)))
     }
 
-    /// What the limb is to do at a time; `figure_from_world` at that time. None before the
+    /// Returns the goal of the limb at a time; `figure_from_world` at that time. `None` before the
     /// first motion.
     pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<MotionGoal> {
         let segment = self.segment(time_secs)?;

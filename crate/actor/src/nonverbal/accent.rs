@@ -2,7 +2,7 @@
 
 use raconteur_speech::Utterance;
 
-/// How strong the accents of an emphasised word are; 1 is an ordinary accent. Designed.
+/// Strength of the accents of an emphasised word; 1 is an ordinary accent. Designed.
 const EMPHASIS_ACCENT: f64 = 1.4;
 /// Most that the accent of an emphasised word lasts where its syllables are unknown, seconds.
 /// Designed.

@@ -28,22 +28,24 @@ pub const CLOSED_SECS: f64 = 0.02;
 /// Opening phase, seconds (*paper*: 150 to 300 ms with a slow end, Kwon et al. 2013,
 /// doi:10.1098/rsif.2013.0227).
 pub const OPENING_SECS: f64 = 0.225;
-/// Time between two blinks at most while one speaks, but for a phone, seconds (*paper*: F&H).
+/// Maximum time between two blinks while speaking, apart from the length of a phone, seconds
+/// (*paper*: F&H).
 pub const MAX_APART_SECS: f64 = 4.8;
-/// Length of a stretch, seconds. With the doublets that makes 22 blinks a minute of talk.
+/// Length of a planning interval, seconds. With the doublets that makes 22 blinks per minute of
+/// speech.
 const STRETCH_SECS: f64 = 2.95;
 /// Time between two blinks at least, doublets aside, seconds. Designed: a flutter is another
 /// signal.
 const APART_SECS: f64 = 0.7;
-/// Which share of the stretches of silence has a blink: 17 a minute, doublets among them.
+/// Share of the intervals of silence with a blink: 17 per minute, doublets included.
 const AT_REST: f64 = 0.77;
-/// Which share of blinks is followed by a second one. Designed.
+/// Share of blinks followed by a second one. Designed.
 const DOUBLETS: f64 = 0.09;
 /// From opened to closing again in a doublet, seconds. Designed.
 const DOUBLET_PAUSE_SECS: f64 = 0.06;
-/// Which share of blinks does not close the eye fully (*paper*), and how far they go: shares of
-/// the way (*paper*: women's mostly 51 to 75 %, men's from 25 % on; the least ones, which
-/// are hardly seen, are left out).
+/// Share of blinks that do not close the eye fully (*paper*), and their extent: shares of the full
+/// closure (*paper*: women's mostly 51 to 75 %, men's from 25 % on; the smallest ones, which are
+/// hardly visible, are left out).
 const PARTIAL: f64 = 0.5;
 const PARTIAL_WAY: [f64; 2] = [0.5, 0.8];
 /// Phases differ from their lengths by no more than this share to be on a phone boundary.
@@ -52,16 +54,16 @@ const SNAPPED: f64 = 0.25;
 /// One blink, seconds of the story.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Blink {
-    /// When it begins to close, is closed, begins to open and is open again.
+    /// Times of the start of closing, full closure, start of opening and end of opening.
     phases: [f64; 4],
-    /// How far it goes, 0 to 1 (fully closed).
+    /// Depth, 0 to 1 (fully closed).
     depth: f64,
     /// A second one follows, as far.
     is_double: bool,
 }
 
 impl Blink {
-    /// When the eye is open for good.
+    /// Returns the time at which the eye is open again.
     fn end_secs(&self) -> f64 {
         let [start, .., open] = self.phases;
         if self.is_double {
@@ -71,7 +73,7 @@ impl Blink {
         }
     }
 
-    /// How far the lids are closed, 0 open to 1 closed.
+    /// Returns the closure of the lids, 0 open to 1 closed.
     fn closure(&self, time_secs: f64) -> f64 {
         let [start, .., open] = self.phases;
         let again = time_secs - (open - start) - DOUBLET_PAUSE_SECS;
@@ -88,17 +90,17 @@ impl Blink {
     }
 }
 
-/// When the eyes blink.
+/// Planned blinks of the eyes.
 #[derive(Clone, Debug)]
 pub(super) struct Blinks {
-    /// Blinks in stretches with speech, by the number of the stretch.
+    /// Blinks in intervals with speech, by the number of the interval.
     planned: Vec<(i64, Blink)>,
     /// Infinite where there are no blinks.
     stretch_secs: f64,
     seed: u64,
 }
 
-/// Random values of a stretch.
+/// Random values of an interval.
 #[derive(Clone, Copy)]
 enum RandomDraw {
     Place,
@@ -147,7 +149,7 @@ impl Blinks {
         noise::unit(seed, stream::BLINK, stretch)
     }
 
-    /// How far the lids are closed at a time, 0 open to 1 closed.
+    /// Returns the closure of the lids at a time, 0 open to 1 closed.
     pub(super) fn closure(&self, time_secs: f64) -> f64 {
         if self.stretch_secs.is_infinite() {
             return 0.0;
@@ -160,7 +162,7 @@ impl Blinks {
         before.max(now)
     }
 
-    /// The blink of a stretch, if it has one.
+    /// Returns the blink of an interval, if it has one.
     fn blink(&self, stretch: i64) -> Option<Blink> {
         let next = self.planned.partition_point(|(s, _)| *s < stretch);
         match self.planned.get(next) {
@@ -173,7 +175,7 @@ impl Blinks {
         }
     }
 
-    /// When the blink of a stretch begins that nothing asks for.
+    /// Returns the random start time of an interval's spontaneous blink.
     fn at_random(&self, stretch: i64) -> f64 {
         (stretch as f64 + 0.1 + 0.6 * self.random_draw(RandomDraw::Place, stretch))
             * self.stretch_secs
@@ -194,7 +196,7 @@ impl Blinks {
         }
     }
 
-    /// The blink of a stretch with speech, the first pause of which is `first`.
+    /// Plans the blink of an interval with speech, whose first pause is `first`.
     fn plan(&self, stretch: i64, heard: &SpeechFeatures, first: usize) -> Blink {
         let at = |share: f64| (stretch as f64 + share) * self.stretch_secs;
         let before = self.blink(stretch.wrapping_sub(1));

@@ -1,7 +1,7 @@
 //! Approximating B-spline curves over measured frames, and their extrema.
 
-/// Frames from one control point to the next. Designed: 80 ms keep the movement of an
-/// accent and lose that of a phone.
+/// Frames between control points. Designed: 80 ms preserve the movement of an accent and remove
+/// that of a phone.
 const STEP: usize = 8;
 
 /// The cubic B-spline curve of evenly spaced control points, each the mean of the frames
@@ -33,12 +33,12 @@ pub(super) fn approximate(frames: &[f64]) -> Vec<f64> {
 pub(super) struct Extremum {
     /// Its frame.
     pub(super) frame: usize,
-    /// Whether it is a maximum.
+    /// True for a maximum.
     pub(super) is_max: bool,
 }
 
-/// The extrema of a curve in order, maxima and minima by turns; its ends are extrema too.
-/// A curve that never moves has none.
+/// Returns the extrema of a curve in order, alternating maxima and minima; its ends are extrema
+/// too. A constant curve has none.
 pub(super) fn extrema(curve: &[f64]) -> Vec<Extremum> {
     let mut found: Vec<Extremum> = Vec::new();
     for (i, pair) in curve.windows(2).enumerate() {
@@ -60,8 +60,7 @@ pub(super) fn extrema(curve: &[f64]) -> Vec<Extremum> {
     found
 }
 
-/// The frames between the turning points on both sides of an extremum: as far as the curve
-/// bends the same way.
+/// Returns the frames of the inflection points on both sides of an extremum.
 pub(super) fn between_turning_points(curve: &[f64], extremum: Extremum) -> (usize, usize) {
     let bends = |i: usize| {
         let Some([a, b, c]) = i.checked_sub(1).and_then(|from| curve.get(from..from + 3)) else {

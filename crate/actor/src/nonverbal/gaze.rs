@@ -21,22 +21,22 @@ use crate::idle::stream;
 pub const AT_LISTENER_RAD: f64 = 0.03;
 /// Small offsets while looking at the listener, radians: from eye to eye to mouth. Designed.
 const ON_FACE_RAD: f64 = 0.012;
-/// Least and greatest distance of a look aside, radians, and the mean of what is above the
-/// least. Designed; Lee et al. have a mean of 6.9° with the head's part in it.
+/// Minimum and maximum angle of a look aside, radians, and the mean of the part above the minimum.
+/// Designed; Lee et al. have a mean of 6.9° including the head's part.
 const ASIDE_RAD: [f64; 3] = [0.06, 0.2, 0.05];
 /// Mean length of a small step aside, radians. Designed.
 const STEP_RAD: f64 = 0.025;
 /// Time of a saccade of no length, seconds, and per radian (Lee et al. 2002: 20 to 30 ms and
 /// 2 to 2.7 ms a degree).
 const SACCADE_SECS: [f64; 2] = [0.025, 0.0024 * 180.0 / core::f64::consts::PI];
-/// How often saccades go to the right, up right, up and so on against the clock, in percent
-/// (Lee et al. 2002, table 1).
+/// Frequencies of saccades to the right, up right, up and so on counter-clockwise, in percent (Lee
+/// et al. 2002, table 1).
 const DIRECTIONS: [f64; 8] = [15.54, 6.46, 17.69, 7.44, 16.80, 7.89, 20.38, 7.80];
-/// How alike neighbouring accents are in whether they have a glance. Designed: with 0.7 of
-/// the accents this makes glances of 3 s on average, as Lee et al. measured in speakers
-/// (94 frames of 30 a second at the listener, 28 away).
+/// Correlation of neighbouring accents in having a glance. Designed: with 0.7 of the accents this
+/// makes glances of 3 s on average, as Lee et al. measured in speakers (94 frames at 30 frames per
+/// second at the listener, 28 away).
 const PERSISTENCE: f64 = 1.0 / 3.0;
-/// By how much a glance too many lowers the share of the next. Designed.
+/// Decrease of the share of the next glance after a surplus glance. Designed.
 const CORRECTION: f64 = 0.15;
 /// Between two demands the eyes go aside in this time or not at all, seconds.
 const MIN_GAP_SECS: f64 = 0.12;
@@ -44,16 +44,17 @@ const MIN_GAP_SECS: f64 = 0.12;
 const STEP_SECS: f64 = 0.05;
 /// Small movements between two demands at most; more are in no pause of a turn.
 const MAX_ROVES: usize = 6;
-/// A question begins with a look of this time at least, seconds. Designed.
+/// Minimum duration of the look at the listener that begins a question, seconds. Designed.
 const ASKING_SECS: f64 = 0.3;
-/// How long before a turn the speaker looks away, and until when after, seconds. Designed.
+/// Time before a turn at which the speaker looks away, and time after it until which this lasts,
+/// seconds. Designed.
 const TURN_SECS: [f64; 2] = [0.35, 0.6];
-/// How long a speaker who has ended looks at the listener, seconds. Designed.
+/// Time for which a speaker looks at the listener after ending, seconds. Designed.
 const AFTER_TURN_SECS: f64 = 1.2;
 /// Share of the head in a look aside, away, and in thought. Designed.
 const HEAD_ASIDE: f64 = 0.25;
 const HEAD_AWAY: f64 = 0.5;
-/// Time that the head takes, seconds. Designed.
+/// Duration of the head turn, seconds. Designed.
 const HEAD_SECS: f64 = 0.45;
 /// Who looks for a word moves more slowly (F&H section 4.2.1), as a factor.
 const THINKING_SLOWER: f64 = 1.8;

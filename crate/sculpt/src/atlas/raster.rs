@@ -5,12 +5,12 @@ use raconteur_base::DVec2;
 /// Side of the square atlas, texels.
 pub(crate) const SIZE: usize = 1024;
 
-/// How far beyond a chart's edge its surface is continued, texels: what bilinear filtering
-/// and two levels of a mip chain reach.
+/// Margin beyond a chart's edge to which its surface is extended, texels: the reach of bilinear
+/// filtering and two levels of a mip chain.
 const MARGIN: usize = 5;
 
-/// A place on a triangle; barycentric weights of its corners. Beyond the triangle's edge
-/// (in the margin) weights leave 0..1.
+/// Point on a triangle, with the barycentric weights of its corners. Beyond the triangle's edge (in
+/// the margin) weights leave 0..1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit {
     pub(crate) triangle: u32,
@@ -32,11 +32,11 @@ impl Hit {
     }
 }
 
-/// The atlas seen from its texels.
+/// Rasterised atlas: the surface point of each texel.
 pub(crate) struct Raster {
-    /// Row by row from the top; `None` where no surface lies.
+    /// Hits in rows from the top; `None` where no surface lies.
     pub(crate) hits: Vec<Option<Hit>>,
-    /// Texels whose middle lies in more than one triangle.
+    /// Number of texels whose centre lies in more than one triangle.
     #[cfg(test)]
     pub(crate) overlaps: usize,
 }
@@ -131,9 +131,9 @@ impl Raster {
     }
 }
 
-/// Fills the empty texels of a square picture with what lies around them, by averaging to
-/// coarser pictures and reading back, so that no colour from outside bleeds into a mip level
-/// and the encoder meets no edges.
+/// Fills the empty texels of a square image from their surroundings, by averaging to coarser images
+/// and reading back, so that no background colour bleeds into a mip level and the encoder meets no
+/// edges.
 pub(crate) fn fill(picture: &mut [Option<[f32; 3]>], side: usize) {
     if side <= 1 {
         picture[0].get_or_insert([0.0; 3]);

@@ -13,10 +13,10 @@ use raconteur_base::{DVec2, DVec3, ops};
 use crate::least_squares::{Terms, least_squares};
 use crate::subdivide::edge_faces;
 
-/// How firmly a given place is held against the map's own rows.
+/// Weight of a given position against the map's own equations.
 const HOLD: f64 = 1e4;
 
-/// Corners of a face in turn, as triangles of both ways to cut it.
+/// Returns the corners of a face in turn, as the triangles of both possible diagonals.
 fn both_cuts(face: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     let n = face.len();
     (0..n).map(move |i| [face[i], face[(i + 1) % n], face[(i + 2) % n]])
@@ -50,11 +50,10 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
     loops
 }
 
-/// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
-/// with weights; a hole without bridges is closed by a vertex in the middle. `tension` is 1 for
-/// each vertex, more where the map should spread its surroundings. Returns a place
-/// for each vertex (those of no face stay at the origin) and the borders of the holes
-/// without bridges.
+/// Flattens faces into the plane with some vertices fixed. `bridges` connect vertices across a
+/// hole, with weights; a hole without bridges is closed by a vertex in the middle. `tension` is 1
+/// for each vertex, more where the map should spread its surroundings. Returns a position for each
+/// vertex (those of no face stay at the origin) and the borders of the holes without bridges.
 ///
 /// # Panics
 /// Never: the system is positive definite by the rows that hold.
@@ -115,7 +114,7 @@ pub(crate) fn harmonic(
     (flat[..positions.len()].to_vec(), holes)
 }
 
-/// Lays triangles into the plane as nearly conformal as can be, with two vertices held.
+/// Flattens triangles into the plane as conformally as possible, with two vertices fixed.
 ///
 /// # Panics
 /// Never, as for [`harmonic`].
@@ -161,10 +160,10 @@ pub(crate) fn conformal(
         .collect()
 }
 
-/// Raises the tension of [`harmonic`] where a map of it gives too little room and lowers it
-/// where it gives too much, by the share that each vertex has in this evening (0..1). After
-/// Yoshizawa, Belyaev and Seidel 2004, doi:10.1109/SMI.2004.1314507; weights stay positive,
-/// so the next map is without overlap as well.
+/// Raises the tension of [`harmonic`] where a map gives too little area and lowers it where it
+/// gives too much, weighted by each vertex's share (0..1). After Yoshizawa, Belyaev and Seidel
+/// 2004, doi:10.1109/SMI.2004.1314507; weights stay positive, so the next map has no overlap
+/// either.
 pub(crate) fn even_out(
     faces: &[Vec<u32>],
     positions: &[DVec3],
@@ -195,13 +194,13 @@ pub(crate) fn even_out(
     }
 }
 
-/// How many rounds of evening a folded place gets; each round reaches one vertex further.
+/// Number of smoothing rounds for a fold; each round reaches one vertex further.
 const ROUNDS: usize = 60;
 
-/// Opens folds in a laid surface: the corners of a triangle that runs the wrong way round
-/// (anticlockwise with y down is right) go towards the middle of their neighbours, those on
-/// an open edge along that edge, until none is left. Whatever lies flat already stays.
-/// Triangles without area, like those between closed lips, are left alone.
+/// Removes folds from a flattened surface: the corners of an inverted triangle (anticlockwise with
+/// y down is correct) move towards the mean of their neighbours, those on an open edge along that
+/// edge, until none is left. Triangles that are already flat stay. Triangles without area, such as
+/// those between closed lips, are skipped.
 pub(crate) fn unfold(triangles: &[[u32; 3]], flat: &mut [DVec2]) {
     let edges = edge_faces(&triangles.iter().map(|t| t.to_vec()).collect::<Vec<_>>());
     let mut around: BTreeMap<u32, Vec<u32>> = BTreeMap::new();

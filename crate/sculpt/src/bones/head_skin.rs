@@ -26,7 +26,7 @@ pub(super) struct Skin {
     /// Lowest point of the chin's skin on the midline, and the vertex.
     pub(super) chin: DVec3,
     pub(super) top: f64,
-    /// Size against the adult for which lengths here are given.
+    /// Scale relative to the adult for which lengths here are given.
     pub(super) scale: f64,
 }
 
@@ -92,7 +92,7 @@ impl Skin {
         }
     }
 
-    /// Distance to the outermost skin along a ray; `None` where there is none.
+    /// Returns the distance to the outermost skin along a ray; `None` if there is none.
     pub(super) fn outermost(&self, from: DVec3, way: DVec3) -> Option<f64> {
         self.triangles
             .iter()
@@ -100,8 +100,8 @@ impl Skin {
             .reduce(f64::max)
     }
 
-    /// Distance to the nearest skin no farther than [`CELL_M`], and whether the point lies
-    /// behind it; `None` where all skin is farther.
+    /// Returns the distance to the nearest skin within [`CELL_M`], and true if the point lies
+    /// behind it; `None` if all skin is farther.
     pub(super) fn nearest(&self, p: DVec3) -> Option<(f64, bool)> {
         // Distance, and how far before the triangle's plane.
         let mut best: Option<(f64, f64)> = None;
@@ -167,7 +167,7 @@ impl Skin {
     }
 }
 
-/// Direction of a place in the skull's map.
+/// Returns the direction of a cell of the skull's map.
 pub(super) fn direction(ring: usize, column: usize) -> DVec3 {
     let (s, c) = ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
     let (sk, ck) = ops::sincos(core::f64::consts::TAU * column as f64 / COLUMNS as f64);
@@ -183,7 +183,7 @@ fn cell(p: DVec3) -> [i32; 3] {
     (p / CELL_M).floor().to_array().map(|x| x as i32)
 }
 
-/// For every cell the triangles that come within a cell's side of it.
+/// Returns, for every cell, the triangles within one cell width.
 fn cells_of(triangles: &[[DVec3; 3]]) -> BTreeMap<[i32; 3], Vec<u32>> {
     let mut cells: BTreeMap<[i32; 3], Vec<u32>> = BTreeMap::new();
     for (t, index) in triangles.iter().zip(0u32..) {

@@ -25,30 +25,30 @@ use super::torso::{BodyParams, Field, Joints, Regions};
 use raconteur_body::figure::{Figure, Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, Drive, FaceJoints, zero_frames};
 
-/// What a figure's file holds.
+/// Layers contained in a figure's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     /// The figure as it ships.
     Skin,
-    /// Its bones alone.
+    /// Bones only.
     Bones,
     /// Both.
     All,
 }
 
-/// Places and directions of the skeleton in the bind pose, and the body's field.
+/// Positions and directions of the skeleton in the bind pose, and the body's distance field.
 struct Frame {
     positions: [DVec3; Bone::COUNT],
     rotations: [DQuat; Bone::COUNT],
     field: Field,
-    /// Stature over that of the adult whom lengths in this folder are given for.
+    /// Stature relative to the adult for whom lengths in this module are given.
     scale: f64,
 }
 
-/// Stature for which lengths are given, metres.
+/// Reference stature for lengths, metres.
 const REFERENCE_STATURE_M: f64 = 1.70;
 
-/// Skin and fat over a bone that lies just below the skin, metres (elbow, shin, collarbone:
+/// Thickness of skin and fat over a bone just below the skin, metres (elbow, shin, collarbone:
 /// designed, 4 mm).
 const COVER_M: f64 = 0.004;
 
@@ -77,7 +77,8 @@ impl Frame {
         self.positions[bone.index()]
     }
 
-    /// Where a ray from inside leaves the body, metres from its start; at most half a metre.
+    /// Returns the distance at which a ray from inside leaves the body, metres from its start; at
+    /// most half a metre.
     fn exit(&self, from: DVec3, direction: DVec3, regions: Regions) -> f64 {
         let mut t = 0.0;
         while t < 0.5 {
@@ -90,7 +91,7 @@ impl Frame {
         t
     }
 
-    /// Draws a point inside until it lies at least [`COVER_M`] below the skin.
+    /// Moves a point inwards until it lies at least [`COVER_M`] below the skin.
     fn inside(&self, mut p: DVec3, regions: Regions) -> DVec3 {
         for _ in 0..6 {
             let (d, n) = self.field.value_and_normal(p, regions, 1.0);
@@ -116,7 +117,7 @@ fn material() -> Material {
 /// Linear RGB of dry bone, by eye.
 const IVORY: [f64; 4] = [0.68, 0.60, 0.46, 1.0];
 
-/// A part whose vertices all follow what `joint` says of them.
+/// Builds a part with the joint weights that `joint` returns for each position.
 fn build_part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>) -> MeshPart {
     let vertices = solid
         .points
@@ -174,7 +175,7 @@ fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<MeshPart>
         .collect()
 }
 
-/// A figure with its skin, its bones, or both. Bones alone have no face morphs.
+/// Builds a figure with its skin, its bones, or both. Bones without skin have no face morphs.
 #[must_use]
 pub fn layered(params: &FigureParams, built: &AnnotatedFigure, layer: Layer) -> Figure {
     if layer == Layer::Skin {

@@ -17,11 +17,11 @@ use crate::solid::{Section, Solid};
 use raconteur_body::figure::Figure;
 use raconteur_body::skeleton::Bone;
 
-/// Least soft tissue over any bone of the head, metres; the test asks for 1.5 mm.
+/// Minimum soft tissue over any bone of the head, metres; the test requires 1.5 mm.
 const MIN_M: f64 = 0.003;
 
-/// Depths: place against the middle between the eyes (x outwards, y up, z front, mm for the
-/// reference head), and depth, mm.
+/// Tissue depths: position relative to the midpoint between the eyes (x outwards, y up, z front, mm
+/// for the reference head), and depth, mm.
 const DEPTHS: [([f64; 3], f64); 19] = [
     ([0.0, 105.0, -75.0], 5.0),   // vertex
     ([0.0, 62.0, 8.0], 5.0),      // forehead
@@ -56,7 +56,7 @@ fn depth_mm(relative_mm: DVec3) -> f64 {
     sum / weights
 }
 
-/// How deep orbits and nose are carved at a place of the front, 0 to 1 each.
+/// Returns the carving depths of orbits and nose at a position of the front, 0 to 1 each.
 fn carved(skin: &Skin, relative_mm: DVec3) -> (f64, f64) {
     let p = relative_mm;
     let gap = skin.half_gap * 1000.0 / skin.scale + 3.0;
@@ -154,7 +154,7 @@ fn skull(skin: &Skin) -> Solid {
     solid
 }
 
-/// Moves every point half way to the mean of its neighbours, `rounds` times.
+/// Moves every point half way to the mean of its neighbours, for `rounds` rounds.
 fn smooth_out(solid: &mut Solid, rounds: usize) {
     let mut around: Vec<Vec<u32>> = vec![Vec::new(); solid.points.len()];
     for face in &solid.faces {
@@ -171,7 +171,7 @@ fn smooth_out(solid: &mut Solid, rounds: usize) {
     }
 }
 
-/// Draws points towards `anchor` until enough skin lies over them.
+/// Moves points towards `anchor` until enough skin covers them.
 fn shrink_below_skin(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> DVec3) {
     for p in &mut solid.points {
         let goal = anchor(*p);

@@ -71,7 +71,7 @@ fn there_are_29_bones_from_elbow_to_fingertip_on_each_side() {
     }
 }
 
-/// Skin triangles of the head and how many times a ray from a point crosses them.
+/// Returns the skin triangles of the head, for counting ray crossings.
 fn skin_triangles() -> Vec<[DVec3; 3]> {
     let mut out = Vec::new();
     for mesh in &sofia().built.figure.meshes {

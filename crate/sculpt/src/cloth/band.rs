@@ -9,7 +9,7 @@ use raconteur_base::{DVec3, ops};
 use super::neck::Neck;
 use crate::torso::{CM, Field, Regions, Shell, weights::Weights};
 
-/// What a band goes round.
+/// Path of a band.
 #[derive(Clone, Copy, Debug)]
 pub enum BandPath<'a> {
     /// Regions of the body.
@@ -31,19 +31,19 @@ impl BandPath<'_> {
 /// Shape of a band; lengths in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Band<'a> {
-    /// Which way it continues the cloth; unit.
+    /// Direction in which the band continues the cloth; unit vector.
     pub direction: DVec3,
-    /// How far it continues.
+    /// Width of the band.
     pub width: f64,
     /// Thickness of its cloth.
     pub thickness: f64,
     /// Distance of its inner side from the body at the far edge.
     pub ease: f64,
-    /// What it goes round.
+    /// Path that the band follows.
     pub round: BandPath<'a>,
-    /// How far its middle billows unevenly; soft cloth stands nowhere like a pipe.
+    /// Uneven billow of its middle, so that soft cloth never looks like a pipe.
     pub billow: f64,
-    /// Points of the edge for one of the band: 1 keeps them all.
+    /// Number of edge points per point of the band; 1 keeps them all.
     pub every: usize,
 }
 
@@ -141,7 +141,7 @@ fn sweep(path: &[Station], band: &Band<'_>) -> Shell {
     out
 }
 
-/// Turns all faces when the outer ones look inwards.
+/// Flips all faces if the outer ones face inwards.
 fn face_outwards(shell: &mut Shell, band: &Band<'_>) {
     let m = PROFILE.len();
     let agree: f64 = shell

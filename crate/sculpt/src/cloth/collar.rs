@@ -9,7 +9,7 @@ use super::wearer::Wearer;
 use crate::torso::{CM, Field, Regions, Shell};
 use raconteur_body::skeleton::Bone;
 
-/// What becomes of the ends of rows.
+/// Treatment of the ends of rows.
 #[derive(Clone, Copy)]
 enum Ends {
     /// They are rings.
@@ -61,7 +61,7 @@ fn loft(
     out
 }
 
-/// Keeps a point at least `off` metres from the body.
+/// Pushes a point to at least `off` metres from the body.
 fn push_off(field: &Field, p: &mut DVec3, off: f64) {
     for _ in 0..3 {
         let (d, n) = field.value_and_normal(*p, Regions::ALL, 1.1);
@@ -69,8 +69,8 @@ fn push_off(field: &Field, p: &mut DVec3, off: f64) {
     }
 }
 
-/// The stand of a collar, from its foot inside the shirt up along the neck and over its top: (share of the stand's height, or of a centimetre below its foot; distance from the
-/// skin in cm).
+/// Profile of a collar's stand, from its foot inside the shirt up along the neck and over its top:
+/// (share of the stand's height, or of a centimetre below its foot; distance from the skin in cm).
 const STAND_ROWS: [(f64, f64); 5] = [
     (-1.0, 0.05),
     (0.5, 0.10),
@@ -78,8 +78,8 @@ const STAND_ROWS: [(f64, f64); 5] = [
     (1.0, 0.38),
     (0.9, 0.68),
 ];
-/// The fall, down its outside, round its edge and up again below: (how far down it, distance
-/// outwards in cm, least distance from the body in cm).
+/// Profile of the fall, down its outside, round its edge and up again below: (share of the way
+/// down, distance outwards in cm, minimum distance from the body in cm).
 const FALL_ROWS: [(f64, f64, f64); 6] = [
     (0.25, 0.95, 1.25),
     (0.55, 1.45, 1.65),
@@ -88,13 +88,13 @@ const FALL_ROWS: [(f64, f64, f64); 6] = [
     (0.96, 1.80, 1.4),
     (0.5, 0.95, 0.85),
 ];
-/// The stand's outside, which shows between the ends of the fall; as [`STAND_ROWS`].
+/// Outside of the stand, which is visible between the ends of the fall; format of [`STAND_ROWS`].
 const BACK_ROWS: [(f64, f64); 2] = [(0.86, 0.42), (-1.0, 0.40)];
 /// Rows between which the ends of the fall are closed.
 const CAPS: [[usize; 4]; 3] = [[4, 5, 10, 11], [5, 6, 9, 10], [6, 7, 8, 9]];
 
-/// A shirt's collar, buttoned: stand, fold and a fall with points, as one closed profile. The
-/// stand lies against the neck and its ends meet at the throat; those of the fall part.
+/// Builds a buttoned shirt collar: stand, fold and a fall with points, as one closed profile. The
+/// stand lies against the neck and its ends meet at the throat; those of the fall diverge.
 #[must_use]
 pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
     const STATIONS: usize = 35;
@@ -116,7 +116,8 @@ fn base(wearer: &Wearer<'_>) -> f64 {
     wearer.joints.position_of(Bone::Cervical).y + 3.6 * CM * wearer.scale
 }
 
-/// The profile of a collar at a share of its way round the neck, from one end over the left.
+/// Returns the profile of a collar at a share of its way round the neck, from one end over the
+/// left.
 fn profile(wearer: &Wearer<'_>, turn: f64) -> Vec<DVec3> {
     /// Degrees from the middle where the fall's ends begin.
     const GAP: f64 = 3.0;

@@ -12,9 +12,9 @@ pub struct TopCut {
     pub name: &'static str,
     /// Cloth of the body and sleeves.
     pub fabric: Fabric,
-    /// Where hem and neckline begin, shares of an adult's stature.
+    /// Positions of hem and neckline, shares of an adult's stature.
     pub reach: [f64; 2],
-    /// How straight it falls from chest to hip, 0..1.
+    /// Straightness of the fall from chest to hip, 0..1.
     pub straight: f64,
     /// Distance from the body at yoke and waist.
     pub ease_cm: [f64; 2],
@@ -26,7 +26,7 @@ pub struct TopCut {
     pub gather: f64,
     /// Thickness of the garment below it, above and below the waist.
     pub over_cm: [f64; 2],
-    /// Whether it lies taut over the chest, as a knit does; what is cut wide hangs.
+    /// True if the cloth is taut over the chest, like a knit; wide cuts hang.
     pub is_taut: bool,
     /// Seed of its folds.
     pub seed: u64,
@@ -45,7 +45,7 @@ pub struct Top {
     pub cuffs: Vec<Vec<u32>>,
 }
 
-/// Which part of the cloth a fold may touch.
+/// Zone of the cloth that a fold may affect.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum ClothZone {
     Trunk,

@@ -17,7 +17,7 @@ pub struct DrapeParams {
     pub sweeps: usize,
     /// Fall a step², metres.
     pub gravity: f64,
-    /// Regions of the body that the cloth meets.
+    /// Body regions that the cloth collides with.
     pub regions: Regions,
     /// Seed of the first disturbance and of the order of links.
     pub seed: u64,
@@ -35,7 +35,7 @@ impl Default for DrapeParams {
     }
 }
 
-/// A garment on its way to the final drape.
+/// Garment during draping.
 #[derive(Clone, Debug)]
 pub struct Draping {
     /// The cloth.
@@ -46,7 +46,7 @@ pub struct Draping {
     pub pin: Vec<f64>,
 }
 
-/// A distance that a link keeps.
+/// Distance constraint between two points.
 struct Link {
     a: u32,
     b: u32,
@@ -142,7 +142,7 @@ fn sweep(points: &mut [DVec3], links: &[Link], free: &[f64]) {
     }
 }
 
-/// Keeps the points outside the body by `thickness`; contact holds the cloth a little.
+/// Pushes the points outside the body by `thickness`; contact adds some friction.
 fn collide(
     points: &mut [DVec3],
     before: Option<&[DVec3]>,
@@ -167,7 +167,7 @@ fn collide(
     }
 }
 
-/// Drapes the cloth; `thickness` is the distance it keeps from the body at a point.
+/// Drapes the cloth; `thickness` is its distance from the body at a point.
 pub fn drape(
     cloth: &mut Draping,
     p: &DrapeParams,

@@ -14,7 +14,7 @@ use crate::torso::{CM, Shell};
 pub struct Dressed {
     /// Clothes and shoes, with one material for each kind of cloth.
     pub parts: Vec<MeshPart>,
-    /// The cloth that hair may lie on.
+    /// Cloth surface on which hair may rest.
     pub surface: Shell,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn leather(dye: [f64; 3]) -> Fabric {
     cloth(MaterialKind::Leather, dye)
 }
 
-/// What lies against the neck, by its name.
+/// Marks a part that lies against the neck, by its name.
 pub(super) fn collar_part(part: MeshPart) -> MeshPart {
     MeshPart {
         name: "collar".to_owned(),

@@ -13,9 +13,9 @@ use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 pub struct Chart {
     /// A point of the axis.
     pub origin: DVec3,
-    /// Along the axis; v grows this way.
+    /// Direction along the axis; v grows along it.
     pub axis: DVec3,
-    /// Where the angle is zero, away from the seam.
+    /// Direction of angle zero, away from the seam.
     pub front: DVec3,
     /// Metres of u in one radian.
     pub radius: f64,
@@ -46,8 +46,8 @@ pub fn openness(field: &Field, p: DVec3, normal: DVec3) -> f64 {
     (1.0 - 0.75 * shortfall).clamp(0.12, 1.0)
 }
 
-/// How far folds hide each point: the mean of the neighbours above the tangent plane,
-/// over the edges' length.
+/// Returns the occlusion of each point by folds: the mean height of its neighbours above the
+/// tangent plane, relative to the edge length.
 fn fold_openness(shell: &Shell, normals: &[DVec3]) -> Vec<f64> {
     let (around, _) = shell.neighbours();
     let mut out: Vec<f64> = (0..shell.points.len())
@@ -74,7 +74,7 @@ fn fold_openness(shell: &Shell, normals: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
-/// What a piece is made of.
+/// Material of a piece of clothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Fabric {
     /// Weave, leather or plain.
@@ -111,7 +111,7 @@ impl Fabric {
     }
 }
 
-/// How a shell is unrolled.
+/// Parameters for unrolling a shell.
 #[derive(Clone, Copy)]
 pub struct Unrolling<'a> {
     /// Axes of its parts.
@@ -182,7 +182,7 @@ pub fn cloth_part(
     part
 }
 
-/// A part whose texture coordinates matter little: small things, leather.
+/// Builds a part whose texture coordinates matter little: small items, leather.
 #[must_use]
 pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> MeshPart {
     let normals = shell.normals();
@@ -208,8 +208,8 @@ pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> M
     }
 }
 
-/// One material for all parts of a kind, so that they are drawn at once: its colour is
-/// the largest of each channel, and the vertices carry their share of it.
+/// Merges the materials of all parts of a kind so that they share a draw call: the colour is the
+/// maximum of each channel, and the vertices carry their share of it.
 pub fn share_materials(parts: &mut [MeshPart]) {
     let mut brightest: BTreeMap<MaterialKind, [f64; 3]> = BTreeMap::new();
     for part in parts.iter() {

@@ -23,13 +23,13 @@ pub struct Ring {
     pub axis: DVec3,
     /// Unit; the angle is counted from here.
     pub front: DVec3,
-    /// Where along the axis.
+    /// Position along the axis.
     pub along: f64,
     /// Middle of the fold.
     pub angle: f64,
     /// Half the angle that it spans; from π on it runs all round.
     pub span: f64,
-    /// How far it climbs along the axis in a radian.
+    /// Climb along the axis per radian.
     pub tilt: f64,
     /// Half width of the ridge.
     pub width: f64,
@@ -40,11 +40,11 @@ pub struct Ring {
 /// A fold along a line; metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Where it starts.
+    /// Start point.
     pub from: DVec3,
-    /// Where it ends.
+    /// End point.
     pub to: DVec3,
-    /// How far its middle lies off the straight line.
+    /// Offset of its middle from the straight line.
     pub bow: DVec3,
     /// Half width of the ridge.
     pub width: f64,
@@ -53,7 +53,7 @@ pub struct Line {
 }
 
 impl Fold {
-    /// How far the fold lifts the cloth at a point, metres.
+    /// Returns the displacement of the cloth by the fold at a point, metres.
     #[must_use]
     pub fn lift(&self, p: DVec3) -> f64 {
         match self {
@@ -116,15 +116,15 @@ impl Line {
 pub struct SeededRandom(pub u64);
 
 impl SeededRandom {
-    /// The `n`th number about a thing.
+    /// Returns the `n`th random number of an item.
     #[must_use]
     pub fn sample(self, thing: u64, n: usize) -> f64 {
         noise::signed(self.0, 100 + thing, n as i64)
     }
 }
 
-/// Lifts points along their normals by all the folds; `wanted` picks the points a fold
-/// may touch, by the fold's and the point's index.
+/// Displaces points along their normals by all the folds; `wanted` selects the points that a fold
+/// may affect, by the fold's and the point's index.
 pub fn crease(
     points: &mut [DVec3],
     normals: &[DVec3],

@@ -31,7 +31,7 @@ pub use outfit::dress;
 pub use wardrobe::{Cardigan, Hoodie, Legs, Outfit, Sweater};
 pub use wearer::Wearer;
 
-/// 0 at `from`, 1 at `to` (in either order), smooth between and held outside.
+/// Returns 0 at `from`, 1 at `to` (in either order), smooth between and constant outside.
 pub(super) fn fade(x: f64, from: f64, to: f64) -> f64 {
     smooth((x - from) / (to - from))
 }

@@ -10,13 +10,13 @@ use crate::torso::{CM, Field, Regions};
 const SECTORS: usize = 72;
 /// Distance of two rows, metres.
 const STEP: f64 = 0.002;
-/// How far below the head's own skin it is known, metres.
+/// Depth below the head's own skin to which the neck is sampled, metres.
 const BELOW: f64 = 6.0 * CM;
 /// Shoulders and chin go on; farther than this from the axis there is no query, metres.
 const MAX_RADIUS_M: f64 = 0.16;
 
-/// How far the skin lies from the neck's axis, by height and direction. Its two halves are alike,
-/// as clothes are: the farther one counts.
+/// Distance of the skin from the neck's axis, by height and direction. Symmetric like clothes: the
+/// larger distance of the two halves counts.
 #[derive(Clone, Debug)]
 pub struct Neck {
     low: f64,
@@ -45,8 +45,8 @@ impl Row {
 }
 
 impl Neck {
-    /// From the head's skin in its place, triangles in world coordinates, and the body below it
-    /// up to the height `high`, metres.
+    /// Builds the neck from the head's placed skin, triangles in world coordinates, and the body
+    /// below it up to the height `high`, metres.
     #[must_use]
     pub fn new(skin: &[[DVec3; 3]], field: &Field, high: f64) -> Self {
         let rim = skin.iter().flatten().map(|p| p.y).fold(f64::MAX, f64::min);
@@ -83,7 +83,7 @@ impl Neck {
         DVec3::new(s * (radius + off), y, axis_z + c * (radius + off))
     }
 
-    /// How far outside the skin a point lies on its level, metres.
+    /// Returns the horizontal distance of a point outside the skin, metres.
     fn level_off(&self, p: DVec3) -> f64 {
         let (_, axis_z) = self.radius_at(0.0, p.y);
         let (radius, _) = self.radius_at(ops::atan2(p.x, p.z - axis_z), p.y);
@@ -129,8 +129,8 @@ fn cross_section(skin: &[[DVec3; 3]], field: &Field, y: f64) -> Row {
     }
 }
 
-/// Cloth stands up where the throat goes forward to the chin, and lets the skin have a part of its
-/// thickness there.
+/// Makes cloth stand upright where the throat slopes forward to the chin; the skin may take part of
+/// its thickness there.
 fn upright(rows: &mut [Row]) {
     const THICKNESS: f64 = 0.004;
     let mut least = [f64::MAX; SECTORS];
@@ -142,7 +142,7 @@ fn upright(rows: &mut [Row]) {
     }
 }
 
-/// Cloth goes straight over hollows that are narrower than some 30 degrees.
+/// Spans hollows narrower than about 30 degrees in a straight line.
 fn bridge(row: &mut Row) {
     for _ in 0..8 {
         let before = row.radii;
@@ -159,7 +159,7 @@ fn direction(k: usize) -> DVec3 {
     DVec3::new(s, 0.0, c)
 }
 
-/// Where a triangle passes through a height.
+/// Returns the segment in which a triangle crosses a height.
 fn crossing(triangle: &[DVec3; 3], y: f64) -> Option<(DVec3, DVec3)> {
     let mut ends = (0..3).filter_map(|k| {
         let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
@@ -184,7 +184,7 @@ fn record_distance(found: &mut [f64; SECTORS], p: DVec3, q: DVec3) {
     }
 }
 
-/// Where the body's own skin is met.
+/// Returns the distance from the axis to the body's own skin in a direction.
 fn body_radius(field: &Field, axis: DVec3, way: DVec3) -> f64 {
     let outside = |r: f64| field.value(axis + way * r, Regions::ALL, 1.0) > 0.0;
     let (mut inner, mut outer) = (0.0, MAX_RADIUS_M);

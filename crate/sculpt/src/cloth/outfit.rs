@@ -51,7 +51,7 @@ fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     plain_part("socks", &shell, wearer.field, cloth(MaterialKind::Rib, dye))
 }
 
-/// Starts an outfit with what every one has: trousers, socks, shoes.
+/// Starts an outfit with the common items: trousers, socks, shoes.
 fn below(
     wearer: &Wearer<'_>,
     cut: &TrouserCut,
@@ -210,7 +210,7 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     made
 }
 
-/// Takes away the front above the V and the nape, and lays the edges on the V.
+/// Removes the front above the V and the nape, and aligns the edges to the V.
 fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Neckline) {
     let unit = CM * wearer.scale;
     let neck_z = -2.5 * unit;

@@ -8,14 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::sheet::Sheet;
 use crate::torso::weights::Weights;
 
-/// How a seam looks; metres.
+/// Appearance of a seam; metres.
 #[derive(Clone, Copy, Debug)]
 pub struct Stitch {
     /// Half the width of the groove.
     pub reach: f64,
-    /// How deep it lies.
+    /// Depth of the seam.
     pub depth: f64,
-    /// How far the cloth beside it swells.
+    /// Height of the swelling of the cloth next to the seam.
     pub swell: f64,
 }
 
@@ -23,8 +23,8 @@ fn edge(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
 }
 
-/// Sews all the lines at once: they may cross, and may end only at the cloth's edges or
-/// on each other.
+/// Sews all the lines in one pass: they may cross, and may end only at the cloth's edges or on each
+/// other.
 pub fn sew(sheet: &mut Sheet, lines: &[Vec<u32>], stitch: Stitch) {
     let mut seam: BTreeSet<(u32, u32)> = BTreeSet::new();
     let mut on: BTreeSet<u32> = BTreeSet::new();
@@ -62,7 +62,7 @@ pub fn sew(sheet: &mut Sheet, lines: &[Vec<u32>], stitch: Stitch) {
 
 struct Splits<'a> {
     sheet: &'a mut Sheet,
-    /// The point beside a seam's point towards another.
+    /// Points next to a seam point, keyed by the point and its neighbour.
     made: BTreeMap<(u32, u32), u32>,
     stitch: Stitch,
 }
@@ -84,7 +84,7 @@ impl Splits<'_> {
         v
     }
 
-    /// A point inside a face, beside its corner `a` towards the opposite one.
+    /// Returns a point inside a face, near its corner `a` towards the opposite one.
     fn inside(&mut self, face: &[u32], a: usize) -> u32 {
         let at = |i: usize| face[(a + i) % 4];
         let [p, b, c, d] = [0, 1, 2, 3].map(|i| self.sheet.shell.points[at(i) as usize]);

@@ -8,12 +8,12 @@ use raconteur_base::DVec3;
 use crate::torso::cage::{Key, Tag};
 use crate::torso::{CM, Cage, Field, Regions, Shell};
 
-/// Cloth on its way from the cage to the finished garment.
+/// Cloth between the cage and the finished garment.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// Its surface.
     pub shell: Shell,
-    /// Which ring of the cage each face comes from.
+    /// Ring of the cage from which each face comes.
     pub tags: Vec<Tag>,
     /// Light that reaches each point past seams, 0..1.
     pub shade: Vec<f64>,
@@ -21,7 +21,7 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Cuts the wanted faces out of the cage and refines them once.
+    /// Extracts the wanted faces from the cage and refines them once.
     #[must_use]
     pub fn extract(cage: &Cage, wanted: impl Fn(Tag) -> bool) -> Self {
         let (part, renamed) = cage.shell.select_named(|f| wanted(cage.tags[f]));
@@ -46,7 +46,7 @@ impl Sheet {
         }
     }
 
-    /// Where a place of the cage lies on the cloth; `None` where the cloth does not reach.
+    /// Returns the position of a cage vertex on the cloth; `None` if the cloth does not reach it.
     #[must_use]
     pub fn point(&self, key: Key) -> Option<DVec3> {
         self.places
@@ -54,8 +54,8 @@ impl Sheet {
             .map(|&v| self.shell.points[v as usize])
     }
 
-    /// The points along neighbouring places of the cage, as far as the cloth reaches,
-    /// with the points that refining put between them.
+    /// Returns the points along neighbouring cage vertices, within the cloth, including those added
+    /// by refinement.
     #[must_use]
     pub fn line(&self, keys: impl IntoIterator<Item = Key>) -> Vec<u32> {
         let (around, _) = self.shell.neighbours();
@@ -75,8 +75,8 @@ impl Sheet {
         out
     }
 
-    /// Puts the cloth at its distance from a form. Softened, the form bridges hollows as
-    /// cloth does.
+    /// Moves the cloth to its distance from a form. If softened, the form bridges hollows as cloth
+    /// does.
     pub fn settle(
         &mut self,
         form: &Field,
@@ -93,7 +93,7 @@ impl Sheet {
         }
     }
 
-    /// Keeps only some faces.
+    /// Keeps only the selected faces.
     pub fn retain(&mut self, wanted: impl Fn(&Shell, usize) -> bool) {
         let kept: Vec<bool> = (0..self.shell.faces.len())
             .map(|f| wanted(&self.shell, f))

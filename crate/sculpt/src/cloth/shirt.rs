@@ -15,7 +15,7 @@ use crate::torso::{CM, Cage, Joints, Regions};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-/// What shows of the shirt: its front in the V, the collar, the cuffs.
+/// Adds the visible parts of the shirt: its front in the V, the collar, the cuffs.
 pub(super) fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Neckline) {
     let unit = CM * wearer.scale;
     let woven = cloth(MaterialKind::Woven, c.shirt);

@@ -139,7 +139,7 @@ impl Foot {
         })
     }
 
-    /// A ring of the sole: a slab that stands out by its welt.
+    /// Returns a ring of the sole: a slab that protrudes by its welt.
     fn slab(&self, [t, w, _, shift]: [f64; 4]) -> Vec<DVec3> {
         let w = w * self.half_width;
         let welt = if self.style == ShoeStyle::Leather {

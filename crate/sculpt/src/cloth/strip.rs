@@ -4,10 +4,10 @@ use raconteur_base::{DVec3, ops};
 
 use crate::torso::{Shell, weights::Weights};
 
-/// A place on cloth.
+/// Point on cloth.
 #[derive(Clone, Debug)]
 pub struct SurfacePoint {
-    /// Where.
+    /// Position.
     pub place: DVec3,
     /// Outwards, unit.
     pub normal: DVec3,
@@ -15,7 +15,7 @@ pub struct SurfacePoint {
     pub weights: Weights,
 }
 
-/// A surface to lay things on.
+/// Surface on which to lay items.
 #[derive(Clone, Debug)]
 pub struct LayingSurface<'a> {
     shell: &'a Shell,
@@ -49,7 +49,7 @@ impl<'a> LayingSurface<'a> {
             .fold(f64::MIN, f64::max)
     }
 
-    /// The point, moved out along the surface's normal if it lies less than `off` metres
+    /// Returns the point, moved out along the surface's normal if it lies less than `off` metres
     /// outside.
     #[must_use]
     pub fn outside(&self, p: DVec3, off: f64) -> DVec3 {
@@ -63,8 +63,8 @@ impl<'a> LayingSurface<'a> {
         }
     }
 
-    /// The surface as seen from the front (`z` above zero) or the back: where a point
-    /// lies in depth does not matter.
+    /// Projects a point on the surface in frontal view (`z` above zero) or from the back; the depth
+    /// of the point does not matter.
     #[must_use]
     pub fn project_along_z(&self, p: DVec3) -> SurfacePoint {
         let sign = p.z.signum();
@@ -146,8 +146,8 @@ impl<'a> LayingSurface<'a> {
         }
     }
 
-    /// A path through corners seen from the front or the back (the sign of their `z`), in
-    /// steps of `spacing` metres, rounded a little.
+    /// Returns a path through corners in frontal or back view (the sign of their `z`), in steps of
+    /// `spacing` metres, slightly rounded.
     #[must_use]
     pub fn path(&self, corners: &[DVec3], spacing: f64) -> Vec<SurfacePoint> {
         let mut out = Vec::new();
@@ -166,7 +166,7 @@ impl<'a> LayingSurface<'a> {
     }
 }
 
-/// Averages places, normals and weights along an open path; its ends stay.
+/// Smooths positions, normals and weights along an open path; its ends stay.
 pub fn soften(path: &mut [SurfacePoint], rounds: usize) {
     for _ in 0..rounds {
         let before = path.to_vec();
@@ -194,7 +194,7 @@ pub struct Strip {
     pub width: f64,
     /// Above the cloth.
     pub thickness: f64,
-    /// Whether the path closes.
+    /// True if the path is closed.
     pub closed: bool,
 }
 
@@ -254,7 +254,7 @@ pub fn cord(path: &[SurfacePoint], radius: f64) -> Shell {
     out
 }
 
-/// Across the path, in the cloth, at each of its places.
+/// Returns the direction across the path, in the cloth, at each point.
 fn frames(path: &[SurfacePoint], closed: bool) -> Vec<DVec3> {
     let n = path.len();
     (0..n)
@@ -296,7 +296,7 @@ fn swept(path: &[SurfacePoint], rings: &[Vec<DVec3>], closed: bool, round: bool)
     out
 }
 
-/// Turns all faces over when point `k` of the rings looks into the cloth.
+/// Flips all faces if point `k` of the rings faces into the cloth.
 fn orient(shell: &mut Shell, path: &[SurfacePoint], m: usize, k: usize) {
     let agree: f64 = shell
         .normals()

@@ -227,8 +227,8 @@ fn posed(figure: &Figure, turns: &[(Bone, DQuat)]) -> Vec<DAffine3> {
         .collect()
 }
 
-/// Stretch of the edges (1st and 99th percentile) and the share of triangles that end up
-/// inside out, against their normals carried along.
+/// Returns the stretch of the edges (1st and 99th percentile) and the share of triangles that are
+/// inverted, relative to their skinned normals.
 fn strain(figure: &Figure, skin: &[DAffine3]) -> (f64, f64, f64) {
     let mut stretch = Vec::new();
     let (mut turned, mut all) = (0usize, 0usize);

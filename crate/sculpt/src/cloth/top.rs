@@ -103,11 +103,12 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     out
 }
 
-/// Rows of the cage between which cloth is taut over the chest, and how often it is drawn. Chosen by eye.
+/// Range of cage rows in which cloth is taut over the chest. Chosen by eye.
 const TAUT: (f64, f64) = (0.675, 0.815);
 const TAUT_ROUNDS: usize = 40;
 
-/// Cloth lies over the hollows of a chest, about its muscles and under the collar bones, and not in them.
+/// Spans the hollows of a chest, around its muscles and under the collar bones, so that cloth does
+/// not sink into them.
 fn bridge_chest(shell: &mut Shell, wearer: &Wearer<'_>) {
     let unit = CM * wearer.scale;
     let [low, high] = [TAUT.0, TAUT.1].map(|at| wearer.cage.row_height(Cage::row_at(at)));
@@ -128,7 +129,7 @@ fn bridge_chest(shell: &mut Shell, wearer: &Wearer<'_>) {
     shell.bridge(TAUT_ROUNDS, &shares, &outward);
 }
 
-/// Brings what relaxing drew into the body, as in the armpit's crease, out again.
+/// Moves points that relaxation pulled into the body, such as in the armpit's crease, back outside.
 fn push_outside(shell: &mut Shell, body: &Field, off: f64) {
     for _ in 0..6 {
         for p in &mut shell.points {
@@ -150,7 +151,7 @@ fn clear(shell: &mut Shell, below: &LayingSurface<'_>, off: f64) {
 }
 
 impl Top {
-    /// Finds neck, hem and cuffs again, after faces were taken away.
+    /// Finds neck, hem and cuffs again after faces were removed.
     pub fn find_edges(&mut self) {
         let shell = &self.sheet.shell;
         let arm = arm_share(shell);
@@ -169,7 +170,7 @@ impl Top {
         self.cuffs = cuffs;
     }
 
-    /// Sews the seams of armholes, sides, under the arms and, if wanted, over the shoulders.
+    /// Sews the seams of armholes, sides, under the arms and, optionally, over the shoulders.
     pub fn sew(&mut self, wearer: &Wearer<'_>) {
         let unit = CM * wearer.scale;
         let mut lines = Vec::new();
@@ -326,7 +327,7 @@ fn charts(wearer: &Wearer<'_>) -> [Chart; 3] {
     [trunk, sleeve(Side::Left), sleeve(Side::Right)]
 }
 
-/// The zone of the cloth in which each point lies.
+/// Returns the zone of the cloth of each point.
 fn zones(shell: &Shell, on_arm: &[f64]) -> Vec<Option<ClothZone>> {
     shell
         .weights
@@ -420,7 +421,7 @@ fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
     Draping { shell, rest, pin }
 }
 
-/// Ribbing holds the bottom edge in.
+/// Pulls the bottom edge in by ribbing.
 fn hold_hem_in(shell: &mut Shell, top: &Top, on_arm: &[f64], unit: f64) {
     let at = |v: &u32| shell.points[*v as usize];
     let centre = top.hem.iter().map(at).sum::<DVec3>() / top.hem.len().max(1) as f64;
@@ -433,14 +434,14 @@ fn hold_hem_in(shell: &mut Shell, top: &Top, on_arm: &[f64], unit: f64) {
     }
 }
 
-/// The neckline's direction: up and a little forward, as the neck stands.
+/// Returns the neckline's direction: up and slightly forward, along the neck.
 #[must_use]
 pub fn up_the_neck() -> DVec3 {
     DVec3::new(0.0, 1.0, 0.25).normalize()
 }
 
-/// Takes the faces away whose middle `inside` wants, and draws the new edge onto the
-/// line: `edge` gives the half width at a height.
+/// Removes the faces whose centre `inside` accepts, and moves the new edge onto the line: `edge`
+/// gives the half width at a height.
 pub fn open_front(
     top: &mut Top,
     field: &Field,

@@ -17,10 +17,10 @@ use crate::torso::cage::{COLUMNS, Key, Tag};
 use crate::torso::{CM, Cage, Regions, Shell};
 use raconteur_body::skeleton::Bone;
 
-/// Where the waistband begins, share of an adult's stature.
+/// Height of the top of the waistband, share of an adult's stature.
 const TOP: f64 = 0.580;
 
-/// How the legs end.
+/// Style of the leg ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegEnd {
     /// A plain hem that breaks on the shoe.
@@ -40,9 +40,9 @@ pub struct TrouserCut {
     pub slack: f64,
     /// Height of the folds.
     pub gather: f64,
-    /// How the legs end.
+    /// Style of the leg ends.
     pub end: LegEnd,
-    /// Whether patch pockets are sewn on behind, as on jeans.
+    /// Adds patch pockets behind, as on jeans.
     pub back_pockets: bool,
     /// Seed of the folds.
     pub seed: u64,
@@ -128,7 +128,7 @@ fn charts(wearer: &Wearer<'_>) -> ([Chart; 3], f64) {
     )
 }
 
-/// How far the waist and the ends of the legs are held where they were cut, 0..1.
+/// Returns the weight with which the waist and the leg ends are held at their cut positions, 0..1.
 fn pins(shell: &Shell, unit: f64) -> Vec<f64> {
     let top = shell.points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
     let mut pin: Vec<f64> = shell
@@ -225,8 +225,8 @@ fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     sheet
 }
 
-/// Whiskers at the crotch, breaks at the knee, the stack on the shoe. `None` may touch
-/// the whole cloth, a side only its leg.
+/// Returns the folds: whiskers at the crotch, breaks at the knee, the stack on the shoe. `None` may
+/// affect the whole cloth, a side only its leg.
 fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Side>, Fold)> {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a figure wears; colours are linear RGB.
+/// Outfit of a figure; colours are linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outfit {
     /// A fine sweater with a soft high neck, trousers, leather shoes.

@@ -12,7 +12,7 @@ pub struct Wearer<'a> {
     pub cage: &'a Cage,
     /// Its joints.
     pub joints: &'a Joints,
-    /// The skin that its collar lies against.
+    /// Skin under the collar.
     pub neck: &'a Neck,
     /// Standing height, metres.
     pub stature_m: f64,

@@ -19,10 +19,10 @@ use raconteur_body::figure::Material;
 pub struct BeardParams {
     /// Length at the chin, metres, 0.005..0.04.
     pub length_m: f64,
-    /// Where it grows.
+    /// Cut of the beard.
     #[serde(default)]
     pub cut: BeardCut,
-    /// How near its roots are: 1 over a skin on which more of it is painted, 1.6 alone.
+    /// Density of the roots: 1 over a skin that also has a painted beard, 1.6 without one.
     #[serde(default = "sparse")]
     pub density: f64,
 }
@@ -41,12 +41,12 @@ struct BeardLayer {
     width: f64,
     /// Strips of the atlas, the second one excluded.
     strips: [u32; 2],
-    /// Share of light that comes to it.
+    /// Share of light that reaches it.
     light: f64,
 }
 
-/// Short ones near the skin, then those that show, then single hairs. They are wide and hold single
-/// hairs: a narrow card that is filled would look like a chip.
+/// Layers: short hairs near the skin, visible ones, then single hairs. Their cards are wide with
+/// sparse hairs: a narrow filled card would look like a chip.
 const LAYERS: [BeardLayer; 3] = [
     BeardLayer {
         spacing: 0.0075,
@@ -70,11 +70,11 @@ const LAYERS: [BeardLayer; 3] = [
         light: 1.0,
     },
 ];
-/// Places that are tried.
+/// Number of candidate positions.
 const TRIED: usize = 12_000;
 /// And as many more for each step of density.
 const TRIED_DENSE: f64 = 24_000.0;
-/// Where a beard is thinner than this nothing grows, and not everything where it is little thicker.
+/// Beard density below which nothing grows; slightly above it, growth is partial.
 const MIN_DENSITY: f64 = 0.45;
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
@@ -89,12 +89,12 @@ const EDGE: [[f64; 2]; 7] = [
 ];
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
 const STILL: f64 = 7e-4;
-/// How much a tuft rises from the skin where it is to stand on other faces too, whose skin is curved otherwise.
+/// Lift of a tuft from the skin if the beard must also fit other faces with different curvature.
 const LIFT_ALONE: f64 = 0.62;
 /// The shortest tuft, metres.
 const MIN_LENGTH_M: f64 = 0.003;
 
-/// Where a beard grows.
+/// Region in which a beard grows.
 struct Field<'a> {
     head: &'a Head,
     lips: Vec<DVec3>,
@@ -122,7 +122,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A place on the common head with the lips at their common height, mm.
+    /// Returns the position on the common head, with the lips at their common height, mm.
     fn place(&self, p: DVec3) -> DVec3 {
         let q = self.head.scalp.proportions.common(p) * 1e3;
         q - DVec3::Y * (self.lips_y - LIPS_Y) * slope(10.0, -30.0, q.y)
@@ -163,12 +163,13 @@ pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
         .collect()
 }
 
-/// How far the tip of a tuft with a normal hangs, shares of its length, where it does not rise.
+/// Returns the sag of the tip of a tuft with a normal, shares of its length, where it does not
+/// rise.
 fn sag(normal: DVec3, rise: f64) -> DVec3 {
     (DVec3::NEG_Y - normal * 0.15) * 0.18 + (DVec3::Y - normal * 0.1) * rise
 }
 
-/// A tuft: where it is rooted and how it lies.
+/// Tuft, with its root and direction.
 struct Tuft {
     root: DVec3,
     normal: DVec3,
@@ -176,12 +177,12 @@ struct Tuft {
     direction: DVec3,
     /// Metres.
     length: f64,
-    /// How far its tip is off a straight one, shares of the length.
+    /// Offset of its tip from that of a straight one, shares of the length.
     sag: DVec3,
 }
 
 impl Field<'_> {
-    /// The tuft that grows at a place, if one does. `dice` gives numbers in 0..1.
+    /// Returns the tuft at a position, if one grows there. `dice` gives numbers in 0..1.
     fn tuft(
         &self,
         at: &Sample,
@@ -246,7 +247,7 @@ impl Field<'_> {
     }
 }
 
-/// What is made of a beard so far.
+/// Beard under construction.
 struct BeardInProgress<'a> {
     ride: ScalpBinding,
     palette: &'a Palette,

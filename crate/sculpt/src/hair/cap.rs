@@ -21,11 +21,11 @@ const STEPS: usize = 9;
 const STROKE: f64 = 0.62;
 /// Share of the even ground.
 const GROUND: f64 = 0.93;
-/// Share of what is painted that lies on a parting.
+/// Share of the painted hair that covers a parting.
 const ON_PARTING: f64 = 0.60;
-/// Tone where nothing is drawn.
+/// Tone where nothing is painted.
 const PLAIN: f64 = 0.45;
-/// A place of the skin farther from the head without ears than this is an ear, metres.
+/// Distance from the head without ears above which skin counts as ear, metres.
 const ON_EAR_M: f64 = 0.004;
 
 /// A scalp, the line of hair on it, and how hair is combed over it.
@@ -120,7 +120,8 @@ impl Cap {
         }
     }
 
-    /// Share of what is painted on the parting, where skin shows between roots, and beside it, where it is 1.
+    /// Returns the coverage of painted hair near the parting: reduced on the parting, where skin is
+    /// visible between roots, 1 away from it.
     fn off_parting(&self, p: DVec3) -> f64 {
         let ragged = 0.0003 * space_noise(self.seed + 2, p * 500.0);
         lerp(
@@ -130,8 +131,8 @@ impl Cap {
         )
     }
 
-    /// Colour of hair at a place of the head's skin, in the frame of the head, metres, and the share
-    /// that it covers; `None` away from the scalp.
+    /// Returns the colour of hair at a position of the head's skin, in the frame of the head,
+    /// metres, and its coverage; `None` away from the scalp.
     pub(crate) fn sample(&self, p: DVec3) -> Option<([f64; 3], f64)> {
         let q = self.scalp.space.frame.place(p);
         if q.y < -0.10 || self.scalp.space.height_without_ears(q) > ON_EAR_M {

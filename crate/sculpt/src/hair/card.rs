@@ -9,18 +9,18 @@ use crate::assemble::PartWithNormals;
 use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
-/// Strips of strands that lie side by side in u in the renderer's atlas.
+/// Number of strips of strands side by side in u in the renderer's atlas.
 pub(super) const STRIPS: f64 = 16.0;
 /// Share of a strip that is left free at either side.
 const MARGIN: f64 = 0.016;
 /// Least height of a card's edges over the skin, metres.
 const EDGE_M: f64 = 0.0008;
-/// How deep a card's sides dip under its middle, of half its width.
+/// Drop of a card's sides below its middle, relative to half its width.
 const BOW: f64 = 0.10;
 /// Share of the card's own normal in the one that it is lit by; the rest is the hull's.
 const OWN_NORMAL: f64 = 0.25;
 
-/// How a card is laid along its path.
+/// Layout of a card along its path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CardLayout {
     /// Metres.
@@ -42,7 +42,7 @@ pub(super) struct CardLayout {
     pub(super) whole: f64,
 }
 
-/// The joints that carry a row of a card, so many metres from its root.
+/// Joint weights of a row of a card, by its distance from the root in metres.
 pub(super) type Joints<'a> = dyn Fn(&Card, usize, f64) -> Vec<(JointRef, f64)> + 'a;
 
 /// A row of a card: two vertices.
@@ -57,7 +57,7 @@ pub(super) struct Row {
     pub(super) hull: DVec3,
     /// v in the atlas, 0 at the root.
     pub(super) v: f64,
-    /// Share of a whole hair's length that lies behind, 0..1.
+    /// Share of a whole hair's length that precedes it, 0..1.
     pub(super) share: f64,
     /// Share of light that reaches it, 0..1.
     pub(super) light: f64,
@@ -77,7 +77,7 @@ pub(super) struct Card {
     is_mirrored: bool,
     pub(super) tint: f64,
     pub(super) layer: usize,
-    /// Whether it hangs from a tie and not from the scalp.
+    /// True if it hangs from a tie, not from the scalp.
     pub(super) is_free: bool,
 }
 
@@ -88,7 +88,8 @@ impl Card {
         Self::laid(path, step, laid, &|p| space.hull_normal(p), &clear)
     }
 
-    /// Along a path whose points are `step` apart, facing away from what it is wound about.
+    /// Builds a card along a path with points `step` apart, facing away from the core that it winds
+    /// around.
     pub(super) fn around(
         path: &[DVec3],
         step: f64,

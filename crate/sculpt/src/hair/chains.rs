@@ -18,7 +18,7 @@ const AROUND_DEG: [f64; 15] = [
     62.0, 79.0, 96.0, 113.0, 130.0, 147.0, 163.0, 180.0, 197.0, 213.0, 230.0, 247.0, 264.0, 281.0,
     298.0,
 ];
-/// Spread of what counts for a guide, degrees and metres.
+/// Angular spread of guide hairs, degrees; the next constant is in metres.
 const SECTOR_DEG: f64 = 9.0;
 const SLICE_M: f64 = 0.012;
 /// Height at which hanging hair leaves the head, and the length of a link, metres.
@@ -28,22 +28,22 @@ const LINK_M: f64 = 0.045;
 const FRINGE_DEG: [f64; 3] = [-28.0, 0.0, 28.0];
 /// Hair combed forward that is longer than this is a fringe, metres.
 const FRINGE_M: f64 = 0.02;
-/// How far from its root hair stays with the scalp, metres.
+/// Distance from its root within which hair is fixed to the scalp, metres.
 const ROOTED_M: f64 = 0.035;
 /// Links of a tail.
 const TAIL_LINKS: usize = 4;
 /// Sum of weights of rows that a guide needs.
 const MIN_WEIGHT_SUM: f64 = 0.5;
 
-/// Where the chains of a style run.
+/// Layout of the joint chains of a style.
 enum Kind {
     /// Round the head, by height.
     Hanging { top: f64, pitch: f64 },
     /// Over the forehead, from root to tip.
     Fringe,
-    /// One, for what is tied.
+    /// One chain, for tied hair.
     Tail,
-    /// None.
+    /// No chains.
     Still,
 }
 
@@ -160,7 +160,7 @@ impl Chains {
         }
     }
 
-    /// The joints that carry a row of a card that lies `arc` metres from the root.
+    /// Returns the joint weights of a row of a card at `arc` metres from the root.
     pub(super) fn joints(&self, card: &Card, row: usize, arc: f64) -> Vec<(JointRef, f64)> {
         let at = card.rows[row].middle();
         let mut out = scalp(at);
@@ -191,7 +191,7 @@ impl Chains {
         out
     }
 
-    /// Of the two chains beside a place, `down` links from their roots.
+    /// Returns the weights of the two chains next to a position, `down` links from their roots.
     fn around(&self, at: DVec3, down: f64, share: f64) -> Vec<(JointRef, f64)> {
         let azimuth = angles(at).0.rem_euclid(360.0);
         let after = AROUND_DEG.partition_point(|a| *a < azimuth);
@@ -211,7 +211,7 @@ impl Chains {
         out
     }
 
-    /// How many links down the tail a place lies.
+    /// Returns the number of links down the tail at a position.
     fn down(&self, at: DVec3) -> f64 {
         let points = &self.guides[0].points;
         let place = |(k, pair): (usize, &[DVec3])| {
@@ -226,8 +226,8 @@ impl Chains {
             .map_or(0.0, |n| n.1)
     }
 
-    /// Two links of a chain for a place that lies `down` links from its root: half of either at
-    /// the joint between them. What lies above the first is the scalp's.
+    /// Returns the weights of two links of a chain for a position `down` links from its root: half
+    /// of each at the joint between them. Everything above the first belongs to the scalp.
     fn links(&self, chain: usize, down: f64, share: f64) -> Vec<(JointRef, f64)> {
         let last = self.guides[chain].points.len().saturating_sub(2);
         let place = (down - 0.5).max(-1.0);
@@ -243,13 +243,13 @@ impl Chains {
     }
 }
 
-/// Whether a card is rooted over the forehead.
+/// Returns true if a card is rooted over the forehead.
 fn in_fringe(card: &Card) -> bool {
     let root = card.rows[0].middle();
     angles(root).0.abs() < 55.0 && root.z > 0.035
 }
 
-/// How far a place is turned from an azimuth, degrees within a half turn.
+/// Returns the angle between a position and an azimuth, degrees within a half turn.
 fn turned_deg(p: DVec3, azimuth: f64) -> f64 {
     (angles(p).0 - azimuth + 180.0).rem_euclid(360.0) - 180.0
 }
@@ -261,7 +261,7 @@ fn mean(of: impl Iterator<Item = (DVec3, f64)>) -> Option<DVec3> {
     (weight > MIN_WEIGHT_SUM).then(|| sum / weight)
 }
 
-/// The joints that carry the scalp at a place: that of the nape follows the neck a little.
+/// Returns the joint weights of the scalp at a position: the nape follows the neck slightly.
 fn scalp(at: DVec3) -> Vec<(JointRef, f64)> {
     let bone = |b| JointRef(Drive::Bone(b));
     let neck = 0.3 * step(-0.04, -0.12, at.y);

@@ -19,7 +19,7 @@ const STEP_M: f64 = 0.002;
 const COIL_M: f64 = 0.0022;
 const COIL_TURN_M: f64 = 0.011;
 
-/// A course that a card follows, and its look along it, as [`Laid`] has it.
+/// Path that a card follows, with its layout along it, as in [`CardLayout`].
 struct CoilPath<'a> {
     path: &'a [DVec3],
     length: f64,
@@ -50,7 +50,7 @@ impl Grower<'_> {
         out
     }
 
-    /// Thickness of the mass over a place, metres.
+    /// Returns the thickness of the hair mass over a position, metres.
     fn thickness(&self, root: &Root) -> f64 {
         let Length::Short { side, top } = self.style.length else {
             return 0.0;
@@ -96,7 +96,7 @@ impl Grower<'_> {
         self.coil(layer, number, root, i, &wound)
     }
 
-    /// A patch that lies at its layer's depth.
+    /// Returns a flat patch at its layer's depth.
     fn patch(&self, layer: &Layer, number: u64, root: &Root, i: i64) -> Card {
         let seed = self.params.seed + 1000 * (number + 1);
         let dice = |k: u64| noise::unit(seed, k, i);

@@ -8,8 +8,8 @@ use raconteur_body::HairColour;
 const WHITE: [f64; 3] = HairColour::WHITE_RGB;
 /// Headroom of the vertex colours over the mean colour.
 const HEADROOM: f64 = 1.9;
-/// Tone of roots and tips against the mean: sun and wear pale a hair on its way. Pale hair
-/// differs less.
+/// Tone of roots and tips relative to the mean: sun and wear lighten hair along its length. Light
+/// hair differs less.
 const ROOT: f64 = 0.70;
 const TIP: f64 = 1.30;
 /// Spread of tones among cards.
@@ -42,7 +42,7 @@ impl Palette {
         }
     }
 
-    /// Share of white hairs in card `id`: hairs of a lock are of both kinds, its share lies about
+    /// Returns the share of white hairs in card `id`: a lock mixes both kinds, with a share around
     /// the mean.
     pub(super) fn grey_of(&self, id: i64) -> f64 {
         let g = self.grey;

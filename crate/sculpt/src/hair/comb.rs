@@ -27,7 +27,7 @@ pub(super) fn stray(seed: u64, p: DVec3, pace: f64) -> DVec3 {
 /// The combing of a head of hair.
 pub(super) struct Field {
     comb: Comb,
-    /// Where the parting begins, to the left.
+    /// Position of the parting's start, to the left.
     parting: f64,
     pub(super) crown: DVec3,
     seed: u64,
@@ -46,13 +46,13 @@ impl Field {
         }
     }
 
-    /// x of the parting at a depth: not drawn with a ruler.
+    /// Returns the x of the parting at a depth, slightly irregular.
     fn parting_at(&self, z: f64) -> f64 {
         lerp(self.crown.x, self.parting, step(self.crown.z, 0.05, z)) + 0.0007 * ops::sin(110.0 * z)
     }
 
-    /// Distance from the parting, metres; that from the crown behind it, and far off where there
-    /// is none.
+    /// Returns the distance from the parting, metres; behind the crown, the distance from the
+    /// crown; a large value if there is no parting.
     pub(super) fn off_parting(&self, p: DVec3) -> f64 {
         if !matches!(self.comb, Comb::Parted) {
             return 1.0;
@@ -64,7 +64,8 @@ impl Field {
         }
     }
 
-    /// Direction wanted at `at`, `arc` metres from the root; not unit, not along the skin.
+    /// Returns the preferred direction at `at`, `arc` metres from the root; not normalised, not
+    /// tangent to the skin.
     pub(super) fn direction(&self, root: DVec3, at: DVec3, arc: f64) -> DVec3 {
         match self.comb {
             Comb::Parted => self.parted(root, arc),

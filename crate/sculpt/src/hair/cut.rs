@@ -20,7 +20,7 @@ const JAW: [[f64; 2]; 7] = [
     [74.0, -16.0],
 ];
 
-/// How a beard is cut.
+/// Cut of a beard.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BeardCut {
@@ -33,7 +33,7 @@ pub enum BeardCut {
     Handlebar,
     /// The point of the chin.
     Goatee,
-    /// Upper lip and chin, joined beside the mouth.
+    /// Upper lip and chin, joined at the corners of the mouth.
     Circle,
     /// Along the jaw from ear to ear; the lips are free.
     Curtain,
@@ -44,24 +44,24 @@ pub(super) fn slope(from: f64, to: f64, x: f64) -> f64 {
     ((x - from) / (to - from)).clamp(0.0, 1.0)
 }
 
-/// Height of a line of places by distance from the middle, both rising in the first number.
+/// Interpolates the height of a line of points by distance from the middle, in ascending order.
 pub(super) fn height_of(line: &[[f64; 2]; 7], x: f64) -> f64 {
     let next = line.iter().position(|e| e[0] >= x).unwrap_or(6).max(1);
     let ([a, low], [b, high]) = (line[next - 1], line[next]);
     lerp(low, high, ((x - a) / (b - a)).clamp(0.0, 1.0))
 }
 
-/// Whether a place of the common head (mm) is on the upper lip.
+/// Returns true if a position of the common head (mm) is on the upper lip.
 pub(super) fn on_lip(q: DVec3) -> bool {
     q.y > LIPS_Y && q.x.abs() < LIP_HALF
 }
 
-/// Share of a moustache of half this breadth at a place.
+/// Returns the density of a moustache of this half width at a position.
 fn lip(half: f64, q: DVec3) -> f64 {
     slope(half, half - 7.0, q.x.abs()) * slope(-51.0, -45.0, q.y)
 }
 
-/// Share of a tuft on the chin of half this breadth, with what grows under the lower lip.
+/// Returns the density of a chin tuft of this half width, including the growth under the lower lip.
 fn chin(half: f64, q: DVec3) -> f64 {
     let x = q.x.abs();
     let tuft = slope(half, half - 8.0, x) * slope(-58.0, -66.0, q.y);
@@ -70,7 +70,7 @@ fn chin(half: f64, q: DVec3) -> f64 {
 }
 
 impl BeardCut {
-    /// Share of a full beard that grows at a place of the common head (mm).
+    /// Returns the share of a full beard that grows at a position of the common head (mm).
     pub(super) fn share(self, q: DVec3) -> f64 {
         let x = q.x.abs();
         match self {
@@ -86,7 +86,8 @@ impl BeardCut {
         }
     }
 
-    /// Length of hair at a place of the upper lip, metres: longer beside its middle.
+    /// Returns the length of hair at a position of the upper lip, metres: longer next to its
+    /// middle.
     pub(super) fn lip_m(self, q: DVec3) -> f64 {
         let aside = slope(4.0, 20.0, q.x.abs());
         match self {
@@ -96,7 +97,7 @@ impl BeardCut {
         }
     }
 
-    /// How dense the upper lip is beside the rest: distance of the roots.
+    /// Returns the relative root spacing on the upper lip compared with the rest.
     pub(super) fn lip_spacing(self) -> f64 {
         match self {
             Self::Moustache | Self::Handlebar => 0.42,
@@ -104,7 +105,7 @@ impl BeardCut {
         }
     }
 
-    /// Which way hair at a place of the upper lip is combed.
+    /// Returns the combing direction at a position of the upper lip.
     pub(super) fn lip_combed(self, q: DVec3) -> DVec3 {
         let side = if q.x < 0.0 { -1.0 } else { 1.0 };
         let from_middle = slope(0.0, 9.0, q.x.abs());
@@ -115,7 +116,8 @@ impl BeardCut {
         }
     }
 
-    /// How far the tip of a tuft at a place rises over a straight one, shares of its length.
+    /// Returns the rise of the tip of a tuft over a straight one at a position, shares of its
+    /// length.
     pub(super) fn rise(self, q: DVec3) -> f64 {
         match self {
             Self::Handlebar => 0.75 * slope(10.0, 26.0, q.x.abs()),
@@ -123,7 +125,7 @@ impl BeardCut {
         }
     }
 
-    /// How clear of the lips tips stay, metres.
+    /// Returns the clearance of tips from the lips, metres.
     pub(super) fn lip_margin(self) -> f64 {
         match self {
             Self::Handlebar => 0.004,

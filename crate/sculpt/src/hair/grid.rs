@@ -31,7 +31,7 @@ impl Lattice {
         self.low + DVec3::new(x as f64, y as f64, z as f64) * self.pitch
     }
 
-    /// Cell below a place and how far the place lies beyond it, 0..1; held to the box.
+    /// Returns the cell that contains a position and the offset in it, 0..1; clamped to the box.
     pub(super) fn below(&self, p: DVec3) -> ([usize; 3], DVec3) {
         let q = (p - self.low) / self.pitch;
         let last = self.size.map(|n| n as f64 - 1.001);
@@ -62,7 +62,7 @@ impl Grid {
         }
     }
 
-    /// The number at a place; beyond the box that of its border.
+    /// Samples the grid at a position; clamped to the border outside the box.
     pub(super) fn sample(&self, p: DVec3) -> f64 {
         let ([x, y, z], f) = self.lattice.below(p);
         let [_, ny, nz] = self.lattice.size;
@@ -91,7 +91,7 @@ impl Grid {
         .normalize_or(DVec3::Y)
     }
 
-    /// Adds to the eight points about a place, by nearness.
+    /// Adds an amount to the eight grid points around a position, by trilinear weights.
     pub(super) fn splat(&mut self, p: DVec3, amount: f64) {
         if !self.lattice.contains(p) {
             return;

@@ -7,23 +7,23 @@ use super::space::Space;
 
 /// Least height of hair over the skin, metres.
 pub(super) const CLEAR_M: f64 = 0.0012;
-/// How fast a hair turns to where it wants to go, 1/m.
+/// Rate at which a hair turns to its preferred direction, 1/m.
 const TURN_PER_M: f64 = 40.0;
-/// Share of what a hair is too high by that it comes down in a step.
+/// Share of its excess height by which a hair descends per step.
 const DRAWN: f64 = 0.25;
-/// Share of what it is too low by that it is pushed out in a step.
+/// Share of its missing height by which a hair is pushed out per step.
 const PUSHED: f64 = 0.55;
 
-/// How far ahead of itself hair feels a shoulder, metres.
+/// Look-ahead distance for shoulders, metres.
 const AHEAD_M: f64 = 0.03;
-/// From which height hair may lie on a shoulder, and below which it does, metres.
+/// Heights from which hair may lie on a shoulder, and below which it always does, metres.
 const UNDER_JAW_M: [f64; 2] = [-0.08, -0.12];
 /// Breadth from the middle within which hair hangs past the neck, metres.
 const BESIDE_NECK_M: [f64; 2] = [0.072, 0.110];
 /// Hair rooted behind this falls down the back, all other before the shoulders, metres.
 const BACK_Z_M: f64 = -0.070;
 
-/// How one hair grows.
+/// Growth parameters of one hair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Growth {
     pub(super) root: DVec3,
@@ -31,12 +31,12 @@ pub(super) struct Growth {
     /// Metres.
     pub(super) length: f64,
     pub(super) step: f64,
-    /// Height that it comes to, and within which length, metres.
+    /// Target height, and the length within which it is reached, metres.
     pub(super) offset: f64,
     pub(super) rise: f64,
     /// Angle at which it leaves the skin, radians.
     pub(super) lift: f64,
-    /// How much it bends this way and that, and how often a metre.
+    /// Amplitude of bends in both directions, and their frequency per metre.
     pub(super) bend: [f64; 2],
 }
 
@@ -81,8 +81,9 @@ pub(super) fn grow(space: &Space, field: &Field, g: &Growth, seed: u64) -> Vec<D
     out
 }
 
-/// Where hair that comes down on a shoulder turns: that of the back of the head behind it, the rest before
-/// it, and all of it towards the neck. Without it hair would slide down the arms and fan out.
+/// Returns the direction of hair that reaches a shoulder: hair of the back of the head turns behind
+/// it, the rest in front, and all of it towards the neck. Otherwise hair would slide down the arms
+/// and fan out.
 fn draped(space: &Space, root: DVec3, at: DVec3) -> DVec3 {
     let below = at + DVec3::NEG_Y * AHEAD_M;
     let near = step(2.0 * AHEAD_M, 0.3 * AHEAD_M, space.height(below));
@@ -104,7 +105,7 @@ pub(super) fn smooth(path: &mut [DVec3], times: usize) {
     }
 }
 
-/// The path's place `arc` metres along, its points `step` apart.
+/// Returns the point of the path at arc length `arc` metres, its points `step` apart.
 fn along(path: &[DVec3], step: f64, arc: f64) -> DVec3 {
     let i = (arc / step).clamp(0.0, path.len() as f64 - 1.001);
     let k = i as usize;

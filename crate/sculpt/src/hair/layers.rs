@@ -5,7 +5,7 @@
 pub(super) struct Layer {
     /// Distance of the roots.
     pub(super) spacing: f64,
-    /// Height over the skin that the hair comes to.
+    /// Target height of the hair over the skin.
     pub(super) offset: f64,
     /// Width of a card.
     pub(super) width: f64,
@@ -20,13 +20,13 @@ pub(super) struct Layer {
     pub(super) gather: f64,
     /// Length against the style's.
     pub(super) length: f64,
-    /// How much of the length cards lose at random, 0..1.
+    /// Random reduction of the card length, 0..1.
     pub(super) uneven: f64,
     /// Spread of the turn about their own middle line.
     pub(super) roll: f64,
-    /// How far inside the hairline the roots begin.
+    /// Distance inside the hairline at which roots start.
     pub(super) inside: f64,
-    /// How far from the parting they end; 0 where they do not.
+    /// Distance from the parting at which roots end; 0 if they do not.
     pub(super) parting: f64,
 }
 
@@ -316,7 +316,8 @@ pub(super) const BUZZ: [Layer; 1] = [Layer {
     ..LAYER
 }];
 
-/// Patches that lie, then tufts that stand: offsets and lengths are shares of the thickness.
+/// Layers of coily hair: flat patches, then standing tufts. Offsets and lengths are shares of the
+/// thickness.
 pub(super) const COILY: [Layer; 5] = [
     Layer {
         spacing: 0.0105,

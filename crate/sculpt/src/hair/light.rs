@@ -17,8 +17,8 @@ use super::space::{SkinPoint, Space};
 const PITCH_M: f64 = 0.005;
 /// Optical depth of a metre of hair whose cards cover a square metre in a cubic one.
 const DEPTH: f64 = 0.33;
-/// Area of cards in a cubic metre beyond which they only overlap: where all hair of a side comes
-/// together over a shoulder, it would be black.
+/// Area of cards per cubic metre above which cards only overlap. Without this limit, hair gathered
+/// over a shoulder would be black.
 const MAX_DENSE: f32 = 600.0;
 /// Directions on the sphere.
 const DIRECTIONS: usize = 40;
@@ -27,16 +27,16 @@ const STEPS: usize = 26;
 const STEP_M: f64 = 0.006;
 /// Optical depth of a metre inside the head, for each metre of depth.
 const HEAD_DEPTH: f64 = 9e4;
-/// Optical depth beyond which nothing comes through.
+/// Optical depth beyond which no light passes.
 const DARK: f64 = 6.0;
 
-/// What light goes through.
+/// Occluders of the light: hair and head.
 pub(super) struct Shade<'a> {
     space: &'a Space,
     density: Grid,
 }
 
-/// How full a strip of the atlas is.
+/// Returns the opacity of a strip of the atlas.
 fn fullness(strip: u32) -> f64 {
     match strip {
         0..5 => 1.0,
@@ -87,7 +87,7 @@ impl<'a> Shade<'a> {
         Self { space, density }
     }
 
-    /// Share of light that comes to `p` from `d`, starting `off` metres on.
+    /// Returns the share of light that reaches `p` from `d`, starting `off` metres away.
     fn transmittance(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
         let mut depth = 0.0;
         let mut at = p + d * off;
@@ -108,7 +108,7 @@ impl<'a> Shade<'a> {
         ops::exp(-depth)
     }
 
-    /// Mean share over all directions at a place in the hair.
+    /// Returns the mean share over all directions at a position in the hair.
     pub(super) fn mean(&self, p: DVec3) -> f64 {
         directions()
             .map(|d| self.transmittance(p, d, STEP_M))
@@ -116,7 +116,7 @@ impl<'a> Shade<'a> {
             / DIRECTIONS as f64
     }
 
-    /// Mean share over the directions above a place of the skin.
+    /// Returns the mean share over the directions above a point of the skin.
     pub(super) fn on_skin(&self, s: &SkinPoint) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for d in directions().filter(|d| d.dot(s.normal) > 0.05) {
@@ -127,7 +127,7 @@ impl<'a> Shade<'a> {
         if count > 0.0 { sum / count } else { 1.0 }
     }
 
-    /// Share of light that hair alone lets through to `p` from `d`.
+    /// Returns the share of light transmitted by the hair alone to `p` from `d`.
     fn through_hair(&self, p: DVec3, d: DVec3) -> f64 {
         let depth: f64 = (0..STEPS)
             .map(|k| p + d * (k as f64 * STEP_M))
@@ -143,7 +143,7 @@ impl<'a> Shade<'a> {
 /// mean, or dark roots would show as scales.
 const OWN_LIGHT_M: f64 = 0.08;
 
-/// Gives every row of every card its light.
+/// Bakes the light into every row of every card.
 pub(super) fn bake(shade: &Shade<'_>, cards: &mut [Card]) {
     for card in cards {
         for row in &mut card.rows {

@@ -7,8 +7,8 @@ use raconteur_base::{DVec2, DVec3, ops};
 use super::{HairParams, HairStyle};
 use crate::texture::space_noise;
 
-/// Landmarks of a hairline from the middle of the forehead to the nape: azimuth from the front
-/// and elevation, seen from the origin of hair's frame, degrees; mirrored to the other side.
+/// Landmarks of a hairline from the middle of the forehead to the nape: azimuth from the front and
+/// elevation, relative to the origin of the hair frame, degrees; mirrored to the other side.
 type Landmarks = [[f64; 2]; 25];
 
 /// A woman's: oval, fine, low at the temples.
@@ -69,29 +69,29 @@ const SQUARE: Landmarks = [
     [180.0, -48.0],
 ];
 
-/// How far the line has moved up when a man's hair has receded fully, degrees, by landmark
-/// (Norwood's stage III to IV, 1975, doi:10.1097/00007611-197511000-00009; designed).
+/// Upward shift of the line at full male recession, degrees, by landmark (Norwood's stage III to
+/// IV, 1975, doi:10.1097/00007611-197511000-00009; designed).
 const RECEDED: [f64; 25] = [
     6.0, 7.0, 10.0, 17.0, 21.0, 24.0, 21.0, 16.0, 10.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
 ];
 
-/// Where the crown thins, and how far from there it is bare at most, metres.
+/// Centre of crown thinning; the next constant is the largest bare radius, metres.
 const CROWN: DVec3 = DVec3::new(0.0, 0.085, -0.020);
 const BARE_CROWN_M: f64 = 0.082;
 
 /// Radius of the sphere on whose map angles become lengths, metres.
 const RADIUS_M: f64 = 0.095;
-/// How far the map's pole is tipped back, radians.
+/// Backward tilt of the map's pole, radians.
 const TIP: f64 = 0.349;
 /// Half the side of the map, metres.
 pub(super) const HALF_M: f64 = 0.225;
-/// Distances are kept on a raster of this side.
+/// Side of the raster that stores distances.
 const SIDE: usize = 320;
 /// Points of the curve to a landmark.
 const STEPS: usize = 6;
 
-/// Azimuth from the front and elevation of a place, degrees.
+/// Returns azimuth from the front and elevation of a position, degrees.
 pub(super) fn angles(p: DVec3) -> (f64, f64) {
     (
         ops::atan2(p.x, p.z).to_degrees(),
@@ -168,7 +168,7 @@ impl Line {
         }
     }
 
-    /// Distance inside the line as it would be drawn with one stroke, metres.
+    /// Returns the distance inside the smoothed hairline, metres.
     pub(super) fn smooth_distance(&self, p: DVec3) -> f64 {
         let q = (flat(p) / HALF_M + 1.0) * 0.5 * (SIDE - 1) as f64;
         let q = q.clamp(DVec2::ZERO, DVec2::splat(SIDE as f64 - 1.001));

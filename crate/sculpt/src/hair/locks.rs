@@ -18,9 +18,9 @@ use super::{HairParams, HairStyle};
 /// Length of a step of hair that hangs and of short hair, metres.
 const LONG_STEP_M: f64 = 0.004;
 const SHORT_STEP_M: f64 = 0.003;
-/// Longest way of hair that is cut at a hem, beyond the hem itself, metres.
+/// Maximum path length of hair cut at a hem, beyond the hem itself, metres.
 const OVER_HEM_M: f64 = 0.26;
-/// A lock: its root, the way its middle goes, and its own character.
+/// Lock of hair: its root, the path of its middle, and its own character.
 struct Lock {
     root: DVec3,
     path: Vec<DVec3>,
@@ -36,7 +36,7 @@ struct Hair<'a> {
     dice: HairRandom,
 }
 
-/// What grows on one head.
+/// Generator of all hair of one head.
 pub(super) struct Grower<'a> {
     pub(super) space: &'a Space,
     pub(super) field: &'a Field,
@@ -94,7 +94,7 @@ impl Grower<'_> {
         out
     }
 
-    /// Distance of a layer's roots at a place, 0 where none begin.
+    /// Returns the root spacing of a layer at a position, 0 if none start there.
     fn spacing(&self, layer: &Layer, root: &Root) -> f64 {
         let parting = self.field.off_parting(root.position);
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
@@ -124,7 +124,7 @@ impl Grower<'_> {
         }
     }
 
-    /// Full length of hair rooted at a place, metres.
+    /// Returns the full length of hair rooted at a position, metres.
     fn length(&self, root: DVec3) -> f64 {
         match self.style.length {
             Length::Hem { hem, .. } => OVER_HEM_M - hem * self.params.length,
@@ -170,7 +170,7 @@ impl Grower<'_> {
             .collect()
     }
 
-    /// One card, unless what grew is no hair that anyone would wear.
+    /// Returns one card; `None` if the result is implausible.
     fn strand(&self, hair: &Hair<'_>, locks: &[Lock]) -> Option<Card> {
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
         let g = self.growth(hair);
@@ -209,7 +209,7 @@ impl Grower<'_> {
         Some(Card::along(self.space, &path, g.step, &laid))
     }
 
-    /// How a hair of a layer grows from a root.
+    /// Returns the growth parameters of a hair of a layer from a root.
     fn growth(&self, hair: &Hair<'_>) -> Growth {
         let Hair {
             layer, root, dice, ..
@@ -257,7 +257,7 @@ impl Grower<'_> {
         }
     }
 
-    /// What a card of this length looks like.
+    /// Returns the layout of a card of this length.
     fn card_layout(&self, hair: &Hair<'_>, lock: &Lock, length: f64) -> CardLayout {
         let Hair {
             layer,
@@ -306,7 +306,7 @@ impl Grower<'_> {
         }
     }
 
-    /// Fine short hair along the line; where hair hangs, that of forehead and temples alone.
+    /// Returns fine short hair along the hairline; for hanging hair, only at forehead and temples.
     fn baby_hairs(&self) -> Vec<Card> {
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
         let roots = spread(self.places, |r| {
@@ -362,7 +362,7 @@ impl Grower<'_> {
     }
 }
 
-/// Keeps hair from hanging over the face: aside of the cheeks and behind their front.
+/// Keeps hair from hanging over the face: moves it beside the cheeks and behind their front.
 fn off_face(p: DVec3) -> DVec3 {
     let f = step(0.022, 0.055, p.z) * step(0.050, 0.012, p.y);
     let out = (0.068 - p.x.abs()).max(0.0) * f;

@@ -51,11 +51,11 @@ use crate::head::Head;
 use crate::part::MeshPart;
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
-/// How hair is cut and combed.
+/// Hair style: cut and combing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum HairStyle {
-    /// None on the scalp.
+    /// No hair on the scalp.
     Bald,
     /// A few millimetres all over.
     Buzz,
@@ -67,7 +67,7 @@ pub enum HairStyle {
     Swept,
     /// A wreath of short hair about a bald crown.
     Balding,
-    /// Tight coils that stand a few centimetres off the head.
+    /// Tight coils that extend a few centimetres from the head.
     Coily,
     /// To the jaw with a side parting.
     Bob,
@@ -77,11 +77,11 @@ pub enum HairStyle {
     Curly,
     /// Past the shoulders, straight, with a side parting.
     Long,
-    /// Drawn back into a tail.
+    /// Tied back into a ponytail.
     Ponytail,
-    /// Drawn back into a knot.
+    /// Tied back into a bun.
     Bun,
-    /// Drawn back into a plait.
+    /// Tied back into a braid.
     Braid,
 }
 
@@ -118,14 +118,14 @@ pub struct HairParams {
     pub volume: f64,
     /// Reach of the waves against the style's own, 0..2.
     pub wave: f64,
-    /// Where the hair is parted, to the left, metres on a head whose eyes lie 107 mm below the
+    /// Position of the parting, to the left, metres on a head whose eyes lie 107 mm below the
     /// vertex.
     pub parting_x: f64,
-    /// Whether the hairline has the corners and sideburns of a man's.
+    /// True if the hairline has male corners and sideburns.
     pub square: bool,
-    /// How far the hairline has receded at the temples, 0..1.
+    /// Recession of the hairline at the temples, 0..1.
     pub recession: f64,
-    /// How far the crown has become bare, 0..1.
+    /// Baldness of the crown, 0..1.
     pub thinning: f64,
     /// A beard.
     pub beard: Option<BeardParams>,
@@ -159,12 +159,12 @@ pub struct Grown {
     pub chains: Vec<HairChain>,
     /// Share of light that the hair lets through to each vertex of the head's skin, 0..1.
     pub skin_light: Vec<f64>,
-    /// What is painted on the scalp.
+    /// Hair painted on the scalp.
     pub(crate) cap: Option<Cap>,
 }
 
-/// Light that comes to the scalp however thick the hair: it scatters on, among white hairs more than
-/// among black ones.
+/// Minimum light on the scalp under dense hair, from scattering, which is stronger in white hair
+/// than in black.
 const MIN_LIGHT: [f64; 2] = [0.25, 0.8];
 
 /// Makes the hair of a head whose neighbourhood is clothed with `clothes`, in the head's frame.

@@ -7,14 +7,14 @@ use raconteur_base::{DVec3, noise};
 use super::line::Line;
 use super::space::{Sample, Space};
 
-/// Places that are tried, over the whole scalp.
+/// Number of candidate positions over the whole scalp.
 const TRIED: usize = 60_000;
-/// How far outside the line places are still tried: fine hair goes on there, metres.
+/// Distance outside the hairline at which candidates are still placed, for fine hair, metres.
 const OUTSIDE_M: f64 = 0.012;
-/// Above this height over the head without ears a place lies on an ear, metres.
+/// Height over the head without ears above which a position counts as ear, metres.
 const ON_EAR_M: f64 = 0.0025;
 
-/// A place where a hair may be rooted.
+/// Possible root position of a hair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Root {
     pub(super) position: DVec3,
@@ -23,7 +23,7 @@ pub(super) struct Root {
     pub(super) inside: f64,
 }
 
-/// What lies somewhere.
+/// Item with a position.
 pub(super) trait Place: Copy {
     fn position(&self) -> DVec3;
 }
@@ -40,7 +40,7 @@ impl Place for Sample {
     }
 }
 
-/// Places all over triangles, evenly by area and in no order.
+/// Scatters positions over triangles, uniformly by area and in random order.
 pub(super) fn scattered(
     triangles: &[[Sample; 3]],
     count: usize,
@@ -70,7 +70,7 @@ pub(super) fn scattered(
     })
 }
 
-/// Places all over the scalp.
+/// Returns candidate positions over the whole scalp.
 pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
     let is_wanted = |t: &[Sample; 3]| {
         let middle = t.iter().map(|c| c.position).sum::<DVec3>() / 3.0;
@@ -102,8 +102,8 @@ pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
         .collect()
 }
 
-/// Some of the places, none nearer to an earlier one than that one's own distance; those with a
-/// distance of 0 or less are left out.
+/// Selects positions such that none is nearer to an earlier one than that one's own distance; those
+/// with a distance of 0 or less are skipped.
 pub(super) fn spread<P: Place>(places: &[P], distance: impl Fn(&P) -> f64) -> Vec<P> {
     const CELL: f64 = 0.016;
     let cell = |p: DVec3| (p / CELL).floor().to_array().map(|c| c as i32);

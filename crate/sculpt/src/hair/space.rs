@@ -13,16 +13,17 @@ use raconteur_base::surface::vertex_normals;
 
 /// From the eyes to the vertex on the common head, metres.
 const EYE_TO_VERTEX_M: f64 = 0.107;
-/// How far above the eyes the origin lies, metres.
+/// Height of the origin above the eyes, metres.
 const ABOVE_EYES_M: f64 = 0.022;
-/// Our heads look down by this much against the one that hairlines were measured on, degrees.
+/// Downward pitch of the generated heads relative to the head on which hairlines were measured,
+/// degrees.
 const TURN_DEG: f64 = 2.6;
 /// Distance of the grid's points, metres.
 const PITCH_M: f64 = 0.004;
 /// The grid's box, metres.
 const LOW: DVec3 = DVec3::new(-0.23, -0.35, -0.19);
 const HIGH: DVec3 = DVec3::new(0.23, 0.15, 0.19);
-/// Rings of the ear from which it stands off the head.
+/// Ring of the ear from which it stands off the head.
 const EAR_RING: f64 = 1.2;
 /// A surface counts as flat within the first of these from a sample, as round beyond the second,
 /// metres.
@@ -101,7 +102,7 @@ pub(super) struct Space {
     pub(super) whole: Grid,
     /// As if there were no ears.
     earless: Grid,
-    /// What hair grows along: ears are low bumps in it.
+    /// Distance field along which hair grows: ears are low bumps in it.
     growth: Grid,
     /// Much blurred: its slope is the normal of the head as one smooth hull.
     hull: Grid,
@@ -165,7 +166,7 @@ impl Space {
         }
     }
 
-    /// The vertices of the head's skin as it is drawn.
+    /// Returns the vertices of the head's rendered skin.
     pub(super) fn drawn(&self, head: &Head) -> Vec<SkinPoint> {
         let part = head.skin();
         let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
@@ -177,7 +178,7 @@ impl Space {
         positions.iter().zip(normals).map(place).collect()
     }
 
-    /// Height over what hair grows along, metres.
+    /// Returns the height over the growth surface, metres.
     pub(super) fn height(&self, p: DVec3) -> f64 {
         self.growth.sample(p)
     }
@@ -187,7 +188,7 @@ impl Space {
         self.growth.slope(p)
     }
 
-    /// Outward normal of the head as one smooth hull: what cards lie along and are lit by.
+    /// Returns the outward normal of the head as one smooth hull, used to orient and light cards.
     pub(super) fn hull_normal(&self, p: DVec3) -> DVec3 {
         self.hull.slope(p)
     }
@@ -197,7 +198,7 @@ impl Space {
         self.earless.sample(p)
     }
 
-    /// Out of the ear, if a place lies in it or nearer to it than `height`.
+    /// Moves a position out of the ear if it lies in it or nearer to it than `height`.
     pub(super) fn over_ear(&self, p: DVec3, height: f64) -> DVec3 {
         let short = height - self.whole.sample(p);
         if short > 0.0 {
@@ -207,7 +208,7 @@ impl Space {
         }
     }
 
-    /// The nearest place at least `height` above what hair grows along.
+    /// Returns the nearest position at least `height` above the growth surface.
     pub(super) fn pushed(&self, p: DVec3, height: f64) -> DVec3 {
         let short = height - self.height(p);
         if short > 0.0 {
@@ -237,8 +238,8 @@ fn filled([a, b, c]: [SkinPoint; 3]) -> Vec<(DVec3, DVec3)> {
     out
 }
 
-/// Signed distance of every point of a lattice from a surface given by samples: that of the
-/// nearest one, found by sweeping (Danielsson 1980, doi:10.1016/0146-664X(80)90054-4); near the
+/// Computes the signed distance of every point of a lattice from a sampled surface: that of the
+/// nearest sample, found by sweeping (Danielsson 1980, doi:10.1016/0146-664X(80)90054-4); near the
 /// surface, that of its plane.
 fn distances(lattice: Lattice, samples: &[(DVec3, DVec3)]) -> Grid {
     let mut nearest = vec![u32::MAX; lattice.count()];

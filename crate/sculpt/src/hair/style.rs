@@ -5,36 +5,37 @@ use raconteur_base::DVec3;
 use super::HairStyle;
 use super::layers::{BUZZ, COILY, CURLED, FALLING, Layer, SHORT, TIED, TOUSLED};
 
-/// Which way hair is combed.
+/// Combing pattern of hair.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Comb {
     /// Away from a parting to both sides, and from the crown to all.
     Parted,
-    /// One way on top, another at the sides, a third behind.
+    /// One direction on top, another at the sides, a third behind.
     Combed {
         /// On top; x is turned to the parting's side.
         top: DVec3,
         side: DVec3,
         back: DVec3,
-        /// How far locks stray.
+        /// Amount by which locks stray.
         stray: f64,
     },
     /// Round a whorl at the crown, every lock as it likes.
     Whorl,
-    /// To a place where it is tied.
+    /// Towards a tie point.
     Tied(DVec3),
     /// On end, in coils.
     Coily,
 }
 
-/// How long hair is.
+/// Length rule of hair.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Length {
-    /// Cut at a height, `layered` by as much above it; longer by `front` beside the face.
+    /// Cut at a height, with layers up to `layered` above it; longer by `front` at the sides of the
+    /// face.
     Hem { hem: f64, layered: f64, front: f64 },
-    /// Short: at the sides, and how much more on top.
+    /// Short: length at the sides, and the additional length on top.
     Short { side: f64, top: f64 },
-    /// As far as the place where it is tied.
+    /// Up to the tie point.
     ToTie,
 }
 
@@ -47,11 +48,11 @@ pub(super) struct Style {
     pub(super) locks: f64,
     /// Sideways reach of waves and their length.
     pub(super) wave: [f64; 2],
-    /// How much hair bends this way and that, and how often a metre.
+    /// Amplitude of bends in both directions, and their frequency per metre.
     pub(super) bend: [f64; 2],
-    /// How fast it comes to its height.
+    /// Rate at which it reaches its height.
     pub(super) rise: f64,
-    /// How far inside the line the scalp is painted fully.
+    /// Distance inside the hairline at which the scalp is fully painted.
     pub(super) solid: f64,
     pub(super) layers: &'static [Layer],
 }
@@ -71,7 +72,7 @@ const PARTED: Style = Style {
     layers: &FALLING,
 };
 
-/// Cut short and combed; styles say which way and how long.
+/// Short combed hair; base of other styles, which set direction and length.
 const SHORT_CUT: Style = Style {
     comb: Comb::Whorl,
     length: Length::Short {
@@ -98,12 +99,12 @@ const TIED_BACK: Style = Style {
     layers: &TIED,
 };
 
-/// Where a plait begins.
+/// Start of a braid.
 pub(super) const NAPE: DVec3 = DVec3::new(0.0, -0.030, -0.094);
-/// Where a tail and a knot are tied.
+/// Tie point of a ponytail and a bun.
 pub(super) const TIE: DVec3 = DVec3::new(0.0, 0.030, -0.098);
 
-/// The numbers of a style; `None` for a bald head.
+/// Returns the parameters of a style; `None` for a bald head.
 #[expect(clippy::too_many_lines, reason = "a table: one row for each style")]
 pub(super) fn style(of: HairStyle) -> Option<Style> {
     Some(match of {

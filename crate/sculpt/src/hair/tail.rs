@@ -20,8 +20,8 @@ const TAIL_M: f64 = 0.20;
 /// Radius of the knot's ring and of the strand that is wound to it, metres.
 const KNOT_M: [f64; 2] = [0.019, 0.017];
 
-/// Cards of each of a plait's three strands, its length against which the person's counts, half
-/// its width, and how much of it one strand crosses before it is back, metres.
+/// Cards in each of a braid's three strands; the next constants are the reference length, half the
+/// width, and the length along which one strand crosses and returns, metres.
 const PLAIT_CARDS: i64 = 44;
 const PLAIT_M: f64 = 0.24;
 const PLAIT_HALF_M: f64 = 0.011;
@@ -29,7 +29,7 @@ const PLAIT_TURN_M: f64 = 0.052;
 /// Radius of a strand, metres.
 const PLAIT_STRAND_M: f64 = 0.0085;
 
-/// Thickness of a plait a share of the way down: it is bound near its end.
+/// Returns the thickness of a braid at a share of its length: it is bound near its end.
 fn plait_thickness(t: f64) -> f64 {
     (0.75 + 0.25 * step(0.0, 0.15, t)) * (1.0 - 0.45 * step(0.3, 0.92, t))
         + 0.25 * step(0.93, 1.0, t)

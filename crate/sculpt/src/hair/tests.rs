@@ -128,7 +128,7 @@ fn hair_keeps_clear_of_the_skin() {
 
 #[test]
 fn the_scalp_is_covered_from_all_sides() {
-    /// A card as near as this covers a place, metres.
+    /// Distance within which a card covers a position, metres.
     const COVERED_M: f64 = 0.022;
     // From every place well inside the line some card lies above, within what a style is thick.
     for w in worn().iter().filter(|w| w.style != HairStyle::Bald) {

@@ -94,15 +94,15 @@ pub(super) struct Section {
     pub(super) palmar: f64,
 }
 
-/// How sex and age show in a hand, beside its length and breadth. Directions are common
-/// anatomical knowledge (men's fingers are thick for their hand and their tendons stand
-/// out; a child's taper without knuckles; with age fat leaves the back of the hand and the
+/// Effect of sex and age on a hand, in addition to its length and breadth. Directions are common
+/// anatomical knowledge (men's fingers are thick relative to the hand and their tendons are
+/// prominent; a child's taper without knuckles; with age fat leaves the back of the hand and the
 /// joints thicken); the amounts are designed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HandBuild {
     /// Thickness of the fingers against the palm's breadth, 1 for the mean adult.
     girth: f64,
-    /// How much wider a finger's root is than its middle, as a share.
+    /// Additional width of a finger's root relative to its middle, as a share.
     taper: f64,
     /// Thickening of middle and last joints, as a share.
     knots: f64,
@@ -114,7 +114,7 @@ pub(super) struct HandBuild {
     pub(super) creases: f64,
     /// Radius added to the heads of the metacarpals, mm.
     pub(super) heads_mm: f64,
-    /// How far nails reach beyond the pulp, mm.
+    /// Length of the nails beyond the pulp, mm.
     pub(super) free_edge_mm: f64,
     /// Length of the index finger against the ring finger's, as a share of the mean (the
     /// 2D : 4D ratio is about 0.95 in men and 0.965 in women).

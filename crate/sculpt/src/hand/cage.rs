@@ -15,7 +15,7 @@ use crate::subdivide::edge_faces;
 pub(super) struct Cage {
     pub(super) positions: Vec<DVec3>,
     pub(super) faces: Vec<Vec<u32>>,
-    /// How much each vertex belongs to each finger's tube, 0 to 1.
+    /// Weight of each vertex in each finger's tube, 0 to 1.
     pub(super) ownership: Vec<[f64; FINGER_COUNT]>,
 }
 
@@ -31,7 +31,7 @@ const RADIAL_SIDE: usize = 19;
 
 /// Rows of the sleeve: y on the forearm, mm …
 const FOREARM_ROWS: [f64; 8] = [-95.0, -72.0, -52.0, -36.0, -24.0, -14.0, -6.0, 2.0];
-/// … then the fraction of the way to the knuckles.
+/// Palm rows as fractions of the distance to the knuckles.
 const PALM_ROWS: [f64; 8] = [0.10, 0.20, 0.42, 0.66, 0.80, 0.91, 1.0, 1.10];
 const ROWS: usize = FOREARM_ROWS.len() + PALM_ROWS.len();
 
@@ -50,7 +50,7 @@ const RING: [(f64, f64); 8] = [
     (0.74, 0.76),
     (1.0, 0.02),
 ];
-/// The same beside the nail, where the back is wider.
+/// Ring next to the nail, where the back is wider.
 const NAIL_RING: [(f64, f64); 8] = [
     (0.93, -0.45),
     (0.0, -1.0),
@@ -363,9 +363,9 @@ impl Builder<'_> {
         self.build_nail_bed(f, around, mid[1]);
     }
 
-    /// Two loops inside the nail's patch follow the outline of the plate, so that the fold
-    /// around it has vertices to stand on. Towards the free edge, which has no fold, they
-    /// stay behind and within the end of the finger.
+    /// Builds two loops inside the nail's patch along the outline of the plate, so that the fold
+    /// around it has vertices to stand on. Towards the free edge, which has no fold, they stay
+    /// behind and within the end of the finger.
     fn build_nail_bed(&mut self, f: usize, around: [u32; 8], centre: u32) {
         let nail = Nail::for_finger(f);
         let middle = (nail.root + nail.end) / 2.0;
@@ -403,7 +403,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Turns the faces so that neighbours agree and the whole looks outwards.
+    /// Orients the faces consistently, with the whole surface facing outwards.
     fn orient(&mut self) {
         let edges = edge_faces(&self.faces);
         let mut done = vec![false; self.faces.len()];

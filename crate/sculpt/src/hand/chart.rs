@@ -29,22 +29,22 @@ const FINGER_DENSITY: f64 = 1.95;
 const PADDING: f64 = 5.0;
 /// Share of texels that the forearm gets along its length; a sleeve hides most of it.
 const FOREARM_SHARE: f64 = 0.25;
-/// Where a finger's cap begins: its own radius before the tip, as a joint coordinate.
+/// Start of a finger's cap: one radius before the tip, as a joint coordinate.
 const CAP_FROM: f64 = 2.58;
 
 /// The skin with vertices doubled along the cut.
 pub(super) struct Chart {
     pub(super) faces: Vec<Vec<u32>>,
-    /// Vertex of the skin behind each; the skin's own vertices come first.
+    /// Skin vertex of each chart vertex; the skin's own vertices come first.
     pub(super) source: Vec<u32>,
-    /// Place in the atlas, 0..1.
+    /// Texture coordinates in the atlas, 0..1.
     pub(super) uv: Vec<[f64; 2]>,
 }
 
 /// A piece of the chart: a finger or, beyond them, the hand; back 0 or palm 1.
 type Piece = (usize, usize);
 
-/// How much a vertex looks to the palm's side, −1..1, smoothed over its neighbours.
+/// Returns the palmar orientation of each vertex, −1..1, smoothed over its neighbours.
 fn palmar(anatomy: &Anatomy, skin: &Skin) -> Vec<f64> {
     let mut side: Vec<f64> = (0..skin.positions.len())
         .map(|v| {
@@ -128,7 +128,7 @@ fn pieces(anatomy: &Anatomy, skin: &Skin) -> Vec<Piece> {
     piece
 }
 
-/// A number for each face that tells connected groups of one piece apart.
+/// Labels the faces by connected groups of one piece.
 fn connected(piece: &[Piece], beside: &[Vec<usize>]) -> Vec<usize> {
     let mut group = vec![usize::MAX; piece.len()];
     for start in 0..piece.len() {
@@ -152,7 +152,7 @@ fn connected(piece: &[Piece], beside: &[Vec<usize>]) -> Vec<usize> {
 /// Sex and age of the hand that is laid out: between man and woman, before age shows.
 const MEAN: (f64, f64) = (0.5, 30.0);
 
-/// The chart of all hands, made once: it depends on nothing, since every hand has the same
+/// Returns the chart of all hands, computed once: it has no inputs, because every hand has the same
 /// faces.
 pub(super) fn chart() -> &'static Chart {
     static CHART: OnceLock<Chart> = OnceLock::new();
@@ -223,8 +223,8 @@ fn used(faces: &[&Vec<u32>]) -> Vec<u32> {
     used
 }
 
-/// One side of a finger: angle about the axis across, length along; its cap as a sphere is
-/// drawn in the sinusoidal projection.
+/// Unrolls one side of a finger: angle about the axis across, length along; its cap uses the
+/// sinusoidal projection of a sphere.
 fn unroll(
     finger: &Finger,
     skin: &Skin,

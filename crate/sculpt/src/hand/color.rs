@@ -6,8 +6,8 @@ use super::crease::CREASES;
 use super::field::Field;
 use super::surface::{Skin, bell, finger_share};
 
-/// How open the surface is, 1 in the clear: the field's growth along the normal against
-/// the distance walked.
+/// Returns the openness of the surface, 1 if unoccluded: the field's growth along the normal
+/// relative to the distance.
 fn occlusion(field: &Field<'_>, p: DVec3, normal: DVec3) -> f64 {
     let mut hidden = 0.0;
     let mut weight = 0.0;
@@ -19,7 +19,7 @@ fn occlusion(field: &Field<'_>, p: DVec3, normal: DVec3) -> f64 {
     1.0 - 0.75 * hidden / weight
 }
 
-/// How open every vertex is, 0..1.
+/// Returns the openness of every vertex, 0..1.
 pub(super) fn openness(field: &Field<'_>, skin: &Skin) -> Vec<f64> {
     (0..skin.positions.len())
         .map(|i| {

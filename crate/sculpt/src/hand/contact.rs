@@ -112,7 +112,7 @@ impl Model {
     }
 }
 
-/// How far two samples enter each other, metres; negative is a gap.
+/// Returns the penetration depth of two samples, metres; negative is a gap.
 fn entry(a: &Sample, b: &Sample) -> f64 {
     let d = b.centre - a.centre;
     let length = d.length();

@@ -4,7 +4,7 @@ use raconteur_base::{DVec3, curve};
 
 /// A line in the palm or at the wrist.
 pub(super) struct Crease {
-    /// Places in the palm's plane (x, y), mm.
+    /// Points in the palm's plane (x, y), mm.
     pub(super) points: &'static [(f64, f64)],
     /// Depth, mm.
     pub(super) depth_mm: f64,
@@ -53,8 +53,8 @@ pub(super) const CREASES: [Crease; 4] = [
 ];
 
 impl Crease {
-    /// Distance in the palm's plane, mm, and how far the line has set in there, 0 to 1
-    /// (it fades at both ends).
+    /// Returns the distance in the palm's plane, mm, and the strength of the line there, 0 to 1 (it
+    /// fades at both ends).
     pub(super) fn distance_and_depth(&self, p: DVec3) -> (f64, f64) {
         let mut best = (f64::INFINITY, 0.0);
         let mut length = 0.0;

@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, curve, ops};
 
 use super::anatomy::Finger;
 
-/// Where a nail lies on its finger.
+/// Position of a nail on its finger.
 #[derive(Clone, Copy)]
 pub(super) struct Nail {
     /// Joint coordinate of the root.
@@ -80,8 +80,8 @@ const ACROSS: usize = 8;
 const ALONG: usize = 5;
 const THICKNESS: f64 = 0.5;
 
-/// Builds the plate of a finger, which ends `free_mm` beyond the nail's end: a closed shell.
-/// Its underside is seen only at the free edge, where it has a lip; behind that it spans
+/// Builds the nail plate of a finger, which ends `free_mm` beyond the nail's end: a closed shell.
+/// Its underside is visible only at the free edge, where it has a lip; behind that it spans
 /// straight from side to side, inside the finger.
 pub(super) fn plate(finger: &Finger, f: usize, free_mm: f64) -> Plate {
     let nail = Nail::for_finger(f);

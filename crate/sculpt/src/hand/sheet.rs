@@ -11,7 +11,7 @@ use super::surface::{Skin, bell};
 /// The hand's skin as the baking needs it. Both hands share it as mirror images.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HandSheet {
-    /// Place of each vertex in the atlas, 0..1.
+    /// Texture coordinates of each vertex in the atlas, 0..1.
     pub(crate) uv: Vec<[f64; 2]>,
     /// Triangles.
     pub(crate) triangles: Vec<[u32; 3]>,
@@ -19,11 +19,11 @@ pub(crate) struct HandSheet {
     pub(crate) at: Vec<DVec3>,
     /// Unit normals.
     pub(crate) normals: Vec<DVec3>,
-    /// What the anatomy says of each vertex.
+    /// Anatomical region of each vertex.
     pub(crate) regions: Vec<HandRegion>,
     /// Lines that every hand has: depth in mm.
     pub(crate) creases: Vec<HandLine>,
-    /// Lines of slack and old skin, drawn by age.
+    /// Lines of slack and aged skin, painted by age.
     pub(crate) slack: Vec<HandLine>,
     /// Courses of the veins on the back.
     pub(crate) veins: Vec<HandLine>,
@@ -32,7 +32,7 @@ pub(crate) struct HandSheet {
 /// A line on the hand.
 #[derive(Clone, Debug)]
 pub(crate) struct HandLine {
-    /// Places on the surface, mm.
+    /// Points on the surface, mm.
     pub(crate) through: Vec<DVec3>,
     /// Depth or strength.
     pub(crate) strength: f64,
@@ -151,7 +151,7 @@ impl Drawing<'_> {
         a + (b - a) * noise::unit(0x4A4D, self.drawn, 0)
     }
 
-    /// The place on back (−1) or palm (1) over x and y.
+    /// Projects x and y to the surface of the back (−1) or palm (1).
     fn drop(&self, x: f64, y: f64, side: f64) -> DVec3 {
         let d = |v: &usize| {
             let p = self.skin.positions[*v];

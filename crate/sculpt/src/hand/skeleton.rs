@@ -15,7 +15,7 @@ use crate::solid::Solid;
 pub struct HandBone {
     /// For example `l_index_proximal`.
     pub name: String,
-    /// What it is rigid to.
+    /// Joint to which it is rigidly attached.
     pub joint: JointRef,
     /// Its surface.
     pub solid: Solid,

@@ -14,7 +14,7 @@ pub(super) struct Skin {
     pub(super) positions: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
     pub(super) faces: Vec<Vec<u32>>,
-    /// How much each vertex belongs to each finger's tube.
+    /// Weight of each vertex in each finger's tube.
     pub(super) ownership: Vec<[f64; FINGER_COUNT]>,
     pub(super) neighbours: Vec<Vec<u32>>,
     /// The open edge on the forearm, in order around it.
@@ -152,8 +152,8 @@ fn trace_rim(
     rim
 }
 
-/// Height of nail folds, tendons, knuckles, wrinkles and creases along the normal, mm.
-/// Only what a spacing of 2 to 4 mm can carry; finer lines are in the colours.
+/// Returns the height of nail folds, tendons, knuckles, wrinkles and creases along the normal, mm.
+/// Only features for a mesh spacing of 2 to 4 mm; finer lines are in the colours.
 fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_COUNT]) -> f64 {
     let look = &anatomy.look;
     let mut h = 0.0;
@@ -224,7 +224,7 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
     h
 }
 
-/// Keeps the skin under a nail plate below it, also under its free edge.
+/// Presses the skin under a nail plate below it, including under its free edge.
 fn press_below_nails(anatomy: &Anatomy, p: &mut DVec3, ownership: &[f64; FINGER_COUNT]) {
     for (f, finger) in anatomy.fingers.iter().enumerate() {
         let mut local = finger.local(*p);

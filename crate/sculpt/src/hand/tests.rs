@@ -289,8 +289,8 @@ fn ten_nails_cost_little() {
     assert!(triangles <= 1_200, "{triangles}");
 }
 
-/// Perimeter of the skin where it crosses a height along the hand (unscaled frame turned to
-/// millimetres of the built hand), counting the faces whose vertices `keep` wants.
+/// Returns the perimeter of the skin at a height along the hand (unscaled frame converted to
+/// millimetres of the built hand), over the faces whose vertices `keep` accepts.
 fn girth_mm(hand: &Hand, at_mm: f64, keep: impl Fn(usize) -> bool) -> f64 {
     let skin = hand.skin();
     let position = |v: u32| skin.vertices[v as usize].position * 1000.0;
@@ -320,7 +320,7 @@ fn within(what: &str, value: f64, (mean, sd): (f64, f64)) {
     );
 }
 
-/// Where a left hand of these measures lies.
+/// Returns the placement of a left hand with these measures.
 fn placed(params: &HandParams, anatomy: &Anatomy) -> Placement {
     let field = Field::new(anatomy);
     let cage = cage::build(anatomy, &field);

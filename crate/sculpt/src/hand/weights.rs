@@ -12,7 +12,7 @@ use crate::part::JointRef;
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// What a hand's vertices can follow, on either side.
+/// Joints that a hand's vertices can follow, on either side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Influence {
     /// First or second third of the wrist's twist, 1 or 2.
@@ -96,8 +96,8 @@ fn to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     (p - a - ab * t).length()
 }
 
-/// How much of each vertex follows the thumb's metacarpal rather than the palm: inverse
-/// fourth power of the distances to the bones, smoothed.
+/// Returns the weight of the thumb's metacarpal relative to the palm at each vertex: inverse fourth
+/// power of the distances to the bones, smoothed.
 fn thumb_shares(anatomy: &Anatomy, skin: &Skin) -> Vec<f64> {
     let thumb = &anatomy.fingers[0];
     let along = thumb.frame.y_axis;
@@ -153,7 +153,7 @@ fn ray_shares(anatomy: &Anatomy, p: DVec3, owned: &[f64; FINGER_COUNT]) -> [f64;
     core::array::from_fn(|i| near[i] / sum * (1.0 - sole) + if i + 1 == owner { sole } else { 0.0 })
 }
 
-/// How far a vertex has passed each of a finger's joints, 0 to 1.
+/// Returns the progress of a vertex past each of a finger's joints, 0 to 1.
 fn joints_passed(anatomy: &Anatomy, f: usize, p: DVec3) -> [f64; 3] {
     let finger = &anatomy.fingers[f];
     let local = finger.local(p);

@@ -15,7 +15,7 @@ use crate::person::Person;
 /// [`build`](super::build).
 #[derive(Clone, Debug)]
 pub struct BareSkin {
-    /// Where the vertices are; metres, frame of the head.
+    /// Vertex positions; metres, frame of the head.
     pub positions: Vec<DVec3>,
     /// Polygons, counter-clockwise from outside.
     pub faces: Vec<Vec<u32>>,
@@ -23,11 +23,11 @@ pub struct BareSkin {
     pub landmarks: Vec<(String, u32)>,
     /// Segments.
     pub segments: Vec<HeadSegment>,
-    /// What lies in it.
+    /// Inner parts of the head.
     pub organs: Organs,
 }
 
-/// What lies in a head and moves by itself; metres, frame of the head.
+/// Inner parts of a head that move independently; metres, frame of the head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Organs {
     /// Centres of the left and the right eyeball.
@@ -71,7 +71,8 @@ impl BareSkin {
     }
 }
 
-/// What the skin of a head is painted on, and for each vertex of the drawn skin its vertex there.
+/// Returns the sheet on which a head's skin is painted, and the sheet vertex of each vertex of the
+/// rendered skin.
 pub(crate) fn bare_sheet(person: &Person, params: &HeadParams) -> (HeadSheet, Vec<usize>) {
     let shape = Shape::build(person, &params.bound, params.asymmetry);
     let line = BrowLine::above(&shape.fitted.brow);

@@ -13,13 +13,13 @@ use crate::model::{Model, ModelError, Traits, eye_centres};
 use crate::subdivide::Stencil;
 
 const TABLE: &str = include_str!("binding.tsv");
-/// Turn about x, degrees, that brings the model's head into our frame: the fit of 33 landmarks
+/// Rotation about x, degrees, from the model's head frame to this crate's: fitted to 33 landmarks
 /// of the mean head.
 const TILT_DEG: f64 = -2.581;
-/// Where the tragions lie, between which is the origin.
+/// Tragion; the origin is the midpoint between the two.
 const TRAGION: Key = Key::Grid(12, 9);
 
-/// What lies at a bound place.
+/// Type of a bound point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Mark {
     /// A vertex of the cage.
@@ -47,7 +47,7 @@ impl Mark {
 
 const BROW: &str = "brow";
 
-/// A place on the model's surface.
+/// Point on the model's surface.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     mark: Mark,
@@ -57,7 +57,7 @@ struct Place {
     at: InFace,
 }
 
-/// The places of both halves; midline ones count as left.
+/// Bound points of both halves; midline ones count as left.
 #[allow(
     clippy::expect_used,
     reason = "the table is part of the program and tested"
@@ -83,25 +83,25 @@ fn table() -> &'static [Place] {
     })
 }
 
-/// The places, in an order of their own.
+/// Returns the bound points in a fixed order.
 fn keys() -> BTreeSet<(Mark, Side)> {
     table().iter().map(|p| (p.mark, p.side)).collect()
 }
 
-/// The model's surface round the bound places.
+/// Refines the model's surface around the bound points.
 pub(super) fn refined(faces: &[[u32; 4]]) -> Refined {
     Refined::new(faces, table().iter().map(|p| p.face).collect())
 }
 
-/// The bound places as sums over the vertices of the model's base mesh.
+/// Bound points as weighted sums over the vertices of the model's base mesh.
 #[derive(Clone, Debug)]
 pub struct Binding {
     stencils: Vec<Stencil>,
 }
 
 impl Binding {
-    /// Composes the table with two steps of subdivision, of the model's faces round the bound
-    /// ones alone.
+    /// Composes the table with two steps of subdivision, of the model's faces around the bound ones
+    /// only.
     #[must_use]
     pub fn new(faces: &[[u32; 4]]) -> Self {
         let refined = refined(faces);
@@ -111,7 +111,7 @@ impl Binding {
         }
     }
 
-    /// The model's frame brought into that of a person's head.
+    /// Computes the transform from the model's frame to that of a person's head.
     fn frame(&self, shape: &[DVec3]) -> Frame {
         let turn = DQuat::from_rotation_x(TILT_DEG.to_radians());
         let ends = table().iter().zip(&self.stencils);
@@ -125,7 +125,7 @@ impl Binding {
         }
     }
 
-    /// The bound places of a person, in the frame of the head.
+    /// Evaluates the bound points of a person, in the frame of the head.
     #[must_use]
     pub fn bind(&self, shape: &[DVec3]) -> ModelHeadShape {
         let frame = self.frame(shape);
@@ -185,7 +185,7 @@ impl ModelHeadShape {
         Ok(Binding::new(model.faces()).bind(&model.shape(traits)?))
     }
 
-    /// Reads what [`Self::to_text`] wrote; `None` when it is something else.
+    /// Parses the output of [`Self::to_text`]; `None` if the format is invalid.
     #[must_use]
     pub fn from_text(text: &str) -> Option<Self> {
         let mut bound = Self {
@@ -225,7 +225,7 @@ impl ModelHeadShape {
             .collect()
     }
 
-    /// The head of what [`Self::numbers`] gives; `None` when there are more or fewer.
+    /// Builds the head from the output of [`Self::numbers`]; `None` if the count differs.
     #[must_use]
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let keys = keys();
@@ -242,7 +242,7 @@ impl ModelHeadShape {
         })
     }
 
-    /// The places as a table, to a hundredth of a millimetre.
+    /// Formats the positions as a table, to a hundredth of a millimetre.
     #[must_use]
     pub fn to_text(&self) -> String {
         let mut text = String::from(
@@ -270,12 +270,12 @@ impl ModelHeadShape {
         text
     }
 
-    /// Where a mark lies; `None` for one that is not bound on that side.
+    /// Returns the position of a mark; `None` if it is not bound on that side.
     pub(super) fn position_of(&self, mark: Mark, side: Side) -> Option<DVec3> {
         self.places.get(&(mark, side)).copied()
     }
 
-    /// The head with every place moved by what is said of it.
+    /// Returns the head with every position displaced by `by`.
     pub(super) fn moved(&self, by: impl Fn(DVec3) -> DVec3) -> Self {
         let places = self.places.iter();
         Self {
@@ -284,12 +284,12 @@ impl ModelHeadShape {
         }
     }
 
-    /// Where a vertex of the cage lies; `None` for one that is not bound.
+    /// Returns the position of a vertex of the cage; `None` if it is not bound.
     pub(super) fn place(&self, key: Key, side: Side) -> Option<DVec3> {
         self.position_of(Mark::Cage(key), side)
     }
 
-    /// The mean of a place and its mirror image, on the left.
+    /// Returns the mean of a position and its mirror image, on the left.
     fn symmetric_at(&self, mark: Mark) -> Option<DVec3> {
         let left = *self.places.get(&(mark, Side::Left))?;
         let right = self.places.get(&(mark, Side::Right)).copied();
@@ -322,8 +322,8 @@ impl ModelHeadShape {
             .collect()
     }
 
-    /// How far a vertex of the cage lies from where it is on the symmetric head; nothing for one
-    /// that is not bound.
+    /// Returns the offset of a vertex of the cage from its position on the symmetric head; zero if
+    /// it is not bound.
     pub(super) fn asymmetry(&self, key: Key, side: Side) -> DVec3 {
         let mark = Mark::Cage(key);
         let own = self.place(key, side);
@@ -351,7 +351,7 @@ impl ModelHeadShape {
     }
 }
 
-/// The table with some places found anew: by vertex of the cage and side.
+/// Returns the table with some bindings replaced, by vertex of the cage and side.
 pub(super) fn rewritten(found: &BTreeMap<(Key, Side), (u32, InFace)>) -> String {
     let mut text: String = TABLE
         .lines()
@@ -386,7 +386,7 @@ mod tests {
 
     use super::*;
 
-    /// Columns of a plane of quads that stands in for the model.
+    /// Columns of a plane of quads that replaces the model in tests.
     const COLUMNS: u32 = 120;
 
     /// Faces of the plane and its vertices; face `i` has its first corner at column and row of `i`.

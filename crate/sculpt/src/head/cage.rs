@@ -108,7 +108,7 @@ const EAR_BORDER: [(u8, u8); 18] = [
 ];
 
 impl Key {
-    /// An eye vertex; ring 0 lies on the grid, positions wrap.
+    /// Returns an eye vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn eye(ring: u8, k: usize) -> Self {
         let (c, r) = EYE_BORDER[k % 16];
         if ring == 0 {
@@ -118,7 +118,7 @@ impl Key {
         }
     }
 
-    /// A mouth vertex; ring 0 lies on the grid.
+    /// Returns a mouth vertex; ring 0 lies on the grid.
     pub(crate) fn mouth(ring: u8, k: usize) -> Self {
         let (c, r) = MOUTH_BORDER[k];
         if ring == 0 {
@@ -128,7 +128,7 @@ impl Key {
         }
     }
 
-    /// A nostril vertex; ring 0 lies on the grid, positions wrap.
+    /// Returns a nostril vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn nostril(ring: u8, k: usize) -> Self {
         let (c, r) = NOSTRIL_BORDER[k % 8];
         if ring == 0 {
@@ -138,7 +138,7 @@ impl Key {
         }
     }
 
-    /// An ear vertex; ring 0 lies on the grid, positions wrap.
+    /// Returns an ear vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn ear(ring: u8, k: usize) -> Self {
         let (c, r) = EAR_BORDER[k % 18];
         if ring == 0 {
@@ -148,7 +148,7 @@ impl Key {
         }
     }
 
-    /// A crown vertex; three of the patch's sides lie on row 0.
+    /// Returns a crown vertex; three of the patch's sides lie on row 0.
     pub(crate) fn crown(p: u8, q: u8) -> Self {
         if p == 0 {
             Self::Grid(q, 0)
@@ -188,7 +188,7 @@ impl Key {
         }
     }
 
-    /// Whether both halves share it.
+    /// Returns true if both halves share the vertex.
     pub(crate) fn on_midline(self) -> bool {
         match self {
             Self::Grid(c, _) => c == 0 || c == LAST_COLUMN,
@@ -211,7 +211,7 @@ impl Key {
     }
 }
 
-/// What a face of the cage belongs to; rings count from the outer one of its two.
+/// Zone of a face of the cage; rings count from the outer one of its two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Zone {
     /// Outside all rings: the column and row of its upper inner corner.
@@ -333,12 +333,12 @@ impl Cage {
         })
     }
 
-    /// How many vertices there are.
+    /// Returns the number of vertices.
     pub(crate) fn len(&self) -> usize {
         self.keys.len()
     }
 
-    /// Whether the cage has such a vertex.
+    /// Returns true if the cage has the vertex.
     pub(crate) fn has(&self, key: Key) -> bool {
         self.index.contains_key(&(key, Side::Left))
     }

@@ -19,7 +19,7 @@ use crate::atlas::{SIZE, even_out, harmonic, unfold};
 /// The head's rectangle in the atlas, texels: left, top, right, bottom.
 const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];
 
-/// How many texels a millimetre gets in each column of faces, relative to the face.
+/// Relative texels per millimetre in each column of faces, compared with the face.
 const COLUMN_SHARES: [f64; LAST_COLUMN as usize] = [
     1.0, 1.0, 1.0, 1.0, 1.1, 1.25, 1.35, 1.4, 1.35, 1.1, 0.75, 0.65, 0.75, 0.75, 0.75, 0.2, 0.13,
     0.12, 0.12, 0.12,
@@ -38,8 +38,8 @@ fn row_share(row: u8) -> f64 {
     }
 }
 
-/// How far from the middle of its hole each ring of the ear lies, of the border's distance:
-/// the back takes little, the folded front most.
+/// Radius of each ear ring from the middle of its hole, relative to the border's: the back takes
+/// little, the folded front most.
 const EAR_RINGS: [f64; 11] = [
     1.0, 0.94, 0.88, 0.81, 0.74, 0.64, 0.53, 0.40, 0.27, 0.15, 0.07,
 ];

@@ -23,7 +23,7 @@ fn points_on(part: &MeshPart) -> impl Iterator<Item = DVec3> {
     })
 }
 
-/// Where a ray first meets a triangle, and whether from its front.
+/// Returns the distance at which a ray first hits a triangle, and true if it hits the front.
 fn met(from: DVec3, way: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<(f64, bool)> {
     let (u, v) = (*b - *a, *c - *a);
     let h = way.cross(v);
@@ -39,7 +39,7 @@ fn met(from: DVec3, way: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<(f64, bool)> {
     (s >= 0.0 && t >= 0.0 && s + t <= 1.0 && along > 0.0).then_some((along, area > 0.0))
 }
 
-/// Triangles by the levels that they reach through, so that a ray is not tried on all of them.
+/// Triangles by the height levels that they span, to limit ray tests.
 struct Levels<'a>(BTreeMap<i32, Vec<&'a [DVec3; 3]>>);
 
 impl<'a> Levels<'a> {
@@ -71,7 +71,7 @@ impl<'a> Levels<'a> {
 #[test]
 fn a_collar_lies_against_the_neck_all_round() {
     const SECTORS: usize = 72;
-    /// What lies farther from a collar is not what it lies on, metres.
+    /// Maximum distance of surfaces under a collar, metres.
     const FAR_M: f64 = 0.1;
     for m in models() {
         let skin = Levels::from_triangles(&m.skin);
@@ -112,7 +112,7 @@ fn a_collar_lies_against_the_neck_all_round() {
 
 #[test]
 fn nothing_is_seen_from_behind_at_the_throat() {
-    /// Rays of a view lie at most √(0.04² + 0.064²) from its middle, metres.
+    /// Radius of the beam of rays of a view, at most √(0.04² + 0.064²), metres.
     const BEAM_M: f64 = 0.076;
     for m in models() {
         let y = m.joints.position_of(Bone::Cervical).y;

@@ -12,14 +12,14 @@ use crate::texture::space_noise;
 
 /// Hair is tied within this distance of the tie, metres.
 const TIED_M: f64 = 0.012;
-/// What is dropped: cards that turn by more within 12 mm (radians), that point outward by more
-/// of their length, that stand off farther (metres).
+/// Rejection limits: cards that turn by more within 12 mm (radians), that point outward by more of
+/// their length, that stand off farther (metres).
 const MAX_TURN: f64 = 0.70;
 /// Waves shorter than this are curls, metres.
 const CURL_M: f64 = 0.08;
 const MAX_OUTWARD: f64 = 0.55;
 const MAX_HEIGHT_M: f64 = 0.036;
-/// Hair that lies farther out on a shoulder is dropped, metres.
+/// Distance on a shoulder beyond which hair is dropped, metres.
 const MAX_WIDTH_M: f64 = 0.122;
 
 impl Grower<'_> {
@@ -76,7 +76,7 @@ impl Grower<'_> {
         }
     }
 
-    /// Where the hair ends, metres from its root; turns the ends of a hem in.
+    /// Returns the length at which the hair ends, metres from its root; turns the ends of a hem in.
     pub(super) fn trim(&self, path: &mut [DVec3], hair: &Hair<'_>, length: f64) -> Option<f64> {
         let Hair { layer, root, .. } = hair;
         let dice = [3, 4].map(|k| hair.dice.unit(k));

@@ -1,7 +1,7 @@
 /** The clock of a figure that waits: it runs slowly, only where it is seen, and spares slow devices. */
 
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { IdleClock } from '../element/story/welcome.js';
+import { IdleClock } from '../element/story/idle-clock.js';
 
 let callbacks = new Map<number, FrameRequestCallback>();
 let last = 0;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { DeferredAnswers } from '../speech/later.js';
+import { DeferredAnswers } from '../speech/deferred-answers.js';
 
 test('an answer is there when it is asked for again, and is made once', async () => {
   const later = new DeferredAnswers<string>();

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { AnimationLoops } from '../element/picture/pulse.js';
+import { AnimationLoops } from '../element/picture/animation-loops.js';
 
 let page: { hidden: boolean };
 let frames: (() => void)[];

@@ -13,7 +13,7 @@ import { Pictures } from './pictures-panel.js';
 import { Portraits } from './portraits.js';
 import { SegmentPictures } from './segment-pictures.js';
 import { start } from './start.js';
-import type { EditorFeedback } from './tell.js';
+import type { EditorFeedback } from './editor-feedback.js';
 import { Thumbnails } from './thumbnails.js';
 
 export class EditorServices {

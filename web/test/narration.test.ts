@@ -1,6 +1,6 @@
 import { afterEach, beforeAll, beforeEach, expect, test, vi } from 'vitest';
 import type { NarrationFunctions } from '../element/engine/backend.js';
-import { tellTo, type NarrationContext } from '../element/story/tell.js';
+import { tellTo, type NarrationContext } from '../element/story/narration.js';
 import type { Answer } from '../element/base/performance.js';
 import type { Diagnostic } from '../element/base/types.js';
 import { COMPILE_MS, openBuild } from './build.js';

@@ -4,7 +4,7 @@ import type { App } from './app.js';
 import { History } from './history.js';
 import type { Sessions } from './kept-panel.js';
 import type { OpenedSession, Session } from './session.js';
-import { reason, type EditorFeedback } from './tell.js';
+import { reason, type EditorFeedback } from './editor-feedback.js';
 
 /** Begins with a session; without one where it cannot be read. Whether it could be. */
 export function reopen(app: App, saved: unknown, tell: EditorFeedback): boolean {
