@@ -36,7 +36,7 @@ fn main() -> io::Result<()> {
     fs::write(Path::new(&out).join("muscles.rs"), written)
 }
 
-/// How many there are, a constant for each, and its row.
+/// Writes the number of muscles, a constant for each, and its row.
 fn muscles_of(rows: &[Row<'_>], out: &mut String) -> fmt::Result {
     let all: Vec<_> = table::for_each_muscle(rows).collect();
     writeln!(
@@ -67,7 +67,7 @@ fn muscles_of(rows: &[Row<'_>], out: &mut String) -> fmt::Result {
     writeln!(out, "];")
 }
 
-/// Lists of muscles with numbers, in which only those stand that have one.
+/// Writes lists of muscles with numbers, limited to those that have one.
 fn shares(rows: &[Row<'_>], out: &mut String) -> fmt::Result {
     let arkit = rows.iter().flat_map(|row| {
         let left = format!("{}{}", row.code, table::sides(row)[0]);
@@ -109,7 +109,7 @@ contraction.",
     )
 }
 
-/// A constant list of muscles with what belongs to each.
+/// Writes a constant list of muscles with their values.
 fn list(
     name: &str,
     types: &str,

@@ -30,7 +30,7 @@ const WATCHED = 0.9;
 /** What is seen just before a page is killed may be lost: some tenths of a second, at each of three kills. */
 const LOST_SHARE = 0.35;
 
-interface Told {
+interface SeenAnswer {
   readonly name: string;
   readonly given: readonly string[];
   readonly isRight: boolean | undefined;
@@ -102,7 +102,7 @@ const WORLDS = { scorm12: () => system('scorm12'), scorm2004: () => system('scor
 
 /** What a learner has done, as the page itself told it. */
 interface Truth {
-  readonly told: Told[];
+  readonly told: SeenAnswer[];
   /** Tenths of a second of the story that were played. */
   readonly seen: Set<number>;
 }
@@ -115,7 +115,7 @@ async function opened(context: BrowserContext, world: World, truth: Truth): Prom
     HTMLCanvasElement.prototype.getContext = () => null;
     Object.defineProperty(navigator, 'gpu', { value: undefined });
   });
-  await page.exposeBinding('tell', (_, answered: Told | undefined, seen: number[]) => {
+  await page.exposeBinding('tell', (_, answered: SeenAnswer | undefined, seen: number[]) => {
     if (answered !== undefined) truth.told.push(answered);
     for (const tenth of seen) truth.seen.add(tenth);
   });
@@ -123,7 +123,7 @@ async function opened(context: BrowserContext, world: World, truth: Truth): Prom
   await frame.waitForFunction(() => ((document.querySelector('raconteur-player') as RaconteurPlayer | null)?.readyState ?? 0) >= 2, undefined, { timeout: 60_000 });
   await frame.evaluate(() => {
     const player = document.querySelector('raconteur-player') as RaconteurPlayer;
-    const { tell } = window as unknown as { tell(answered: Told | undefined, seen: number[]): void };
+    const { tell } = window as unknown as { tell(answered: SeenAnswer | undefined, seen: number[]): void };
     player.muted = true;
     player.playbackRate = 2;
     const seen = () => {

@@ -7,20 +7,20 @@ import { expect, test, type Stage } from './stage.js';
 const story = '<raconteur-player src="/assets/stories/hello-world/story.eml" controls></raconteur-player>';
 
 /** What tests keep in the page. */
-type Kept = Window & { faces: Faces };
+type KeptFace = Window & { faces: Faces };
 
 /** Opens the model in the page, as an embedder would. */
 async function openModel(stage: Stage): Promise<void> {
   await stage.player.evaluate(async () => {
     const { openFaces } = (await import(new URL('/raconteur-player.js', location.href).href)) as { openFaces: (shapes: string, textures: string) => Promise<Faces> };
-    (window as unknown as Kept).faces = await openFaces('/assets/faces/people.faces', '/assets/faces/people.skins');
+    (window as unknown as KeptFace).faces = await openFaces('/assets/faces/people.faces', '/assets/faces/people.skins');
   });
 }
 
 /** Puts a random face on the figure. */
 const random = (stage: Stage, seed: number) =>
   stage.player.evaluate(async (p: RaconteurPlayer, s) => {
-    const { faces } = window as unknown as Kept;
+    const { faces } = window as unknown as KeptFace;
     faces.random(s);
     await p.setFace(faces.face(p.currentFigure ?? ''));
   }, seed);
@@ -73,7 +73,7 @@ test('edits, what was kept, and errors of the model', async ({ stage }) => {
   await stage.ready();
   await openModel(stage);
   const seen = await stage.player.evaluate(() => {
-    const { faces } = window as unknown as Kept;
+    const { faces } = window as unknown as KeptFace;
     const told = (work: () => void) => {
       try {
         work();

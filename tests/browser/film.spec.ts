@@ -51,7 +51,7 @@ async function open(stage: Stage, attributes: string, body = `<voice-text time='
   return asked;
 }
 
-interface Shown {
+interface ShownState {
   readonly paused: boolean;
   /** How far it is ahead of the sound, seconds. */
   readonly drift: number;
@@ -59,7 +59,7 @@ interface Shown {
   readonly seeking: boolean;
 }
 
-const shown = (stage: Stage): Promise<Shown | undefined> =>
+const shown = (stage: Stage): Promise<ShownState | undefined> =>
   stage.player.evaluate((p: RaconteurPlayer) => {
     const video = p.shadowRoot?.querySelector('video');
     return video ? { paused: video.paused, drift: video.currentTime - p.currentTime, rate: video.playbackRate, seeking: video.seeking || video.readyState < 2 } : undefined;

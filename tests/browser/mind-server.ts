@@ -5,7 +5,7 @@ import { createServer } from 'node:http';
 import type { AddressInfo, Socket } from 'node:net';
 
 /** What a player tells a mind. */
-export type Told = { kind: string; [field: string]: unknown };
+export type MindMessage = { kind: string; [field: string]: unknown };
 
 /** A server for one player at a time; speaks to the one that came last. */
 export class Mind {
@@ -14,7 +14,7 @@ export class Mind {
   /** How many connections there were. */
   connections = 0;
   /** All messages, in order. */
-  readonly told: Told[] = [];
+  readonly told: MindMessage[] = [];
 
   private constructor() {
     this.#server.on('upgrade', (request, socket: Socket) => {
@@ -75,7 +75,7 @@ export class Mind {
       const mask = data.subarray(head, head + 4);
       const text = Buffer.from(data.subarray(head + 4, end).map((byte, i) => byte ^ (mask[i % 4] ?? 0)));
       const opcode = (data[0] ?? 0) & 15;
-      if (opcode === 1) this.told.push(JSON.parse(text.toString()) as Told);
+      if (opcode === 1) this.told.push(JSON.parse(text.toString()) as MindMessage);
       if (opcode === 8) socket.end(frame(8, text));
       data = data.subarray(end);
     }

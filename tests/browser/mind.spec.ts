@@ -1,7 +1,7 @@
 /** A mind behind the storyteller: EML by WebSocket while the story plays. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { Mind, type Told } from './mind-server.js';
+import { Mind, type MindMessage } from './mind-server.js';
 import { expect, test as base, type Stage } from './stage.js';
 
 const LINE = '<voice-text time="0" timeId="v"><div>Hello <emph><tm name="w"/>world!</emph></div></voice-text>';
@@ -43,7 +43,7 @@ async function voice(stage: Stage): Promise<{ [path: string]: Buffer }> {
 }
 
 /** Waits for a message to the mind. */
-async function told(mind: Mind, wanted: (told: Told) => boolean): Promise<Told> {
+async function told(mind: Mind, wanted: (told: MindMessage) => boolean): Promise<MindMessage> {
   await expect.poll(() => mind.told.some(wanted), { timeout: 60_000, intervals: [50] }).toBe(true);
   return mind.told.find(wanted) ?? { kind: '' };
 }

@@ -45,7 +45,7 @@ import {
   type PlayerState,
   type PoseNumbers,
   type Statistics,
-  type Telling,
+  type NarrationHandle,
   type View,
   type Words,
   type EnvironmentExpression,
@@ -318,7 +318,7 @@ export class RaconteurPlayer extends PlayerAttributes {
    * it is complete, with gestures and emotions derived from punctuation and function words. Speaks nothing while the
    * player is paused.
    */
-  tell(words: Words): Telling {
+  tell(words: Words): NarrationHandle {
     return telling(this.#context, this.#stories.stage(), words, () => this.interrupt());
   }
 

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Report } from '../course/report.js';
 import { XapiRecord } from '../course/xapi.js';
-import { faultsOf, verbOf, type Told } from './course-statements.js';
+import { faultsOf, verbOf, type SentStatement } from './course-statements.js';
 import { ACTOR, COURSE, FakeStore, launchOf, prepare, REGISTRATION, report, SESSION_ID, settled, shelf } from './course-store.js';
 
 const DOCS = readFileSync(join(import.meta.dirname, '../../docs/courses.md'), 'utf8');
@@ -29,9 +29,9 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const told = (): Told[] => store.statements as unknown as Told[];
+const told = (): SentStatement[] => store.statements as unknown as SentStatement[];
 const judged = (points: number, isPassed: boolean): Report => ({ ...report(57, true), score: { points, most: 10 }, isSettled: true, isPassed });
-const categories = (it: Told): string[] => (it.context.contextActivities['category'] ?? []).map(({ id }) => id.split('/').at(-1) ?? '');
+const categories = (it: SentStatement): string[] => (it.context.contextActivities['category'] ?? []).map(({ id }) => id.split('/').at(-1) ?? '');
 
 /** A session in which somebody does all that can be told. */
 async function session(more: object = {}, reports: readonly Report[] = [judged(8, true)], mode = 'Normal'): Promise<XapiRecord> {

@@ -11,7 +11,7 @@ import { XapiRecord } from '../course/xapi.js';
 import type { Question } from '../element/base/questions.js';
 import { FakePlayer } from './course-learner.js';
 import { oneOf, random, type Next } from './course-questions.js';
-import { verbOf, type Told } from './course-statements.js';
+import { verbOf, type SentStatement } from './course-statements.js';
 import { COURSE, FakeStore, launchOf, prepare, settled, shelf } from './course-store.js';
 import { sized } from './tier.js';
 
@@ -99,7 +99,7 @@ function store(isCmi5: boolean): World {
   const lrs = new FakeStore();
   prepare(lrs, 'Normal');
   let isGone = { now: true };
-  const told = () => [...lrs.statements] as unknown as Told[];
+  const told = () => [...lrs.statements] as unknown as SentStatement[];
   return {
     open(kept) {
       lrs.tokens = 0;

@@ -62,7 +62,7 @@ class Seen extends EventTarget {
 }
 
 /** What was told, in order. */
-class Heard implements Record {
+class HeardEvent implements Record {
   readonly troubles = new StorageProblems();
   readonly heard: (boolean | undefined | string)[] = [];
   readonly #known: KnownLearner;
@@ -91,7 +91,7 @@ async function begun(player: Seen, record: Record, pass: number | undefined): Pr
 
 it('nobody has failed before all is answered for good, and an answer comes before what follows from it', async () => {
   const player = new Seen(3);
-  const record = new Heard();
+  const record = new HeardEvent();
   await begun(player, record, 0.6);
   player.answer('q0', false);
   player.answer('q1', true);
@@ -102,7 +102,7 @@ it('nobody has failed before all is answered for good, and an answer comes befor
 
 it('a story that has ended is settled, whatever it did not ask on its way', async () => {
   const player = new Seen(3);
-  const record = new Heard();
+  const record = new HeardEvent();
   await begun(player, record, 0.6);
   player.answer('q0', true);
   player.ended = true;
@@ -120,7 +120,7 @@ it('the share that the system wants counts before the author’s', async () => {
     [0, 1, true],
   ] as const) {
     const player = new Seen(2);
-    const record = new Heard(wanted);
+    const record = new HeardEvent(wanted);
     await begun(player, record, pass);
     player.answer('q0', true);
     player.answer('q1', false);

@@ -13,7 +13,7 @@ import { KINDS, random, randomQuestion, randomReply, randomText, squashed } from
 import { sized } from './tier.js';
 
 type Api = { [method: string]: (...given: string[]) => string } & { renderCMIToJSONObject(): object };
-type Told = { readonly [part: string]: string } & { readonly correct_responses: { readonly [n: string]: { readonly pattern: string } } };
+type SentStatement = { readonly [part: string]: string } & { readonly correct_responses: { readonly [n: string]: { readonly pattern: string } } };
 
 const SYSTEMS = [
   { name: 'SCORM 1.2', version: SCORM_12, object: 'API', prefix: 'LMS', open: () => new Scorm12API({ autocommit: false, logLevel: 5 }), response: 'student_response' },
@@ -126,7 +126,7 @@ for (const system of SYSTEMS) {
       }
       record.close();
       expect(faults, `learner ${learner}`).toEqual([]);
-      const { cmi } = JSON.parse(JSON.stringify(api.renderCMIToJSONObject())) as { cmi: { interactions: { [n: string]: Told } } };
+      const { cmi } = JSON.parse(JSON.stringify(api.renderCMIToJSONObject())) as { cmi: { interactions: { [n: string]: SentStatement } } };
       replies.forEach((reply, n) => expectHeld(reply, cmi.interactions[n]?.[system.response] ?? '', system));
       expect(Object.keys(cmi.interactions)).toHaveLength(replies.length);
     }

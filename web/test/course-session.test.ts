@@ -8,7 +8,7 @@ import { BrowserRecord } from '../course/storage.js';
 import { XapiRecord } from '../course/xapi.js';
 import type { Question } from '../element/base/questions.js';
 import { FakePlayer } from './course-learner.js';
-import { verbOf, type Told } from './course-statements.js';
+import { verbOf, type SentStatement } from './course-statements.js';
 import { COURSE, FakeStore, launchOf, memoryAt, prepare, settled, shelf, verbs } from './course-store.js';
 
 let store: FakeStore;
@@ -67,7 +67,7 @@ function system(values = new Map<string, string>(), learner = '7') {
 }
 
 const scores = (): unknown[] =>
-  (store.statements as unknown as Told[]).flatMap((it) =>
+  (store.statements as unknown as SentStatement[]).flatMap((it) =>
     verbOf(it) === 'answered' || it.result?.['score'] === undefined ? [] : [[verbOf(it), (it.result['score'] as { raw: number }).raw]],
   );
 
@@ -91,7 +91,7 @@ for (const isCmi5 of [false, true]) {
             ['terminated', 8],
           ],
     );
-    expect((store.statements as unknown as Told[]).filter((it) => verbOf(it) === 'completed').map(({ result }) => result?.['score'])).toEqual([undefined]);
+    expect((store.statements as unknown as SentStatement[]).filter((it) => verbOf(it) === 'completed').map(({ result }) => result?.['score'])).toEqual([undefined]);
   });
 
   it(`who has passed with ${name} and answers more in a later session has the score of that`, async () => {

@@ -5,7 +5,7 @@ interface Component {
   readonly id: string;
   readonly description: Json;
 }
-export interface Told {
+export interface SentStatement {
   readonly id: string;
   readonly timestamp: string;
   readonly verb: { readonly id: string };
@@ -24,7 +24,7 @@ const NUMBER = /^-?\d+(\.\d+)?$/;
 const CMI5 = 'https://w3id.org/xapi/cmi5/context/';
 const VIDEO = 'https://w3id.org/xapi/video';
 
-export const verbOf = ({ verb }: Told): string => verb.id.split('/').at(-1) ?? '';
+export const verbOf = ({ verb }: SentStatement): string => verb.id.split('/').at(-1) ?? '';
 
 /** Whether a text is a response of a type to what a definition has. */
 function isResponse(definition: Json, text: string, isPattern: boolean): boolean {
@@ -58,7 +58,7 @@ function faultsOfScore(score: Json): string[] {
   return min !== undefined && max !== undefined && min < max && min <= raw && raw <= max ? faults : [...faults, 'raw'];
 }
 
-function faultsOfQuestion({ object: { definition }, result = {}, context }: Told): string[] {
+function faultsOfQuestion({ object: { definition }, result = {}, context }: SentStatement): string[] {
   const patterns = (definition['correctResponsesPattern'] ?? []) as string[];
   const lists = ['choices', 'source', 'target'].flatMap((name) => (definition[name] === undefined ? [] : [definition[name] as Component[]]));
   const response = result['response'] as string | undefined;
@@ -78,7 +78,7 @@ function faultsOfQuestion({ object: { definition }, result = {}, context }: Told
 }
 
 /** What results of verbs must and must not hold (cmi5, 9.5), also without cmi5. */
-function faultsOfCourse(told: Told, isCmi5: boolean): string[] {
+function faultsOfCourse(told: SentStatement, isCmi5: boolean): string[] {
   const { result = {}, context } = told;
   const verb = verbOf(told);
   const isJudged = verb === 'passed' || verb === 'failed';
@@ -99,7 +99,7 @@ function faultsOfCourse(told: Told, isCmi5: boolean): string[] {
 }
 
 /** What is wrong with a statement, in words. */
-export function faultsOf(told: Told, isCmi5: boolean): string[] {
+export function faultsOf(told: SentStatement, isCmi5: boolean): string[] {
   const { id, timestamp, actor, object, result, context } = told;
   const addresses = [told.verb.id, object.id, String(object.definition['type']), ...Object.values(context.contextActivities).flatMap((list) => list.map((it) => it.id))];
   const maps = [object.definition['name'] as Json, (told.verb as unknown as { display: Json }).display];
@@ -120,8 +120,8 @@ export function faultsOf(told: Told, isCmi5: boolean): string[] {
 }
 
 /** What is wrong with the order of what was said in a registration. */
-export function faultsOfOrder(all: readonly Told[], isCmi5: boolean): string[] {
-  const sessionOf = ({ context }: Told) => context.extensions[`${VIDEO}/extensions/session-id`];
+export function faultsOfOrder(all: readonly SentStatement[], isCmi5: boolean): string[] {
+  const sessionOf = ({ context }: SentStatement) => context.extensions[`${VIDEO}/extensions/session-id`];
   const sessions = [...new Set(all.map(sessionOf))].map((session) => all.filter((it) => sessionOf(it) === session));
   const faults: string[] = [];
   for (const told of sessions) {

@@ -7,12 +7,12 @@ import type { Reply, Report } from '../course/report.js';
 import { XapiRecord } from '../course/xapi.js';
 import type { Question, QuestionKind, QuestionOption } from '../element/base/questions.js';
 import { random, randomQuestion, randomReply, randomText, type Next } from './course-questions.js';
-import { faultsOf, faultsOfOrder, verbOf, type Told } from './course-statements.js';
+import { faultsOf, faultsOfOrder, verbOf, type SentStatement } from './course-statements.js';
 import { COURSE, FakeStore, launchOf, memoryAt, prepare, report, settled, shelf } from './course-store.js';
 import { sized } from './tier.js';
 
 let store: FakeStore;
-const told = (): Told[] => store.statements as unknown as Told[];
+const told = (): SentStatement[] => store.statements as unknown as SentStatement[];
 const begin = (mode = 'Normal', more: object = {}): void => {
   store = new FakeStore();
   prepare(store, mode, more);

@@ -4,13 +4,13 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 
 const EXTENSION = 'EXT_meshopt_compression';
 
-interface Stretch {
+interface ByteRange {
   buffer: number;
   byteOffset?: number;
   byteLength: number;
 }
 
-interface Stream extends Stretch {
+interface Stream extends ByteRange {
   byteStride: number;
   count: number;
   mode: string;
@@ -19,7 +19,7 @@ interface Stream extends Stretch {
 
 interface Root {
   buffers: object[];
-  bufferViews: (Stretch & { extensions?: Record<string, Stream> })[];
+  bufferViews: (ByteRange & { extensions?: Record<string, Stream> })[];
   extensionsUsed: string[];
   extensionsRequired: string[];
 }
@@ -45,7 +45,7 @@ export async function unpacked(glb: Buffer): Promise<Uint8Array> {
   await MeshoptDecoder.ready;
   const [text, bin] = chunks(glb);
   const root = JSON.parse(text.toString()) as Root;
-  const stretch = ({ byteOffset = 0, byteLength }: Stretch) => bin.subarray(byteOffset, byteOffset + byteLength);
+  const stretch = ({ byteOffset = 0, byteLength }: ByteRange) => bin.subarray(byteOffset, byteOffset + byteLength);
   const parts: Buffer[] = [];
   let length = 0;
   for (const view of root.bufferViews) {

@@ -23,8 +23,8 @@ pub fn zero_fingers(side: Side) -> DVec3 {
 /// Normal out of the palm in the zero pose, world, unit.
 pub const ZERO_NORMAL: DVec3 = DVec3::NEG_Y;
 
-/// Hand rotation from the palm's outward normal (world, engine axes; any length) and an
-/// angle about it by the left-hand rule, radians. `None` for a normal without direction.
+/// Returns the hand rotation for the palm's outward normal (world, engine axes; any length) and an
+/// angle about it by the left-hand rule, radians. `None` for a zero normal.
 #[must_use]
 pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Option<DQuat> {
     let normal = normal_in_world.try_normalized()?;
@@ -57,8 +57,8 @@ pub fn normal_and_angle(side: Side, hand_in_world: DQuat) -> (DVec3, f64) {
     (normal, ops::wrap_angle(-2.0 * ops::atan2(sine, turn.w)))
 }
 
-/// Hand rotation with these directions of the fingers and of the palm's normal; the
-/// normal is made square to the fingers. `None` when they are parallel or zero.
+/// Returns the hand rotation for given directions of the fingers and of the palm's normal; the
+/// normal is orthogonalised to the fingers. `None` when they are parallel or zero.
 #[must_use]
 pub fn from_directions(side: Side, fingers: DVec3, normal: DVec3) -> Option<DQuat> {
     let columns = |fingers: DVec3, normal: DVec3| {

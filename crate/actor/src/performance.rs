@@ -16,9 +16,9 @@ use crate::parameters::ParameterScript;
 pub struct Performance {
     /// Left and right arm.
     pub arms: [ArmScript; 2],
-    /// What limbs, head and the whole figure do as manipulators.
+    /// Motions of limbs, head and the whole figure as manipulators.
     pub manipulators: ManipulatorScript,
-    /// How far its joints turn, and what of its body arms keep out of.
+    /// Joint limits of the figure, and the body shape that its arms avoid.
     pub build: Build,
     /// The dominant hand.
     pub dominant: Side,
@@ -34,14 +34,14 @@ pub struct Performance {
     pub parameters: ParameterScript,
     /// Seed of all unscripted motion.
     pub seed: u64,
-    /// How lively the idle motion is, 0 (still) to 1.
+    /// Amount of idle motion, 0 (still) to 1.
     pub motion_amount: f64,
-    /// How the figure accompanies its speech; the amounts count beside `motion_amount`.
+    /// Manner of nonverbal behaviour during speech; its amounts are combined with `motion_amount`.
     pub manner: Manner,
-    /// Whom the figure speaks to, world, metres: usually the camera.
+    /// Position of the listener, world, metres: usually the camera.
     pub listener_in_world: DVec3,
-    /// The figure waits to begin: what it does with nothing to do is a welcome, with open
-    /// arms, its head a little to the side, and a smile.
+    /// True if the figure waits to begin: its idle motion is a welcome, with open arms, the head
+    /// slightly tilted, and a smile.
     pub welcomes: bool,
 }
 

@@ -18,21 +18,20 @@ const STILL: IdleSettings = IdleSettings {
     dominant: Side::Right,
 };
 const RATE_HZ: f64 = 480.0;
-/// Peak over mean speed of a movement of minimum jerk, and its greatest acceleration in units
-/// of way over the square of time (Flash and Hogan 1985,
-/// doi:10.1523/JNEUROSCI.05-07-01688.1985).
+/// Ratio of peak to mean speed of a minimum-jerk movement; its greatest acceleration in units of
+/// distance over the square of time (Flash and Hogan 1985, doi:10.1523/JNEUROSCI.05-07-01688.1985).
 const PEAK: f64 = 1.875;
 const ACCELERATION: f64 = 5.774;
 /// Fastest mean speed of a wrist that the planner plans, m/s: with [`PEAK`] 4.1 m/s, somewhat
 /// above the fastest wrist of recorded story tellers (3.6 m/s).
 const MAX_SPEED_M_S: f64 = 2.2;
-/// The shortest that an unhurried way takes, seconds.
+/// Shortest duration of an unhurried movement, seconds.
 const EASY_SECS: f64 = 0.35;
-/// The ways are slightly curved and pass through keys: a sixth more than straight ones from
-/// rest to rest.
+/// Path-length factor: paths are slightly curved and pass through keys, a sixth longer than
+/// straight ones from rest to rest.
 const ROOM: f64 = 1.17;
 
-/// One script of an arm: all strokes, and whether each begins at the very end of the last.
+/// One script of an arm: all strokes, and true if each begins exactly at the end of the last.
 struct Case {
     strokes: Vec<GestureStroke>,
     side: Side,
@@ -96,7 +95,7 @@ fn case(seed: u64) -> Case {
     Case { strokes, side }
 }
 
-/// The issue's own: four times 0.6 s in which the hand goes up by so much, then holds.
+/// Returns the reported case: four times 0.6 s in which the hand rises by a distance, then holds.
 fn raised(up_m: f64, share: f64) -> Case {
     let low = DVec3::new(-0.25, 1.2, 0.4);
     let strokes = (0..4).map(|i| {
@@ -119,16 +118,16 @@ fn raised(up_m: f64, share: f64) -> Case {
     }
 }
 
-/// A stretch in which the hand has a way to go.
+/// An interval in which the hand moves.
 struct PathSpan {
     from_secs: f64,
     to_secs: f64,
     way_m: f64,
-    /// The shortest time that it may take.
+    /// Shortest possible duration.
     secs: f64,
 }
 
-/// The least time in which fingers and palms change, which the planner may take as well.
+/// Returns the minimum time in which fingers and palms change, which the planner may use as well.
 fn others_secs(a: &HandKey, b: &HandKey) -> f64 {
     let turn = a.hand_in_world.zip(b.hand_in_world);
     let turn = turn.map_or(0.0, |(a, b)| a.angle_between(b) / 15.0);
@@ -136,8 +135,8 @@ fn others_secs(a: &HandKey, b: &HandKey) -> f64 {
     turn.max(shapes.map_or(0.0, |(a, b)| a.greatest_difference(&b) / 18.0))
 }
 
-/// All ways of a case; none when one of them is too far for its time.
-fn ways(case: &Case) -> Option<Vec<PathSpan>> {
+/// Returns all movements of a case; `None` when one is too long for its time.
+fn path_spans(case: &Case) -> Option<Vec<PathSpan>> {
     let far = |a: &HandKey, b: &HandKey| {
         a.wrist_in_world
             .zip(b.wrist_in_world)
@@ -207,7 +206,7 @@ fn plan(case: &Case) -> ArmPlan {
     ArmPlan::new(&script, &skeleton, rig, &STILL)
 }
 
-/// Whether all targets are within the arm's reach.
+/// Returns true if all targets are within the arm's reach.
 fn is_in_reach(case: &Case, plan: &ArmPlan) -> bool {
     let mut asked = case.strokes.iter().flat_map(|s| &s.keys);
     let planned = |p: DVec3| {
@@ -282,7 +281,7 @@ fn a_raised_hand_comes_down_within_the_hold() {
     for share in [1.0, 0.75, 0.5, 0.25] {
         for up_m in [0.02, 0.088, 0.15] {
             let case = raised(up_m, share);
-            let ways = ways(&case).expect("there is time for it");
+            let ways = path_spans(&case).expect("there is time for it");
             let found = faults(&case, &plan(&case), &ways);
             assert_eq!(found, [""; 0], "{up_m} m by {share}");
         }
@@ -294,7 +293,9 @@ fn hands_are_neither_late_nor_hasty_between_strokes() {
     let (mut count, mut turned_back, mut wrong) = (0, 0, Vec::new());
     for seed in 0..800 {
         let case = case(seed);
-        let Some(ways) = ways(&case) else { continue };
+        let Some(ways) = path_spans(&case) else {
+            continue;
+        };
         let plan = plan(&case);
         if !is_in_reach(&case, &plan) {
             continue;

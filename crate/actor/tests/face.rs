@@ -50,8 +50,8 @@ impl Face {
         f64::from(self.weights[i.unwrap_or_else(|| panic!("no {name}"))])
     }
 
-    /// Gap between the lips as our own figures have it, roughly, mm: what the jaw opens over
-    /// what `mouthClose` closes, and what the lips do themselves.
+    /// Returns the approximate gap between the lips of the generated figures, mm: the jaw opening
+    /// less the closing of `mouthClose`, plus the lips' own motion.
     fn gap_mm(&self) -> f64 {
         let jaw = self.weight("jawOpen") * JAW_OPEN_RAD;
         let closed = self.weight("mouthClose") * MOUTH_CLOSE_RAD;
@@ -211,7 +211,7 @@ fn at_the_teeth_the_lower_lip_is_rolled_in_and_not_pulled_away() {
     }
 }
 
-/// What a muscle that contracts alone does first, and what else it may (F&H section 3.1.1;
+/// Primary and permitted secondary effects of each muscle contracting alone (F&H section 3.1.1;
 /// action units after Ekman and Friesen).
 #[rustfmt::skip]
 const ANATOMY: [(&str, &str, &str); 27] = [

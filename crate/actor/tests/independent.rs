@@ -9,8 +9,8 @@ use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-/// Target frames of a hand that points to the front palm down, of a standing foot and of a
-/// head that is upright, in the order of the limbs.
+/// Target frames of a hand that points to the front palm down, of a standing foot and of an upright
+/// head, in the order of the limbs.
 const EASY: [fn() -> DQuat; 5] = [
     || DQuat::from_rotation_y(-FRAC_PI_2),
     || DQuat::from_rotation_y(FRAC_PI_2) * DQuat::from_rotation_z(PI),
@@ -28,7 +28,7 @@ fn actor(script: ManipulatorScript, seed: u64) -> Actor {
     Actor::new(&performance, &Skeleton::example())
 }
 
-/// The place that a frame goes to when a hand points to the front with its palm down.
+/// Returns the frame of a hand at a position, pointing to the front with its palm down.
 fn forward(side: Side, position: DVec3) -> RigidFrame {
     let limb = [Limb::LeftArm, Limb::RightArm][side.index()];
     RigidFrame {
@@ -37,8 +37,8 @@ fn forward(side: Side, position: DVec3) -> RigidFrame {
     }
 }
 
-/// How far each wrist of a pose is from a place, and how far the actor says that it is from where
-/// it was sent, metres.
+/// Returns the distance of each wrist of a pose from a place, and the actor's reported error from
+/// its target, metres.
 fn wrists(
     script: &[(f64, Limb, Motion)],
     at_secs: f64,

@@ -30,7 +30,7 @@ fn shipped() -> Vec<(String, String)> {
     found
 }
 
-/// A player that does nothing but one animation from time 0.
+/// A player with one animation from time 0.
 struct Stage {
     skeleton: Skeleton,
     players: Players,
@@ -76,7 +76,8 @@ impl Stage {
         }
     }
 
-    /// The pose at a time of the clip; what it does not move stands, arms hanging.
+    /// Returns the pose at a time of the clip; bones that it does not move stand, with arms
+    /// hanging.
     fn pose(&self, t: f64) -> Pose {
         let mut pose = Pose::zero();
         let down = DQuat::from_rotation_z(-1.45);
@@ -113,7 +114,7 @@ impl Stage {
     }
 }
 
-/// A shipped figure, who performs.
+/// Returns a shipped figure as performer.
 fn figure(name: &str) -> Skeleton {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("../../assets/figures")

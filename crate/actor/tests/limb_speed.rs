@@ -53,7 +53,7 @@ struct Worst {
     secs: f64,
 }
 
-/// The fastest turn of a limb's bones from 0 on, of poses given by time.
+/// Returns the fastest turn of a limb's bones from 0 on, for poses given by time.
 fn fastest(until_secs: f64, pose_at: &dyn Fn(f64, &mut Pose)) -> Worst {
     let mut worst = Worst {
         rad_per_sec: 0.0,
@@ -108,8 +108,8 @@ fn line(time_secs: f64, limb: Limb, to: RigidFrame, secs: f64) -> Command {
     }
 }
 
-/// Target frames of a hand that points to the front palm down, of a standing foot and of a
-/// head that is upright, in the order of the limbs.
+/// Returns the target frames of a hand that points to the front palm down, of a standing foot and
+/// of an upright head, in the order of the limbs.
 fn easy(limb: Limb) -> DQuat {
     match limb {
         Limb::LeftArm => DQuat::from_rotation_y(-FRAC_PI_2),
@@ -121,8 +121,8 @@ fn easy(limb: Limb) -> DQuat {
     }
 }
 
-/// Anywhere a script may send a limb: some in easy reach, some beyond it, behind the back,
-/// inside the trunk, twisted any way.
+/// Returns a random target for a limb: some in easy reach, some beyond it, behind the back, inside
+/// the trunk, with any twist.
 fn place(limb: Limb, seed: u64, i: i64) -> RigidFrame {
     let r = |k: u64| noise::signed(seed, 20 + k, i);
     let wild = noise::unit(seed, 40, i) < 0.4;
@@ -224,8 +224,8 @@ fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
     }
 }
 
-/// Two to four moves of each limb; some begin while the one before is on its way, some after
-/// a hold. The commands, how many they are, and when to stop looking.
+/// Returns two to four moves of each limb: some begin during the previous move, some after a hold.
+/// Returns the commands, their number, and the end time of the check.
 fn chain(seed: u64) -> (Vec<Command>, f64) {
     let mut commands = Vec::new();
     let mut end: f64 = 0.0;
@@ -246,7 +246,7 @@ fn chain(seed: u64) -> (Vec<Command>, f64) {
     (commands, end)
 }
 
-/// A figure that stands and sways, which costs little to pose.
+/// A standing, swaying figure, cheap to pose.
 struct Swaying {
     standing: Pose,
     seed: u64,
@@ -272,7 +272,7 @@ impl Swaying {
     }
 }
 
-/// The fastest turn in a chain of random moves of every limb, and how many they are.
+/// Returns the fastest turn in a chain of random moves of every limb, and the number of moves.
 fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
     let (commands, end) = chain(seed);
     let count = commands.len();
@@ -298,7 +298,7 @@ fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
     (worst, count)
 }
 
-/// The chains among these seeds in which a limb snaps, and how many moves all have.
+/// Returns the chains among these seeds in which a limb snaps, and the number of moves in all.
 fn snaps(skeleton: &Skeleton, seeds: Range<u64>) -> (Vec<(u64, Worst)>, usize) {
     let mut over = Vec::new();
     let mut moves = 0;
@@ -346,9 +346,9 @@ fn no_random_move_of_any_limb_snaps() {
     }
 }
 
-/// Chains in which a snap once was missed: when a command took a limb on, when a limb at rest let
-/// go of what it held, past a pole of the hip and of the shoulder, of a girdle, of a head that is beyond
-/// its limits, and of an arm at rest whose hand cannot be turned to its target.
+/// Checks chains with previously undetected snaps: when a command took over a limb, when a limb at
+/// rest released its hold, past a pole of the hip and of the shoulder, of a girdle, of a head
+/// beyond its limits, and of an arm at rest whose hand cannot be turned to its target.
 #[test]
 fn chains_that_once_snapped_do_not() {
     let skeleton = Skeleton::example();

@@ -21,7 +21,7 @@ fn rig(side: Side, is_arm: bool) -> LimbRig {
     LimbRig::new(&Skeleton::example(), side, is_arm, Sex::Male)
 }
 
-/// A base at a skewed place, so that nothing lies on an axis by chance.
+/// Returns a base at a skewed position, so nothing lies on an axis by chance.
 fn base(rig: &LimbRig) -> LimbBase {
     let skeleton = Skeleton::example();
     let mut pose = Pose::zero();
@@ -30,7 +30,7 @@ fn base(rig: &LimbRig) -> LimbBase {
     rig.base(&rig.trunk(&skeleton, &pose), None)
 }
 
-/// Where the elbow goes when nothing is in the way.
+/// Returns the position of the elbow without obstacles.
 fn elbow(rig: &LimbRig, target: &RigidFrame, base: &LimbBase) -> DVec3 {
     rig.elbow_at(
         target,
@@ -179,7 +179,7 @@ fn by_brute_force(rig: &LimbRig, base: &LimbBase, target: &RigidFrame) -> Vec<Jo
     found
 }
 
-/// Solves six equations; none when they are singular.
+/// Solves six linear equations; `None` when they are singular.
 fn gauss(mut rows: [[f64; 7]; 6]) -> Option<[f64; 6]> {
     for i in 0..6 {
         let pivot = (i..6).max_by(|a, b| rows[*a][i].abs().total_cmp(&rows[*b][i].abs()))?;

@@ -12,8 +12,8 @@ use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-/// Target frames of a hand that points to the front palm down, of a standing foot and of a
-/// head that is upright, in the order of the limbs.
+/// Target frames of a hand that points to the front palm down, of a standing foot and of an upright
+/// head, in the order of the limbs.
 const EASY: [fn() -> DQuat; 5] = [
     || DQuat::from_rotation_y(-FRAC_PI_2),
     || DQuat::from_rotation_y(FRAC_PI_2) * DQuat::from_rotation_z(PI),
@@ -22,7 +22,7 @@ const EASY: [fn() -> DQuat; 5] = [
     || DQuat::IDENTITY,
 ];
 
-/// A random path to a place that far to the left.
+/// Returns a random path to a place at a given distance to the left.
 fn random_path(seed: u64, i: i64, wild: f64, to_x: f64) -> Path {
     let r = |k: u64, i: i64| noise::signed(seed, k, i);
     let unit = |k: u64, i: i64| noise::unit(seed, k, i);

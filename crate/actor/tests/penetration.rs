@@ -15,7 +15,7 @@ use raconteur_body::{Bone, Figure, Mesh, Pose};
 use raconteur_speech::phones;
 use raconteur_tier::{FIGURES, share, sized};
 
-/// What lips may be in each other or in teeth.
+/// Maximum penetration of lips into each other or into teeth, metres.
 const MAX_DEPTH_M: f64 = 1e-3;
 
 struct Face {
@@ -25,7 +25,7 @@ struct Face {
     network: Network,
 }
 
-/// Places of one moment, in the skull's bind pose, metres.
+/// Positions at one instant, in the skull's bind pose, metres.
 struct Drawn {
     skin: Vec<DVec3>,
     lips: [Vec<[DVec3; 3]>; 2],
@@ -64,7 +64,7 @@ impl Face {
         self.network.step(tissue, controls);
     }
 
-    /// Which vertices of the head are in a segment.
+    /// Returns the membership of the head's vertices in a segment.
     fn segment(&self, name: &str) -> (usize, Vec<bool>) {
         let segment = self.names.segments.iter().find(|s| s.name == name);
         let segment = segment.expect(name);
@@ -139,8 +139,8 @@ fn rigid(mesh: &Mesh, jaw: &DAffine3) -> Vec<[DVec3; 3]> {
         .collect()
 }
 
-/// Where a line through `p` along `way` crosses a triangle, in lengths of `way` from `p`
-/// (Möller and Trumbore 1997).
+/// Returns the intersection of a line through `p` along `way` with a triangle, in lengths of `way`
+/// from `p` (Möller and Trumbore 1997).
 fn crossing(p: DVec3, way: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
     let (u, v) = (*b - *a, *c - *a);
     let n = way.cross(v);
@@ -169,8 +169,8 @@ fn distance(p: DVec3, [a, b, c]: &[DVec3; 3]) -> f64 {
     to_edge(*a, *b).min(to_edge(*b, *c)).min(to_edge(*c, *a))
 }
 
-/// How deep the corners of one lip are in the other one, whose flesh lies `up` of its
-/// surface: distance of points beyond the first surface to its nearest.
+/// Returns the penetration depth of the corners of one lip into the other, whose flesh lies `up` of
+/// its surface: distance of points beyond the first surface to its nearest.
 fn lip_in_lip(own: &[[DVec3; 3]], other: &[[DVec3; 3]], up: DVec3) -> f64 {
     let mut deepest: f64 = 0.0;
     for p in own.iter().flatten() {
@@ -191,8 +191,8 @@ fn lip_in_lip(own: &[[DVec3; 3]], other: &[[DVec3; 3]], up: DVec3) -> f64 {
     deepest
 }
 
-/// How far corners of the lips would have to come forwards, away from the middle of the
-/// mouth, to be before teeth and gums.
+/// Returns the distance by which corners of the lips would have to move forwards, away from the
+/// middle of the mouth, to be in front of teeth and gums.
 fn lips_in_teeth(lips: &[[DVec3; 3]], teeth: &[[DVec3; 3]]) -> f64 {
     let back = teeth.iter().flatten().map(|p| p.z).fold(f64::MAX, f64::min);
     let mut deepest: f64 = 0.0;

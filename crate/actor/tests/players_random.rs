@@ -84,7 +84,7 @@ fn any_command() -> impl Strategy<Value = PlayerCommand> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// Nothing pops: not at any command, nor at the end of a fade, nor at a seam.
+    /// Checks that nothing jumps: neither at a command, nor at the end of a fade, nor at a seam.
     #[test]
     fn motion_is_continuous(commands in prop::collection::vec((0.0..6.0f64, any_command()), 1..24)) {
         let mut commands = commands;

@@ -8,20 +8,19 @@ use super::humanoid::Humanoid;
 use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
-/// Statures that are believed when a file's unit gives them, metres: from a small doll's to
-/// a giant's.
+/// Range of plausible statures from a file's unit, metres: from a small doll to a giant.
 const BELIEVED_M: core::ops::Range<f64> = 0.4..2.7;
 /// Statures that are believed of another unit, metres.
 const LIKELY_M: core::ops::Range<f64> = 0.9..2.4;
 /// Metres in the units that files are written in by mistake: centimetres, inches,
 /// millimetres.
 const UNITS: [f64; 3] = [0.01, raconteur_base::METRES_PER_INCH, 0.001];
-/// Stature of a figure whose size says nothing, metres.
+/// Stature of a figure whose size is implausible, metres.
 const USUAL_M: f64 = 1.70;
 /// Height of the hips' joint over stature; the generator's own figures have it there.
 const HIPS_SHARE: f64 = 0.545;
 
-/// How the figure stands in its file.
+/// Rest stance of the figure in its file.
 pub(super) struct RestStance {
     /// Upright and facing +z from the file's world.
     pub(super) turn: DQuat,
@@ -37,7 +36,7 @@ pub(super) struct Alignment {
 }
 
 impl RestStance {
-    /// Finds which way the figure stands and faces; exchanges sides that are misnamed.
+    /// Determines the up and front directions of the figure; swaps sides that are misnamed.
     pub(super) fn find(
         tree: &Tree<'_>,
         humanoid: &mut Humanoid,
@@ -110,8 +109,8 @@ impl RestStance {
         })
     }
 
-    /// Scales and places; `low` and `high` bound the turned figure's vertices in the file's
-    /// unit.
+    /// Scales and positions the figure; `low` and `high` bound the rotated figure's vertices in the
+    /// file's unit.
     pub(super) fn align(
         &self,
         tree: &Tree<'_>,
@@ -169,7 +168,7 @@ impl RestStance {
     }
 }
 
-/// The turn about the vertical that brings `across`, which points to the left, to +x.
+/// Returns the rotation about the vertical that brings `across`, which points to the left, to +x.
 fn facing(across: DVec3) -> DQuat {
     let yaw = ops::atan2(-across.z, across.x);
     // A figure that faces nearly along an axis is meant to; symmetry is kept exact.
@@ -184,7 +183,7 @@ fn facing(across: DVec3) -> DQuat {
     DQuat::from_xyzw(0.0, ops::sin(half), 0.0, ops::cos(half))
 }
 
-/// Whether both feet point backwards after `turn`.
+/// Returns true if both feet point backwards after `turn`.
 fn toes_point_back(tree: &Tree<'_>, humanoid: &Humanoid, turn: DQuat) -> bool {
     Side::BOTH.iter().all(|&side| {
         let [ankle, toe] = ["subtalar", "metatarsal"].map(|p| humanoid.get(Bone::on(side, p)));

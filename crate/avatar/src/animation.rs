@@ -21,12 +21,12 @@ use raconteur_body::skeleton::Bone;
 
 /// Keys a second.
 const RATE_HZ: f64 = 30.0;
-/// The longest animation that is taken, seconds.
+/// Maximum duration of an imported animation, seconds.
 const MAX_SECS: f64 = 600.0;
 /// A head's height above its joint, as a share of the joint's height: the stature follows.
 const HEAD_SHARE: f64 = 0.12;
 
-/// How a sampler passes its keys.
+/// Interpolation between the keys of a sampler.
 #[derive(Clone, Copy, PartialEq)]
 enum Interpolation {
     Step,
@@ -34,7 +34,7 @@ enum Interpolation {
     Cubic,
 }
 
-/// What a channel moves.
+/// Property animated by a channel.
 #[derive(Clone, Copy, PartialEq)]
 enum Path {
     Translation,

@@ -13,7 +13,7 @@ use raconteur_body::skeleton::Bone;
 /// Displacements below this are the exporter's noise, metres.
 const STILL_M: f64 = 1e-5;
 
-/// Which of our joints carries what a foreign node carries.
+/// Mapping from the nodes of an imported file to the figure's joints.
 pub(super) struct Binding {
     joint_of_node: Vec<u16>,
     limbs: Vec<Limb>,
@@ -31,7 +31,7 @@ struct Limb {
 }
 
 impl Limb {
-    /// The two joints that share a place on the limb.
+    /// Returns the two joints that share a position on the limb, with weights.
     fn shared(&self, p: DVec3) -> [(u16, f64); 2] {
         let t = (p - self.from).dot(self.along).clamp(0.0, 2.0);
         let i = usize::from(t >= 1.0);
@@ -40,8 +40,8 @@ impl Limb {
     }
 }
 
-/// The joint that carries each node, from those of nodes that have a part: what has none
-/// above it either goes with the hips.
+/// Returns the joint for each node, from the nodes with a role: nodes without such an ancestor
+/// follow the hips.
 fn carried(tree: &Tree<'_>, own: &[Option<u16>]) -> Vec<u16> {
     let mut joint_of_node = vec![Bone::Sacroiliac.index() as u16; own.len()];
     for &node in &tree.order {
@@ -53,8 +53,8 @@ fn carried(tree: &Tree<'_>, own: &[Option<u16>]) -> Vec<u16> {
 }
 
 impl Binding {
-    /// Every node goes with the nearest of its ancestors that has a part, every joint of another
-    /// skeleton with the joint that it doubles.
+    /// Maps every node to the nearest ancestor with a role, and every joint of another skeleton to
+    /// the joint that it duplicates.
     pub(super) fn new(
         tree: &Tree<'_>,
         humanoid: &Humanoid,
@@ -159,7 +159,7 @@ impl Binding {
         (joints, weights)
     }
 
-    /// A mesh of the figure. `morph_names` is sorted and holds every shape's name.
+    /// Builds a mesh of the figure. `morph_names` is sorted and contains every shape name.
     pub(super) fn mesh(&self, g: Geometry, alignment: &Alignment, morph_names: &[String]) -> Mesh {
         let to_ours = alignment.ours_from_theirs;
         let (scale, turn, _) = to_ours.to_scale_rotation_translation();

@@ -15,7 +15,7 @@ struct Converted {
     diagnostics: Vec<Diagnostic>,
 }
 
-/// What of an avatar could not be kept; `Diagnostic` in `web/element/base/types.ts`.
+/// Feature of an avatar lost in conversion; `Diagnostic` in `web/element/base/types.ts`.
 #[derive(Serialize)]
 struct Diagnostic {
     code: &'static str,
@@ -40,8 +40,8 @@ pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, JsError> {
     Ok(crate::convert_animation(name, bytes)?)
 }
 
-/// Turns a glTF, GLB or VRM file into a figure that `Player.load` takes; one of ours stays as
-/// it is. `name` names the figure. The exception's message names the fault.
+/// Converts a glTF, GLB or VRM file into a figure that `Player.load` accepts; a Raconteur figure is
+/// returned unchanged. `name` names the figure. The exception's message describes the fault.
 #[wasm_bindgen]
 pub fn convert(name: &str, bytes: &[u8]) -> Result<JsValue, JsError> {
     let (glb, diagnostics) = crate::convert(name, bytes)?;
@@ -64,9 +64,10 @@ pub fn convert(name: &str, bytes: &[u8]) -> Result<JsValue, JsError> {
     Ok(converted.serialize(&Serializer::new())?)
 }
 
-/// A figure with a face of a face model as a figure file. `skin`, `organs`, `factors` and `look` are those
-/// of `Player.setFace`; `lenders` and `files` the names and files of figures that lend hair; `painted` is
-/// the JPEG or PNG that takes the place of the skin's picture. The exception's message names the fault.
+/// Exports a figure with a face from a face model as a figure file. `skin`, `organs`, `factors` and
+/// `look` are those of `Player.setFace`; `lenders` and `files` are the names and files of figures
+/// that provide hair; `painted` is the JPEG or PNG that replaces the skin texture. The exception's
+/// message describes the fault.
 #[wasm_bindgen(js_name = faceFile)]
 #[allow(
     clippy::too_many_arguments,
@@ -118,8 +119,8 @@ pub fn start() {
     raconteur_base::panic::keep_messages();
 }
 
-/// What the panic said that ended this instance, and where in the source; none where it was
-/// another trap.
+/// Returns the message and source location of the panic that ended this instance; `None` for any
+/// other trap.
 #[wasm_bindgen(js_name = panicMessage)]
 #[must_use]
 pub fn panic_message() -> Option<String> {

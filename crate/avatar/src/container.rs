@@ -16,11 +16,11 @@ use super::packed;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::document::{self, Document};
 
-/// The largest file that is taken apart, and what its compressed views may unpack to, bytes.
-/// Avatars have some 1 to 50 MB.
+/// Maximum size of an input file, and of its decompressed views, bytes. Typical avatars have about
+/// 1 to 50 MB.
 const MAX_BYTES: usize = 256 << 20;
 
-/// Compressions that are not read, with what to do.
+/// Unsupported compressions, with a hint for each.
 const COMPRESSIONS: [(&str, &str); 2] = [
     (
         "KHR_draco_mesh_compression",
@@ -49,7 +49,7 @@ fn is_understood(extension: &str) -> bool {
         || extension.starts_with("VRMC_")
 }
 
-/// A document whose views all lie in one buffer.
+/// Document with all views in one buffer.
 pub(super) struct Container<'a> {
     pub(super) root: Value,
     pub(super) bin: Cow<'a, [u8]>,
@@ -133,7 +133,7 @@ impl<'a> Container<'a> {
         self.place_views(&bases)
     }
 
-    /// Lets every view show a stretch of the one buffer. Compressed views get one of their own.
+    /// Rebases every view to the single buffer. Compressed views get their own.
     fn place_views(&mut self, bases: &[(u64, u64)]) -> Result<(), ImportError> {
         let mut left = MAX_BYTES;
         let views = self.root["bufferViews"].as_array_mut();
@@ -157,7 +157,7 @@ impl<'a> Container<'a> {
         Ok(())
     }
 
-    /// Gives pictures in data addresses a view of their own.
+    /// Converts images in data URIs to views.
     fn join_images(&mut self) -> Result<(), ImportError> {
         let mut images = self.root["images"].take();
         for image in images.as_array_mut().into_iter().flatten() {
@@ -188,7 +188,8 @@ impl<'a> Container<'a> {
     }
 }
 
-/// Where a view, or a view's stream, lies among the joined buffers of these beginnings and lengths.
+/// Returns the range of a view, or of a view's stream, in the joined buffers with these starts and
+/// lengths.
 fn place(view: &Value, bases: &[(u64, u64)]) -> Result<Range<usize>, ReadError> {
     let what = "a view";
     let slot = view["buffer"]
@@ -240,7 +241,7 @@ fn decode_uri(uri: &str, what: &'static str) -> Result<Vec<u8>, ImportError> {
     base64(coded).ok_or(ImportError::DataUri { what })
 }
 
-/// RFC 4648, section 4; padding may be left out, nothing else may stand between.
+/// Decodes RFC 4648, section 4; padding is optional, other characters are rejected.
 fn base64(text: &str) -> Option<Vec<u8>> {
     const UNPADDED: GeneralPurpose =
         GeneralPurpose::new(&STANDARD, NO_PAD.with_decode_allow_trailing_bits(true));

@@ -10,13 +10,14 @@ use super::names::{NodeRole, slot_of};
 use super::tree::Tree;
 use raconteur_body::skeleton::Bone;
 
-/// How far the first joint of another skeleton may stand from its double, as a share of the
-/// trunk's length; what stands farther away is somebody or something else.
+/// Maximum distance between the first joint of another skeleton and its counterpart, as a share of
+/// the trunk's length; a more distant skeleton belongs to something else.
 const SAME_BODY: f64 = 0.25;
-/// How far a joint and its double may stand and turn apart to be one joint twice, as a share
-/// of the trunk's length and in radians.
+/// Maximum difference in position and rotation between a joint and its duplicate, as a share of the
+/// trunk's length and in radians.
 const SAME_JOINT: f64 = 0.02;
-/// Parts that are compared; a body has some 70, a trunk of ever so many joints is no body's.
+/// Maximum number of compared parts; a body has about 70, and a trunk with too many joints is not a
+/// body.
 const MAX_PARTS: usize = 256;
 
 /// Joints that have no part, each with the node of the body that it doubles, by node.
@@ -68,11 +69,11 @@ struct PerformingSkeleton<'a> {
     tree: &'a Tree<'a>,
     /// Nodes that play a part.
     has_part: Vec<bool>,
-    /// Nodes that play one or hang on one that does.
+    /// Nodes with a role, and their descendants.
     is_below: Vec<bool>,
-    /// The first of these nodes of each name; those with a part before others.
+    /// First of these nodes of each name; nodes with a role take precedence.
     named: HashMap<&'a str, usize>,
-    /// Parts that names tell, with their nodes.
+    /// Roles derived from names, with their nodes.
     slots: Vec<(NodeRole, usize)>,
 }
 
@@ -121,9 +122,9 @@ impl<'a> PerformingSkeleton<'a> {
         })
     }
 
-    /// The body's node that a joint doubles: that of its name, with or without the number that
-    /// programs tell copies by, or of its part. Below the body's own joints a name counts alone,
-    /// and only that of a part: rigs have helpers there.
+    /// Returns the body node that a joint duplicates: the one with the same name, with or without a
+    /// copy number, or the same role. Below the body's own joints only the name of a node with a
+    /// role counts, because rigs have helpers there.
     fn double(&self, node: usize) -> Option<usize> {
         let name = self.tree.own_name(node);
         let apart = !self.is_below[node];
@@ -159,7 +160,7 @@ fn without_copy(name: &str) -> Option<&str> {
 }
 
 impl Humanoid {
-    /// The node that a joint is the very double of: it stands and turns as that does.
+    /// Returns the node that a joint duplicates exactly, with the same position and rotation.
     pub(super) fn double_of(&self, tree: &Tree<'_>, node: usize) -> Option<usize> {
         let at = self.twins.binary_search_by_key(&node, |t| t.0).ok()?;
         let like = self.twins[at].1;

@@ -2,7 +2,7 @@
 
 use raconteur_body::read::ReadError;
 
-/// Why a file cannot perform.
+/// Error returned when a file cannot be imported.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImportError {
@@ -12,18 +12,18 @@ pub enum ImportError {
     /// A fault in the file.
     #[error(transparent)]
     Read(#[from] ReadError),
-    /// Compressed in a way that is not read.
+    /// Unsupported compression.
     #[error("compressed with {extension}, which is not read; {hint}")]
     Compressed {
         /// The extension's name.
         extension: &'static str,
-        /// How to export the avatar so that it is read.
+        /// Hint for exporting the avatar in a supported way.
         hint: &'static str,
     },
-    /// A part lies in another file.
+    /// A part is in another file.
     #[error("the {what} lies in another file, {uri}; export everything into one .glb")]
     ExternalFile {
-        /// What lies there.
+        /// Description of the part.
         what: &'static str,
         /// Its address, shortened.
         uri: String,
@@ -31,7 +31,7 @@ pub enum ImportError {
     /// A data address that cannot be decoded.
     #[error("the data address of the {what} is not base64")]
     DataUri {
-        /// Whose address.
+        /// Owner of the address.
         what: &'static str,
     },
     /// The skeleton is no human's.
@@ -39,14 +39,14 @@ pub enum ImportError {
     NotHumanoid(String),
 }
 
-/// Something of the file that is not as its maker meant it.
+/// Diagnostic about content of the file that was changed or lost.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Short name that does not change, for example `mouth-still`.
+    /// Stable code, for example `mouth-still`.
     pub code: &'static str,
-    /// What is missing or changed.
+    /// Description of the missing or changed content.
     pub message: String,
-    /// What to do about it; empty where there is nothing to do.
+    /// Suggested fix; empty if there is none.
     pub hint: &'static str,
 }
 

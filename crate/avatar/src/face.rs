@@ -15,7 +15,7 @@ use self::recipes::{OVER_JAW, RECIPES, Sum, recognise, recognise_expression};
 use super::error::DiagnosticSink;
 use raconteur_body::read::document::Document;
 
-/// One target of one mesh and how much of it.
+/// Morph target of a mesh with its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct WeightedTarget {
     pub(super) mesh: usize,
@@ -36,14 +36,14 @@ pub(super) struct ImportedFace {
     /// Targets that speech moves, and those that close the lids.
     pub(super) mouth: Vec<WeightedTarget>,
     pub(super) lids: Vec<WeightedTarget>,
-    /// Whether targets open the mouth; if not, a jaw bone may.
+    /// True if targets open the mouth; otherwise a jaw bone may.
     pub(super) opens_by_morph: bool,
 }
 
 type Sources = BTreeMap<&'static str, Vec<WeightedTarget>>;
 
 impl ImportedFace {
-    /// Finds the face; `has_jaw` and `has_eyes` tell of bones.
+    /// Finds the face; `has_jaw` and `has_eyes` indicate bones.
     pub(super) fn find(
         json: &Value,
         root: &Document<'_>,

@@ -6,7 +6,7 @@ use raconteur_body::read::{ReadError, read_figure};
 use raconteur_body::write::to_packed_glb;
 use raconteur_reshape::{HairDonor, Lenders, Look, NewFace, ReshapeError, Reshaper};
 
-/// What a figure file is made of.
+/// Contents of a figure file.
 #[derive(Debug)]
 pub struct FaceFile<'a> {
     /// The name of the new figure.
@@ -15,15 +15,15 @@ pub struct FaceFile<'a> {
     pub glb: &'a [u8],
     /// The face.
     pub face: NewFace<'a>,
-    /// Hair and what is worn.
+    /// Hair and accessories.
     pub look: &'a Look,
     /// Files of the figures that lend hair, by name.
     pub lenders: Vec<(String, Vec<u8>)>,
-    /// The picture of the skin's colour where it was painted.
+    /// Skin texture, if it was painted.
     pub skin: Option<Image>,
 }
 
-/// Why there is no figure file.
+/// Error returned when a figure file cannot be created.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {

@@ -18,7 +18,7 @@ pub(super) struct RestSkeleton {
     pub(super) skeleton: Skeleton,
     /// Joint from world in the rest pose.
     pub(super) inverse_bind: Vec<DAffine3>,
-    /// Places of the bones in the rest pose, world, metres.
+    /// Positions of the bones in the rest pose, world, metres.
     pub(super) places: [DVec3; Bone::COUNT],
 }
 
@@ -105,7 +105,7 @@ impl BoneFinder {
         self.places[bone.index()]
     }
 
-    /// The place of a bone, set to `guess` where the file has none.
+    /// Returns the position of a bone, set to `guess` if the file has none.
     fn or(&mut self, bone: Bone, guess: DVec3) -> DVec3 {
         *self.places[bone.index()].get_or_insert(guess)
     }
@@ -118,7 +118,7 @@ impl BoneFinder {
         self.turns[bone.index()] = turn.normalize();
     }
 
-    /// A vector that is given for the left side in shares of stature.
+    /// Returns a vector given for the left side in shares of stature.
     fn share(&self, side: Side, x: f64, y: f64, z: f64) -> DVec3 {
         DVec3::new(x * side.sign(), y, z) * self.stature_m
     }
@@ -129,8 +129,8 @@ impl BoneFinder {
         (to.example_position_m() - from.example_position_m()) * (self.stature_m / example_stature_m)
     }
 
-    /// Trunk, neck and head. They keep the figure's posture as it is: a chest that lies in
-    /// front of the hips is how the figure stands, not a bend.
+    /// Builds the frames of trunk, neck and head. They preserve the figure's posture: a chest in
+    /// front of the hips is part of the stance, not a bend.
     fn trunk(&mut self) {
         let hips = self.or(Bone::Sacroiliac, DVec3::ZERO);
         let skull = self.or(Bone::Skull, hips + DVec3::Y * (0.37 * self.stature_m));
@@ -161,7 +161,7 @@ impl BoneFinder {
         }
     }
 
-    /// The turn that follows `before` and brings the bone's x axis onto `direction`.
+    /// Returns the rotation that follows `before` and brings the bone's x axis onto `direction`.
     fn along(&self, before: DQuat, bone: Bone, direction: DVec3) -> DQuat {
         let from = before * (self.zero[bone.index()] * DVec3::X);
         direction.try_normalize().map_or(before, |d| {

@@ -23,7 +23,7 @@ use raconteur_body::read::document;
 const MAX_VERTICES: usize = 1 << 20;
 /// The most triangles.
 const MAX_TRIANGLES: usize = 4 << 20;
-/// Joints of a vertex that are looked at; [`super::bind`] keeps the four heaviest.
+/// Maximum number of joints per vertex that are read; [`super::bind`] keeps the four heaviest.
 pub(super) const INFLUENCES: usize = 8;
 
 /// One primitive in the file's world.
@@ -39,7 +39,7 @@ pub(super) struct Geometry {
     pub(super) nodes: Vec<[u32; INFLUENCES]>,
     pub(super) shares: Vec<[f32; INFLUENCES]>,
     pub(super) shapes: Vec<Shape>,
-    /// Whether one node carries all of it.
+    /// True if a single node carries all of it.
     pub(super) rigid: bool,
 }
 
@@ -262,7 +262,7 @@ impl<'a, 's> Reader<'a, 's> {
         }))
     }
 
-    /// The file's normals as the rest pose turns them; where it has none, those of the triangles.
+    /// Returns the file's normals in the rest pose; if there are none, those of the triangles.
     fn normals(
         &mut self,
         p: &document::Primitive,
@@ -281,7 +281,7 @@ impl<'a, 's> Reader<'a, 's> {
             .collect())
     }
 
-    /// A file may name Draco as a choice; without data beside it there is nothing to read.
+    /// Rejects Draco data without an uncompressed alternative. Draco as an option is accepted.
     fn refuse_draco(&self, accessor: usize) -> Result<(), ImportError> {
         let a = &self.json["accessors"][accessor];
         let used = self.json["extensionsUsed"].as_array();
@@ -426,7 +426,7 @@ impl<'a, 's> Reader<'a, 's> {
     }
 }
 
-/// Normals turn with the inverse transpose; a flattened part keeps what it can.
+/// Transforms a normal by the inverse transpose; a flattened part is handled as far as possible.
 fn turned_normal(linear: DMat3, n: DVec3) -> DVec3 {
     let det = linear.determinant();
     let turned = if det.abs() > 1e-30 {

@@ -220,7 +220,7 @@ impl Humanoid {
         }
     }
 
-    /// Where a rig has no hand but joints between lower arm and fingers, those are the hand.
+    /// Uses the joints between lower arm and fingers as the hand if a rig has none.
     fn palms(&mut self, tree: &Tree<'_>) {
         for side in Side::BOTH {
             let [elbow, wrist] = ["elbow", "wrist"].map(|part| Bone::on(side, part));
@@ -246,7 +246,7 @@ impl Humanoid {
         }
     }
 
-    /// Says which limbs are not there.
+    /// Reports missing limbs.
     fn report(&self, notes: &mut DiagnosticSink) {
         let lacks = |parts: &[&str]| {
             Side::BOTH
@@ -305,7 +305,7 @@ impl Humanoid {
     }
 }
 
-/// Whether the file says by VRM which bone is which.
+/// Returns true if the file has a VRM bone table.
 pub(super) fn has_vrm_table(json: &Value) -> bool {
     let extensions = &json["extensions"];
     ["VRM", "VRMC_vrm"]
@@ -336,9 +336,9 @@ fn vrm_bones(json: &Value, node_count: usize) -> Option<Vec<(usize, String)>> {
     (!list.is_empty()).then_some(list)
 }
 
-/// Nodes that may be bones: the joints of skins where there are any, since rigs like to
-/// name a mesh after the part it covers. Those of the skeleton with the most parts come first,
-/// so that clothes with a skeleton of their own do not lead the body.
+/// Returns the nodes that may be bones: the joints of skins if there are any, because rigs often
+/// name a mesh after the part that it covers. Those of the skeleton with the most roles come first,
+/// so that a separate clothes skeleton does not control the body.
 fn candidates(tree: &Tree<'_>) -> Vec<(usize, String)> {
     let root = tree.root;
     let mut is_joint = tree.joints();

@@ -40,19 +40,19 @@ use raconteur_body::read::{ReadError, read_figure, solve_nodes};
 use raconteur_body::skeleton::Bone;
 use raconteur_body::write::to_glb;
 
-/// Numbers that a file may make us read; several views may show one stretch of bytes.
+/// Maximum count of numbers read from a file; several views may share a range of bytes.
 const MAX_NUMBERS: usize = 1 << 25;
 
-/// A figure and what of the file is not in it.
+/// Imported figure and the diagnostics of the import.
 #[derive(Debug)]
 pub struct Imported {
     /// The figure.
     pub figure: Figure,
-    /// What degraded; empty for our own figures.
+    /// Degraded features; empty for Raconteur figures.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a figure of any origin: our own as they are, others through [`import_figure`].
+/// Reads a figure of any origin: Raconteur figures directly, others through [`import_figure`].
 ///
 /// # Errors
 /// An [`ImportError`] that names the fault.
@@ -148,7 +148,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     })
 }
 
-/// Turns an avatar into a figure file that `read_figure` takes.
+/// Converts an avatar into a figure file that `read_figure` accepts.
 ///
 /// # Errors
 /// An [`ImportError`] that names the fault.
@@ -157,7 +157,7 @@ pub fn convert(name: &str, bytes: &[u8]) -> Result<(Vec<u8>, Vec<Diagnostic>), I
     Ok((to_glb(&imported.figure), imported.diagnostics))
 }
 
-/// Says what the file has and a figure does not.
+/// Reports content of the file that a figure does not support.
 fn report_lost(json: &serde_json::Value, notes: &mut DiagnosticSink) {
     let vrm = &json["extensions"];
     let springs = vrm["VRMC_springBone"]["springs"]

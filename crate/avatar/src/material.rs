@@ -12,7 +12,7 @@ use raconteur_body::read::accessor::Source;
 #[derive(Clone)]
 pub(super) struct Surface {
     pub(super) material: Material,
-    /// Which set of texture coordinates it takes.
+    /// Texture coordinate set.
     pub(super) uv_set: usize,
     /// Matrix (row by row) and offset that texture coordinates are moved by.
     pub(super) uv_transform: [[f64; 3]; 2],
@@ -40,8 +40,8 @@ fn number(v: &Value, default: f64, what: &'static str) -> Result<f64, ReadError>
     }
 }
 
-/// The pictures of the file, and the place of each in the figure's list; those that are not
-/// PNG or JPEG are left out, which is told where a surface would have shown one.
+/// Images of the file, with the index of each in the figure's list. Images other than PNG or JPEG
+/// are omitted, with a diagnostic if a surface would have used one.
 pub(super) struct ImageTable {
     pub(super) images: Vec<Image>,
     places: Vec<Option<usize>>,
@@ -71,7 +71,7 @@ impl ImageTable {
         Ok(Self { images, places })
     }
 
-    /// The picture that a texture reference shows.
+    /// Returns the image of a texture reference.
     fn image_of(
         &self,
         json: &Value,
@@ -100,7 +100,7 @@ impl ImageTable {
         Ok(place)
     }
 
-    /// Leaves out pictures that no mesh shows, and renumbers the others.
+    /// Removes images not used by any mesh, and renumbers the others.
     pub(super) fn keep_used<'m>(
         self,
         materials: impl Iterator<Item = &'m mut Material>,

@@ -8,14 +8,14 @@ use raconteur_base::Side;
 
 use raconteur_body::skeleton::Bone;
 
-/// What a name means.
+/// Role derived from a node name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NodeRole {
     /// A bone that has one joint.
     Bone(Bone),
     /// One of the joints between hips and neck.
     Torso,
-    /// A finger's joint: the name of the finger's first bone, and its place in the row.
+    /// Finger joint: the name of the finger's first bone, and the index in the chain.
     Finger(Bone, u32),
     /// An eyeball.
     Eye(Side),
@@ -25,7 +25,7 @@ pub(super) enum NodeRole {
     Leg(Side),
 }
 
-/// Words that say nothing about the part.
+/// Words that carry no information about the part.
 const NOISE: [&str; 27] = [
     "mixamorig",
     "armature",
@@ -148,7 +148,7 @@ fn side_of(word: &str) -> Option<Side> {
 /// A name without noise and side.
 struct ParsedName {
     side: Option<Side>,
-    /// Words joined, the last number taken off.
+    /// Joined words without the last number.
     stem: String,
     /// That number's digits.
     digits: Option<String>,
@@ -158,7 +158,7 @@ fn is_number(word: &str) -> bool {
     word.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Takes side and noise out of a name's words.
+/// Removes side and noise from a name's words.
 fn bare(mut words: Vec<String>) -> (Option<Side>, Vec<String>) {
     // A rig's number belongs to its own name: "Bip001 Head", "mixamorig9_Hips".
     let rig = words.iter().take_while(|w| NOISE.contains(&w.as_str()));
@@ -231,8 +231,8 @@ fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<NodeRole> {
     (order <= 4).then_some(NodeRole::Finger(on(side, first), order))
 }
 
-/// Limbs whose joints are only numbered, as in Khronos' sample figures, whose numbers run up
-/// or down: the tree tells their order.
+/// Recognises limbs with numbered joints, as in Khronos' sample figures, whose numbers ascend or
+/// descend: the tree determines their order.
 fn numbered(p: &ParsedName) -> Option<NodeRole> {
     match (p.side, p.stem.as_str(), p.digits.as_deref()) {
         (Some(side), "armjoint", _) => Some(NodeRole::Arm(side)),
@@ -274,7 +274,7 @@ fn part(p: &ParsedName) -> Option<NodeRole> {
     }
 }
 
-/// What a name means, and how far it had to be bent for that: less is better.
+/// Returns the role of a name, and a penalty for the quality of the match: lower is better.
 pub(super) fn slot_of(name: &str) -> Option<(NodeRole, u8)> {
     let (side, mut words) = bare(words(name));
     let whole = parsed(side, &words);

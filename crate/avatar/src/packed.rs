@@ -6,12 +6,13 @@ use raconteur_body::read::ReadError;
 use raconteur_body::read::packed::EXTENSION;
 use serde_json::Value;
 
-/// What of a view's JSON tells of its stream.
+/// Returns the part of a view's JSON that describes its stream.
 pub(super) fn stream_of(view: &Value) -> Option<&Value> {
     view["extensions"].get(EXTENSION)
 }
 
-/// Whether a buffer holds nothing: programs that know the extension do not ask for it.
+/// Returns true if a buffer is an empty fallback, which programs that support the extension do not
+/// read.
 pub(super) fn is_fallback(buffer: &Value) -> bool {
     buffer["extensions"][EXTENSION]["fallback"].as_bool() == Some(true)
 }

@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DVec3};
 
 use raconteur_body::read::document::Document;
 
-/// The nodes of a file as the importer sees them.
+/// Node tree of a file, as used by the importer.
 pub(super) struct Tree<'a> {
     pub(super) root: &'a Document<'a>,
     /// World from node, in the file's own unit and facing.
@@ -15,7 +15,8 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// `world` comes from the reader, which has refused cycles and shared children.
+    /// Builds the tree; `world` comes from the reader, which has rejected cycles and shared
+    /// children.
     pub(super) fn new(root: &'a Document<'a>, world: Vec<DAffine3>) -> Self {
         let mut parents = vec![None; root.nodes.len()];
         for (i, node) in root.nodes.iter().enumerate() {
@@ -52,14 +53,15 @@ impl<'a> Tree<'a> {
         self.upwards(node).any(|n| n == ancestor)
     }
 
-    /// A node's name without what stands before it for the whole rig.
+    /// Returns a node's name without the prefix of the whole rig.
     pub(super) fn own_name(&self, node: usize) -> &'a str {
         let root: &'a Document<'a> = self.root;
         let name = root.nodes[node].name.as_str();
         name.rsplit([':', '|']).next().unwrap_or(name)
     }
 
-    /// Which nodes are joints of a skin; all where the file has no skin.
+    /// Returns, for each node, true if it is a joint of a skin; true for all if the file has no
+    /// skin.
     pub(super) fn joints(&self) -> Vec<bool> {
         let mut is_joint = vec![self.root.skins.is_empty(); self.root.nodes.len()];
         for &joint in self.root.skins.iter().flat_map(|s| &s.joints) {
@@ -70,8 +72,8 @@ impl<'a> Tree<'a> {
         is_joint
     }
 
-    /// For each node the highest joint that only joints lie between: its skeleton's first. A node
-    /// that is no joint stands for itself.
+    /// Returns, for each node, the highest ancestor connected only through joints: the root of its
+    /// skeleton. A node that is not a joint represents itself.
     pub(super) fn tops(&self) -> Vec<usize> {
         let is_joint = self.joints();
         let mut tops: Vec<usize> = (0..is_joint.len()).collect();

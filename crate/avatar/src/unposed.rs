@@ -12,23 +12,24 @@ use raconteur_body::read::ReadError;
 use raconteur_body::read::accessor::Source;
 use raconteur_body::skeleton::Bone;
 
-/// How far the lengths of bones may differ between the two poses, as a share. Where they
-/// differ more, the nodes do not only turn but also shape the figure, and must be believed.
+/// Maximum relative difference of bone lengths between the two poses. Beyond it, the node
+/// transforms also shape the figure and must be kept.
 const SAME_LENGTH: f64 = 0.03;
-/// How far skins may disagree about a joint's place, as a share of the trunk's length.
+/// Maximum disagreement between skins about a joint's position, as a share of the trunk's length.
 const SAME_PLACE: f64 = 0.02;
-/// Cosine of the angle (20°) within which the trunk stands along an axis of the space it was
-/// skinned in, so that this axis is up.
+/// Cosine of the angle (20°) between the trunk and an axis of the bind space within which this axis
+/// is up.
 const ALONG_AXIS: f64 = 0.94;
 
-/// Cosine of the most (45°) that hips lean in a movement; what lies is not set upright here.
+/// Cosine of the maximum lean of the hips (45°) in a movement; a lying figure is not set upright
+/// here.
 const MAX_LEAN: f64 = 0.7;
 
 /// Joints with their binds, joint from the skin's own space.
 type Binds = Vec<(usize, DAffine3)>;
 
-/// Placement of every node in the pose of the skin; `None` where it cannot be had or says
-/// something else than a pose.
+/// Returns the world transform of every node in the bind pose; `None` if it is unavailable or not a
+/// pure pose.
 pub(super) fn world(
     tree: &Tree<'_>,
     humanoid: &Humanoid,
@@ -119,7 +120,7 @@ fn joined(
     world.iter().all(DAffine3::is_finite).then_some(world)
 }
 
-/// Whether the bones have the lengths that they have in the nodes' pose.
+/// Returns true if the bones have the same lengths as in the nodes' pose.
 fn is_a_pose(tree: &Tree<'_>, humanoid: &Humanoid, world: &[DAffine3]) -> bool {
     Bone::ALL.iter().all(|bone| {
         let pair = humanoid

@@ -13,7 +13,7 @@ const PAPOUS: &[u8] = include_bytes!("../../../assets/figures/papous.glb");
 /// Vertices of the skin of our heads.
 const VERTICES: usize = 16_594;
 
-/// The figure's own skin and what lies in its head, somewhat larger.
+/// Returns the figure's own skin and inner parts of the head, slightly enlarged.
 fn larger(figure: &Figure) -> (Vec<f64>, NewOrgans) {
     let skull = figure.inverse_bind[Bone::Skull.index()].inverse();
     let origin = skull.translation - SKULL_IN_HEAD_M;

@@ -6,7 +6,7 @@ pub fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + (b - a) * s
 }
 
-/// 0 below `from`, 1 above `to`, linear between. Equal ends give a step.
+/// Returns 0 below `from`, 1 above `to`, linear between. Equal ends give a step.
 #[must_use]
 pub fn ramp(from: f64, to: f64, x: f64) -> f64 {
     if to <= from {
@@ -43,8 +43,8 @@ pub fn hermite(a: f64, da: f64, b: f64, db: f64, s: f64) -> f64 {
         + db * (s3 - s2)
 }
 
-/// The index of the last entry of `times` (ascending) that is not after `t`, or
-/// `None` when `t` lies before the first. O(log n).
+/// Returns the index of the last entry of `times` (ascending) that is not after `t`, or `None` when
+/// `t` lies before the first. O(log n).
 #[must_use]
 pub fn last_at_or_before(times: &[f64], t: f64) -> Option<usize> {
     times.partition_point(|&x| x <= t).checked_sub(1)

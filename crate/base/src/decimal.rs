@@ -4,16 +4,16 @@
 //! page. Up to 19 digits and 37 places either way, the result here is the same to the bit;
 //! beyond that it may differ in the last ones. It accepts the same texts.
 
-/// Digits that fit in 64 bits whatever they are.
+/// Maximum number of arbitrary decimal digits that fit in 64 bits.
 const MAX_DIGITS: u32 = 19;
 /// 10 to this power still leaves a bit of 128 for the doubling below.
 const MAX_POWER: u32 = 37;
-/// The powers of ten that a float holds exactly.
+/// Powers of ten that an `f64` represents exactly.
 const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
-/// Numbers with more places than this are zero or infinite.
+/// Exponent limit: numbers with more places are zero or infinite.
 const MAX_PLACES: i32 = 400;
 
 /// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
@@ -39,7 +39,7 @@ pub fn parse_short(text: &[u8]) -> Option<f64> {
     (digits > 0).then(|| whole as f64 / EXACT_POWERS[places])
 }
 
-/// The number that `text` says; none when it says none. Too large ones are infinite.
+/// Parses `text` as a number; `None` if it is not one. Too large numbers become infinite.
 pub fn parse(text: &str) -> Option<f64> {
     let (sign, rest) = match text.as_bytes() {
         [b'-', rest @ ..] => (-1.0, rest),
@@ -157,12 +157,12 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
     value
 }
 
-/// Places behind the point that are ever written.
+/// Maximum number of decimal places written.
 const MAX_WRITTEN: usize = 19;
 
-/// `value` with so many places (at most 19) behind the point, rounded once, halves to even;
-/// as `format!("{value:.places$}")` writes it, without the standard library's tables. Numbers
-/// beyond ±2⁶³ are written as ±2⁶³.
+/// Formats `value` with a number of decimal places (at most 19), rounded once, halves to even, like
+/// `format!("{value:.places$}")` but without the standard library's tables. Numbers beyond ±2⁶³ are
+/// written as ±2⁶³.
 #[must_use]
 pub fn fixed(value: f64, places: usize) -> String {
     let sign = if value.is_sign_negative() { "-" } else { "" };
@@ -197,9 +197,9 @@ pub fn fixed(value: f64, places: usize) -> String {
     }
 }
 
-/// `value` with as few places as tell it from every other number, as `format!("{value}")`
-/// writes it: exactly so from 1e-3 to 1e9. Beyond, of two texts as near the even one is
-/// taken, all digits of whole numbers are written, and small ones end at the nineteenth place.
+/// Formats `value` with the fewest places that identify it, like `format!("{value}")`: exactly so
+/// from 1e-3 to 1e9. Beyond that range, the even one of two equally near texts is taken, all digits
+/// of whole numbers are written, and small ones end at the nineteenth place.
 #[must_use]
 pub fn shortest(value: f64) -> String {
     for places in 0..MAX_WRITTEN {

@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-/// How much of a text tells its encoding, bytes.
+/// Number of bytes of a text used to detect its encoding.
 const TELLING: usize = 256;
 
-/// What to do about [`NotUtf8`].
+/// Hint for fixing [`NotUtf8`].
 pub const SAVE_AS_UTF8: &str = "save the file as UTF-8";
 
-/// Why bytes are not UTF-8 text.
+/// Error returned when bytes are not UTF-8 text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotUtf8 {
-    /// Offset of the first byte that does not fit.
+    /// Offset of the first invalid byte.
     pub at: usize,
     /// That byte.
     pub byte: u8,
@@ -19,7 +19,7 @@ pub struct NotUtf8 {
     pub line: usize,
     /// Its column in characters, from 1.
     pub column: usize,
-    /// All of it looks like UTF-16.
+    /// True if the whole text looks like UTF-16.
     pub is_utf16: bool,
 }
 
@@ -71,9 +71,9 @@ pub fn utf8(bytes: &[u8]) -> Result<&str, NotUtf8> {
     })
 }
 
-/// Whether bytes look like UTF-16 (or UTF-32), of either order, with or without a byte order
-/// mark: between a quarter and five sixths of the first ones are NUL. Texts that were read as
-/// UTF-8 already, with U+FFFD for the mark, look so, too.
+/// Returns true if bytes look like UTF-16 (or UTF-32), of either byte order, with or without a byte
+/// order mark: between a quarter and five sixths of the first ones are NUL. Texts already decoded
+/// as UTF-8, with U+FFFD for the mark, match, too.
 #[must_use]
 pub fn is_utf16(bytes: &[u8]) -> bool {
     let begin = &bytes[..bytes.len().min(TELLING)];

@@ -22,7 +22,7 @@ pub trait Length: Copy + Mul<f64, Output = Self> + Sub<Output = Self> {
         self.squared().sqrt()
     }
 
-    /// How far another one is, in the unit of the components.
+    /// Returns the distance to another one, in the unit of the components.
     #[inline]
     #[must_use]
     fn distance_to(self, other: Self) -> f64 {
@@ -36,8 +36,8 @@ pub trait Length: Copy + Mul<f64, Output = Self> + Sub<Output = Self> {
         self * self.magnitude().recip()
     }
 
-    /// The same direction with length 1; none for a length whose reciprocal is not finite and
-    /// positive.
+    /// Returns the same direction with length 1; `None` for a length whose reciprocal is not finite
+    /// and positive.
     #[inline]
     #[must_use]
     fn try_normalized(self) -> Option<Self> {

@@ -29,11 +29,11 @@ pub use glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3};
 pub use length::Length;
 pub use node::NodeState;
 
-/// Metres in one inch; the unit of GEVH's skeleton table is inch-like
-/// (standing height about 77). Exact by definition.
+/// Metres per inch; the unit of GEVH's skeleton table is inch-like (standing height about 77).
+/// Exact by definition.
 pub const METRES_PER_INCH: f64 = 0.0254;
 
-/// Which half of the body. "Left" is always the character's left.
+/// Side of the body. "Left" is always the character's left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
     /// The character's left, at positive x.
@@ -80,8 +80,8 @@ pub fn mirror_vector(v: DVec3) -> DVec3 {
     DVec3::new(-v.x, v.y, v.z)
 }
 
-/// Mirrors a rotation, given in world axes, on the sagittal plane: the axis is a
-/// pseudo-vector, so its x component keeps its sign and the others change it.
+/// Mirrors a rotation, given in world axes, on the sagittal plane: the axis is a pseudo-vector, so
+/// its x component keeps its sign and the others change it.
 #[must_use]
 pub fn mirror_rotation(q: DQuat) -> DQuat {
     DQuat::from_xyzw(q.x, -q.y, -q.z, q.w)

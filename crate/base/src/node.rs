@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct NodeState {
-    /// From its place at rest, metres.
+    /// Displacement from its rest position, metres.
     pub displacement: [f32; 3],
     /// Change of the surface's unit normal there.
     pub normal_delta: [f32; 3],

@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 /// Moves an item may make on average before a list counts as not nearly sorted.
 const NEARLY: usize = 8;
 
-/// Sorts pairs of key and position; total order, so that NaN has a place as well. Linear
-/// when little is out of order.
+/// Sorts pairs of key and position in total order, so NaN is ordered as well. Linear when little is
+/// out of order.
 #[inline(never)]
 fn sort_pairs(pairs: &mut [(f64, usize)]) {
     let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
@@ -31,8 +31,8 @@ fn sort_pairs(pairs: &mut [(f64, usize)]) {
     }
 }
 
-/// The indices of items in the order of a number, equal ones as they are; none when they
-/// are in order already. Nearly sorted items cost linear time, others O(n log n).
+/// Returns the indices of items in the order of a number, with equal items in their original order;
+/// `None` when already in order. Nearly sorted items cost linear time, others O(n log n).
 pub fn order_by_number<T>(items: &[T], number: impl Fn(&T) -> f64) -> Option<Vec<usize>> {
     let in_order = |a: &T, b: &T| number(a).total_cmp(&number(b)) != Ordering::Greater;
     if items.is_sorted_by(in_order) {

@@ -7,7 +7,8 @@ use std::sync::{Mutex, PoisonError};
 /// The message of the last panic; empty before the first.
 static MESSAGE: Mutex<String> = Mutex::new(String::new());
 
-/// Keeps the messages of panics from now on, instead of printing them to a console that may not exist.
+/// Stores the messages of panics from now on, instead of printing them to a console that may not
+/// exist.
 pub fn keep_messages() {
     set_hook(Box::new(store_message));
 }
@@ -20,7 +21,7 @@ fn store_message(info: &PanicHookInfo<'_>) {
     *MESSAGE.lock().unwrap_or_else(PoisonError::into_inner) = format!("{message}{place}");
 }
 
-/// The message of the last panic and where in the source it arose; none before the first.
+/// Returns the message of the last panic with its source location; `None` before the first.
 #[must_use]
 pub fn last_message() -> Option<String> {
     let message = MESSAGE.lock().unwrap_or_else(PoisonError::into_inner);

@@ -3,17 +3,17 @@
 
 use std::borrow::Cow;
 
-/// Whether a character does something to a terminal instead of being shown: the control characters,
-/// and those that order directions (Unicode Standard Annex 9), which make a line read other than it
-/// is. Line feeds and tabs are layout.
+/// Returns true if a character affects a terminal instead of being shown: control characters, and
+/// directional formatting characters (Unicode Standard Annex 9), which change the reading order of
+/// a line. Line feeds and tabs are layout.
 fn acts(c: char) -> bool {
     let is_layout = matches!(c, '\n' | '\t');
     let turns = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     (c.is_control() && !is_layout) || turns
 }
 
-/// What is shown in the place of such a character: the symbol of ASCII's control characters, else
-/// the replacement character. One column, as a reader of a marked line expects.
+/// Returns the replacement for such a character: the symbol of ASCII's control characters, else the
+/// replacement character. One column wide, as expected for a marked line.
 fn printable_char(c: char) -> char {
     match u32::from(c) {
         code @ 0..0x20 => char::from_u32(0x2400 + code),
@@ -23,7 +23,7 @@ fn printable_char(c: char) -> char {
     .unwrap_or(char::REPLACEMENT_CHARACTER)
 }
 
-/// A text that a terminal shows and does not obey.
+/// Replaces the characters of a text that a terminal would interpret.
 #[must_use]
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(acts) {
@@ -35,7 +35,8 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     clean.collect::<String>().into()
 }
 
-/// The same for JSON: such characters stand inside strings alone, where an escape means the same.
+/// Escapes the same characters in JSON: they occur only inside strings, where an escape is
+/// equivalent.
 #[must_use]
 pub fn printable_json(text: &str) -> Cow<'_, str> {
     // JSON has escaped those of ASCII but for DEL; what is left has four digits at most.

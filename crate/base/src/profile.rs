@@ -18,17 +18,16 @@ pub enum Profile {
     Linear,
     /// Half a period of a cosine: at rest at both ends.
     Cosine,
-    /// A cubic Bézier curve from (0, 0) to (1, 1) with the control points (x1, y1) and
-    /// (x2, y2): x is the share of time, taken into 0..1, y that of the way, which may
-    /// overshoot.
+    /// A cubic Bézier curve from (0, 0) to (1, 1) with the control points (x1, y1) and (x2, y2): x
+    /// is the share of time, clamped to 0..1, y that of the distance, which may overshoot.
     Bezier([f64; 4]),
-    /// A cubic Hermite curve from 0 to 1 with a slope at its start and at its end, in shares
-    /// of the way for the share of time.
+    /// A cubic Hermite curve from 0 to 1 with a slope at its start and at its end, in shares of the
+    /// distance per share of the time.
     Hermite([f64; 2]),
 }
 
 impl Profile {
-    /// The share of the way at a share `s` of the time: 0 at 0 and 1 at 1.
+    /// Returns the share of the distance at a share `s` of the time: 0 at 0 and 1 at 1.
     #[must_use]
     pub fn sample(&self, s: f64) -> f64 {
         let inside = s.clamp(0.0, 1.0);
@@ -45,7 +44,7 @@ impl Profile {
         way + self.end_slope(s) * (s - inside)
     }
 
-    /// The slope at the end that a share beyond the ends lies at.
+    /// Returns the slope of the nearer end for a share outside the curve.
     fn end_slope(&self, s: f64) -> f64 {
         let at_end = s > 0.5;
         match self {
@@ -64,7 +63,7 @@ impl Profile {
         }
     }
 
-    /// The greatest speed on the way, as a multiple of the mean: the greatest absolute slope.
+    /// Returns the peak speed as a multiple of the mean: the greatest absolute slope.
     #[must_use]
     pub fn peak(&self) -> f64 {
         const STEPS: u32 = 64;
@@ -81,8 +80,8 @@ fn bezier(a: f64, b: f64, u: f64) -> f64 {
     u * (3.0 * v * (v * a + u * b) + u * u)
 }
 
-/// The parameter at which a Bézier curve with inner abscissae `a` and `b` in 0..1, which never
-/// runs back, has the abscissa `x`. By bisection: 48 steps leave 4e-15 whatever the curve.
+/// Returns the parameter at which a monotonic Bézier curve with inner abscissae `a` and `b` in 0..1
+/// has the abscissa `x`. By bisection: 48 steps leave 4e-15 for every curve.
 fn parameter(a: f64, b: f64, x: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..48 {

@@ -6,12 +6,12 @@
 
 use crate::DVec3;
 
-/// A leaf of a tree has at most so many triangles.
+/// Maximum number of triangles in a leaf of the tree.
 const LEAF: usize = 4;
 /// Normals of less than this cosine between them may be of a fold.
 const ALIKE: f64 = 0.8;
 
-/// Whether an edge of one triangle passes through the other.
+/// Returns true if an edge of one triangle passes through the other.
 #[must_use]
 pub fn cross(a: &[DVec3; 3], b: &[DVec3; 3]) -> bool {
     let through = |t: &[DVec3; 3], p: DVec3, q: DVec3| {
@@ -26,30 +26,32 @@ pub fn cross(a: &[DVec3; 3], b: &[DVec3; 3]) -> bool {
     (0..3).any(|k| through(a, b[k], b[(k + 1) % 3]) || through(b, a[k], a[(k + 1) % 3]))
 }
 
-/// Pairs of triangles that share no corner and cross, by their numbers, the lower one first. Points at one place must be
-/// one point; any unit of length. Triangles that name other points, or points that are not finite, cross nothing.
+/// Returns pairs of triangles that share no corner and cross, by their numbers, the lower one
+/// first. Coincident points must be one point; any unit of length. Triangles with invalid or
+/// non-finite points cross nothing.
 #[must_use]
 pub fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
     TriangleTree::from_triangles(points, triangles).crossings(points, &ViewedSurface::All)
 }
 
-/// Where a surface is looked at.
+/// Part of a surface to search.
 #[derive(Clone, Debug)]
 pub enum ViewedSurface<'v> {
     /// Everywhere.
     All,
-    /// Where it is folded: what everywhere looks to one side of some plane does not cross itself (Volino and Magnenat
-    /// Thalmann 1994, doi:10.1111/1467-8659.1330155), and takes no time.
+    /// Folds only: a part whose normals all point to one side of some plane does not cross itself
+    /// (Volino and Magnenat Thalmann 1994, doi:10.1111/1467-8659.1330155), and takes no time.
     Folds,
     /// In folds, and there only pairs of which one has a marked vertex.
     FoldsAt(&'v [bool]),
 }
 
-/// Triangles in boxes in boxes. Made by one shape of a surface, it serves others too, the quicker the more alike they are.
+/// Bounding volume hierarchy of triangles. Built from one shape of a surface, it serves others too,
+/// faster the more similar they are.
 #[derive(Clone, Debug)]
 pub struct TriangleTree {
     triangles: Vec<[u32; 3]>,
-    /// The triangles' numbers in the order in which they lie in the leaves.
+    /// Triangle numbers in the order of the leaves.
     order: Vec<u32>,
     /// The root first; the left part of each node follows it.
     nodes: Vec<Node>,
@@ -64,14 +66,14 @@ struct Node {
     right: u32,
 }
 
-/// What a node's triangles lie in, and what their unit normals do.
+/// Bounds of a node's triangles and of their unit normals.
 #[derive(Clone, Copy)]
 struct NodeBounds {
     low: DVec3,
     high: DVec3,
     normal_low: DVec3,
     normal_high: DVec3,
-    /// Whether one of them has a marked vertex.
+    /// True if one of them has a marked vertex.
     is_marked: bool,
 }
 
@@ -109,7 +111,7 @@ impl NodeBounds {
         self.low.cmpgt(other.high).any() || other.low.cmpgt(self.high).any()
     }
 
-    /// Whether all normals of one are within a right angle of all of the other.
+    /// Returns true if all normals of one are within a right angle of all of the other.
     fn looks_like(&self, other: &Self) -> bool {
         let ends = |a: DVec3| [a * other.normal_low, a * other.normal_high];
         let ([p, q], [r, s]) = (ends(self.normal_low), ends(self.normal_high));
@@ -117,7 +119,7 @@ impl NodeBounds {
     }
 }
 
-/// What is known of a shape while it is looked at.
+/// Query state for one shape.
 struct CrossingQuery<'t> {
     tree: &'t TriangleTree,
     points: &'t [DVec3],
@@ -180,8 +182,8 @@ impl TriangleTree {
         self.split(right, from + half as u32);
     }
 
-    /// Pairs of triangles that share no corner and cross in a shape, by their numbers, the lower one first, in order.
-    /// Nothing where the shape lacks points that the tree was made with.
+    /// Returns pairs of triangles that share no corner and cross in a shape, by their numbers, the
+    /// lower one first, in order. Empty if the shape lacks points that the tree was built with.
     #[must_use]
     pub fn crossings(&self, points: &[DVec3], looked: &ViewedSurface<'_>) -> Vec<[usize; 2]> {
         let named = self.order.iter().flat_map(|&t| self.triangles[t as usize]);
@@ -233,7 +235,7 @@ impl TriangleTree {
 }
 
 impl CrossingQuery<'_> {
-    /// Whether nothing in a node crosses anything in another, or in the same.
+    /// Returns true if nothing in a node crosses anything in another, or in the same node.
     fn is_clear(&self, a: usize, b: usize) -> bool {
         let [p, q] = [a, b].map(|node| &self.bounds[node]);
         (self.only_marked && !p.is_marked && !q.is_marked)

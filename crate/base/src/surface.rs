@@ -2,8 +2,9 @@
 
 use crate::DVec3;
 
-/// For each position twice the area vectors of the faces around it, added up: as long as they are large, and outwards
-/// where faces go counter-clockwise seen from outside. Faces name their corners by the positions' indices.
+/// Returns, for each position, twice the sum of the area vectors of the adjacent faces:
+/// proportional to area, pointing outwards if faces are counter-clockwise seen from outside. Faces
+/// reference the indices of their corners' positions.
 #[must_use]
 pub fn area_vectors<F: AsRef<[u32]>>(
     positions: &[DVec3],
@@ -25,7 +26,8 @@ pub fn area_vectors<F: AsRef<[u32]>>(
     vectors
 }
 
-/// Unit normals of positions, weighted by the area of the faces around; +y where those have none.
+/// Returns unit normals of positions, weighted by the area of the adjacent faces; +y for positions
+/// without faces.
 #[must_use]
 pub fn vertex_normals<F: AsRef<[u32]>>(
     positions: &[DVec3],

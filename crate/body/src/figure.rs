@@ -6,15 +6,15 @@ use crate::face::{Binding, Tissue};
 use crate::skeleton::Skeleton;
 use crate::springs::Springs;
 
-/// Jaw angle at which the whole of the morph target `mouthClose` just closes the lips,
-/// radians; a contract between figures and those who move them. Designed.
+/// Jaw angle at which the full morph target `mouthClose` just closes the lips, radians; a contract
+/// between figures and their drivers. Designed.
 pub const MOUTH_CLOSE_RAD: f64 = 0.2;
 
-/// Jaw angle that the whole of the morph target `jawOpen` stands for, radians. ARKit gives
-/// no angle; its full opening looks like 20° on a face of usual build. Designed.
+/// Jaw angle represented by the full morph target `jawOpen`, radians. ARKit gives no angle; its
+/// full opening looks like 20° on a face of usual build. Designed.
 pub const JAW_OPEN_RAD: f64 = 0.35;
 
-/// How a surface is shaded. The renderer's own models replace glTF's for these.
+/// Shading model of a surface. The renderer's own models replace glTF's for these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MaterialKind {
     /// Skin; vertex colour carries the tone, its alpha the occlusion.
@@ -73,8 +73,8 @@ impl MaterialKind {
         (Self::Fleece, "fleece"),
     ];
 
-    /// Which weave a kind of cloth has, counted as the shader for cloth does; `None` for
-    /// all that is not cloth.
+    /// Returns the weave of a kind of cloth, numbered as in the cloth shader; `None` for other
+    /// materials.
     #[must_use]
     pub fn weave(self) -> Option<u8> {
         match self {
@@ -89,16 +89,16 @@ impl MaterialKind {
     }
 }
 
-/// Pictures that a surface is drawn with, as indices into [`Figure::images`].
+/// Textures of a surface, as indices into [`Figure::images`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TextureMaps {
     /// sRGB colour and alpha; multiplies the vertex colour and the base colour.
     pub base_color: Option<usize>,
     /// Normals in tangent space as glTF has them: +y along growing −v.
     pub normal: Option<usize>,
-    /// Heights of expressive wrinkles, a kind of them in each of red, green and blue: 128 is
-    /// the surface, a step of a 127th is [`WRINKLE_HEIGHT_M`] / 127. How much of each is
-    /// seen, [`NodeState::wrinkles`](crate::face::NodeState::wrinkles) tells.
+    /// Heights of expressive wrinkles, one kind in each of red, green and blue: 128 is the surface,
+    /// a step of a 127th is [`WRINKLE_HEIGHT_M`] / 127.
+    /// [`NodeState::wrinkles`](crate::face::NodeState::wrinkles) gives the visible amount of each.
     ///
     /// Red: lines across the forehead (frontalis). Green: between the brows (corrugator),
     /// crow's feet (orbicularis oculi), the furrows beside nose, mouth and on the cheek
@@ -107,12 +107,12 @@ pub struct TextureMaps {
     pub wrinkles: Option<usize>,
 }
 
-/// Height that the brightest texel of a map of wrinkles stands for, metres. Designed: twice
-/// what profilometry finds in deep lines of old faces.
+/// Height represented by the brightest texel of a wrinkle map, metres. Designed: twice the depth
+/// that profilometry finds in deep lines of old faces.
 pub const WRINKLE_HEIGHT_M: f32 = 0.001;
 
-/// A compressed picture that came with a figure. The renderer's host decodes it: a browser
-/// does that better than we could.
+/// A compressed image included in a figure. The renderer's host decodes it; a browser has better
+/// decoders.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
     /// `image/png` or `image/jpeg`.
@@ -130,9 +130,9 @@ pub struct Material {
     pub base_color: [f32; 4],
     /// Perceptual roughness, 0..1.
     pub roughness: f32,
-    /// Whether both sides are drawn.
+    /// Enables rendering of both sides.
     pub double_sided: bool,
-    /// Its pictures.
+    /// Textures of the material.
     pub maps: TextureMaps,
 }
 
@@ -175,12 +175,13 @@ pub struct Mesh {
     pub coarser: Vec<Vec<u32>>,
     /// Morph targets that touch this mesh.
     pub morphs: Vec<Morph>,
-    /// How its vertices follow the tissue of the face, where they do.
+    /// Binding of its vertices to the tissue of the face, if any.
     pub binding: Option<Binding>,
 }
 
 impl Mesh {
-    /// Triangles at a level of detail, 0 the finest; a mesh with fewer levels gives its last.
+    /// Returns the triangles at a level of detail, 0 the finest; a mesh with fewer levels returns
+    /// its last.
     #[must_use]
     pub fn triangles_at(&self, level: usize) -> &[u32] {
         match level.min(self.coarser.len()) {
@@ -233,9 +234,9 @@ impl Mesh {
         }
     }
 
-    /// What is wrong with the mesh's binding: `None` when it has none, or one whose
-    /// vertices are the mesh's and rise, whose rows are in order, and whose weights are
-    /// 0..1. Node indices can only be checked against a tissue.
+    /// Returns the fault of the mesh's binding. `None` if there is no binding, or if its vertices
+    /// are the mesh's and ascending, its rows in order, and its weights 0..1. Node indices can only
+    /// be checked against a tissue.
     #[must_use]
     pub fn binding_fault(&self) -> Option<&'static str> {
         let b = self.binding.as_ref()?;
@@ -261,7 +262,7 @@ impl Mesh {
     }
 }
 
-/// A figure ready to be posed and drawn.
+/// A figure ready to be posed and rendered.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// Name, for example `sofia`.
@@ -276,15 +277,15 @@ pub struct Figure {
     pub morph_names: Vec<String>,
     /// Upper-lid rotation that closes the eye, radians, left and right.
     pub lid_closure_rad: [f64; 2],
-    /// Sex of the body, 0 male to 1 female, where the file tells: joints have other limits.
+    /// Sex of the body, 0 male to 1 female, if the file specifies it; it selects joint limits.
     pub sex: Option<f64>,
-    /// The hand that it prefers: the right one where the file does not tell.
+    /// Dominant hand; right if the file does not specify it.
     pub dominant_hand: Side,
-    /// What moves under the skin of its face, where the file has it.
+    /// Tissue under the skin of its face, if the file has it.
     pub tissue: Option<Tissue>,
-    /// What swings: hair, hanging cloth.
+    /// Spring chains: hair, hanging cloth.
     pub springs: Springs,
-    /// Pictures of the materials.
+    /// Images of the materials.
     pub images: Vec<Image>,
 }
 

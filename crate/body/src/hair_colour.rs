@@ -21,7 +21,7 @@ pub struct HairColour {
 }
 
 impl HairColour {
-    /// Hair without pigment, linear RGB: white paper would glow beside skin. Chosen by eye.
+    /// Hair without pigment, linear RGB: paper white would glow next to skin. Chosen by eye.
     pub const WHITE_RGB: [f64; 3] = [0.42, 0.408, 0.388];
 
     /// Eight natural colours without grey, from dark to pale, with their names.
@@ -60,8 +60,8 @@ const EUMELANIN: [f64; 3] = [0.419, 0.697, 1.37];
 const PHEOMELANIN: [f64; 3] = [0.187, 0.400, 1.05];
 /// The denominator of Chiang et al. 2016, eq. 9, at 0.3.
 const REACH: f64 = 5.888;
-/// What the hairs' surface sends back before any pigment: 4.6 % at normal incidence for
-/// keratin (index 1.55), of which diffuse light sees a part. Chosen by eye.
+/// Reflectance of the hairs' surface without pigment: 4.6 % at normal incidence for keratin (index
+/// 1.55), part of which appears in diffuse light. Chosen by eye.
 const SURFACE: f64 = 0.009;
 impl HairColour {
     /// Colour of the pigmented hairs, linear RGB.

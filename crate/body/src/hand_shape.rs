@@ -82,7 +82,7 @@ pub fn finger_bones(side: Side) -> &'static [Bone; 15] {
     }
 }
 
-/// Slerp between two hands' rotations: `a` at weight 0, `b` at 1. Both must be of the same
+/// Interpolates two hands' rotations by slerp: `a` at weight 0, `b` at 1. Both must be of the same
 /// side; the bones of `a` are kept.
 #[must_use]
 pub fn blend_rotations(
@@ -105,7 +105,7 @@ impl HandShape {
     /// Every shape; the index is the number.
     pub const ALL: &'static [Self; 61] = &SHAPES;
 
-    /// The hanging hand, number 0: what a hand returns to.
+    /// The hanging hand, number 0: the shape to which a hand returns.
     pub const RELAXED: &'static Self = &SHAPES[0];
 
     /// The shape of a number, 0 to 60.
@@ -154,7 +154,7 @@ const fn shape(id: u8, name: &'static str, fingers: [[f64; 4]; 4], thumb: [f64; 
     }
 }
 
-/// Degrees, as [`HandAngles::from_degrees`] takes them.
+/// Hand shapes in degrees, as [`HandAngles::from_degrees`] takes them.
 #[rustfmt::skip]
 static SHAPES: [HandShape; 61] = [
     shape(0, "relaxed hand", [[15.0, 4.0, 20.0, 10.0], [18.0, 0.0, 25.0, 14.0], [22.0, 0.0, 28.0, 16.0], [25.0, -6.0, 30.0, 18.0]], [0.0, 0.0, 0.0, 10.0, 10.0]),

@@ -17,11 +17,11 @@ pub struct Pose {
     pub root_rotation: DQuat,
     /// One local rotation a bone, in [`Bone::ALL`]'s order.
     pub rotations: [DQuat; Bone::COUNT],
-    /// How far the lower jaw has slid out of its joint, in the skull bone's frame (x up, y
-    /// front, z left), metres.
+    /// Translation of the lower jaw from its joint, in the skull bone's frame (x up, y front, z
+    /// left), metres.
     pub jaw_offset_in_skull: DVec3,
-    /// Gaze of the left and right eye in the skull's zero axes (x left, y up, z front);
-    /// identity looks straight ahead.
+    /// Gaze of the left and right eye in the skull's zero axes (x left, y up, z front); identity
+    /// looks straight ahead.
     pub eyes: [DQuat; 2],
     /// Rotation of the upper lids about the globe's x axis, radians, left and right.
     /// Zero is the rest position; positive closes.
@@ -56,7 +56,8 @@ impl Pose {
         self.rotations[bone.index()] = rotation;
     }
 
-    /// How far a joint with this drive is from its place, in its parent's frame, metres.
+    /// Returns the translation of a joint with this drive from its place, in its parent's frame,
+    /// metres.
     #[must_use]
     pub fn joint_offset(&self, drive: Drive) -> DVec3 {
         if drive == Drive::Bone(Bone::Chin) {
@@ -83,8 +84,8 @@ impl Pose {
 }
 
 impl Skeleton {
-    /// Forward kinematics: world from joint for every joint, into `out` (cleared first,
-    /// so that a kept buffer makes no allocation).
+    /// Computes forward kinematics: world from joint for every joint, into `out` (cleared first; a
+    /// reused buffer avoids allocation).
     pub fn solve(&self, pose: &Pose, out: &mut Vec<DAffine3>) {
         out.clear();
         for joint in self.joints() {

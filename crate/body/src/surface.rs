@@ -4,11 +4,12 @@ use raconteur_base::{DAffine3, DVec3};
 
 use crate::figure::{MaterialKind, Mesh};
 
-/// Surface that lies at most so far under another, and beside it, cannot be touched, metres.
+/// Maximum depth below another surface, and lateral distance, within which a surface cannot be
+/// touched, metres.
 const UNDER_M: [f64; 2] = [0.03, 0.009];
 
 impl MaterialKind {
-    /// Whether hair lies on it rather than passing through.
+    /// Returns true if hair rests on it rather than passing through.
     #[must_use]
     pub fn stops_hair(self) -> bool {
         !matches!(
@@ -19,8 +20,8 @@ impl MaterialKind {
 }
 
 impl Mesh {
-    /// Place and unit normal of a vertex, of which `moved` takes each joint's frame from the bind
-    /// pose to where it is, world; a normal that vanishes stays none.
+    /// Returns position and unit normal of a vertex; `moved` takes each joint's frame from the bind
+    /// pose to its present place, world; a zero normal stays zero.
     #[must_use]
     pub fn skinned(&self, moved: &[DAffine3], vertex: usize) -> [DVec3; 2] {
         let of = |list: &[[f32; 3]]| DVec3::from_array(list[vertex].map(f64::from));
@@ -36,7 +37,8 @@ impl Mesh {
     }
 }
 
-/// Whether a point of a surface, with its normal, lies close under another: skin under cloth.
+/// Returns true if a point of a surface, with its normal, lies close under another: skin under
+/// cloth.
 #[must_use]
 pub fn lies_under([at, normal]: [DVec3; 2], [upper, upper_normal]: [DVec3; 2]) -> bool {
     let off = upper - at;

@@ -137,7 +137,8 @@ fn jump(seed: u64, name: &str) {
     }
 }
 
-/// A released face is at rest half a second later, in its rest place, and stays there.
+/// Checks that a released face is at rest half a second later, in its rest position, and stays
+/// there.
 fn comes_to_rest(tissue: &Tissue, mut network: Network, what: &str) {
     let rest = FaceControls::default();
     for _ in 0..HALF_A_SECOND {
@@ -227,8 +228,8 @@ fn the_lower_lip_reaches_the_upper_teeth() {
     }
 }
 
-/// What a muscle (of a pair the left one) does at a landmark of the left half or the middle: the
-/// least movement, millimetres on the reference head, and its main direction.
+/// Effect of a muscle (of a pair the left one) on a landmark of the left half or the middle: the
+/// minimum movement, millimetres on the reference head, and its main direction.
 struct Effect {
     muscle: Muscle,
     landmark: &'static str,
@@ -236,7 +237,8 @@ struct Effect {
     way: [f32; 3],
 }
 
-/// What mimic muscles do (F&H section 3.1.1, and anatomy where that is silent): `effects.tsv`.
+/// Returns the effects of the mimic muscles (F&H section 3.1.1, and anatomy where that is silent):
+/// `effects.tsv`.
 fn effects() -> Vec<Effect> {
     let rows = include_str!("effects.tsv").lines().skip(1);
     rows.map(|row| {

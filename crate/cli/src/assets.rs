@@ -21,8 +21,7 @@ static ANIMATIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/anim
 pub(crate) static FIRST_STORY: Dir<'_> =
     include_dir!("$CARGO_MANIFEST_DIR/../../assets/stories/hello-world");
 
-/// The story that `raconteur new --course` makes, with its voice, and a picture
-/// that was drawn for it.
+/// Story template of `raconteur new --course`, with its voice and a picture drawn for it.
 pub(crate) static FIRST_COURSE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/course");
 
 /// The largest file that is read, bytes.
@@ -31,7 +30,7 @@ const MAX_FILE_BYTES: u64 = 512 << 20;
 /// The folder that `--assets` names.
 static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 
-/// Looks into this folder before all others.
+/// Gives this folder precedence over all others.
 ///
 /// # Errors
 /// When it is none.
@@ -45,9 +44,9 @@ pub(crate) fn prepend_folder(folder: PathBuf) -> Result<()> {
     Ok(())
 }
 
-/// The folder of the library on disk: the one that `--assets` names, else `assets` beside the
-/// program, or above the folder `target` that cargo has built it in. Never one near a story, which
-/// comes from strangers, nor one near the working folder, which may be the story's.
+/// Returns the library folder on disk: the one given by `--assets`, otherwise `assets` next to the
+/// program, or above cargo's `target` folder. It is never a folder near a story, which may come
+/// from strangers, nor near the working folder, which may be the story's.
 fn folder() -> Option<PathBuf> {
     if let Some(named) = FOLDER.get() {
         return Some(named.clone());
@@ -60,7 +59,7 @@ fn folder() -> Option<PathBuf> {
         .find(|folder| folder.is_dir())
 }
 
-/// Lets the natural voice of the library, if it has one, speak.
+/// Makes the natural voice of the library available, if there is one.
 pub(crate) fn offer_voices() {
     if let Some(folder) = folder() {
         add_folder(folder.join("voices/kokoro"));
@@ -79,8 +78,8 @@ pub(crate) fn find(path: &str) -> Result<PathBuf> {
     found.with_context(|| format!("no {path} in the library; name its folder with --assets"))
 }
 
-/// What a file of the library holds: in the folder that `--assets` names, else in the program,
-/// else beside the program.
+/// Reads a file of the library: from the folder given by `--assets`, otherwise from the program,
+/// otherwise from next to the program.
 ///
 /// # Errors
 /// When it is in none of them, or cannot be read.
@@ -109,7 +108,7 @@ pub(crate) fn animations() -> impl Iterator<Item = (String, &'static [u8])> {
     })
 }
 
-/// The page that `npm run build` has made beside the library.
+/// Returns the page built by `npm run build` next to the library.
 pub(crate) fn built_page() -> Option<PathBuf> {
     let built = folder()?.parent()?.join("dist");
     built.is_dir().then_some(built)

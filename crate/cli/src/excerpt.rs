@@ -7,14 +7,14 @@ use codespan_reporting::files::{Error, Files};
 use raconteur_base::printable::printable;
 use raconteur_eml::{LineIndex, Span};
 
-/// The most characters of a line that are shown, with the marks of what was cut off.
+/// Maximum number of shown characters of a line, including the truncation marks.
 const COLUMNS: usize = 200;
-/// How many of them stand before the place.
+/// Number of shown characters before the position.
 const BEFORE: usize = 60;
-/// Stands for what was cut off.
+/// Truncation mark.
 const CUT: char = '…';
 
-/// A small text of the lines that are shown. It knows where they were.
+/// Excerpt of the shown source lines, with their original positions.
 pub(crate) struct Excerpt<'a> {
     file: &'a str,
     text: String,
@@ -22,27 +22,27 @@ pub(crate) struct Excerpt<'a> {
     lines: Vec<Line<'a>>,
 }
 
-/// A line, or the shown part of it.
+/// Source line, or its shown part.
 struct Line<'a> {
     /// From 1.
     number: u32,
     /// The whole line in the source, bytes.
     whole: Range<usize>,
-    /// What of it is shown.
+    /// Shown range of the line.
     shown: Range<usize>,
-    /// That, as the source has it: characters that a terminal obeys are replaced by others, which
-    /// may be longer.
+    /// Shown text with control characters replaced by printable ones, which may be longer.
     source: &'a str,
     /// Characters before that.
     columns_cut: usize,
-    /// Where it begins in the excerpt, a mark that something was cut included.
+    /// Start in the excerpt, including a truncation mark.
     at: usize,
     /// The length of that mark, bytes.
     mark: usize,
 }
 
 impl<'a> Excerpt<'a> {
-    /// The lines in which a diagnostic and what has to do with it begin, each once.
+    /// Builds the excerpt from the lines at which a diagnostic and its related spans begin, each
+    /// once.
     pub(crate) fn from_source(
         file: &'a str,
         index: &LineIndex<'a>,
@@ -73,7 +73,7 @@ impl<'a> Excerpt<'a> {
         Self { file, text, lines }
     }
 
-    /// Where a span is in the excerpt; what of it is not shown is left out.
+    /// Returns the range of a span in the excerpt, limited to the shown part.
     pub(crate) fn range(&self, span: Span) -> Range<usize> {
         let start = span.start as usize;
         let after = self.lines.partition_point(|l| l.whole.start <= start);
@@ -172,8 +172,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// For any text and any spans: no printed line is long, it is printed
-        /// without fault, and line and column are those of the place.
+        /// For any text and any spans: printed lines are short, printing succeeds, and line and
+        /// column are correct.
         #[test]
         fn excerpts_are_narrow_and_tell_the_place(
             text in "([a-zé😀 ]{0,9}|[a-zé]{400,900}|\n|\r\n){0,30}",

@@ -13,15 +13,15 @@ use crate::soundtrack::Soundtrack;
 use crate::terminal;
 use raconteur_voice::files::disk::PendingFile;
 
-/// Where frames go.
+/// Destination of frames.
 pub(crate) enum Sink {
-    /// A running ffmpeg and what it writes.
+    /// Running ffmpeg process and its output.
     Ffmpeg {
         child: Child,
         frames: ChildStdin,
         film: PendingFile,
     },
-    /// A folder of numbered pictures.
+    /// Folder of numbered images.
     Folder {
         folder: PathBuf,
         size: (u32, u32),

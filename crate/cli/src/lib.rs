@@ -33,16 +33,16 @@ use raconteur_voice::files::on_open;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// The folder of figures, animations and music. Without it, figures and animations are those in
-    /// the program, and all else lies in a folder `assets` beside the program.
+    /// Folder of figures, animations and music. By default, figures and animations are those in the
+    /// program, and everything else is in a folder `assets` next to the program.
     #[arg(long, global = true, value_name = "FOLDER")]
     assets: Option<PathBuf>,
-    /// Tell on the standard error which files are opened.
+    /// Report opened files on standard error.
     #[arg(long, global = true)]
     log_files: bool,
 }
 
-/// How a command reports.
+/// Output format of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For people.
@@ -61,15 +61,15 @@ enum Command {
     Fmt(commands::fmt::Fmt),
     /// Print the resolved clauses of a story in time order.
     Timeline(commands::timeline::Timeline),
-    /// Print where the joints are at given times.
+    /// Print joint positions at given times.
     Pose(commands::pose::Pose),
-    /// Draw a picture or film of a story.
+    /// Render an image or film of a story.
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
-    /// Measure voices and look at them.
+    /// Measure and inspect voices.
     Voice(commands::voice::Voice),
-    /// Play stories without pixels and report what a viewer would notice.
+    /// Play stories without rendering and report visible faults.
     Sweep(commands::sweep::Sweep),
     /// Show how camera, light and music express emotions.
     Express(commands::express::Express),
@@ -77,9 +77,9 @@ enum Command {
     Compose(commands::compose::Compose),
     /// Pack a story as a course for a learning management system, or for a plain site.
     Export(commands::export::Export),
-    /// Perform what minds send while the story plays.
+    /// Perform fragments sent by minds while the story plays.
     Serve(commands::serve::Serve),
-    /// Make figures and look at them.
+    /// Make and inspect figures.
     Figure(commands::figure::Figure),
     /// Learn faces from examples, and make new ones.
     Faces(Box<commands::faces::Faces>),
@@ -107,10 +107,10 @@ impl Command {
     }
 }
 
-/// What a command found.
+/// Outcome of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
-    /// Nothing wrong.
+    /// No problem found.
     Fine,
     /// The input has errors; they have been reported.
     Errors,

@@ -4,9 +4,9 @@ use std::env;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Mesa's Vulkan layer that chooses among graphics cards asks the Wayland session, and where
-/// there is none complains on the standard error, which is for diagnostics. Nothing is drawn on
-/// a screen here, so the layer's choice is not missed.
+/// Disables Mesa's Vulkan device selection layer: it queries the Wayland session and, if there is
+/// none, prints a warning on standard error, which is reserved for diagnostics. Nothing is shown on
+/// a screen here, so the layer is not needed.
 #[allow(
     unsafe_code,
     reason = "the program has no other thread yet that could read the environment"

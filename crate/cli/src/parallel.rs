@@ -7,7 +7,7 @@ use std::thread;
 
 use anyhow::Result;
 
-/// What `work` makes of each number, in order.
+/// Applies `work` to each number in parallel and returns the results in order.
 ///
 /// # Errors
 /// The first of `work`'s; what is being made is made first.

@@ -11,10 +11,10 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-/// A decoded picture: width, height, and RGBA bytes in rows from the top.
+/// Decoded image: width, height, and RGBA bytes in rows from the top.
 type Pixels = (u32, u32, Vec<u8>);
 
-/// Gives a figure and its pictures to the renderer.
+/// Uploads a figure and its images to the renderer.
 ///
 /// # Errors
 /// When the figure cannot be drawn or a picture is not one.
@@ -28,7 +28,7 @@ pub(crate) fn set_figure(headless: &mut Headless, figure: &Figure) -> Result<()>
     Ok(())
 }
 
-/// Writes an RGBA picture; the old file stays whole if that fails.
+/// Writes an RGBA image as PNG; the old file is kept if that fails.
 pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> Result<()> {
     let mut bytes = Vec::new();
     let mut encode = || -> Result<()> {

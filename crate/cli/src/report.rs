@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::excerpt::Excerpt;
 use crate::{Outcome, terminal};
 
-/// A place in a file. Lines and columns count from 1, columns in characters.
+/// Position in a file. Lines and columns count from 1, columns in characters.
 #[derive(Serialize)]
 pub(crate) struct Location {
     line: u32,
@@ -67,7 +67,7 @@ pub(crate) fn entries<'a>(
         .collect()
 }
 
-/// Whether any of them is an error.
+/// Returns the outcome: a failure if any diagnostic is an error.
 pub(crate) fn outcome(diagnostics: &[Diagnostic]) -> Outcome {
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         Outcome::Errors

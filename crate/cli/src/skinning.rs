@@ -20,8 +20,8 @@ pub(crate) fn world_from_bind(figure: &Figure, world_from_joint: &[DAffine3]) ->
         .collect()
 }
 
-/// Applies morphs and tissue, then the blend of the joints, as the renderer does. There is a weight
-/// for each of the figure's morphs, and a state for each node of its tissue or none.
+/// Applies morphs and tissue, then linear blend skinning, like the renderer. There is a weight for
+/// each of the figure's morphs, and a state for each node of its tissue or none.
 pub(crate) fn skin(
     mesh: &Mesh,
     world_from_bind: &[DAffine3],

@@ -13,7 +13,7 @@ use raconteur_voice::files::{inside, media};
 
 /// Samples a second of music.
 const RATE_HZ: u32 = 48_000;
-/// The level of music is a line through points so far apart, samples: 5 ms.
+/// Distance of the breakpoints of the music level, samples: 5 ms.
 const LEVEL_STEP: usize = 240;
 
 /// A sound and when it starts in the film; negative when the film begins within it.
@@ -36,14 +36,14 @@ pub(crate) struct Soundtrack {
     pub(crate) voices: Vec<Sound>,
     /// Two channels each.
     pub(crate) music: Vec<Sound>,
-    /// Where the music lies; gone with this.
+    /// Temporary folder of the music, removed on drop.
     _scratch: Option<TempDir>,
 }
 
 impl Soundtrack {
-    /// The sounds that can be heard in a film of the story at `script` that begins at
-    /// `from_secs` and is `length_secs` long. Music that cannot be had is left out with a
-    /// message: a film goes on without it.
+    /// Collects the audible sounds for a film of the story at `script` that begins at `from_secs`
+    /// and is `length_secs` long. Unavailable music is omitted with a message: the film continues
+    /// without it.
     pub(crate) fn collect(
         player: &Player,
         script: &Path,
@@ -87,7 +87,7 @@ impl Soundtrack {
         track
     }
 
-    /// Decodes a piece, sets its level and keeps it for the film.
+    /// Decodes a piece of music, applies its level and stores it for the film.
     fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
         let file = if cue.library {
             media::Sound::open(&assets::find(&format!("music/{}", cue.file))?)?
@@ -151,8 +151,8 @@ impl Soundtrack {
         self.voices.iter().chain(&self.music)
     }
 
-    /// ffmpeg's filter that delays each sound to its time and adds them up at full level;
-    /// none when there is nothing to hear.
+    /// Returns the ffmpeg filter that delays each sound to its time and mixes them at full level;
+    /// `None` if there are no sounds.
     pub(crate) fn filter(&self) -> Option<String> {
         let count = self.sounds().count();
         if count == 0 {

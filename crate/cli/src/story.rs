@@ -32,7 +32,7 @@ pub(crate) struct StoryFiles {
     pub(crate) script: PathBuf,
     /// Its text.
     pub(crate) text: String,
-    /// What of its bytes is no text.
+    /// Diagnostic about bytes that are not valid text.
     pub(crate) undecoded: Option<Diagnostic>,
 }
 
@@ -89,8 +89,8 @@ impl StoryFiles {
         script
     }
 
-    /// The figure that performs: the one of this name, else the one that the story chooses, else
-    /// the usual one; and what is wrong with the story's choice.
+    /// Returns the performing figure: the requested one, otherwise the story's choice, otherwise
+    /// the default; and a problem with the story's choice.
     fn figure(&self, asked: Option<&str>) -> Result<(Figure, Option<Diagnostic>)> {
         if let Some(name) = asked {
             return Ok((find_figure(name)?, None));
@@ -127,7 +127,7 @@ impl StoryFiles {
         }
     }
 
-    /// What is wrong with pictures of questions that are not in the folder of the story.
+    /// Returns diagnostics for question pictures missing from the folder of the story.
     fn lacking_pictures(&self) -> Vec<Diagnostic> {
         let document = raconteur_eml::parse(&self.text).document;
         let lacking = document.pictures().filter_map(|(path, span)| {
@@ -184,16 +184,17 @@ impl StoryFiles {
     }
 }
 
-/// What could be read; else why not goes to the standard error, and the story does without.
+/// Returns the value; on error, reports it on standard error and returns `None`, and the story
+/// continues without it.
 fn ok_or_report<T>(read: Result<T>) -> Option<T> {
     // A closed pipe must not end the program.
     read.inspect_err(|why| drop(writeln!(terminal::err(), "raconteur: {why:#}")))
         .ok()
 }
 
-/// The text of an animation: of a bare name, `animations/NAME.json` of the asset library; else
-/// of a file in the story's folder, JSON or glTF (`FILE.glb#NAME` for one of several
-/// animations). Where there is no such file, that of XML beside the story, or none.
+/// Returns the text of an animation: for a bare name, `animations/NAME.json` of the asset library;
+/// otherwise a file in the story's folder, JSON or glTF (`FILE.glb#NAME` for one of several
+/// animations). If there is no such file, an XML file next to the story, or `None`.
 fn find_animation(name: &str, story: &Path) -> Option<String> {
     if !name.contains(['/', '.', '\\']) {
         let Ok(bytes) = assets::read(&format!("animations/{name}.json")) else {
@@ -216,19 +217,19 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
     ok_or_report(text.with_context(|| format!("the animation {name}")))
 }
 
-/// The text of the XML file that is beside a story instead of an animation. It is not read, but
-/// the player tells that it is there.
+/// Returns the text of the XML file next to a story in place of an animation. It is not
+/// interpreted, but the player reports it.
 fn find_xml(name: &str, story: &Path) -> Option<String> {
     let stem = name.strip_suffix(".json").unwrap_or(name);
     let path = inside::find(story.parent()?, &format!("{stem}.xml")).ok()??;
     ok_or_report(input::text(&path, input::MAX_TEXT_BYTES))
 }
 
-/// Endings of files that hold a figure.
+/// Extensions of figure files.
 const FIGURE_ENDINGS: [&str; 3] = ["glb", "vrm", "gltf"];
 
-/// A figure by name, from the asset library, or by the path of a `.glb`, `.vrm` or `.gltf` file of any origin. What of a
-/// foreign file could not be kept goes to the standard error.
+/// Loads a figure by name from the asset library, or from the path of a `.glb`, `.vrm` or `.gltf`
+/// file of any origin. Losses in the import are reported on standard error.
 pub(crate) fn find_figure(name: &str) -> Result<Figure> {
     let by_path = Path::new(name);
     let ending = by_path.extension().map(std::ffi::OsStr::to_ascii_lowercase);

@@ -7,7 +7,7 @@ use anyhow::Result;
 use raconteur_base::printable::{printable, printable_json};
 use serde::Serialize;
 
-/// A stream of texts whose control characters are shown instead of sent.
+/// Text stream that shows control characters instead of sending them.
 pub(crate) struct Printable<W>(W);
 
 impl<W: Write> Write for Printable<W> {
@@ -33,12 +33,12 @@ pub(crate) fn err() -> Printable<StderrLock<'static>> {
     Printable(io::stderr().lock())
 }
 
-/// Says a line on the standard error. A closed pipe must not end the program.
+/// Writes a line to standard error. A closed pipe does not end the program.
 pub(crate) fn report(line: impl std::fmt::Display) {
     let _ = writeln!(err(), "{line}");
 }
 
-/// A value as JSON that [`out`] prints as it is, on lines of its own.
+/// Returns a value as JSON on separate lines, which [`out`] prints unchanged.
 pub(crate) fn json_lines(value: &impl Serialize) -> Result<String> {
     Ok(printable_json(&serde_json::to_string_pretty(value)?).into_owned())
 }

@@ -49,7 +49,7 @@ fn diagnostics(file: &Path) -> (Vec<Value>, i32) {
     (list, out.status.code().unwrap_or(-1))
 }
 
-/// Checks that a text gives a diagnostic of this code in this line, and returns its column.
+/// Checks that a text gives a diagnostic with this code in this line, and returns its column.
 fn expect(name: &str, text: impl AsRef<[u8]>, code: &str, line: u64) -> u64 {
     let scratch = Scratch::new(name);
     let (list, _) = diagnostics(&scratch.story(text));
@@ -186,8 +186,8 @@ fn a_replacement_character_that_somebody_wrote_is_text() {
     assert_eq!(list[0]["start"]["offset"], at, "{list:#?}");
 }
 
-/// What acts on a terminal: ANSI's sequences, their one-byte forms, carriage returns, and marks that
-/// turn the direction of a line.
+/// Sequences that control a terminal: ANSI sequences, their one-byte forms, carriage returns, and
+/// bidirectional control characters.
 const ACTING: &str = "\u{1b}]0;owned\u{7}\u{1b}[2J\u{9b}31m\r\u{8}\u{7f}\u{202e}evil\u{2066}";
 
 #[test]
@@ -332,7 +332,7 @@ fn what_is_told_of_a_hostile_story_is_short() {
     }
 }
 
-/// A phone that lasts 50 days: the bundle is refused, and says where.
+/// A phone that lasts 50 days: the bundle is rejected, with its position.
 #[test]
 fn impossible_lengths_in_a_bundle_are_named() {
     let scratch = Scratch::new("msecs");

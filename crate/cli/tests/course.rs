@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use zip::ZipArchive;
 
-/// A folder of its own below the library's, empty.
+/// Creates a separate empty folder below the library's.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("course-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -60,7 +60,7 @@ fn a_new_course_asks_everything_and_has_no_fault() {
     assert!(out.status.success(), "{}", stderr_of(&out));
 }
 
-/// A story with a title that asks with a picture.
+/// Creates a story with a title and a question with a picture.
 fn story(name: &str, title: &str) -> PathBuf {
     let folder = folder(name);
     let text = format!(

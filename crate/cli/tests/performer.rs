@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A story in a folder of its own below this folder, from which the library is found.
+/// Creates a story in a separate folder below this folder, from which the library is found.
 fn story(name: &str, performer: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("performer-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -30,7 +30,7 @@ fn raconteur(arguments: &[&str], story: &Path) -> Output {
         .expect("the program runs")
 }
 
-/// The digest of the first moment, and the messages besides the one on the missing voice.
+/// Returns the digest of the first frame, and the messages except the one about the missing voice.
 fn performed(story: &Path, figure: &[&str]) -> (String, Vec<String>) {
     let arguments = [
         &["pose", "--at", "0", "--digest", "--format", "json"],
@@ -75,7 +75,7 @@ fn the_figure_is_the_one_asked_for_else_the_storys_else_the_usual_one() {
     assert_eq!((digest, told.len()), (sofia, 1), "{told:?}");
 }
 
-/// The engine, voice and language of what was baked.
+/// Returns the engine, voice and language of the baked utterances.
 fn baked(story: &Path, arguments: &[&str]) -> [String; 3] {
     let out = raconteur(&[&["bake"], arguments].concat(), story);
     assert!(

@@ -18,7 +18,7 @@ fn timeline(name: &str) -> Value {
     timeline
 }
 
-/// The timeline, and what is wrong with the story.
+/// Returns the timeline, and the diagnostics of the story.
 fn timeline_and_told(name: &str) -> (Value, String) {
     let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
         .args(["timeline", "--format", "json"])
@@ -59,7 +59,7 @@ fn the_folk_tale_is_long_and_full_of_gestures() {
     assert!(starts(&t, "gesture-key").len() >= 25);
 }
 
-/// Whether a time lies on a beat of so many seconds.
+/// Returns true if a time lies on a beat of the given duration.
 fn on_beat(secs: f64, beat_secs: f64) -> bool {
     let beats = secs / beat_secs;
     (beats - beats.round()).abs() < 1e-6
@@ -180,7 +180,7 @@ fn shipped_stories_are_silent_under_check() {
     }
 }
 
-/// What a script's voice-texts say, without markup, by their timeId.
+/// Returns the spoken texts of a script's voice-texts, without markup, by their timeId.
 fn spoken(name: &str) -> Vec<(String, String)> {
     let text = std::fs::read_to_string(story(name)).expect("the script");
     let one = |clause: &str| {

@@ -11,14 +11,14 @@ use crate::suggest::{MAX_HINTS, nearest, quoted};
 use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where the set of each name is.
+/// Index of the set of each name.
 type Index<'d> = BTreeMap<&'d str, usize>;
 
-/// Where the player of each name is added, and the one without a name.
+/// Start tag that adds the player of each name, and of the unnamed one.
 type Starts<'d> = BTreeMap<&'d str, Span>;
 
-/// Reports attributes that mean nothing beside others, clauses that lack what they need,
-/// and, in a whole script, references to nothing.
+/// Reports attributes that have no effect together with others, clauses without required parts,
+/// and, in a whole script, undefined references.
 pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
     // Those that have to do with players: few, if any.
     let mut playing = Vec::new();
@@ -37,7 +37,7 @@ pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
     }
 }
 
-/// Reports arguments that are given twice.
+/// Reports arguments given twice.
 fn arguments(args: Option<&FunctionArgs>, span: Span, sink: &mut Sink) {
     let mut seen = BTreeSet::new();
     for arg in args.iter().flat_map(|args| &args.args) {
@@ -147,7 +147,7 @@ fn joints_given(fk: &ForwardKinematics, ignored: &mut dyn FnMut(&str)) {
     }
 }
 
-/// A Jacobian goes to a target or at a velocity, not both.
+/// Reports a Jacobian with both target and velocity; only one of them applies.
 fn target_or_velocity(jacobian: &Jacobian, ignored: &mut dyn FnMut(&str)) {
     let zero = |vector: &[f64; 3]| vector.iter().all(|&x| x == 0.0);
     let (target, still) = (
@@ -163,7 +163,7 @@ fn target_or_velocity(jacobian: &Jacobian, ignored: &mut dyn FnMut(&str)) {
     }
 }
 
-/// Whether a clause makes, ends or refers to players of animations.
+/// Returns true if a clause creates, removes or references animation players.
 fn is_playing(kind: &ClauseKind) -> bool {
     matches!(
         kind,
@@ -177,7 +177,7 @@ fn is_playing(kind: &ClauseKind) -> bool {
     )
 }
 
-/// Checks what a clause refers to; players and sets only where all of them are known.
+/// Checks the references of a clause; players and sets only if all of them are known.
 fn references(clause: &Clause, own: Option<&(Index<'_>, Starts<'_>)>, sink: &mut Sink) {
     let span = clause.tag_span;
     let (player, members) = match &clause.kind {
@@ -246,7 +246,7 @@ fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
     players
 }
 
-/// Checks the sets of the head among themselves and tells where each is.
+/// Checks the sets of the head against each other and returns the index of each.
 fn sets<'d>(sets: &'d [Set], sink: &mut Sink) -> Index<'d> {
     let mut index = Index::new();
     for (place, set) in sets.iter().enumerate() {

@@ -6,12 +6,12 @@ use raconteur_base::encoding;
 use crate::parse::reject_binary;
 use crate::{Diagnostic, Limits, Parsed, Span, parse_with};
 
-/// The text of a script, and what was wrong with its bytes.
+/// Text of a script, with the encoding errors of its bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Decoded {
-    /// With U+FFFD in the place of bytes that are not UTF-8.
+    /// Text, with U+FFFD replacing bytes that are not UTF-8.
     pub text: String,
-    /// The first of them, and how many places there are. Its span counts in the text.
+    /// First encoding error, with the number of places. Its span refers to the text.
     pub problem: Option<Diagnostic>,
 }
 
@@ -41,8 +41,8 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     Decoded { text, problem }
 }
 
-/// Reads a script from bytes that should be UTF-8, as [`decode`] does; the spans count
-/// in its text.
+/// Parses a script from bytes that should be UTF-8, with the conversion of [`decode`]; spans refer
+/// to its text.
 #[must_use]
 pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
     let decoded = decode(bytes.to_vec());

@@ -3,11 +3,11 @@
 use crate::Span;
 use std::collections::BTreeMap;
 
-/// How bad a problem is.
+/// Severity of a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Something of the document is lost: an element or a value was dropped. What the
-    /// language does not know at all is a warning, since another version may.
+    /// Part of the document is lost: an element or a value was dropped. Names unknown to the
+    /// language are warnings, since another version may know them.
     Error,
     /// The document plays as written or nearly so, but probably not as meant.
     Warning,
@@ -27,17 +27,17 @@ impl Severity {
 /// A problem in a document and where it is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// What kind of problem, for machines: `eml::unknown-element` and so on.
+    /// Machine-readable code of the problem: `eml::unknown-element` and so on.
     pub code: &'static str,
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
-    /// Where it is.
+    /// Location.
     pub span: Span,
     /// One sentence for people, without line numbers.
     pub message: String,
-    /// What to do about it.
+    /// Hints for a fix.
     pub hints: Vec<String>,
-    /// Other places that have to do with it, each with a remark.
+    /// Related locations, each with a remark.
     pub related: Vec<(Span, String)>,
 }
 
@@ -71,7 +71,7 @@ impl Diagnostic {
         self
     }
 
-    /// The same with one more related place.
+    /// Returns the diagnostic with one more related location.
     #[must_use]
     pub fn related(mut self, span: Span, remark: impl Into<String>) -> Self {
         self.related.push((span, remark.into()));
@@ -90,14 +90,14 @@ fn clipped(mut message: String) -> String {
     message
 }
 
-/// How many diagnostics of one kind are reported one by one.
+/// Maximum number of diagnostics of one kind that are reported individually.
 pub const MAX_PER_KIND: usize = 20;
 
 /// The code of the diagnostic that counts those left out.
 const MORE: &str = "eml::more";
 
-/// Thins what several readers have found in one document: of each kind the first
-/// [`MAX_PER_KIND`] stay, and `eml::more` counts the others. In the order of the text.
+/// Thins the diagnostics of several readers of one document: keeps the first [`MAX_PER_KIND`] of
+/// each kind, and counts the others in `eml::more`. In the order of the text.
 #[must_use]
 pub fn thinned(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
@@ -113,12 +113,12 @@ struct Kind {
     left_out: usize,
     /// The worst severity of those left out.
     worst: Option<Severity>,
-    /// Where the last of them is.
+    /// Location of the last of them.
     last: Span,
 }
 
-/// Collects diagnostics up to a limit, in all and of each kind, and counts the rest, so that
-/// a hostile file cannot fill the memory with complaints.
+/// Collector of diagnostics, limited in total and per kind. It counts the rest, so a hostile file
+/// cannot fill the memory with diagnostics.
 #[derive(Debug)]
 pub(crate) struct Sink {
     list: Vec<Diagnostic>,
@@ -154,13 +154,13 @@ impl Sink {
         }
     }
 
-    /// Whether a problem within a span has been reported.
+    /// Returns true if a problem within a span has been reported.
     pub(crate) fn concerns(&self, place: Span) -> bool {
         let within = |d: &Diagnostic| place.start <= d.span.start && d.span.end <= place.end;
         self.list.iter().any(within)
     }
 
-    /// Whether further diagnostics of a kind are only counted, so that what they say does not
+    /// Returns true if further diagnostics of a kind are only counted, so their text does not
     /// matter.
     pub(crate) fn is_full_of(&self, code: &'static str) -> bool {
         let told = self.kinds.get(code).map_or(0, |kind| kind.told);
@@ -189,8 +189,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// For any input: few of a kind are reported, none is lost in the counts, and an error
-        /// that is left out leaves one behind.
+        /// Checks, for any input, that few of a kind are reported, none is lost in the counts, and
+        /// an omitted error leaves an error behind.
         #[test]
         fn all_are_told_or_counted(
             kinds in prop::collection::vec((0_usize..4, any::<bool>(), 0_u32..99), 0..300),

@@ -23,7 +23,7 @@ use crate::record::Record;
 use crate::{GestureKey, Name, Span, TimeExpr, VoiceText};
 use std::borrow::Cow;
 
-/// The place of a clause in [`Document::clauses`].
+/// Index of a clause in [`Document::clauses`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ClauseId(pub u32);
 
@@ -35,19 +35,19 @@ impl ClauseId {
     }
 }
 
-/// An EML script. Clauses lie flat in document order, so that walking, cloning and
-/// dropping never recurse; groups name their children.
+/// An EML script. Clauses are stored flat in document order, so walking, cloning and dropping never
+/// recurse; groups name their children.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The `name` of the `eml` element.
     pub name: Option<String>,
-    /// What gives way to the preparation of its first gesture (extension); none where it does not say.
+    /// Adjustment for the preparation of its first gesture (extension); `None` if unspecified.
     pub run_up: Option<RunUp>,
-    /// Who performs it (extension).
+    /// Performer (extension).
     pub performer: Option<Performer>,
-    /// The start tag that says so; empty where none does.
+    /// Span of the performer's start tag; empty if there is none.
     pub performer_span: Span,
-    /// How its environment expresses emotions, and where it is told (extension).
+    /// Expression of emotions by its environment, and its set (extension).
     pub environment: Option<Environment>,
     /// The named sets of tracks (GEVH D.3.3).
     pub sets: Vec<Set>,
@@ -58,7 +58,7 @@ pub struct Document {
 }
 
 impl Document {
-    /// The clause of an id that came from this document or its timeline.
+    /// Returns the clause of an id that came from this document or its timeline.
     ///
     /// # Panics
     /// When the id comes from another, longer document.
@@ -67,8 +67,8 @@ impl Document {
         &self.clauses[id.index()]
     }
 
-    /// The pictures of questions and their options, by their paths beside the story, each with the
-    /// start tag that names it.
+    /// Returns the images of questions and their options, by their paths next to the story, each
+    /// with the start tag that names it.
     pub fn pictures(&self) -> impl Iterator<Item = (&str, Span)> {
         self.clauses.iter().flat_map(|clause| {
             let ClauseKind::Ask(ask) = &clause.kind else {
@@ -88,25 +88,25 @@ impl Document {
     }
 }
 
-/// One thing to do at one time.
+/// One action at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clause {
     /// The whole element, end tag included.
     pub span: Span,
     /// The start tag.
     pub tag_span: Span,
-    /// When it starts: absolute when it names a moment or stands in the body, else
-    /// relative to its group (GEVH D.2.4, D.2.5).
+    /// Start time: absolute if it is a marker or the clause is in the body, else relative to its
+    /// group (GEVH D.2.4, D.2.5).
     pub start: TimeExpr,
     /// The name that other clauses may call its start (GEVH D.2.2).
     pub time_id: Option<Name>,
-    /// The seq or par it stands in; none in the body.
+    /// Enclosing seq or par; `None` in the body.
     pub parent: Option<ClauseId>,
-    /// What it does.
+    /// Kind of the clause.
     pub kind: ClauseKind,
 }
 
-/// What a clause does.
+/// Kind of a clause, with its data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ClauseKind {
     /// Speaks a text (GEVH D.4.1).
@@ -115,7 +115,7 @@ pub enum ClauseKind {
     GestureIsOn(bool),
     /// Moves hands through shapes, palm orientations and positions (GEVH D.5.2).
     GestureKey(GestureKey),
-    /// Tells listeners that something happened (GEVH D.1.4).
+    /// Notifies listeners of an event (GEVH D.1.4).
     Event {
         /// The listeners' category.
         kind: Option<Name>,
@@ -152,9 +152,9 @@ pub enum ClauseKind {
     ConfigureManipulator(ConfigureManipulator),
     /// Sets joints (GEVH D.3.20).
     ForwardKinematics(Box<ForwardKinematics>),
-    /// Brings a limb to a target by its joints (GEVH D.3.21).
+    /// Moves a limb to a target, interpolating its joints (GEVH D.3.21).
     JointInterpolation(Box<JointInterpolation>),
-    /// Brings a limb to a target on a straight way (GEVH D.3.22).
+    /// Moves a limb to a target in a straight line (GEVH D.3.22).
     FrameInterpolation(FrameInterpolation),
     /// Moves a limb along a function (GEVH D.3.23).
     ManipulatorFunction(ManipulatorFunction),
@@ -162,11 +162,11 @@ pub enum ClauseKind {
     Jacobian(Box<Jacobian>),
     /// Stops a manipulator (GEVH D.3.25).
     ManipulatorStop(Stop),
-    /// Holds the end of a limb (GEVH D.3.26).
+    /// Locks the end of a limb (GEVH D.3.26).
     ManipulatorLock(Lock),
     /// Sets a control parameter (GEVH D.3.27).
     SetControlParameter(SetControlParameter),
-    /// Leads a control parameter through four phases (GEVH D.3.28).
+    /// Moves a control parameter through four phases (GEVH D.3.28).
     AdsrControlParameter(Box<AdsrControlParameter>),
     /// Loads an animation of control parameters (GEVH D.3.29).
     LoadControlParameterAnimation(LoadControlParameterAnimation),
@@ -176,29 +176,29 @@ pub enum ClauseKind {
     VoiceSay(Box<VoiceSay>),
     /// Changes the voice (GEVH D.4.15).
     VoiceChange(VoiceChange),
-    /// Says how tense the story is (extension).
+    /// Sets the tension of the story (extension).
     Beat(Beat),
     /// Elicits an emotion (extension).
     Emotion(Emotion),
-    /// Takes a shot (extension).
+    /// Sets the shot (extension).
     Camera(Camera),
     /// Changes the key light (extension).
     Light(Light),
     /// Plays music (extension).
     Music(Box<Music>),
-    /// Asks something (extension).
+    /// Asks a question (extension).
     Ask(Box<Ask>),
-    /// What is performed after certain answers (extension).
+    /// Clauses performed after certain answers (extension).
     Answer(Box<Answer>),
     /// A part of the story (extension).
     Part(Box<Part>),
-    /// What is performed under a condition (extension).
+    /// Clauses performed under a condition (extension).
     If(Box<Branch>),
-    /// Of what is in it some is performed, by chance (extension).
+    /// Clauses of which some are performed, drawn at random (extension).
     Pool(Box<Pool>),
-    /// A variable takes a value (extension).
+    /// Sets a variable (extension).
     Set(Box<Assignment>),
-    /// The story goes on at a part (extension).
+    /// Continues the story at a part (extension).
     Goto(Goto),
 }
 
@@ -303,7 +303,7 @@ impl ClauseKind {
         Some(record)
     }
 
-    /// The text that it speaks; empty where only its voice knows the words.
+    /// Returns the spoken text; empty if the words are known only to its voice.
     #[must_use]
     pub fn spoken_text(&self) -> Option<Cow<'_, VoiceText>> {
         match self {
@@ -313,9 +313,8 @@ impl ClauseKind {
         }
     }
 
-    /// How long it takes by itself, in seconds: neither speech nor the members of a group. A
-    /// function in a loop takes one period; what goes on until something stops it takes
-    /// no time.
+    /// Returns its own duration, seconds, without speech and group members. A looping function
+    /// counts one period; a clause that runs until it is stopped counts 0.
     #[must_use]
     pub fn own_length_secs(&self) -> f64 {
         let period =
@@ -339,7 +338,7 @@ impl ClauseKind {
         }
     }
 
-    /// The clauses in it, when it holds some.
+    /// Returns the contained clauses, if any.
     #[must_use]
     pub fn group(&self) -> Option<&Group> {
         match self {
@@ -366,7 +365,7 @@ impl ClauseKind {
         }
     }
 
-    /// Whether the clauses in it follow each other.
+    /// Returns true if the contained clauses are sequential.
     #[must_use]
     pub fn is_sequence(&self) -> bool {
         matches!(self, Self::Seq(_) | Self::Ask(_) | Self::Pool(_))
@@ -378,25 +377,25 @@ impl ClauseKind {
 pub struct Group {
     /// The clauses directly inside, in document order.
     pub children: Vec<ClauseId>,
-    /// How often the content plays, at least 1 (GEVH D.2.6).
+    /// Number of repetitions, at least 1 (GEVH D.2.6).
     pub repetition_count: u32,
-    /// Where the count is written, else the start tag.
+    /// Span of the count, else of the start tag.
     pub repetition_span: Span,
-    /// The length of one iteration in seconds; none: as long as the content.
+    /// Length of one iteration in seconds; `None`: the length of the content.
     pub iteration_secs: Option<f64>,
 }
 
-/// A question, with what follows from its answers.
+/// A question with the reactions to its answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ask {
     /// The question.
     pub question: Question,
-    /// Its answers, one after another in the timeline; which of them is performed is only known
-    /// when somebody has answered.
+    /// Reactions to its answers, sequential in the timeline; the one to perform is known only after
+    /// the answer.
     pub answers: Group,
 }
 
-/// What is performed after certain answers.
+/// Clauses performed after certain answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answer {
     /// After which.
@@ -408,25 +407,25 @@ pub struct Answer {
 /// A part of the story.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
-    /// What it is called.
+    /// Title of the part.
     pub heading: Heading,
     /// Its clauses, together.
     pub content: Group,
 }
 
-/// What is performed under a condition; the timeline has room for it in any case.
+/// Clauses performed under a condition; the timeline always reserves time for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Branch {
-    /// When it is performed.
+    /// Condition.
     pub condition: Condition,
     /// Its clauses, together.
     pub content: Group,
 }
 
-/// Clauses of which some are performed, drawn anew for each learner; the timeline has room for all.
+/// Clauses of which some are performed, drawn for each learner; the timeline reserves time for all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pool {
-    /// How many.
+    /// Random draw.
     pub draw: Draw,
     /// Its clauses, one after another.
     pub content: Group,

@@ -5,14 +5,14 @@ use crate::voice::{Item, is_letter};
 use crate::{ClauseId, TextSegment, VoiceText};
 use std::ops::ControlFlow;
 
-/// Knows how long spoken texts and animations take. The player answers from a speech bundle
-/// and its library.
+/// Source of the durations of spoken texts and animations. The player takes them from a speech
+/// bundle and its library.
 pub trait Durations {
-    /// The times of what a clause says. The text is empty where the clause names a file or
-    /// holds a document of SABLE.
+    /// Returns the timing of a clause's speech. The text is empty if the clause names a file or
+    /// holds a SABLE document.
     fn voice(&self, clause: ClauseId, text: &VoiceText) -> VoiceTiming;
 
-    /// The length of one pass of an animation, seconds; none when it is not known.
+    /// Returns the length of one pass of an animation, seconds; `None` if unknown.
     fn animation(&self, name: &str) -> Option<f64> {
         let _ = name;
         None
@@ -28,11 +28,11 @@ pub struct VoiceTiming {
     pub words: Vec<WordTime>,
     /// The phones in order; may be empty when they are not known.
     pub phones: Vec<PhoneTime>,
-    /// Whether the times are guessed from the text rather than measured.
+    /// True if the times are estimated from the text rather than measured.
     pub estimated: bool,
 }
 
-/// When a word sounds.
+/// Time of a spoken word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WordTime {
     /// Its start in seconds from the start of the utterance.
@@ -41,7 +41,7 @@ pub struct WordTime {
     pub end_secs: f64,
 }
 
-/// When a phone sounds.
+/// Time of a phone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTime {
     /// Its symbol in the phone set of its voice.
@@ -58,8 +58,8 @@ pub struct PhoneTime {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct EstimatedDurations;
 
-/// A word of the average 4.7 letters takes 1/2.7 s, the pace of a storyteller;
-/// split so that short words are not too short: *designed*.
+/// Constant time per word, seconds. A word of the average 4.7 letters takes 1/2.7 s, the speech
+/// rate of a storyteller; the split keeps short words from being too short: *designed*.
 const SECS_PER_WORD: f64 = 0.12;
 /// See [`SECS_PER_WORD`].
 const SECS_PER_LETTER: f64 = 0.0533;
@@ -128,7 +128,7 @@ impl Durations for EstimatedDurations {
     }
 }
 
-/// The pause that the punctuation at the end of a word asks for.
+/// Returns the pause for the punctuation at the end of a word.
 fn pause_after(word: &str) -> f64 {
     if word.bytes().next_back().is_some_and(is_letter) {
         return 0.0;

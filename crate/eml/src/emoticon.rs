@@ -3,7 +3,8 @@
 //! Word counts, captions, speech and emotions must agree on which tokens are not words, so
 //! all of them ask here.
 
-/// F&H table 4.1. These may also be written with spaces between their signs, as table 4.2 does.
+/// Emoticons of F&H table 4.1. They may also be written with spaces between their signs, as in
+/// table 4.2.
 pub const EMOTICONS: [(&str, &str); 6] = [
     (":-)", "joy"),
     (":-(", "distress"),
@@ -13,7 +14,7 @@ pub const EMOTICONS: [(&str, &str); 6] = [
     (":-|", "disgust"),
 ];
 
-/// Common ways to write the same; these have no spaces.
+/// Common variants; these have no spaces.
 const VARIANTS: [(&str, &str); 17] = [
     (":)", "joy"),
     (":D", "joy"),
@@ -34,7 +35,7 @@ const VARIANTS: [(&str, &str); 17] = [
     ("<3", "love"),
 ];
 
-/// Emoji by the word that they stand for, without variation selectors and tones of skin.
+/// Emoji by the word that they stand for, without variation selectors and skin tones.
 pub const EMOJI: [(&str, &[&str]); 19] = [
     (
         "joy",
@@ -68,7 +69,7 @@ pub const EMOJI: [(&str, &[&str]); 19] = [
     ),
 ];
 
-/// What may stand before a sign in its token, and behind it.
+/// Characters that may precede a sign in its token, and follow it.
 const OPENING: [char; 8] = ['(', '[', '"', '\'', '“', '„', '‘', '«'];
 const CLOSING: [char; 14] = [
     '.', ',', ';', ':', '!', '?', '…', ')', ']', '"', '\'', '”', '’', '»',
@@ -77,7 +78,8 @@ const CLOSING: [char; 14] = [
 /// Joins emoji into one.
 const JOINER: char = '\u{200d}';
 
-/// Whether a character belongs to an emoji: it is seen, but neither spoken nor part of a word.
+/// Returns true if a character belongs to an emoji: it is displayed, but neither spoken nor part of
+/// a word.
 #[must_use]
 pub fn is_emoji(c: char) -> bool {
     matches!(c,
@@ -89,7 +91,7 @@ pub fn is_emoji(c: char) -> bool {
         && !c.is_alphanumeric()
 }
 
-/// Tones of skin and the wish for a coloured picture change no meaning.
+/// Returns true for skin tones and variation selectors, which change no meaning.
 fn is_variation(c: char) -> bool {
     matches!(c, '\u{fe0e}' | '\u{fe0f}' | '\u{1f3fb}'..='\u{1f3ff}')
 }
@@ -155,7 +157,7 @@ pub fn of_emoji(token: &str) -> [Vec<&'static str>; 2] {
     found
 }
 
-/// A token without its emoji; none when it has none.
+/// Returns a token without its emoji; `None` if it has none.
 #[must_use]
 pub fn without_emoji(token: &str) -> Option<String> {
     if token.is_ascii() || !token.contains(is_emoji) {
@@ -169,7 +171,7 @@ pub fn without_emoji(token: &str) -> Option<String> {
 pub struct Spaced {
     /// The last tokens without a letter or a digit, one behind the other.
     signs: [u8; Self::MAX_SIGN_TOKENS - 1],
-    /// How long each of them is, the last one last; 0 for none.
+    /// Length of each of them, the last one last; 0 for none.
     lengths: [u8; Self::MAX_SIGN_TOKENS - 1],
 }
 
@@ -182,8 +184,8 @@ impl Spaced {
         *self = Self::default();
     }
 
-    /// Takes the next token. When it ends an emoticon: how many tokens before it belong to it,
-    /// at least one, and its word. `is_word` tells a token with a letter or a digit.
+    /// Takes the next token. If it ends an emoticon, returns the number of previous tokens in it,
+    /// at least one, and its word. `is_word` marks a token with a letter or a digit.
     pub fn take(&mut self, token: &str, is_word: bool) -> Option<(usize, &'static str)> {
         let found = self.ended_by(token);
         if is_word || found.is_some() || token.len() >= Self::MAX_SIGN_TOKENS {

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 pub struct Emoticon {
     /// The word of its emotion.
     pub name: &'static str,
-    /// It stands before this word; at the end, the number of words.
+    /// Index of the following word; at the end, the number of words.
     pub before: usize,
     /// Its emotion begins with this word …
     pub first_word: usize,
@@ -19,7 +19,7 @@ pub struct Emoticon {
     pub last_word: usize,
 }
 
-/// A border of phrases, as long as it is not known whether the signs that make it are an emoticon.
+/// A potential phrase border, pending until its signs are known to be an emoticon or not.
 struct Border {
     words: usize,
     ends: bool,
@@ -27,9 +27,9 @@ struct Border {
 }
 
 impl VoiceText {
-    /// The emoticons and emoji in order. A phrase ends, as far as a text tells it, with
-    /// punctuation, a dash, a pause, a recording or a division: the same whether the text was
-    /// baked or not. In a text without words, first and last word are 0.
+    /// Returns the emoticons and emoji in order. A phrase ends with punctuation, a dash, a pause, a
+    /// recording or a division: the same for baked and unbaked text. In a text without words, first
+    /// and last word are 0.
     #[must_use]
     pub fn emoticons(&self) -> Vec<Emoticon> {
         let mut found: Vec<(&'static str, usize)> = Vec::new();
@@ -81,12 +81,12 @@ impl VoiceText {
     }
 }
 
-/// Whether signs that stand alone, or behind an emoticon, end a phrase.
+/// Returns true if signs that are separate, or behind an emoticon, end a phrase.
 fn is_border(signs: &str) -> bool {
     signs.contains(['.', ',', ';', ':', '!', '?', '…', '-', '–', '—'])
 }
 
-/// Whether a word ends its phrase.
+/// Returns true if a word ends its phrase.
 fn ends_phrase(word: &str) -> bool {
     let is_around =
         |c: char| matches!(c, '"' | '\'' | ')' | ']' | '”' | '“' | '’' | '»' | '«') || is_emoji(c);

@@ -7,17 +7,17 @@ use raconteur_base::Side;
 words! {
     /// A phase of a gesture (GEVH 3.5.2 and appendix C; extension).
     Phase {
-        /// The way to where the stroke starts.
+        /// The movement to the start of the stroke.
         Preparation = "preparation",
         /// A hold before the stroke.
         PreStroke = "prestroke",
-        /// What carries the meaning.
+        /// The meaningful phase.
         Stroke = "stroke",
         /// A hold after the stroke.
         PostStroke = "poststroke",
-        /// The way back to rest.
+        /// The return to rest.
         Retraction = "retraction",
-        /// A way back that ends early.
+        /// A return that ends early.
         PartialRetraction = "partial-retraction",
     }
 }
@@ -37,7 +37,7 @@ words! {
 }
 
 impl Interpolator {
-    /// How many control values it takes.
+    /// Returns the number of its control values.
     #[must_use]
     pub fn controls(self) -> usize {
         match self {
@@ -59,8 +59,8 @@ words! {
 }
 
 record! {
-    /// How a hand moves to a key, or to all keys of a track (extension). What is none
-    /// comes from the track, and then from the planner of gestures.
+    /// Transition of a hand to a key, or to all keys of a track (extension). Missing values come
+    /// from the track, and then from the gesture planner.
     Profile = "" {
         /// The course.
         interpolator: Option<Interpolator> = "interpolation",
@@ -77,12 +77,12 @@ record! {
 pub struct GestureKey {
     /// Length in seconds, at least 0.
     pub duration_secs: f64,
-    /// The hands that take part.
+    /// Hands that take part.
     pub handedness: Handedness,
     /// The phase of a gesture that it is (extension).
     pub phase: Option<Phase>,
-    /// The pace of the whole, over the profiles of its keys (extension); none: as the times
-    /// of the keys say.
+    /// Velocity profile of the whole, overriding the profiles of its keys (extension); `None`: the
+    /// times of the keys.
     pub pace: Option<Box<Profile>>,
     /// Shapes, at most one track a hand.
     pub hand_shapes: Box<[Track<ShapeKey>]>,
@@ -92,7 +92,7 @@ pub struct GestureKey {
     pub motions: Box<[Track<MotionKey>]>,
 }
 
-/// Which hands a gesture uses.
+/// Hands used by a gesture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Handedness {
     /// Both hands.
@@ -102,8 +102,8 @@ pub enum Handedness {
     Left,
     /// The right hand.
     Right,
-    /// The speaker's dominant hand, whichever that is (extension). Values are written for the
-    /// hand that the script takes to be dominant, and mirrored for the other.
+    /// The speaker's dominant hand (extension). Values are written for the hand that the script
+    /// assumes dominant, and mirrored for the other.
     Dominant,
     /// The speaker's other hand, likewise (extension).
     NonDominant,
@@ -119,7 +119,7 @@ impl Handedness {
         (Self::NonDominant, "non-dominant"),
     ];
 
-    /// Whether this hand of a speaker with a dominant hand takes part.
+    /// Returns true if this hand of a speaker with a given dominant hand takes part.
     #[must_use]
     pub fn includes(self, side: Side, dominant: Side) -> bool {
         match self {
@@ -131,7 +131,7 @@ impl Handedness {
         }
     }
 
-    /// Whether which hand it is depends on the speaker.
+    /// Returns true if the hand depends on the speaker.
     #[must_use]
     pub fn is_relative(self) -> bool {
         matches!(self, Self::Dominant | Self::NonDominant)
@@ -141,12 +141,12 @@ impl Handedness {
 /// The course of one feature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track<K> {
-    /// The hand it moves. None: every hand that takes part; palms and motion are
-    /// then given for the dominant hand and mirrored for the other (GEVH D.5.4).
+    /// Hand to move. `None`: every hand that takes part; palms and motion are then given for the
+    /// dominant hand and mirrored for the other (GEVH D.5.4).
     pub hand: Option<Side>,
     /// The keys by time, at least one.
     pub keys: Vec<Key<K>>,
-    /// How the hand moves between the keys; none: as the planner of gestures sees fit.
+    /// Transition between the keys; `None`: chosen by the gesture planner.
     pub profile: Option<Box<Profile>>,
     /// The whole element.
     pub span: Span,
@@ -157,9 +157,9 @@ pub struct Track<K> {
 pub struct Key<K> {
     /// Seconds after the start of the gesture-key, at least 0.
     pub offset_secs: f64,
-    /// What to reach.
+    /// Target value.
     pub value: K,
-    /// How the hand moves to it; none: as the track says.
+    /// Transition to it; `None`: that of the track.
     pub profile: Option<Box<Profile>>,
     /// The whole element.
     pub span: Span,
@@ -187,9 +187,9 @@ pub struct PalmKey {
 /// A position of the wrist.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionKey {
-    /// Where, in skeleton units: x left, y up, z back. Finite.
+    /// Position, in skeleton units: x left, y up, z back. Finite.
     pub position: [f64; 3],
-    /// What the position is relative to.
+    /// Reference frame of the position.
     pub coords: Coords,
 }
 
@@ -199,6 +199,6 @@ pub enum Coords {
     /// The speaker's pelvis.
     #[default]
     Speaker,
-    /// The floor point under the speaker's first place.
+    /// The floor point under the speaker's initial place.
     World,
 }

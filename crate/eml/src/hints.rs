@@ -6,12 +6,12 @@ use crate::{Diagnostic, Span};
 /// Hints that are looked for in one document, which bounds their cost.
 const MAX_LOOKS: usize = 64;
 
-/// Looks for what may have been meant, so often and no oftener.
+/// Number of suggestions that may still be searched.
 #[derive(Default)]
 pub(crate) struct SuggestionBudget(usize);
 
 impl SuggestionBudget {
-    /// What may have been meant by a name.
+    /// Returns a suggestion for a misspelt name.
     pub(crate) fn suggest<'n>(
         &mut self,
         name: &str,
@@ -23,14 +23,14 @@ impl SuggestionBudget {
         nearest(name, known.into_iter().copied().take(MAX_HINTS)).map(str::to_owned)
     }
 
-    /// Whether another hint is worth its cost; counts it.
+    /// Returns true if another suggestion is within the budget, and counts it.
     pub(crate) fn take_budget(&mut self) -> bool {
         self.0 += 1;
         self.0 <= MAX_LOOKS
     }
 }
 
-/// The problem with what may have been meant.
+/// Returns the diagnostic with its suggestion.
 pub(crate) fn hinted(diagnostic: Diagnostic, near: Option<String>) -> Diagnostic {
     match near {
         Some(near) => diagnostic.hint(format!("did you mean `{near}`?")),
@@ -38,7 +38,7 @@ pub(crate) fn hinted(diagnostic: Diagnostic, near: Option<String>) -> Diagnostic
     }
 }
 
-/// A second thing of one name.
+/// Returns the diagnostic of a duplicate name.
 pub(crate) fn twice(what: &str, name: &str, span: Span) -> Diagnostic {
     let message = format!("a second {what} with the name {}", quoted(name));
     Diagnostic::error("eml::duplicate-name", span, message)

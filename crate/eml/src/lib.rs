@@ -47,7 +47,7 @@ pub use clauses::asking::{
 };
 pub use clauses::environment::{
     Arousal, Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Environment, Expressions,
-    Fidelity, Lead, Light, Music, Performer, Piece, PreferredHand, RunUp, Scenery, ShotKind,
+    Fidelity, Lead, Light, Music, Performer, Piece, PreferredHand, RunUp, ShotKind, StageSet,
     Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};

@@ -1,6 +1,6 @@
 //! Bounds on what a document may cost.
 
-/// Bounds on what a document may cost.
+/// Limits on the cost of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Length of the source in bytes; longer ones are refused. Default 16 MiB.
@@ -13,10 +13,11 @@ pub struct Limits {
     /// beyond play once. A document with more clauses than that plays all of them once.
     /// Default 200 000.
     pub timed_clauses: usize,
-    /// Words that one clause speaks; later ones are not spoken. Default 20 000: more than two hours.
+    /// Maximum number of words spoken by one clause; later ones are not spoken. Default 20 000:
+    /// more than two hours.
     pub clause_words: usize,
-    /// Words that the whole document speaks; later ones are not spoken. Default 200 000: a long
-    /// novel, a day and a night of speech.
+    /// Maximum number of words spoken by the whole document; later ones are not spoken. Default 200
+    /// 000: a long novel, a day and a night of speech.
     pub words: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,

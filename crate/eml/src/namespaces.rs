@@ -5,8 +5,8 @@ use crate::markup::{Node, NodeKind, Tree};
 use crate::{Diagnostic, Span};
 use std::ops::Range;
 
-/// The namespace of what this player adds to the language of the thesis. A document
-/// that does not bind it means exactly what GEVH says.
+/// Namespace of the player's extensions to the language of the thesis. A document that does not
+/// bind it has exactly the meaning defined by GEVH.
 pub const EXTENSIONS: &str = "urn:raconteur:eml:1";
 
 /// The prefix that our own documents use for [`EXTENSIONS`]; any other will do.
@@ -15,14 +15,14 @@ pub const EXTENSIONS_PREFIX: &str = "r";
 /// Bounds the work of looking a prefix up.
 const MAX_BINDINGS: usize = 64;
 
-/// What a name without or with a prefix belongs to.
+/// Owner of a name with or without a prefix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The language itself.
     Language,
     /// [`EXTENSIONS`].
     Extensions,
-    /// Somebody else.
+    /// Another namespace.
     Foreign,
     /// None: the prefix is not bound.
     Unbound,
@@ -32,9 +32,10 @@ pub(crate) enum Owner {
 #[derive(Debug)]
 pub(crate) struct Namespaces<'a> {
     bindings: Vec<Binding<'a>>,
-    /// Whether the document may have any.
+    /// True if the document may have bindings.
     any: bool,
-    /// How many belong to the ancestors of the body's elements, once those are met.
+    /// Number of bindings that belong to the ancestors of the body's elements, once those are
+    /// reached.
     around: Option<usize>,
     told: bool,
 }
@@ -44,7 +45,7 @@ struct Binding<'a> {
     /// Empty for names without a prefix.
     prefix: &'a str,
     extensions: bool,
-    /// The nodes where it holds.
+    /// Range of nodes in which it holds.
     from: usize,
     to: usize,
 }
@@ -60,7 +61,7 @@ impl<'a> Namespaces<'a> {
         }
     }
 
-    /// Whether nothing is bound so far.
+    /// Returns true if nothing is bound yet.
     pub(crate) fn is_empty(&self) -> bool {
         self.bindings.is_empty()
     }
@@ -124,7 +125,7 @@ impl<'a> Namespaces<'a> {
         }
     }
 
-    /// What a name in the tag of `node` belongs to, and the name without its prefix.
+    /// Returns the owner of a name in the tag of `node`, and the name without its prefix.
     /// Unprefixed attributes belong to their element, so `default_counts` is for elements.
     pub(crate) fn owner<'n>(
         &self,
@@ -166,7 +167,7 @@ fn bound_by(name: &str) -> Option<&str> {
     }
 }
 
-/// Warns of a prefix that nothing binds.
+/// Returns a warning about an unbound prefix.
 pub(crate) fn unbound(name: &str, span: Span, consequence: &str) -> Diagnostic {
     let prefix = name.split(':').next().unwrap_or("");
     let message = format!(

@@ -10,17 +10,17 @@ use crate::syntax;
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Limits, Span, TimeExpr};
 use raconteur_base::encoding;
 
-/// A document and what was wrong with its text.
+/// A parsed document with the problems of its text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parsed {
-    /// What could be read.
+    /// The document, without unreadable parts.
     pub document: Document,
-    /// What could not, in the order of the text.
+    /// Problems, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a script with the default limits. Never fails: faulty clauses are reported and
-/// the rest is kept.
+/// Parses a script with the default limits. Never fails: faulty clauses are reported and the rest
+/// is kept.
 #[must_use]
 pub fn parse(source: &str) -> Parsed {
     parse_with(source, &Limits::default())
@@ -32,8 +32,8 @@ pub fn parse_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, false)
 }
 
-/// Reads what a mind sends during a performance: a list of clauses, or a whole
-/// script. With the default limits.
+/// Parses a fragment sent by a mind during a performance: a list of clauses, or a whole script.
+/// With the default limits.
 #[must_use]
 pub fn parse_fragment(source: &str) -> Parsed {
     parse_fragment_with(source, &Limits::default())
@@ -113,14 +113,14 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
     }
 }
 
-/// What has been read of the body before the rest of the tree was there.
+/// Part of the body read before the rest of the tree was complete.
 #[derive(Default)]
 struct PartialBody {
     tally: Option<Tally>,
     told_clauses: bool,
 }
 
-/// What a text is that need not be read, by its begin.
+/// Returns the type of a binary file from its first characters, so it is not parsed.
 pub(crate) fn reject_binary(source: &str) -> Option<&'static str> {
     if encoding::is_utf16(source.as_bytes()) {
         return Some("UTF-16");
@@ -131,8 +131,8 @@ pub(crate) fn reject_binary(source: &str) -> Option<&'static str> {
     is_binary.then_some("a binary file")
 }
 
-/// Reports the first control character that XML does not allow: a sign of a file
-/// that is no text.
+/// Reports the first control character that XML does not allow, which indicates a file that is not
+/// text.
 fn report_controls(source: &str, sink: &mut Sink) {
     let control = |b: u8| b < 0x20 && !matches!(b, b'\t' | b'\n' | b'\r');
     // A pass without branches over everything is much faster than a search.
@@ -147,14 +147,14 @@ fn report_controls(source: &str, sink: &mut Sink) {
     }
 }
 
-/// So far from each other lie the answers to a question where they do not say: what is passed over
-/// is not heard.
+/// Default distance between the answers to a question, seconds: cues of skipped answers are not
+/// delivered.
 const ANSWERS_APART_SECS: f64 = 1.0;
 
-/// So long before its clauses a condition is looked at where it does not say.
+/// Default lead of a condition's evaluation before its clauses, seconds.
 const CONDITION_APART_SECS: f64 = 0.1;
 
-/// Fewer clauses tell too little of the script.
+/// Minimum number of clauses for estimating the rest of the script.
 const FEW_CLAUSES: usize = 64;
 
 impl Context<'_> {
@@ -287,7 +287,7 @@ impl Context<'_> {
         }
     }
 
-    /// Reads the body without `taken`, the part that was read before.
+    /// Reads the body except `taken`, the part read before.
     fn body(&mut self, node: usize, element: &'static Element, taken: Option<Tally>) {
         self.fields(node, element);
         // White space is not in the tree.
@@ -427,8 +427,8 @@ impl Context<'_> {
         Some(())
     }
 
-    /// Adds a clause to the document. Room for more is made by what the script has been
-    /// like so far, so that hardly anything is moved and little is left over.
+    /// Adds a clause to the document. Capacity is estimated from the script so far, so few clauses
+    /// are moved and little memory is left over.
     fn push_clause(&mut self, clause: Clause) {
         let clauses = &mut self.document.clauses;
         let count = clauses.len();

@@ -9,7 +9,7 @@ use crate::suggest::quoted;
 use crate::{ClauseKind, Diagnostic, Document, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What the points so far are called in conditions.
+/// Name of the current score in conditions.
 const SCORE: &str = "score";
 
 /// The type of a variable.
@@ -38,8 +38,8 @@ impl VariableType {
     }
 }
 
-/// Reports what is wrong with questions, variables and parts. A fragment may ask; its performance
-/// goes on by other ways than those of a story.
+/// Reports problems with questions, variables and parts. A fragment may ask questions; its
+/// performance does not continue by parts like a story.
 pub(crate) fn lesson(document: &Document, is_fragment: bool, sink: &mut Sink) {
     let mut names = LessonNames::default();
     for clause in &document.clauses {

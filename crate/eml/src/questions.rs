@@ -8,13 +8,14 @@ use crate::suggest::{by_distance, quoted};
 use crate::{Ask, ClauseKind, Diagnostic, Document, Span};
 use std::collections::BTreeSet;
 
-/// What an answer may be for whatever its question's options are.
+/// Outcomes available for every question, whatever its options.
 const OUTCOMES: [&str; 3] = ["right", "wrong", "answered"];
 
-/// A hint lists names up to so many characters, so that none is cut.
+/// Maximum length of a list of names in a hint, in characters, so no name is cut.
 const HINT_LENGTH: usize = 300;
 
-/// Reports a question that nobody can answer, and answers to nothing. `span` is its start tag.
+/// Reports a question that cannot be answered, and answers without a question. `span` is its start
+/// tag.
 pub(crate) fn check(
     document: &Document,
     ask: &Ask,
@@ -101,7 +102,7 @@ fn check_option(
     }
 }
 
-/// Names in lines that are short enough to be shown whole.
+/// Returns names in lines that are short enough to be shown whole.
 fn listed(names: &[&str]) -> Vec<String> {
     let mut lines = vec!["valid names, nearest first:".to_owned()];
     for name in names {
@@ -116,7 +117,7 @@ fn listed(names: &[&str]) -> Vec<String> {
     lines
 }
 
-/// What an option has to have where a question is answered so, in words.
+/// Returns a description of the attribute that an option lacks for the answer type of its question.
 fn lack(asked: &Question, option: &AskOption) -> Option<&'static str> {
     let has = |text: &Option<String>| {
         text.as_deref()
@@ -175,7 +176,7 @@ fn right_options(asked: &Question, span: Span, sink: &mut Sink) {
     });
 }
 
-/// Reports what means nothing where nothing is right.
+/// Reports attributes without effect on an ungraded question.
 fn ungraded(asked: &Question, span: Span, sink: &mut Sink) {
     for option in asked.options.iter().filter(|option| option.is_right) {
         ignored("right", option.span, "if nothing is graded", sink);
@@ -193,7 +194,7 @@ fn ungraded(asked: &Question, span: Span, sink: &mut Sink) {
     }
 }
 
-/// Reports what means nothing where a question is answered so.
+/// Reports attributes without effect for the answer type of a question.
 fn kind_of(asked: &Question, span: Span, sink: &mut Sink) {
     let of = format!("with type='{}'", asked.kind.word());
     if asked.is_graded && asked.is_partial && !asked.kind.has_parts() {
@@ -204,7 +205,7 @@ fn kind_of(asked: &Question, span: Span, sink: &mut Sink) {
     }
 }
 
-/// Reports a picture that is nothing to those who do not see it, and words for none.
+/// Reports an image without a text alternative, and a text alternative without an image.
 fn picture(file: &Option<String>, alt: &Option<String>, span: Span, sink: &mut Sink) {
     match (file, alt) {
         (Some(file), None) => sink.push(

@@ -19,11 +19,11 @@ pub(crate) enum Value {
     Color([u8; 3]),
 }
 
-/// A place that holds the value of one attribute.
+/// Storage of the value of one attribute.
 pub(crate) trait Field {
-    /// Takes a value of the kind that the table promises.
+    /// Sets a value of the kind declared in the table.
     fn set(&mut self, value: Value);
-    /// The value that it holds.
+    /// Returns the value.
     fn get(&self) -> Value;
 }
 
@@ -33,11 +33,11 @@ pub(crate) trait Record {
     fn element(&self) -> &'static str;
     /// Shows every field and every list of children to the visitor.
     fn visit(&mut self, visitor: &mut dyn Visit);
-    /// Takes where its start tag is, for those that keep it.
+    /// Stores the span of its start tag, for fields that keep it.
     fn place(&mut self, _span: Span) {}
 }
 
-/// Goes through a record.
+/// Visitor of a record.
 pub(crate) trait Visit {
     /// An attribute by its name in the table.
     fn field(&mut self, name: &'static str, field: &mut dyn Field);
@@ -47,17 +47,17 @@ pub(crate) trait Visit {
 
 /// Children of a record.
 pub(crate) trait List {
-    /// Adds an empty child with this element's name; none when the list has no such.
+    /// Adds an empty child with this element's name; `None` if the list has no such child.
     fn add(&mut self, element: &str) -> Option<&mut dyn Record>;
-    /// Takes the last one away again.
+    /// Removes the last child.
     fn remove_last(&mut self);
-    /// The child at a place.
+    /// Returns the child at an index.
     fn item_mut(&mut self, index: usize) -> Option<&mut dyn Record>;
 }
 
 /// A kind of child.
 pub(crate) trait Child: Record + Sized {
-    /// An empty one, when `element` is such a child.
+    /// Returns an empty child, if `element` is such a child.
     fn blank(element: &str) -> Option<Self>;
 }
 
@@ -135,7 +135,7 @@ impl<F: Field + Default> Field for Option<F> {
     }
 }
 
-/// The place of a word; the first when it is none of them.
+/// Returns the index of a word; 0 if it is not in the list.
 pub(crate) fn place_of(words: &[&str], word: &str) -> usize {
     words.iter().position(|w| *w == word).unwrap_or(0)
 }

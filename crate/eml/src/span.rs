@@ -26,7 +26,7 @@ impl Span {
         }
     }
 
-    /// The smallest span that holds both.
+    /// Returns the smallest span that contains both.
     #[must_use]
     pub fn to(self, other: Self) -> Self {
         Self {
@@ -35,7 +35,7 @@ impl Span {
         }
     }
 
-    /// The spanned part of `source`, empty when it does not fit.
+    /// Returns the spanned part of `source`; empty if out of range.
     #[must_use]
     pub fn slice(self, source: &str) -> &str {
         source
@@ -44,7 +44,7 @@ impl Span {
     }
 }
 
-/// A place in a text as people count it: both parts start at 1.
+/// A position in a text: line and column both start at 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
     /// The line, from 1.
@@ -132,7 +132,8 @@ impl<'a> LineIndex<'a> {
         }
     }
 
-    /// The offset at which a line, from 1, starts; the end of the text where there is none.
+    /// Returns the offset at which a line, from 1, starts; the end of the text if there is no such
+    /// line.
     #[must_use]
     pub fn line_start(&self, line: u32) -> u32 {
         let index = line.saturating_sub(1) as usize;
@@ -154,13 +155,13 @@ impl<'a> LineIndex<'a> {
         self.source[start as usize..end].trim_end_matches(['\n', '\r'])
     }
 
-    /// What begins before a byte.
+    /// Returns the counts before a byte.
     fn before(&self, at: usize) -> Count {
         let counted = at / STRIDE;
         self.counts[counted].and(&self.source.as_bytes()[counted * STRIDE..at])
     }
 
-    /// The line, from 1, of an offset, where the line starts, and the offset brought to the
+    /// Returns the line, from 1, of an offset, the start of the line, and the offset moved to the
     /// start of its character.
     fn split(&self, offset: u32) -> (u32, usize, usize) {
         let mut end = (offset as usize).min(self.source.len());

@@ -8,8 +8,8 @@ pub(crate) const MAX_HINTS: usize = 256;
 /// Names longer than this are never near anything; it bounds the work.
 const MAX_NAME_CHARS: usize = 48;
 
-/// The candidate nearest to `name` by edit distance without regard to case, when
-/// it is near enough to be what was meant: one edit in three characters.
+/// Returns the candidate nearest to `name` by case-insensitive edit distance, if it is near enough
+/// to be the name meant: one edit per three characters.
 #[must_use]
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     if name.len() > MAX_NAME_CHARS {
@@ -65,8 +65,8 @@ fn distance(a: &str, b: &str) -> usize {
     last[b.len()]
 }
 
-/// A name in backticks for a message: shortened when it is very long, and with control
-/// characters made visible, so that a file cannot write to a terminal.
+/// Returns a name in backticks for a message: shortened if it is very long, and with control
+/// characters made visible, so a file cannot control a terminal.
 #[must_use]
 pub fn quoted(name: &str) -> String {
     let (shown, more) = match name.char_indices().nth(40) {

@@ -3,42 +3,41 @@
 use crate::{Name, Span};
 use std::borrow::Cow;
 
-/// A sum of seconds and named moments.
+/// A sum of seconds and named markers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeExpr {
     /// The sum of its numbers in seconds.
     pub offset_secs: f64,
     /// Its names in the order of the text; empty for a plain number.
     pub names: Vec<NameTerm>,
-    /// Where it is written; the start tag when it is left out.
+    /// Span in the source; that of the start tag if the expression is absent.
     pub span: Span,
 }
 
-/// A named moment in a [`TimeExpr`].
+/// A named marker in a [`TimeExpr`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct NameTerm {
-    /// The name that a `timeId` or a `tm` gives.
+    /// Name given by a `timeId` or a `tm`.
     pub name: Name,
-    /// Whether it is subtracted.
+    /// True if it is subtracted.
     pub negative: bool,
-    /// Where it is written.
+    /// Span in the source.
     pub span: Span,
 }
 
 impl TimeExpr {
-    /// Whether it names a moment and so counts from the start of the script, also
-    /// inside a group.
+    /// Returns true if it names a marker and so counts from the start of the script, also inside a
+    /// group.
     #[must_use]
     pub fn is_absolute(&self) -> bool {
         !self.names.is_empty()
     }
 }
 
-/// The largest number of seconds that a document may write, about 11 days. It keeps
-/// sums and repetitions finite.
+/// Maximum number of seconds in a document, about 11 days. It keeps sums and repetitions finite.
 pub(crate) const MAX_SECS: f64 = 1e6;
 
-/// What is wrong with an expression.
+/// A fault of an expression.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Problem {
     pub(crate) code: &'static str,
@@ -49,15 +48,15 @@ pub(crate) struct Problem {
     pub(crate) hint: Cow<'static, str>,
 }
 
-/// Whether a `timeId` or a `tm` may use this name: a letter or `_`, then letters,
-/// digits, `_` and `.`, and not a number in disguise. A `-` would be a minus.
+/// Returns true if a `timeId` or a `tm` may use this name: a letter or `_`, then letters, digits,
+/// `_` and `.`, and not readable as a number. A `-` would be a minus.
 pub(crate) fn is_name(text: &str) -> bool {
     let mut chars = text.chars();
     chars.next().is_some_and(starts_name) && chars.all(continues_name) && !is_non_finite(text)
 }
 
-/// Parses `term (('+'|'-') term)*` where a term is a number with an optional unit or
-/// a name, and a sign may lead. `start` is the offset of `text` in the source.
+/// Parses `term (('+'|'-') term)*`, in which a term is a number with an optional unit or a name,
+/// with an optional leading sign. `start` is the offset of `text` in the source.
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     if let Some(offset_secs) = plain(text) {
         let span = Span::from_offsets(start as usize, start as usize + text.len());
@@ -162,7 +161,7 @@ fn moment(text: &str, start: u32) -> Option<TimeExpr> {
     })
 }
 
-/// A number of digits and a point alone; none for all else.
+/// Parses a number of digits and a point only; `None` for other text.
 pub(crate) fn unsigned(text: &str) -> Option<f64> {
     let is_plain = text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
     is_plain.then(|| text.parse().ok()).flatten()

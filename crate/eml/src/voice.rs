@@ -17,7 +17,7 @@ pub(crate) const MODERATE_EMPHASIS: f64 = 1.0;
 /// The content of a voice-text in document order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceText {
-    /// What it consists of.
+    /// Segments of the text.
     pub pieces: Vec<TextSegment>,
 }
 
@@ -36,43 +36,43 @@ impl VoiceSay {
         VoiceText { pieces }
     }
 
-    /// What is heard: [`VoiceSay::text`], if anything is.
+    /// Returns the audible text: [`VoiceSay::text`], if anything is audible.
     #[must_use]
     pub fn spoken_text(&self) -> Option<VoiceText> {
         self.is_heard().then(|| self.text())
     }
 }
 
-/// A part of spoken text.
+/// A segment of spoken text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TextSegment {
-    /// Characters. They equal the source under `span`, unless that is one resolved
-    /// reference such as `&amp;`.
+    /// Characters. They equal the source under `span`, unless it is one resolved reference such as
+    /// `&amp;`.
     Text {
         /// The characters.
         text: Name,
         /// SABLE's emphasis level: 0 reduced, 0.5 none, 1 moderate, 2 strong.
         emphasis: f64,
-        /// Where they are.
+        /// Span in the source.
         span: Span,
     },
     /// A pause.
     Break {
-        /// Its length in milliseconds; 0 asks for no pause at all.
+        /// Length in milliseconds; 0 requests no pause at all.
         msec: u32,
-        /// The punctuation mark whose intonation goes before it.
+        /// Punctuation mark whose intonation precedes it.
         boundary: Option<Boundary>,
         /// The element.
         span: Span,
     },
     /// A recording.
     Audio {
-        /// What is played.
+        /// Recording to play.
         audio: Box<Audio>,
         /// The element.
         span: Span,
     },
-    /// A marker of SABLE's: tells listeners when the next word begins (extension).
+    /// A SABLE marker: notifies listeners when the next word begins (extension).
     Marker {
         /// Their instruction.
         mark: String,
@@ -81,7 +81,7 @@ pub enum TextSegment {
     },
     /// A container other than a division opens.
     Start {
-        /// What it does.
+        /// Effect of the markup.
         markup: Box<Markup>,
         /// The start tag.
         span: Span,
@@ -90,25 +90,25 @@ pub enum TextSegment {
     End,
     /// A division opens.
     DivStart {
-        /// What it is, when it says so.
+        /// Kind of the division, if given.
         kind: Option<DivKind>,
         /// The start tag.
         span: Span,
     },
     /// The last opened division closes.
     DivEnd,
-    /// A time marker: names a moment of the next word.
+    /// A time marker: names an event of the next word.
     Mark {
         /// The name.
         name: Name,
-        /// Which moment.
+        /// Event of the word.
         event: MarkEvent,
         /// The element.
         span: Span,
     },
 }
 
-/// What a division is.
+/// Kind of a division.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DivKind {
     /// One sentence.
@@ -117,27 +117,27 @@ pub enum DivKind {
     Paragraph,
 }
 
-/// The moment of a word that a marker names.
+/// Event of a word that a marker names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MarkEvent {
     /// The start of the word.
     OnStart,
     /// The end of the word.
     OnEnd,
-    /// The start of the first phone with this symbol in the word. Rare, so that it lies
-    /// apart and leaves all pieces of speech smaller.
+    /// The start of the first phone with this symbol in the word. Rare, so it is boxed to keep all
+    /// segments smaller.
     OnPhone(Box<Name>),
 }
 
-/// A spoken word: a token between white space that holds a letter or a digit and is no emoticon.
+/// A spoken word: a token between white space that contains a letter or a digit and is no emoticon.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
-    /// The token, punctuation attached, without emoji, and with the signs on their own that
-    /// belong to it: "5 %". What captions show.
+    /// Text in captions: the token, punctuation attached, without emoji, and with the separate
+    /// signs that belong to it: "5 %".
     pub text: String,
     /// From its first to its last byte in the source; markup inside is included.
     pub span: Span,
-    /// Whether any part of it is emphasised at least moderately.
+    /// True if any part of it is emphasised at least moderately.
     pub emphasized: bool,
 }
 
@@ -146,17 +146,17 @@ pub struct Word {
 pub struct Mark {
     /// The name.
     pub name: Name,
-    /// Which moment of the word.
+    /// Event of the word.
     pub event: MarkEvent,
-    /// Index of the next word, or the number of words when none follows.
+    /// Index of the next word, or the number of words if none follows.
     pub word: usize,
     /// The element.
     pub span: Span,
 }
 
 impl VoiceText {
-    /// The spoken words in order. Breaks, recordings and divisions end a word, other markup and
-    /// comments do not.
+    /// Returns the spoken words in order. Breaks, recordings and divisions end a word; other markup
+    /// and comments do not.
     #[must_use]
     pub fn words(&self) -> Vec<Word> {
         let mut words: Vec<Word> = Vec::new();
@@ -250,7 +250,7 @@ impl VoiceText {
         out
     }
 
-    /// Whether it has time markers.
+    /// Returns true if it has time markers.
     #[must_use]
     pub fn has_marks(&self) -> bool {
         self.pieces
@@ -258,7 +258,7 @@ impl VoiceText {
             .any(|p| matches!(p, TextSegment::Mark { .. }))
     }
 
-    /// Whether there is a word in it.
+    /// Returns true if it contains a word.
     #[must_use]
     pub fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {
@@ -268,7 +268,7 @@ impl VoiceText {
     }
 }
 
-/// Whether a text holds a letter or a digit.
+/// Returns true if a text contains a letter or a digit.
 fn has_letter(text: &str) -> bool {
     text.bytes().any(is_letter) || (!text.is_ascii() && text.contains(char::is_alphanumeric))
 }

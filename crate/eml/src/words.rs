@@ -63,8 +63,8 @@ fn too_many(rest: Span, is_story: bool, limits: &Limits) -> Diagnostic {
     Diagnostic::error("eml::too-many-words", rest, message).hint(hint)
 }
 
-/// How many words a text has, up to so many, and the rest: from the first word that is too
-/// many to the end.
+/// Returns the number of words in a text, up to a limit, and the span of the rest: from the first
+/// excess word to the end.
 fn count(text: &VoiceText, allowed: usize) -> (usize, Option<Span>) {
     let mut words = 0;
     let mut rest = None;
@@ -88,7 +88,8 @@ fn count(text: &VoiceText, allowed: usize) -> (usize, Option<Span>) {
     )
 }
 
-/// Leaves out what a text says beyond so many words; how many it has then, and what was left out.
+/// Removes the words of a text beyond a limit; returns the number of remaining words and the
+/// removed span.
 fn hold_text(text: &mut VoiceText, allowed: usize) -> (usize, Option<Span>) {
     let (words, rest) = count(text, allowed);
     let Some(rest) = rest else {
@@ -114,7 +115,7 @@ fn hold_text(text: &mut VoiceText, allowed: usize) -> (usize, Option<Span>) {
     (words, Some(rest))
 }
 
-/// The same for plain text, which need not be as long as its place in the source.
+/// Removes the words of plain text beyond a limit; its length may differ from that of its source.
 fn hold_say(say: &mut VoiceSay, allowed: usize) -> (usize, Option<Span>) {
     let (words, rest) = count(&say.text(), allowed);
     let Some(rest) = rest else {
@@ -140,8 +141,12 @@ mod tests {
 
     use crate::{ClauseKind, Limits, parse_with};
 
-    /// What each clause says, and the codes of diagnostics.
-    fn said(clauses: &[String], clause_words: usize, words: usize) -> (Vec<usize>, Vec<String>) {
+    /// Returns the number of words spoken by each clause, and the codes of diagnostics.
+    fn spoken_words(
+        clauses: &[String],
+        clause_words: usize,
+        words: usize,
+    ) -> (Vec<usize>, Vec<String>) {
         let source = format!("<eml><body>{}</body></eml>", clauses.concat());
         let limits = Limits {
             clause_words,
@@ -201,9 +206,9 @@ mod tests {
                     format!("<voice-text time='0'>{inner}</voice-text>")
                 }
             }).collect();
-            let (whole, none) = said(&texts, usize::MAX, usize::MAX);
+            let (whole, none) = spoken_words(&texts, usize::MAX, usize::MAX);
             prop_assert!(none.is_empty());
-            let (held, told) = said(&texts, most_in_clause, most);
+            let (held, told) = spoken_words(&texts, most_in_clause, most);
             let mut left = most;
             let expected: Vec<usize> = whole.iter().map(|&words| {
                 let spoken = words.min(most_in_clause).min(left);
@@ -226,12 +231,13 @@ mod tests {
         ] {
             let inner = format!("a{between}").repeat(100);
             let clause = format!("<voice-text time='0'>{inner}</voice-text>");
-            let (whole, none) = said(std::slice::from_ref(&clause), usize::MAX, usize::MAX);
+            let (whole, none) = spoken_words(std::slice::from_ref(&clause), usize::MAX, usize::MAX);
             assert!(none.is_empty(), "{none:?}");
             for most in [1, 50, 51, 60, 99] {
                 let spoken = most.min(whole[0]);
                 for (in_clause, in_story) in [(most, usize::MAX), (usize::MAX, most)] {
-                    let (held, told) = said(std::slice::from_ref(&clause), in_clause, in_story);
+                    let (held, told) =
+                        spoken_words(std::slice::from_ref(&clause), in_clause, in_story);
                     assert_eq!(held, [spoken], "{between}");
                     assert_eq!(told.len(), usize::from(spoken < whole[0]), "{between}");
                 }

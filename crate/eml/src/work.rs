@@ -1,6 +1,6 @@
 //! Counts the work on a document in tests, where a clock would mostly measure the machine.
 
-/// Notes so many steps: bytes looked at, comparisons, entries made.
+/// Counts steps: bytes scanned, comparisons, entries created.
 #[cfg(not(test))]
 #[inline(always)]
 pub(crate) fn step(_count: usize) {}
@@ -20,7 +20,7 @@ mod counted {
         STEPS.set(STEPS.get() + count);
     }
 
-    /// The steps that `work` takes.
+    /// Returns the steps that `work` takes.
     pub(super) fn steps_of(work: impl FnOnce()) -> usize {
         let before = STEPS.get();
         work();

@@ -5,7 +5,7 @@ use raconteur_eml::parse;
 use raconteur_eml::reference::whole_example;
 use raconteur_eml::schema::{Attribute, ELEMENTS, Element, Kind};
 
-/// Values that an attribute of a kind does not take.
+/// Returns values that an attribute of a kind rejects.
 fn beyond(kind: Kind) -> Vec<String> {
     let all = |values: &[&str]| values.iter().map(|v| (*v).to_owned()).collect();
     match kind {
@@ -43,7 +43,7 @@ fn beyond(kind: Kind) -> Vec<String> {
     }
 }
 
-/// Where the start tag of an element begins in its example, and its name there.
+/// Returns the offset of an element's start tag in its example, and its name there.
 fn tag_of(element: &Element, text: &str) -> (usize, String) {
     let prefix = if element.extension { "r:" } else { "" };
     let name = format!("<{prefix}{}", element.name);
@@ -86,7 +86,7 @@ fn with(element: &Element, attribute: &Attribute, value: &str) -> String {
     text
 }
 
-/// What refers to an element that is dropped for it has its own diagnostic.
+/// Diagnostics of references to an element that was dropped.
 const CONSEQUENCES: [&str; 2] = ["eml::unknown-set", "eml::unknown-name"];
 
 fn one_problem(text: &str) {

@@ -47,8 +47,8 @@ proptest! {
         holds::document(text.as_bytes());
     }
 
-    /// Moving every clause of the body by the same time moves the whole timeline: by that
-    /// time where nothing starts early, and never backwards.
+    /// Checks that moving every clause of the body by the same time moves the whole timeline: by
+    /// that time where nothing starts early, and never backwards.
     #[test]
     fn a_later_script_plays_the_same_but_later(
         clauses in prop::collection::vec((0_u8..6, 0.0..20.0_f64, 0_usize..8), 1..20),
@@ -196,7 +196,7 @@ fn extensions_are_suggested_under_near_names() {
     assert!(hints[0].contains("without the prefix"), "{hints:?}");
 }
 
-/// So many attributes, each of its own name.
+/// Returns a number of attributes with distinct names.
 fn distinct(name: &str, n: usize) -> String {
     (0..n).map(|i| format!("{name}{i}='1' ")).collect()
 }
@@ -217,8 +217,8 @@ fn attributes_beyond_the_limit_are_one_diagnostic() {
     }
 }
 
-/// Inputs whose naive treatment takes quadratic time or memory; at these sizes that
-/// would be minutes.
+/// Checks inputs whose naive treatment takes quadratic time or memory; at these sizes that would be
+/// minutes.
 #[test]
 fn hostile_shapes_stay_linear() {
     let n = 100_000;

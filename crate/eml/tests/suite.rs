@@ -122,7 +122,7 @@ fn run(source: &[u8]) -> (String, String) {
     )
 }
 
-/// The limits that a case asks for.
+/// Returns the limits requested by a case.
 fn limits(source: &str) -> Limits {
     let mut limits = Limits::default();
     let Some((_, after)) = source.split_once("<!-- limits: ") else {
@@ -169,8 +169,7 @@ impl Durations for LetterDurations {
     }
 }
 
-/// What the source's appendix contradicts itself in or leaves open, and the case that
-/// shows how it is read.
+/// Contradictions and gaps in the source's appendix, with the case that shows their interpretation.
 const INCONSISTENCIES: [(&str, &str); 30] = [
     ("back quotes and other quotes", "voice_back_quotes"),
     ("letter case", "letter_case"),
@@ -271,8 +270,8 @@ fn the_suite_covers_the_language() {
     assert!(missing.is_empty(), "no case has {missing:#?}");
 }
 
-/// The start tags of a text, each with nothing and with each of its attributes, by their
-/// names without prefixes.
+/// Collects the start tags of a text, each alone and with each of its attributes, by their names
+/// without prefixes.
 fn collect_tags(text: &str, tags: &mut BTreeSet<(String, String)>) {
     let local = |name: &str| name.rsplit(':').next().unwrap_or(name).to_owned();
     for part in text.split('<').skip(1) {

@@ -6,7 +6,7 @@ use raconteur_eml::{
     PhoneTime, Resolved, Timeline, VoiceText, VoiceTiming, WordTime, parse,
 };
 
-/// Every word takes a second, the last 0.2 s of it silent; its two phones are `a` and `b`.
+/// Speech timing with one second per word, the last 0.2 s silent; its two phones are `a` and `b`.
 struct Metronome;
 
 impl Durations for Metronome {
@@ -174,7 +174,7 @@ fn the_limit_of_repetitions_can_be_set() {
     assert_eq!(count(10), (2, 1));
 }
 
-/// A clause of a length that is written or spoken, without an own name.
+/// A clause of written or spoken length, without a name.
 #[derive(Clone, Debug)]
 struct Leaf {
     wait: f64,
@@ -228,9 +228,8 @@ fn leaf_times(body: &str) -> Vec<(f64, f64)> {
 }
 
 proptest! {
-    /// Parts that follow each other, or play together, may be bracketed in any way: the
-    /// brackets start with the part before them done, or with the whole, and wait for
-    /// nothing.
+    /// Checks that consecutive or simultaneous parts may be grouped in any way: groups start after
+    /// the part before them, or with the whole, without delay.
     #[test]
     fn seq_and_par_are_associative(
         a in leaves(),

@@ -15,9 +15,9 @@ use raconteur_player::{Options, Player};
 use raconteur_tier::sized;
 
 /// Choices from a seed: Sebastiano Vigna's splitmix64.
-struct Dice(u64);
+struct SeededRandom(u64);
 
-impl Dice {
+impl SeededRandom {
     fn share(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -37,7 +37,7 @@ impl Dice {
 
 /// A story at random: emotions of every kind that overlap or not, gestures between waist and crown.
 fn at_random(seed: u64, head: &str) -> String {
-    let mut dice = Dice(seed);
+    let mut dice = SeededRandom(seed);
     let mut body = String::new();
     let mut t = 1.0;
     while t < 24.0 {

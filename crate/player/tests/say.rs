@@ -75,7 +75,7 @@ const STORY: &str = "<eml><body><seq time='0'>\
     </seq></body></eml>";
 
 /// An utterance: its sound, when it begins and its words.
-fn said(player: &Player) -> Vec<(String, f64, Vec<String>)> {
+fn spoken_words(player: &Player) -> Vec<(String, f64, Vec<String>)> {
     let all = player.utterances().iter().map(|u| {
         let said = &u.timed.utterance;
         let words = said.words.iter().map(|w| w.text.clone()).collect();
@@ -99,7 +99,7 @@ fn each_operation_does_what_it_is_called() {
     let words = |text: &str| -> Vec<String> { text.split(' ').map(str::to_owned).collect() };
     // Text and file are waited for, asynchronous ones are not, and what is only made ready is
     // not heard. The words of files are those of the bundle.
-    let mut heard = said(&player);
+    let mut heard = spoken_words(&player);
     heard.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
     assert_eq!(
         heard,

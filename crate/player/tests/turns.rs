@@ -25,9 +25,9 @@ const FEELING: &str =
     "<r:emotion xmlns:r='urn:raconteur:eml:1' time='0' type='joy' potential='8'/>";
 
 /// Numbers that are the same every time.
-struct Dice(u64);
+struct SeededRandom(u64);
 
-impl Dice {
+impl SeededRandom {
     /// From 0 to below `below`.
     fn roll(&mut self, below: u64) -> u64 {
         self.0 = self
@@ -39,7 +39,7 @@ impl Dice {
 }
 
 /// A fragment that says something, not always at once, and perhaps twice and with a hand.
-fn remark(dice: &mut Dice) -> String {
+fn remark(dice: &mut SeededRandom) -> String {
     let words = ["so", "and then he", "nobody knew why the old door was open"];
     let pause = dice.roll(20) as f64 / 10.0;
     let said = words[dice.roll(3) as usize];
@@ -66,7 +66,7 @@ fn play(player: &mut Player, from: f64, to: f64) -> Vec<Event> {
 #[test]
 fn no_two_utterances_of_fragments_overlap() {
     for seed in 0..40 {
-        let mut dice = Dice(seed);
+        let mut dice = SeededRandom(seed);
         let mut player = hello_world();
         let mut spoken: Vec<(f64, f64)> = player
             .utterances()

@@ -29,7 +29,7 @@ const GRID: [i32; 2] = [27, 33];
 
 /// A moment: its name, and what becomes of a node at a place, in distances between the eyes
 /// from their middle.
-struct Moment {
+struct ExampleState {
     name: &'static str,
     state: fn(Vec3) -> NodeState,
 }
@@ -88,36 +88,36 @@ fn blood(blush: f32) -> NodeState {
     }
 }
 
-const MOMENTS: [Moment; 8] = [
-    Moment {
+const MOMENTS: [ExampleState; 8] = [
+    ExampleState {
         name: "rest",
         state: |_| NodeState::default(),
     },
-    Moment {
+    ExampleState {
         name: "raised",
         state: raised,
     },
-    Moment {
+    ExampleState {
         name: "red",
         state: brows_up,
     },
-    Moment {
+    ExampleState {
         name: "green",
         state: frown_and_smile,
     },
-    Moment {
+    ExampleState {
         name: "blue",
         state: sneer_and_purse,
     },
-    Moment {
+    ExampleState {
         name: "blush",
         state: |_| blood(1.0),
     },
-    Moment {
+    ExampleState {
         name: "pallor",
         state: |_| blood(-1.0),
     },
-    Moment {
+    ExampleState {
         name: "lines",
         state: |_| NodeState::default(),
     },
@@ -263,7 +263,7 @@ fn main() {
     };
     let wanted: Vec<PathBuf> = args.collect();
     let is_wanted =
-        |m: &&Moment| wanted.is_empty() || wanted.iter().any(|w| w.as_os_str() == m.name);
+        |m: &&ExampleState| wanted.is_empty() || wanted.iter().any(|w| w.as_os_str() == m.name);
     let bytes = std::fs::read(&glb).expect("a file");
     let name = glb
         .file_stem()

@@ -4,7 +4,7 @@ mod description;
 mod entries;
 mod set_pipelines;
 
-use raconteur_stage::{Fill, SetKind, Visibility};
+use raconteur_stage::{Fill, StageSet, Visibility};
 use wgpu::{
     BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline, ShaderModule,
     TextureFormat, VertexBufferLayout,
@@ -132,7 +132,7 @@ impl Pipelines {
         &mut self,
         device: &Device,
         shared: &SharedResources,
-        set: SetKind,
+        set: StageSet,
         keys: impl Iterator<Item = PipelineKey>,
         lights: u32,
     ) -> bool {

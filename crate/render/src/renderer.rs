@@ -4,7 +4,7 @@ mod change;
 mod passes;
 
 use raconteur_body::Figure;
-use raconteur_stage::{Fill, Frame, SetKind};
+use raconteur_stage::{Fill, Frame, StageSet};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
 use crate::backdrop::{Backdrop, BackdropMode};
@@ -130,7 +130,7 @@ impl Renderer {
             refused,
         };
         // Most stories begin before a curtain.
-        renderer.compile(SetKind::Curtain);
+        renderer.compile(StageSet::Curtain);
         renderer.update_tier();
         renderer
     }
@@ -149,7 +149,7 @@ impl Renderer {
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         let layouts = &self.shared.layouts;
         self.figure = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;
-        self.compile(SetKind::Curtain);
+        self.compile(StageSet::Curtain);
         Ok(())
     }
 
@@ -176,7 +176,7 @@ impl Renderer {
             made.take_pictures(sent, &self.device, layouts, &self.fallback);
         }
         self.figure = made;
-        self.compile(SetKind::Curtain);
+        self.compile(StageSet::Curtain);
         Ok(())
     }
 

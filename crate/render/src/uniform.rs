@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use raconteur_base::DVec3;
 use raconteur_body::Bone;
-use raconteur_stage::{Frame, SetKind};
+use raconteur_stage::{Frame, StageSet};
 
 use crate::environment;
 use crate::shadow::ShadowView;
@@ -58,14 +58,14 @@ pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
 }
 
 /// A place's number in the shaders.
-fn number_of(kind: SetKind) -> f32 {
+fn number_of(kind: StageSet) -> f32 {
     match kind {
-        SetKind::Studio => 0.0,
-        SetKind::Curtain => 1.0,
-        SetKind::Fireside => 2.0,
-        SetKind::Garden => 3.0,
-        SetKind::Night => 4.0,
-        SetKind::School => 5.0,
+        StageSet::Studio => 0.0,
+        StageSet::Curtain => 1.0,
+        StageSet::Fireside => 2.0,
+        StageSet::Garden => 3.0,
+        StageSet::Night => 4.0,
+        StageSet::School => 5.0,
     }
 }
 
@@ -77,7 +77,7 @@ impl FrameUniform {
         let [x, y, z, _] = self.eye_in_world;
         let [.., number] = self.backdrop_low;
         // Of all places the night alone has ground that the edge's light falls on.
-        let rim = if number == number_of(SetKind::Night) {
+        let rim = if number == number_of(StageSet::Night) {
             self.rim
         } else {
             [0.0; 4]

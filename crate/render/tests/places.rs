@@ -7,7 +7,7 @@ mod device;
 use device::headless;
 use raconteur_base::ops;
 use raconteur_render::{Headless, Quality};
-use raconteur_stage::{Camera, Frame, FramingMargin, Set, SetKind, Shot, Span};
+use raconteur_stage::{Camera, Frame, FramingMargin, Set, Shot, Span, StageSet};
 
 const WIDTH: u32 = 128;
 const HEIGHT: u32 = 72;
@@ -31,7 +31,7 @@ fn camera(set: &Set) -> Camera {
 }
 
 /// The place as it is after some time, drawn at a quality.
-fn drawn(device: &mut Headless, kind: SetKind, time_secs: f64) -> Vec<u8> {
+fn drawn(device: &mut Headless, kind: StageSet, time_secs: f64) -> Vec<u8> {
     let mut frame = Frame::with_capacity(0, 0);
     frame.time_secs = time_secs;
     frame.set = Set {
@@ -85,7 +85,7 @@ fn what_moves_in_a_place_does_not_flash() {
             .map(|i| drawn(&mut device, kind, i as f64 / RATE as f64))
             .collect();
         let moves = pictures.iter().any(|p| *p != pictures[0]);
-        let is_still = matches!(kind, SetKind::Curtain | SetKind::School);
+        let is_still = matches!(kind, StageSet::Curtain | StageSet::School);
         assert_eq!(moves, !is_still, "{name}");
         let light: Vec<Vec<f64>> = pictures.iter().map(|p| blocks(p)).collect();
         for block in 0..light[0].len() {

@@ -8,18 +8,18 @@ mod feature;
 use self::Affects::{Both, Shape, Texture};
 use crate::examples::Example;
 
-/// What of a face an attribute changes.
+/// Part of a face that an attribute changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Affects {
-    /// Its shape alone.
+    /// Only the shape.
     Shape,
-    /// Its texture alone.
+    /// Only the texture.
     Texture,
     /// Both.
     Both,
 }
 
-/// Where an attribute's ends are.
+/// Definition of an attribute's range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Unit {
     /// Two standard deviations of the examples from their mean.
@@ -37,20 +37,20 @@ pub struct Label {
     pub name: &'static str,
     /// Terms for −1 and for +1.
     pub terms: [&'static str; 2],
-    /// What it changes.
+    /// Part that it changes.
     pub affects: Affects,
-    /// The formula of an impression that nobody rated; none where the label is a measure.
+    /// Formula of an impression derived without ratings; `None` if the label is a measure.
     pub derived: Option<&'static str>,
     unit: Unit,
-    /// What is read; only differences count.
+    /// Function that reads the value; only differences count.
     of: fn(&Example) -> Option<f64>,
 }
 
 /// The group of the course of a life.
 pub const LIFE: &str = "life";
-/// From this age on nobody grows, years.
+/// Age at which growth ends, years.
 pub const GROWN_YEARS: f64 = 20.0;
-/// The attribute's ends are so many standard deviations of the examples from their mean.
+/// Number of standard deviations of the examples between their mean and the attribute's ends.
 const DEVIATIONS: f64 = 2.0;
 
 fn share(example: &Example, of: &str, from: &str) -> Option<f64> {
@@ -63,13 +63,14 @@ fn fissure_mm(example: &Example) -> Option<f64> {
     Some((example.measure(outer)? - example.measure(inner)?) / 2.0)
 }
 
-/// Between a place of the left half and its mirror image, across, millimetres.
+/// Returns the lateral distance between a landmark of the left half and its mirror image,
+/// millimetres.
 fn breadth_mm(example: &Example, name: &str) -> Option<f64> {
     let at = |side: char| example.place(&format!("{name}_{side}"));
     Some(at('l')?.x - at('r')?.x)
 }
 
-/// The middle of a place and its mirror image.
+/// Returns the midpoint of a landmark and its mirror image.
 fn mirrored_pair_middle(example: &Example, name: &str) -> Option<DVec3> {
     let at = |side: char| example.place(&format!("{name}_{side}"));
     let (left, right) = (at('l')?, at('r')?);
@@ -80,7 +81,7 @@ fn mirrored_pair_middle(example: &Example, name: &str) -> Option<DVec3> {
     ))
 }
 
-/// Angle at a place between two others, radians.
+/// Returns the angle at a point between two others, radians.
 fn angle(at: DVec3, a: DVec3, b: DVec3) -> f64 {
     let (a, b) = ((a - at).normalize_or_zero(), (b - at).normalize_or_zero());
     ops::acos_clamped(a.dot(b))
@@ -100,7 +101,7 @@ fn brow_curve(example: &Example, side: Side) -> Option<f64> {
     Some(crest[3].y - (first.y + last.y) / 2.0)
 }
 
-/// How far a place stands before the line between two others, millimetres.
+/// Returns the distance of a point in front of the line between two others, millimetres.
 fn before(at: DVec3, above: DVec3, below: DVec3) -> f64 {
     let t = (at.y - above.y) / (below.y - above.y);
     at.z - (above.z + (below.z - above.z) * t)
@@ -239,21 +240,22 @@ fn attractive(e: &Example) -> Option<f64> {
 }
 
 impl Label {
-    /// The labels of examples: zero mean, ±1 where the attribute ends. None where an example
-    /// lacks what is read, or all are alike.
+    /// Returns the labels of examples: zero mean, ±1 at the ends of the attribute. `None` if the
+    /// value of an example is missing, or if all are equal.
     #[must_use]
     pub fn of_all(&self, examples: &[Example]) -> Option<Vec<f64>> {
         let (read, mean, unit) = self.read(examples)?;
         Some(read.iter().map(|x| (x - mean) / unit).collect())
     }
 
-    /// What of what is read counts as 1, from examples; none as in [`Self::of_all`].
+    /// Returns the amount of the read value that counts as 1, from examples; `None` as in
+    /// [`Self::of_all`].
     #[must_use]
     pub fn unit(&self, examples: &[Example]) -> Option<f64> {
         self.read(examples).map(|(_, _, unit)| unit)
     }
 
-    /// What is read of examples, its mean, and what of it counts as 1.
+    /// Returns the values read from examples, their mean, and the amount that counts as 1.
     fn read(&self, examples: &[Example]) -> Option<(Vec<f64>, f64, f64)> {
         let read: Vec<f64> = examples.iter().map(self.of).collect::<Option<_>>()?;
         let count = read.len() as f64;

@@ -8,8 +8,8 @@ use raconteur_base::DVec3;
 /// A row of the least-squares matrix.
 pub(crate) type Terms = Vec<(u32, f64)>;
 
-/// Minimises Σ |row · x − value|² for three right-hand sides at once; `None` when the
-/// problem has no unique solution.
+/// Minimises Σ |row · x − value|² for three right-hand sides simultaneously; `None` if the problem
+/// has no unique solution.
 pub(crate) fn least_squares(
     unknowns: usize,
     rows: &[(Terms, DVec3)],

@@ -16,18 +16,18 @@ use super::mannequin::Mannequin;
 use super::part::{JointRef, MeshPart, PartVertex};
 use super::people::FigureParams;
 
-/// Every so-manieth vertex of the skin tells where hair of the scalp lies on it.
+/// Sampling step over the skin vertices that position the hair of the scalp.
 const EVERY: usize = 4;
-/// A beard stands on lips and chin, which differ from one vertex to the next: all tell, but none farther
-/// from it than this, metres.
+/// Radius around a beard within which all skin vertices position it, metres: lips and chin differ
+/// from one vertex to the next.
 const ABOUT_BEARD_M: f64 = 0.02;
 /// Name of the part that is a beard.
 const BEARD: &str = "beard";
 /// Nodes of the tissue that a hair of a beard follows at most.
 const NODES: usize = 4;
 
-/// The hair and the beard of a person, on a skeleton, over vertices of the head's skin that tell where it
-/// lies. It does not swing.
+/// Returns the hair and the beard of a person, on a skeleton, with the head's skin vertices that
+/// define their position. The hair does not swing.
 #[must_use]
 pub fn lender(params: &FigureParams) -> Figure {
     let made = Mannequin::from_params(params);
@@ -75,7 +75,8 @@ pub fn lender(params: &FigureParams) -> Figure {
     figure
 }
 
-/// Leaves each vertex of a binding its heaviest nodes, which have what the others had.
+/// Limits each vertex of a binding to its heaviest nodes, which take over the weights of the
+/// others.
 fn keep_heaviest(binding: &mut Binding) {
     let own = std::mem::take(binding);
     binding.starts.push(0);
@@ -95,7 +96,7 @@ fn keep_heaviest(binding: &mut Binding) {
     }
 }
 
-/// Hair in the world; what grows on the scalp goes with the skull.
+/// Places hair in the world; hair of the scalp follows the skull.
 fn placed(mut piece: PartWithNormals, place: DAffine3) -> PartWithNormals {
     let is_beard = piece.part.name == BEARD;
     for v in &mut piece.part.vertices {
@@ -111,8 +112,8 @@ fn on_skull() -> Vec<(JointRef, f64)> {
     vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)]
 }
 
-/// Places of the skin alone, with one triangle that keeps them together. Those that tell nothing are in the
-/// `middle` of the head.
+/// Returns the sampled skin positions with a single triangle that connects them. Unused vertices
+/// are at the `middle` of the head.
 fn skin(head: &MeshPart, beard: &[DVec3], middle: DVec3) -> MeshPart {
     let cells = Cells::new(beard, ABOUT_BEARD_M);
     let is_near = |p: DVec3| {

@@ -20,8 +20,8 @@ use raconteur_body::skeleton::Drive;
 
 use crate::cells::Cells;
 
-/// Share of a mesh's free triangles at each coarser level: about 40,000 and 16,000 of the 106,000 of a
-/// whole figure. Faces keep more than shoes.
+/// Returns the share of a mesh's free triangles at each coarser level: about 40,000 and 16,000 of
+/// the 106,000 of a whole figure. Faces keep more than shoes.
 fn shares(kind: MaterialKind) -> [f64; 2] {
     match kind {
         MaterialKind::Skin => [0.36, 0.11],
@@ -35,20 +35,20 @@ fn shares(kind: MaterialKind) -> [f64; 2] {
     }
 }
 
-/// Meshes with fewer triangles are drawn whole at every level.
+/// Triangle count below which meshes are not simplified at any level.
 const WORTH_TRIANGLES: usize = 400;
 
-/// How much more an error counts at the middle of mouth and eyes than elsewhere.
+/// Weight of an error at the centre of mouth and eyes relative to elsewhere.
 const FOCUS: f64 = 5.0;
 
-/// Error beyond which no triangle is taken away, metres.
+/// Maximum simplification error, metres.
 const MAX_ERROR_M: f32 = 0.02;
 
-/// Numbers of a vertex that the simplifier weighs beside its position.
+/// Number of vertex attributes that the simplifier weighs in addition to the position.
 const ATTRIBUTES: usize = 13;
 
-/// What a difference of 1 in each of them counts as, metres: the normal, the position times what
-/// errors count there, the joints, colour and occlusion, the texture coordinates.
+/// Weights of a difference of 1 in each attribute, metres: the normal, the position times the local
+/// error weight, the joints, colour and occlusion, the texture coordinates.
 const ATTRIBUTE_ERROR_M: [f32; ATTRIBUTES] = [
     0.0015, 0.0015, 0.0015, 1.0, 1.0, 1.0, 0.06, 0.06, 0.06, 0.003, 0.01, 0.003, 0.003,
 ];
@@ -56,14 +56,14 @@ const ATTRIBUTE_ERROR_M: [f32; ATTRIBUTES] = [
 /// Distance within which layers of cloth touch, metres.
 const TOUCHING_M: f64 = 0.008;
 
-/// Weight of the upper lid's joint from which a vertex is kept: the lid is folded when it is open,
-/// and must be round when it is shut.
+/// Weight of the upper lid's joint above which a vertex is kept: the lid is folded when open, and
+/// must be round when closed.
 const LID_WEIGHT: f32 = 0.5;
 
-/// Seed of the directions that stand for joints.
+/// Seed of the random directions that represent joints.
 const JOINT_SEED: u64 = 17;
 
-/// A sphere in which errors are seen first.
+/// Sphere in which errors are most visible.
 struct Focus {
     centre: DVec3,
     radius_m: f64,
@@ -90,7 +90,7 @@ impl Focus {
             .collect()
     }
 
-    /// How much an error counts at a place, 0 outside.
+    /// Returns the weight of an error at a position, 0 outside.
     fn weight(&self, p: DVec3) -> f64 {
         FOCUS * smooth(2.0 * (1.0 - p.distance(self.centre) / self.radius_m))
     }
@@ -116,7 +116,7 @@ impl Lids {
     }
 }
 
-/// Gives every mesh its coarser levels.
+/// Adds coarser levels of detail to every mesh.
 pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
     let focus = Focus::of_face(figure, annotations);
     let layers = Layers::new(figure);
@@ -138,7 +138,8 @@ pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
 /// Share of the spans of a card, and most triangles, of hair that is lent.
 const LENT: (f64, usize) = (0.62, 9_600);
 
-/// Makes hair light enough to be a file of its own: fewer cards with fewer spans, and one coarser level.
+/// Reduces hair for storage in a separate file: fewer cards with fewer spans, and one coarser
+/// level.
 pub(crate) fn lighten(mesh: &mut Mesh) {
     let (share, most) = LENT;
     mesh.indices = cards::thinned(mesh, share, most);
@@ -151,9 +152,9 @@ pub(crate) fn lighten(mesh: &mut Mesh) {
         .collect();
 }
 
-/// Sorts triangles so that those that share vertices follow one another: a graphics card computes
-/// fewer vertices, and a packed file is shorter by a sixteenth. What lets light through keeps its
-/// order: cards of hair are drawn from the scalp outwards.
+/// Sorts triangles so that those that share vertices are adjacent: the vertex cache is used better,
+/// and a packed file is a sixteenth shorter. Transparent meshes keep their order: cards of hair are
+/// rendered from the scalp outwards.
 pub(crate) fn sort_triangles(figure: &mut Figure) {
     for mesh in &mut figure.meshes {
         let is_clear = mesh.material.base_color[3] < 1.0;
@@ -232,8 +233,9 @@ fn attributes(mesh: &Mesh, focus: &[Focus]) -> Vec<f32> {
         .collect()
 }
 
-/// The vertices of all cloth of a figure: hems, cuffs and collars are folded in, tops hang over
-/// trousers, pockets lie on tops, and layers that lose different vertices come through one another.
+/// Vertices of all cloth of a figure, used to keep overlapping layers intact: hems, cuffs and
+/// collars are folded in, tops hang over trousers, pockets lie on tops, and layers that lose
+/// different vertices would intersect.
 struct Layers {
     at: Vec<DVec3>,
     normals: Vec<DVec3>,
@@ -268,7 +270,8 @@ impl Layers {
         }
     }
 
-    /// Which vertices of a mesh have another layer of cloth close by. Empty for other materials.
+    /// Returns, for each vertex of a mesh, true if another layer of cloth is close. Empty for other
+    /// materials.
     fn touching(&self, mesh: usize) -> Vec<bool> {
         let layered = |i: usize, j: usize| {
             let turned = self.normals[i].dot(self.normals[j]) < -0.5;
@@ -285,7 +288,8 @@ impl Layers {
     }
 }
 
-/// By vertex of a mesh, one vertex that stands for all that edges or equal positions connect it with.
+/// Returns, for each vertex of a mesh, the representative of its component, connected by edges or
+/// equal positions.
 fn connected(mesh: &Mesh) -> Vec<usize> {
     let mut up: Vec<usize> = (0..mesh.positions.len()).collect();
     let top = |up: &mut Vec<usize>, mut v: usize| {
@@ -312,7 +316,7 @@ fn connected(mesh: &Mesh) -> Vec<usize> {
     (0..up.len()).map(|v| top(&mut up, v)).collect()
 }
 
-/// Three numbers that differ where joints and weights do: each joint has a direction of its own,
+/// Returns three numbers that differ where joints and weights do: each joint has its own direction,
 /// a vertex the weighted mean of its joints'.
 fn joints(mesh: &Mesh, vertex: usize) -> [f32; 3] {
     let mut sum = [0.0; 3];

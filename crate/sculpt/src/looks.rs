@@ -7,11 +7,10 @@ use crate::FigureParams;
 use crate::model::Traits;
 use crate::skin::SkinParams;
 
-/// How many numbers a look has.
+/// Count of numbers in a look.
 pub const COUNT: usize = 17;
 
-/// Names of a look's numbers, in their order. All but the age are shares, 0 to 1 where not said
-/// otherwise.
+/// Names of a look's numbers, in order. All but the age are shares, 0 to 1 unless said otherwise.
 pub const NAMES: [&str; COUNT] = [
     "melanin",
     "blood",
@@ -32,7 +31,7 @@ pub const NAMES: [&str; COUNT] = [
     "height of the brows",
 ];
 
-/// Names of what follows from a look: logarithms of linear red, green and blue.
+/// Names of the colours derived from a look: logarithms of linear red, green and blue.
 pub const COLOURS: [&str; 6] = [
     "red part of the iris",
     "green part of the iris",
@@ -42,7 +41,7 @@ pub const COLOURS: [&str; 6] = [
     "blue part of the brows",
 ];
 
-/// A look, number by number as in [`NAMES`].
+/// Look: numbers in the order of [`NAMES`].
 pub type Look = [f64; COUNT];
 
 const MELANIN: usize = 0;
@@ -73,8 +72,8 @@ const MAX_MOLES: f64 = 24.0;
 /// doi:10.1111/j.1467-2494.1991.tb00561.x), in shares of the model's range.
 const ANCESTRIES: [[f64; 2]; 3] = [[0.17, 0.06], [0.27, 0.06], [0.82, 0.10]];
 
-/// The look of example number `index` of a crowd: what goes with sex, age and ancestry does, the
-/// rest is independent. The same for the same seed.
+/// Returns the look of example number `index` of a crowd: traits that depend on sex, age and
+/// ancestry follow them, the rest is independent. The same seed gives the same look.
 #[must_use]
 pub fn random(traits: &Traits, seed: u64, index: u64) -> Look {
     // The sum of three, scaled to the deviation 1: a bell without far ends.
@@ -156,7 +155,7 @@ pub fn brows(look: &Look) -> [f64; 3] {
     mix(DARK_BROW, bright_brow(red), ops::pow(light, 1.6))
 }
 
-/// A look's numbers, then those of [`COLOURS`].
+/// Returns a look's numbers, then those of [`COLOURS`].
 #[must_use]
 pub fn numbers(look: &Look) -> Vec<f64> {
     let colours = iris(look).into_iter().chain(brows(look));
@@ -164,7 +163,7 @@ pub fn numbers(look: &Look) -> Vec<f64> {
     look.iter().copied().chain(logarithms).collect()
 }
 
-/// The skin of a look; what a look does not tell is that of `like`.
+/// Returns the skin of a look; parameters not in a look come from `like`.
 #[must_use]
 pub fn skin(look: &Look, like: &SkinParams) -> SkinParams {
     let share = |i: usize| between(look[i], 0.0, 1.0);
@@ -184,7 +183,7 @@ pub fn skin(look: &Look, like: &SkinParams) -> SkinParams {
     }
 }
 
-/// The look of a figure: the inverse of [`dress`] as far as its colours are those of looks.
+/// Returns the look of a figure: the inverse of [`dress`] where its colours are those of looks.
 #[must_use]
 pub fn look_of(figure: &FigureParams) -> Look {
     let skin = &figure.skin;
@@ -213,7 +212,7 @@ pub fn look_of(figure: &FigureParams) -> Look {
     look
 }
 
-/// A figure with this look.
+/// Returns a figure with this look.
 #[must_use]
 pub fn dress(figure: FigureParams, look: &Look) -> FigureParams {
     let mut figure = figure;

@@ -12,18 +12,18 @@ use super::torso::{CM, Cage, Field, Joints, Regions};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::skeleton::Bone;
 
-/// What clothes and hair are made for.
+/// Body for which clothes and hair are made.
 pub(super) struct Mannequin {
     /// The head in its own frame.
     pub(super) head: Head,
-    /// Where it stands.
+    /// Placement of the head.
     pub(super) world_from_head: DAffine3,
     /// Its parts in the world; the first is the skin.
     pub(super) head_parts: Vec<MeshPart>,
     pub(super) joints: Joints,
     pub(super) field: Field,
     pub(super) cage: Cage,
-    /// What a collar lies against.
+    /// Neck surface under a collar.
     pub(super) neck: Neck,
 }
 
@@ -61,11 +61,11 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
     place
 }
 
-/// Height in the frame of the head from which a face of usual length goes over into the body's neck.
+/// Height in the frame of the head at which a face of usual length blends into the body's neck.
 const NECK_FROM_M: f64 = -0.088;
 
-/// The head's parts in the world; the lower neck is drawn onto the body's own neck and
-/// moves with it, or it would come through the collar when the head turns.
+/// Returns the head's parts in the world; the lower neck is fitted to the body's own neck and moves
+/// with it, otherwise it would penetrate the collar when the head turns.
 fn head_parts(
     head: &Head,
     hair: &HairParams,

@@ -20,7 +20,7 @@ pub struct Reading {
     pub mm: f64,
     /// The population's, for the person's sex and age.
     pub norm: Norm,
-    /// Where the norm comes from.
+    /// Source of the norm.
     pub source: &'static str,
 }
 
@@ -32,9 +32,9 @@ impl Reading {
     }
 }
 
-/// Distances that no parameter sets: name, landmarks and statistics. Subnasale to gnathion
-/// and the hairline's distances after Farkas 1994, the others after Weinberg et al. 2016 at
-/// 25; shares of children after the same curves, the hairline's designed.
+/// Distances not set by a parameter: name, landmarks and statistics. Subnasale to gnathion and the
+/// hairline's distances after Farkas 1994, the others after Weinberg et al. 2016 at 25; shares of
+/// children after the same curves, the hairline's designed.
 const FURTHER: [(&str, &str, Row); 8] = [
     further(
         "nose_length",
@@ -152,7 +152,7 @@ pub fn landmark_mm(figure: &Figure, names: &Annotations, name: &str) -> Option<D
     Some(DVec3::from_array(p.map(f64::from)) * 1e3)
 }
 
-/// Distance between the two landmarks of a label such as `n-gn`.
+/// Returns the distance between the two landmarks of a label such as `n-gn`.
 fn distance(
     figure: &Figure,
     names: &Annotations,
@@ -164,8 +164,8 @@ fn distance(
     Some(along.map_or_else(|| d.length(), |axis| d.dot(axis).abs()))
 }
 
-/// Every distance that is known and can be taken on the figure; hands only where their
-/// parameters are.
+/// Returns every known distance that can be measured on the figure; those of hands only if their
+/// parameters exist.
 #[must_use]
 pub fn readings(
     figure: &Figure,

@@ -20,8 +20,8 @@ pub struct PartVertex {
     pub uv: [f64; 2],
     /// Linear RGB 0..1 and ambient occlusion (1 = open).
     pub color: [f64; 4],
-    /// Joint names with weights; any number, any sum above zero. The assembly keeps the
-    /// four largest and normalises.
+    /// Joint names with weights; any number, any sum above zero. The assembly keeps the four
+    /// largest and normalises.
     pub weights: Vec<(JointRef, f64)>,
 }
 
@@ -56,8 +56,8 @@ pub struct MeshPart {
 }
 
 impl MeshPart {
-    /// The surface as triangles, those of a quad about its middle: unlike its halves beside
-    /// one of the diagonals, they are the same in a mirror.
+    /// Triangulates the surface; quads are split around their centre: unlike a split along a
+    /// diagonal, this is mirror-symmetric.
     pub(crate) fn triangles_about_middles(
         &self,
         own: impl Fn(&PartVertex) -> bool,

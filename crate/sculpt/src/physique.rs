@@ -38,14 +38,14 @@ struct Physique<'a> {
     field: Field,
 }
 
-/// How a measure is taken, metres; `None` where the figure has not what it needs.
-type Take = fn(&Physique<'_>) -> Option<f64>;
+/// Function that takes a measure, metres; `None` if the figure lacks the required data.
+type Measurer = fn(&Physique<'_>) -> Option<f64>;
 
 struct Definition {
     name: &'static str,
     landmarks: &'static str,
     row: Row,
-    take: Take,
+    take: Measurer,
 }
 
 #[expect(
@@ -59,7 +59,7 @@ const fn define(
     at_nine: [f64; 2],
     per_year: [f64; 2],
     source: Source,
-    take: Take,
+    take: Measurer,
 ) -> Definition {
     let [mean, sd] = adult;
     Definition {
@@ -70,7 +70,7 @@ const fn define(
     }
 }
 
-/// Loss of height of what lies above the legs, millimetres a year after thirty.
+/// Height loss of the body above the legs, millimetres per year after thirty.
 const SHRINKING: [f64; 2] = [-0.75, -1.25];
 const STEADY: [f64; 2] = [0.0, 0.0];
 
@@ -199,7 +199,7 @@ impl Physique<'_> {
         self.field.value(p, regions, 1.0) < 0.0
     }
 
-    /// The lowest place of the trunk between the legs.
+    /// Returns the lowest point of the trunk between the legs.
     fn crotch(&self) -> Option<f64> {
         let s = self.params.person.stature_m;
         (0..200)
@@ -229,7 +229,7 @@ impl Physique<'_> {
         girths.fold(0.0, f64::max)
     }
 
-    /// The narrowest place between ribs and hips.
+    /// Returns the smallest girth between ribs and hips.
     fn least_girth(&self, share: core::ops::Range<f64>) -> f64 {
         let girths = self
             .heights(share)
@@ -349,8 +349,8 @@ fn hull_length(points: &[DVec2]) -> f64 {
     half(&mut sorted.iter().copied()) + half(&mut sorted.iter().rev().copied())
 }
 
-/// Every measure of the body that can be taken on a figure made from parameters, with the
-/// norms of a person's sex and age.
+/// Returns every measure of the body that can be taken on a figure built from parameters, with the
+/// norms for the person's sex and age.
 #[must_use]
 pub fn body_readings(
     params: &FigureParams,

@@ -37,7 +37,7 @@ const COUNT: usize = Measure::COUNT;
 const MAX_DEVIATIONS: f64 = 2.8;
 /// Least eigenvalue of a matrix of correlations: below, measures would be functions of each other.
 const MIN_EIGENVALUE: f64 = 0.02;
-/// Rounds: measures are not quite linear in a head's places.
+/// Number of rounds: measures are not exactly linear in a head's positions.
 const ROUNDS: usize = 3;
 
 /// Correlation of two measures, where it is known.
@@ -47,9 +47,9 @@ pub fn known_correlation(a: Measure, b: Measure) -> Option<f64> {
     Some(CORRELATIONS[place(a)?][place(b)?])
 }
 
-/// Brings the heads of people to the population's measures, each as near to its own as the
-/// statistics let it. There must be many more people than measures. `drawn` takes the measures of a person's
-/// drawn skin, which closes the lips and rounds off what the places of the head tell.
+/// Fits the heads of people to the population's measures, each as close to its own as the
+/// statistics allow. There must be many more people than measures. `drawn` measures a person's
+/// rendered skin, which closes the lips and smooths the head's positions.
 pub fn fit_population(
     people: &[Traits],
     heads: &mut [ModelHeadShape],
@@ -72,14 +72,14 @@ pub fn fit_population(
     set_eyes(heads, &wanted);
 }
 
-/// An eyeball does not lie farther from where the lids of its head put it than all do, mm.
+/// Maximum difference of an eyeball from the mean offset to its lids, mm.
 const MAX_DEVIATION_MM: f64 = 1.2;
 
-/// As much of a way of an eyeball is left when it is laid into its lids.
+/// Share of an eyeball's displacement that remains after it is fitted to its lids.
 const EYES_GO: f64 = 1.0 - CENTRED;
 
-/// Puts the pupils as far apart as surveys have them: farther out in their lids than the middles of these, which
-/// corners of the eyes tell. So the eyeballs move, and nothing else.
+/// Sets the distance of the pupils to that of surveys: pupils lie farther out than the midpoint
+/// between the eye's corners. Moves only the eyeballs.
 fn set_eyes(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
     let Some(measure) = Measure::all().position(|m| m == Measure::PupilDistance) else {
         return;
@@ -94,12 +94,12 @@ fn set_eyes(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
     }
 }
 
-/// One head of so many is looked at as it is drawn.
+/// Sampling step over the heads that are checked as rendered.
 const SAMPLED: usize = 8;
-/// What is drawn follows the places of a head by as much at least.
+/// Minimum slope of the rendered measures against those of a head's positions.
 const MIN_SLOPE: f64 = 0.7;
 
-/// How a measure of the skin goes with that of the places: where it begins, and its deviation for one of theirs.
+/// Fits the measure of the skin as a linear function of that of the positions: intercept and slope.
 fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2] {
     let spread = |all: &[[f64; COUNT]]| {
         let count = all.len().max(1) as f64;
@@ -116,7 +116,7 @@ fn line(own: &[[f64; COUNT]], skin: &[[f64; COUNT]], measure: usize) -> [f64; 2]
     [to - slope * from, slope]
 }
 
-/// Brings heads to measures, one row for each.
+/// Moves heads towards measures, one row for each.
 fn approach(heads: &mut [ModelHeadShape], wanted: &Mat<f64>) {
     for _ in 0..ROUNDS {
         let (numbers, own) = table(heads);
@@ -145,7 +145,7 @@ fn table(heads: &[ModelHeadShape]) -> (Mat<f64>, Mat<f64>) {
     )
 }
 
-/// How the places of heads go with their measures: least squares over the heads.
+/// Returns the regression of head positions on their measures: least squares over the heads.
 fn regression(numbers: &Mat<f64>, own: &Mat<f64>) -> Mat<f64> {
     let (x, y) = (centred(own), centred(numbers));
     let square = x.transpose() * &x;
@@ -185,7 +185,7 @@ fn measure_at(index: usize) -> Option<Measure> {
     Measure::all().nth(index)
 }
 
-/// What is left of measures when sex and age are taken from them, in standard deviations.
+/// Returns the residuals of the measures after removing sex and age, in standard deviations.
 fn residuals(people: &[Traits], own: &Mat<f64>) -> Mat<f64> {
     let known = Mat::from_fn(people.len(), 6, |i, k| {
         let (sex, age) = (people[i].sex, people[i].age_years / 40.0);
@@ -230,7 +230,8 @@ fn power(correlations: &Mat<f64>, exponent: f64) -> Mat<f64> {
     })
 }
 
-/// The symmetric matrix with its eigenvalues changed; the matrix itself where it has none.
+/// Returns the symmetric matrix with modified eigenvalues; the matrix itself if the decomposition
+/// fails.
 fn with_eigenvalues(matrix: &Mat<f64>, change: impl Fn(f64) -> f64) -> Mat<f64> {
     let Ok(eigen) = matrix.self_adjoint_eigen(Half::Lower) else {
         return matrix.clone();

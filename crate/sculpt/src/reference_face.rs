@@ -28,7 +28,7 @@ pub struct ReferenceFace {
     landmarks: Vec<u32>,
 }
 
-/// Why a yardstick cannot be read.
+/// Error returned when a reference face cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReferenceFaceError {
@@ -43,7 +43,7 @@ pub enum ReferenceFaceError {
     Figure(&'static str),
 }
 
-/// Vertices of the face area; what follows are eyes, teeth and sockets.
+/// Number of vertices of the face area; the vertices after it are eyes, teeth and sockets.
 const FACE_AREA: usize = 9409;
 
 /// iBUG landmark and our name.
@@ -115,7 +115,7 @@ pub struct Deviation {
     pub count: usize,
 }
 
-/// Width of the cells in which the nearest vertex is sought, millimetres.
+/// Cell size for the nearest-vertex search, millimetres.
 const CELL_MM: f64 = 6.0;
 
 /// The nearest point within about a cell's width.
@@ -126,9 +126,9 @@ fn nearest(cells: &Cells, points: &[DVec3], p: DVec3) -> Option<u32> {
         .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
-/// Vertices of the visible face, millimetres: skin in front, without ears, neck, the inside
-/// of lips, lids and nostrils. Chosen by direction: what looks away from a viewer in front
-/// by more than 80° is left out, as is what other skin covers.
+/// Returns the vertices of the visible face, millimetres: skin in front, without ears, neck, the
+/// inside of lips, lids and nostrils. Selected by direction: surfaces turned more than 80° away
+/// from a viewer in front are excluded, as is skin covered by other skin.
 fn visible_face(figure: &Figure, names: &Annotations) -> Result<Vec<DVec3>, ReferenceFaceError> {
     let need = |name: &'static str| {
         landmark_mm(figure, names, name).ok_or(ReferenceFaceError::Figure(name))

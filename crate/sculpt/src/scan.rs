@@ -2,7 +2,7 @@
 
 use raconteur_base::DVec3;
 
-/// Largest mesh taken.
+/// Maximum number of points of an accepted mesh.
 const MAX_POINTS: usize = 1 << 20;
 /// Most corners of a face.
 const CORNERS: usize = 64;
@@ -10,9 +10,9 @@ const CORNERS: usize = 64;
 /// Points and faces in the file's own units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scan {
-    /// Places.
+    /// Positions.
     pub points: Vec<DVec3>,
-    /// Linear RGB of each point, 0 to 1, where the file tells it.
+    /// Linear RGB of each point, 0 to 1, if the file contains colours.
     pub colors: Vec<[f64; 3]>,
     /// Corners of each face, counter-clockwise from outside.
     pub faces: Vec<Vec<u32>>,
@@ -24,8 +24,8 @@ pub struct Scan {
 pub struct BadLine(pub usize);
 
 impl Scan {
-    /// Reads `v` and `f`; texture coordinates, normals and materials are left out. Colours behind
-    /// a place count when every place has them.
+    /// Reads `v` and `f`; texture coordinates, normals and materials are ignored. Vertex colours
+    /// are used only if every vertex has one.
     ///
     /// # Errors
     /// When a line cannot be read or the mesh has more than a million points or faces.

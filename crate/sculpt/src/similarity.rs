@@ -16,7 +16,7 @@ impl Similarity {
         self.turn * p * self.scale + self.shift
     }
 
-    /// What [`Similarity::apply`] carries to a place.
+    /// Applies the inverse of [`Similarity::apply`].
     pub(crate) fn undo(&self, p: DVec3) -> DVec3 {
         self.turn.inverse() * ((p - self.shift) / self.scale)
     }

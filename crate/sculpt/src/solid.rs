@@ -150,7 +150,7 @@ impl Solid {
             .sum()
     }
 
-    /// Winds the faces so that they look outwards.
+    /// Orients the faces outwards.
     #[must_use]
     pub fn turned_outwards(mut self) -> Self {
         if self.volume() < 0.0 {

@@ -13,7 +13,7 @@
 //! (Weinberg et al. 2016, doi:10.1597/15-199) as smoothed by Cliniface, value at 25;
 //! Farkas 1994 for fissure height and mandible. The table of each row names its own.
 
-/// Where a row's adult numbers come from.
+/// Source of a row's adult values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// ANSUR II.

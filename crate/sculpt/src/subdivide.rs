@@ -69,7 +69,7 @@ fn face_stencil(face: &[u32], weight: f64) -> Stencil {
         .collect()
 }
 
-/// Where a vertex goes, by the edges and faces around it.
+/// Returns the new position of a vertex, from the edges and faces around it.
 fn vertex_terms<'a>(
     v: u32,
     around: &[(u32, u32)],
@@ -103,7 +103,7 @@ fn vertex_terms<'a>(
     terms
 }
 
-/// One step; stencils are over the given faces' own vertices.
+/// Performs one subdivision step; stencils are over the given faces' own vertices.
 fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
     let edges = edge_faces(faces);
     let mut edge_index: BTreeMap<(u32, u32), u32> = BTreeMap::new();
@@ -189,7 +189,7 @@ pub fn subdivide(faces: &[Vec<u32>], vertex_count: usize, levels: usize) -> Subd
     current
 }
 
-/// Where each vertex lies on the limit surface, as a stencil over the same mesh.
+/// Returns the position of each vertex on the limit surface, as a stencil over the same mesh.
 /// Interior: (n² v + 4 Σ edge + Σ opposite) / (n (n + 5)) on quads; boundary: (1, 4, 1) / 6.
 #[must_use]
 pub fn limit_stencils(faces: &[Vec<u32>], vertex_count: usize) -> Vec<Stencil> {
@@ -235,7 +235,7 @@ pub fn limit_stencils(faces: &[Vec<u32>], vertex_count: usize) -> Vec<Stencil> {
         .collect()
 }
 
-/// The first of all vertices at the place of each, to a hundredth of a millimetre; metres.
+/// Returns the first vertex at the position of each vertex, to a hundredth of a millimetre; metres.
 pub(crate) fn firsts(positions: &[DVec3]) -> Vec<u32> {
     let mut first: BTreeMap<[i64; 3], u32> = BTreeMap::new();
     (0u32..)
@@ -247,8 +247,8 @@ pub(crate) fn firsts(positions: &[DVec3]) -> Vec<u32> {
         .collect()
 }
 
-/// Faces over the first of all vertices at one place, for surfaces whose vertices are doubled
-/// along seams of the texture.
+/// Returns the faces with coincident vertices merged to the first, for surfaces with doubled
+/// vertices along texture seams.
 pub(crate) fn welded(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
     let one = firsts(positions);
     let turned = |f: &Vec<u32>| f.iter().map(|&v| one[v as usize]).collect();

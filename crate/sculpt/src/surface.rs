@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 
 use crate::cells::Cells;
 
-/// A mesh in which places are sought.
+/// Mesh with spatial queries.
 pub(crate) struct Surface {
     pub(crate) points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -14,7 +14,7 @@ pub(crate) struct Surface {
     reach: f64,
 }
 
-/// A place on a mesh: a triangle's corners and their shares.
+/// Point on a mesh: a triangle's corners and their barycentric weights.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) at: DVec3,
@@ -27,7 +27,8 @@ pub(crate) struct Place {
 }
 
 impl Surface {
-    /// `reach` is about how far from a point its nearest place is sought, in the points' unit.
+    /// Builds the surface; `reach` is approximately the search distance for nearest points, in the
+    /// points' unit.
     pub(crate) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, reach: f64) -> Self {
         let mut around = vec![Vec::new(); points.len()];
         for (t, triangle) in (0u32..).zip(&triangles) {
@@ -45,7 +46,7 @@ impl Surface {
         }
     }
 
-    /// The nearest place that `keep` accepts, within the reach.
+    /// Returns the nearest point that `keep` accepts, within the reach.
     pub(crate) fn nearest(&self, p: DVec3, keep: impl Fn(&Place) -> bool) -> Option<Place> {
         let mut near: Vec<(f64, u32)> = self
             .cells
@@ -72,7 +73,7 @@ impl Surface {
             })
     }
 
-    /// All places on a line.
+    /// Returns all intersections with a line.
     pub(crate) fn along(&self, from: DVec3, direction: DVec3) -> Vec<Place> {
         (0u32..)
             .zip(&self.triangles)
@@ -113,7 +114,7 @@ impl Surface {
     }
 }
 
-/// Nearest place of a triangle (Ericson 2005, ch. 5.1.5).
+/// Returns the nearest point of a triangle (Ericson 2005, ch. 5.1.5).
 pub(crate) fn on_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));

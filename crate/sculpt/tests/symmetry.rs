@@ -8,7 +8,7 @@ use raconteur_sculpt::{build, people};
 use raconteur_tier::{share, sized};
 use raconteur_tissue::{FaceControls, Muscle, Network, NodeState};
 
-/// What halves may differ by, metres.
+/// Maximum difference between the halves, metres.
 const ALIKE_M: f64 = 1e-4;
 /// Cells in which neighbours are looked for, metres.
 const CELL_M: f64 = 5e-4;
@@ -30,7 +30,7 @@ fn cell(p: Place) -> [i32; 3] {
     p.map(|x| (x / CELL_M).floor() as i32)
 }
 
-/// For each place those that lie where its mirror image does. Lips that touch have several.
+/// Returns, for each position, those at its mirror image. Touching lips have several.
 fn partners(rest: &[Place]) -> Vec<Vec<usize>> {
     let mut cells: BTreeMap<[i32; 3], Vec<usize>> = BTreeMap::new();
     for (i, p) in rest.iter().enumerate() {
@@ -54,7 +54,7 @@ fn partners(rest: &[Place]) -> Vec<Vec<usize>> {
     rest.iter().map(of).collect()
 }
 
-/// How far the worst place is from the mirror image of its partner, metres.
+/// Returns the largest distance of a position from the mirror image of its partner, metres.
 fn farthest(now: &[Place], partners: &[Vec<usize>]) -> f64 {
     let off = |(p, own): (&Place, &Vec<usize>)| {
         let to = own.iter().map(|&j| distance(now[j], mirrored(*p)));
@@ -87,8 +87,8 @@ fn mixture(i: i64) -> FaceControls {
     c
 }
 
-/// Each muscle with that of the other side as far as it goes, the jaw as far as it goes,
-/// protruding, retracted, sealed and biting lips, and mixtures.
+/// Returns the tested controls: each muscle with its counterpart at full contraction, the jaw at
+/// its limits, protruding, retracted, sealed and biting lips, and mixtures.
 fn asked() -> Vec<(String, FaceControls)> {
     let mut all = Vec::new();
     let mut ask = |name: String, set: &dyn Fn(&mut FaceControls)| {

@@ -1,7 +1,7 @@
 //! Emotions: words with their place in the space of activation, evaluation and power (F&H
 //! 4.4.1). Emoticons that stand for them are EML's.
 
-/// A place in the space of emotions; each from −100 to 100, 0 is neutral.
+/// A point in the emotion space; each dimension from −100 to 100, 0 is neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EmotionPoint {
     /// Passive to active.
@@ -12,11 +12,11 @@ pub struct EmotionPoint {
     pub power: f64,
 }
 
-/// The words of F&H table 4.4 (NECA's working model), and those that F&H name besides:
-/// `surprise`, which 4.4.3 adds as full activation and nothing else; `disgust`, whose place
-/// 4.4.3 takes to be that of hate; `anxiety` and `panic`, the same as fear at half and at twice
-/// its distance from the middle of the disc (figure 4.17; the amounts are *designed*, and
-/// panic's power ends at −100); and `kidding` of table 4.1, *designed* as gloating's mildness.
+/// The words of F&H table 4.4 (NECA's working model), and others that F&H name: `surprise`, which
+/// 4.4.3 adds as full activation and no other component; `disgust`, whose place 4.4.3 equates with
+/// that of hate; `anxiety` and `panic`, the same as fear at half and at twice its distance from the
+/// middle of the disc (figure 4.17; the amounts are *designed*, and panic's power ends at −100);
+/// and `kidding` of table 4.1, *designed* as a milder gloating.
 pub const WORDS: [(&str, [f64; 3]); 29] = [
     ("joy", [17.3, 42.2, 12.5]),
     ("distress", [-17.2, -40.1, -52.4]),
@@ -49,7 +49,7 @@ pub const WORDS: [(&str, [f64; 3]); 29] = [
     ("panic", [29.6, -88.8, -100.0]),
 ];
 
-/// The place of an emotion's word; `None` for a word that is not in the table.
+/// Returns the place of an emotion word; `None` for a word that is not in the table.
 #[must_use]
 pub fn place(word: &str) -> Option<EmotionPoint> {
     let (_, [activation, evaluation, power]) =
@@ -73,7 +73,7 @@ impl EmotionPoint {
         }
     }
 
-    /// Whether it is neutral.
+    /// Returns true if it is neutral.
     #[must_use]
     pub fn is_neutral(self) -> bool {
         self == Self::default()

@@ -55,7 +55,7 @@ impl Channel {
     pub const ALPHA: [usize; CHANNELS] = [0, 0, 1, 1, 2, 0, 0, 3, 3, 3];
 }
 
-/// Manner, as far as the lips care.
+/// Manner of articulation, as relevant for the lips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// Steady vowel.
@@ -77,7 +77,7 @@ pub enum Class {
 /// Visual targets of one phone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTargets {
-    /// What the row is called: Festival's symbol, or SAMPA's where Festival has none.
+    /// Name of the row: Festival's symbol, or SAMPA's if Festival has none.
     pub name: &'static str,
     /// Viseme: one of sil PP FF TH DD kk CH SS nn RR aa E ih oh ou.
     pub viseme: &'static str,
@@ -99,7 +99,7 @@ impl PhoneTargets {
         self.channels[channel as usize]
     }
 
-    /// What a diphthong glides to in its second part.
+    /// Returns the glide of a diphthong, its second part.
     #[must_use]
     pub fn glide(&self) -> Option<&'static Self> {
         let symbol = match self.glide_viseme {
@@ -130,7 +130,7 @@ impl PhoneRow {
         u8::try_from(index).ok().map(Self)
     }
 
-    /// What the mouth does.
+    /// Returns the targets of the mouth.
     #[must_use]
     pub fn targets(self) -> &'static PhoneTargets {
         &TABLE[usize::from(self.0)]
@@ -149,7 +149,7 @@ pub fn all() -> impl Iterator<Item = &'static PhoneTargets> {
     TABLE.iter()
 }
 
-/// Targets by the name of their row; `None` for another name.
+/// Returns the targets of a row by name; `None` for an unknown name.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static PhoneTargets> {
     PhoneRow::named(name).map(PhoneRow::targets)

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::Utterance;
 
-/// An utterance at its time in a story. Times in the utterance count from its start; this is
-/// the only place that converts them.
+/// An utterance with its start time in a story. Times in the utterance count from its start; only
+/// this type converts them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimedUtterance {
     /// Story time of its first sample, seconds.

@@ -34,7 +34,7 @@ fn stories() -> Vec<PathBuf> {
     // A dance to music alone has nothing to say, and so no voice.
     let (spoken, silent): (Vec<PathBuf>, Vec<PathBuf>) = stories
         .into_iter()
-        .partition(|story| !said(story).is_empty());
+        .partition(|story| !spoken_words(story).is_empty());
     assert!(spoken.len() >= 3, "{spoken:?}");
     for story in silent {
         assert!(!story.join("voice").exists(), "{}", story.display());
@@ -48,8 +48,8 @@ fn bundle(story: &Path) -> Bundle {
         .unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// The words of each voice-text, as a reader of the story sees them.
-fn said(story: &Path) -> Vec<Vec<String>> {
+/// Returns the words of each voice-text, as shown to a reader of the story.
+fn spoken_words(story: &Path) -> Vec<Vec<String>> {
     let source = fs::read_to_string(story.join("story.eml")).unwrap();
     let mut reader = Reader::from_str(&source);
     let (mut texts, mut open) = (Vec::new(), None::<String>);
@@ -90,8 +90,8 @@ fn words(utterance: &Utterance) -> Vec<String> {
     utterance.words.iter().map(|w| w.text.clone()).collect()
 }
 
-/// Length of an Ogg Opus file: the position of the last page, less what a player skips
-/// (RFC 7845, sections 4 and 5.1), at 48 kHz.
+/// Returns the length of an Ogg Opus file: the position of the last page, less the samples that a
+/// player skips (RFC 7845, sections 4 and 5.1), at 48 kHz.
 fn opus_secs(bytes: &[u8]) -> f64 {
     let (mut at, mut last, mut skip) = (0, 0_u64, None);
     while at + 27 <= bytes.len() {
@@ -117,9 +117,9 @@ fn opus_secs(bytes: &[u8]) -> f64 {
     (last - skip.unwrap()) as f64 / 48_000.0
 }
 
-/// Length of a mono MPEG-1 layer III file from its Xing or Info header: frames, less the
-/// delay and padding that the LAME extension tells players to drop. A file without them
-/// would sound late.
+/// Returns the length of a mono MPEG-1 layer III file from its Xing or Info header: frames, less
+/// the delay and padding that the LAME extension tells players to drop. A file without them would
+/// play late.
 fn mp3_secs(bytes: &[u8]) -> f64 {
     assert_eq!(bytes[0], 0xff);
     assert_eq!(bytes[1] & 0xfe, 0xfa, "MPEG-1 layer III");
@@ -141,7 +141,7 @@ fn mp3_secs(bytes: &[u8]) -> f64 {
 #[test]
 fn every_voice_text_has_its_utterance_and_none_is_left_over() {
     for story in stories() {
-        let said = said(&story);
+        let said = spoken_words(&story);
         let bundle = bundle(&story);
         for text in &said {
             assert!(

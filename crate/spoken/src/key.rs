@@ -53,7 +53,7 @@ impl Hash {
     }
 }
 
-/// The key of what a clause says.
+/// Returns the key of a clause's speech.
 pub(super) fn key_of(spoken: &SpokenClause<'_>) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     hash.optional(spoken.voice);
@@ -82,7 +82,7 @@ pub(super) fn key_of(spoken: &SpokenClause<'_>) -> u64 {
     hash.0
 }
 
-/// Plain text is the same said by either element.
+/// Hashes a voice-say; plain text gives the same hash for either element.
 fn voice_say(hash: &mut Hash, say: &VoiceSay) {
     let text = say.text();
     if text.pieces.is_empty() {

@@ -21,8 +21,8 @@ use raconteur_speech::emotion::{EmotionPoint, place};
 /// The potential at which an emotion has the strength of F&H table 4.4.
 pub const PLAIN_POTENTIAL: f64 = 5.0;
 
-/// Where an emotion of a script lies; none for neutral. A dimension that is given takes the place
-/// of that of the word.
+/// Returns the place of a scripted emotion in the emotion space; `None` for neutral. Given
+/// dimensions replace those of the word.
 #[must_use]
 pub fn place_of(emotion: &Emotion) -> Option<EmotionPoint> {
     let word = emotion.kind.and_then(|kind| place(kind.word()));
@@ -35,7 +35,7 @@ pub fn place_of(emotion: &Emotion) -> Option<EmotionPoint> {
     (!place.is_neutral()).then_some(place)
 }
 
-/// The word of an emotion that is there as the table has it; none where a dimension was given.
+/// Returns the word of an emotion with the place of the table; `None` if a dimension was given.
 #[must_use]
 pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
     let given = [emotion.activation, emotion.evaluation, emotion.power];
@@ -43,19 +43,19 @@ pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
     given.iter().all(Option::is_none).then(|| kind.word())
 }
 
-/// A clause that says something, heard or made ready, and how: by the last `voice-change`,
-/// the last emotion and the last beat before it, as one reads the document.
+/// A clause that speaks, audibly or prepared, with its speech state: from the last `voice-change`,
+/// the last emotion and the last beat before it, in document order.
 #[derive(Clone, Copy, Debug)]
 pub struct SpokenClause<'d> {
-    /// Which clause of the document.
+    /// Identifier of the clause in the document.
     pub id: ClauseId,
-    /// What it is.
+    /// Kind of the clause.
     pub kind: &'d ClauseKind,
-    /// The voice, as the script names it; none: the story's own.
+    /// Name of the voice in the script; `None` for the story's own.
     pub voice: Option<&'d str>,
     /// The emotion, unless it is neutral.
     pub emotion: Option<&'d Emotion>,
-    /// How tense the story is, 0 to 1; none: as the text tells.
+    /// Tension of the story, 0 to 1; `None` derives it from the text.
     pub tension: Option<f64>,
 }
 
@@ -67,8 +67,8 @@ impl SpokenClause<'_> {
         key::key_of(self)
     }
 
-    /// The emotion that is elicited for it: its word, where the place is that of the word as the
-    /// table has it, and its place, scaled by the potential.
+    /// Returns the emotion elicited for it: its word, if the place is that of the word in the
+    /// table, and its place, scaled by the potential.
     #[must_use]
     pub fn elicited(&self) -> Option<(Option<&'static str>, EmotionPoint)> {
         let emotion = self.emotion?;
@@ -77,7 +77,7 @@ impl SpokenClause<'_> {
     }
 }
 
-/// What a document says, in document order.
+/// Returns the spoken clauses of a document, in document order.
 #[must_use]
 pub fn spoken_clauses(document: &Document) -> Vec<SpokenClause<'_>> {
     let mut clauses = Vec::new();

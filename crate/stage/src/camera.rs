@@ -10,7 +10,7 @@ use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span, aside_in};
 pub struct Camera {
     /// Optical centre, world, metres.
     pub eye_in_world: DVec3,
-    /// The point in the middle of the picture.
+    /// Point in the centre of the image.
     pub target_in_world: DVec3,
     /// Vertical field of view, radians.
     pub fov_y_rad: f64,
@@ -33,8 +33,9 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// The camera that shows a span of a figure at `feet_in_world` from where this one stands.
-    /// The figure stands `aside` of the middle, share of half the picture's height, positive to the right.
+    /// Returns the camera that shows a span of a figure at `feet_in_world` from the present
+    /// direction. The figure is offset by `aside` from the centre, share of half the image height,
+    /// positive to the right.
     fn narrowed_to(
         &self,
         span: Span,
@@ -66,7 +67,7 @@ impl Camera {
         }
     }
 
-    /// The camera that shows the same above a share of the picture's height at its lower edge.
+    /// Returns the camera that shows the same above a share of the image height at its lower edge.
     fn above_captions(self, share: f64) -> Self {
         let arm = self.target_in_world - self.eye_in_world;
         let level = ops::hypot(arm.x, arm.z);
@@ -81,7 +82,7 @@ impl Camera {
         }
     }
 
-    /// The camera a share `s` of the way to another, 0..1.
+    /// Returns the camera a share `s` of the way to another, 0..1.
     #[must_use]
     pub fn towards(self, to: &Self, s: f64) -> Self {
         Self {
@@ -103,10 +104,10 @@ impl Camera {
     }
 }
 
-/// A lens lower than this would look along the floor; metres. Designed.
+/// Minimum height of the lens, metres: a lower one would look along the floor. Designed.
 const MIN_EYE_M: f64 = 0.12;
 
-/// How much of the speaker is in the picture; film terms.
+/// Shot size, in film terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shot {
     /// The figure, small, in the room around it.
@@ -115,7 +116,7 @@ pub enum Shot {
     Full,
     /// Head to chest, the eyes on the upper third; wider while a gesture needs it.
     Storyteller,
-    /// Head to mid thigh; gestures stay in the picture.
+    /// Head to mid thigh; gestures stay in frame.
     Medium,
     /// Head and shoulders.
     Close,
@@ -123,36 +124,34 @@ pub enum Shot {
     ExtremeClose,
 }
 
-/// Room that gestures need in the picture, beyond what the shot holds anyway. Close shots
-/// do not make room for hands.
+/// Additional margin that gestures need in frame. Close shots leave no margin for hands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FramingMargin {
     /// Height of the highest fingertip above the floor, metres.
     pub top_m: f64,
     /// Distance of the outermost fingertip from the middle, metres.
     pub half_width_m: f64,
-    /// What the storyteller's shot shows just now.
+    /// Span that the storyteller's shot currently shows.
     pub span: Span,
-    /// Share of the picture's height that captions take at its lower edge: hands and feet stay above
+    /// Share of the image height that captions take at its lower edge: hands and feet stay above
     /// it. 0 to [`MAX_CAPTIONS`].
     pub captions: f64,
-    /// How far aside the figure stands in a broad picture of the storyteller's shot, share of half its
+    /// Horizontal offset of the figure in a wide image of the storyteller's shot, share of half its
     /// height, positive to the right.
     pub aside: f64,
 }
 
-/// Captions that take more of a picture may cover something.
+/// Maximum share of the image reserved for captions; larger captions may cover something.
 pub const MAX_CAPTIONS: f64 = 0.4;
 
-/// How far to a side a figure is expected to go, metres; within it the gestures stay in the
-/// picture. Designed.
+/// Expected lateral range of a figure, metres; within it the gestures stay in frame. Designed.
 pub(crate) const STAGE_HALF_WIDTH_M: f64 = 1.2;
-/// How much of a figure's way to and from the camera the camera follows: it grows when it
-/// comes near, but keeps its head. Designed.
+/// Share of a figure's motion to and from the camera that the camera follows: the figure grows as
+/// it approaches, but its head stays in frame. Designed.
 pub(crate) const FOLLOWED_DEPTH: f64 = 0.7;
 
-/// What must be in the picture, as shares of stature from the floor, and half the
-/// width that gestures need.
+/// Vertical extent that must be in frame, as shares of stature from the floor, and half the width
+/// that gestures need.
 struct Extent {
     bottom: f64,
     top: f64,
@@ -190,8 +189,8 @@ impl Shot {
         }
     }
 
-    /// What the shot shows where an emotion asks for it, while no gesture needs more, in a picture of
-    /// `aspect`: of the near ones the face, whole.
+    /// Returns the span that the shot shows for an emotion, while no gesture needs more, in an
+    /// image of `aspect`: close shots show the whole face.
     #[must_use]
     pub fn emotion_span(self, stature_m: f64, aspect: f64) -> Span {
         match self {
@@ -202,11 +201,11 @@ impl Shot {
         }
     }
 
-    /// The camera that holds this shot of a figure of the given stature standing at
-    /// `feet_in_world` and facing +z, in a picture of `aspect` (width over height).
-    /// A tall picture moves back until the width fits; any picture, until the gestures do.
-    /// It follows a figure that leaves the origin only as far as it must, so that one sees
-    /// it go.
+    /// Returns the camera for this shot of a figure of the given stature standing at
+    /// `feet_in_world` and facing +z, in an image of `aspect` (width over height). A tall image
+    /// moves the camera back until the width fits; any image, until the gestures fit. The camera
+    /// follows a figure that leaves the origin only as far as necessary, so its walking stays
+    /// visible.
     #[must_use]
     pub fn frame(
         self,
@@ -263,26 +262,26 @@ impl Shot {
     }
 }
 
-/// Steepest look from above or below, radians: straight down there is no upper edge.
+/// Maximum elevation of the view, radians: straight down there is no upper edge.
 const STEEPEST_RAD: f64 = 1.5;
 
-/// A look from another side than a shot's, for those who look behind the scenes.
+/// A view from another direction than the shot's, for inspection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// How far around the figure, radians; positive to its left.
+    /// Azimuth around the figure, radians; positive to its left.
     pub turn_rad: f64,
-    /// From how far above, radians.
+    /// Elevation, radians.
     pub tilt_rad: f64,
-    /// How many times nearer than the shot.
+    /// Zoom factor relative to the shot.
     pub zoom: f64,
-    /// How far the middle of the picture is moved to the right, metres.
+    /// Offset of the image centre to the right, metres.
     pub right_m: f64,
-    /// How far it is moved up, metres.
+    /// Upward offset, metres.
     pub up_m: f64,
 }
 
 impl View {
-    /// The camera that looks this way at what `camera` looks at.
+    /// Returns the camera for this view of the target of `camera`.
     #[must_use]
     pub fn apply(&self, camera: &Camera) -> Camera {
         let distance = (camera.eye_in_world - camera.target_in_world).magnitude();

@@ -3,13 +3,13 @@
 
 use crate::camera::Shot;
 
-/// The strongest potential and intensity. GEVH does not bound them. Designed.
+/// Maximum potential and intensity. GEVH does not bound them. Designed.
 pub const STRONGEST: f64 = 10.0;
 
-/// From where the camera looks.
+/// Vertical camera angle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Angle {
-    /// At the height of what it looks at.
+    /// At the height of its target.
     #[default]
     Eye,
     /// From above.
@@ -19,8 +19,8 @@ pub enum Angle {
 }
 
 impl Angle {
-    /// How far the camera stands above one at eye height about what it looks at, radians.
-    /// Designed: one sees the difference, and the face in all.
+    /// Returns the elevation of the camera over eye height about its target, radians. Designed: a
+    /// visible difference that still shows the face.
     #[must_use]
     pub fn elevation_rad(self) -> f64 {
         match self {
@@ -31,7 +31,7 @@ impl Angle {
     }
 }
 
-/// Whether an emotion, or a mood, is good or bad.
+/// Valence of an emotion or a mood.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Valence {
     /// Bad.
@@ -51,18 +51,18 @@ impl Valence {
     }
 }
 
-/// What an emotion does to lamps beyond colour and brightness, in full strength. Designed: long and
-/// hard shadows threaten, light from below is uncanny, light from above weighs down, soft light
-/// from the front is friendly.
+/// Effect of an emotion on lamps in addition to colour and brightness, at full strength. Designed:
+/// long and hard shadows threaten, light from below is uncanny, light from above weighs down, soft
+/// light from the front is friendly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LampManner {
-    /// How far the key lamp goes round, away from the front, radians.
+    /// Azimuth of the key light away from the front, radians.
     pub(crate) turn_rad: f64,
-    /// How far it rises, radians.
+    /// Elevation of the key light, radians.
     pub(crate) lift_rad: f64,
-    /// How soft its shadows are, times as soft as those of the stage's own.
+    /// Softness of its shadows, relative to the stage's own.
     pub(crate) softness: f64,
-    /// How misty the stage is, 0 to 1.
+    /// Mist on the stage, 0 to 1.
     pub(crate) mist: f64,
 }
 
@@ -106,11 +106,11 @@ const HEAVY: LampManner = LampManner {
 pub struct EmotionType {
     /// Its name.
     pub name: &'static str,
-    /// Whether it is good or bad.
+    /// Valence.
     pub valence: Valence,
     /// The colour of the key light, sRGB (GEVH table 3.2).
     pub key_color: [u8; 3],
-    /// From where the camera looks (GEVH 3.5.4.1, rules 1 and 2).
+    /// Camera angle (GEVH 3.5.4.1, rules 1 and 2).
     pub angle: Angle,
     pub(crate) lamp: LampManner,
 }
@@ -146,8 +146,8 @@ impl EmotionType {
 
 use Valence::{Negative, Neutral, Positive};
 
-/// No emotion, and the types. Table 3.2 has colours for twelve of them; the others have that of
-/// their nearest kin. Designed.
+/// No emotion, and the types. Table 3.2 has colours for twelve of them; the others use that of the
+/// most similar type. Designed.
 pub static EMOTIONS: [EmotionType; 25] = [
     emotion("neutral", Neutral, WHITE, PLAIN),
     emotion("joy", Positive, YELLOW, OPEN),
@@ -176,7 +176,7 @@ pub static EMOTIONS: [EmotionType; 25] = [
     emotion("disliking", Negative, GREEN_YELLOW, HARD),
 ];
 
-/// Words that F&H use besides, and the types that the environment takes them for. Designed.
+/// Additional words of F&H, and the types used for them in the environment. Designed.
 const KIN: [(&str, &str); 5] = [
     ("surprise", "neutral"),
     ("disgust", "disliking"),
@@ -200,8 +200,8 @@ impl EmotionType {
         EMOTIONS.iter().find(|e| e.name == name)
     }
 
-    /// How near the camera is at a potential (GEVH 3.5.4.1, rules 3 to 6; each band without its
-    /// upper end).
+    /// Returns the camera distance at a potential (GEVH 3.5.4.1, rules 3 to 6; each band without
+    /// its upper end).
     #[must_use]
     pub fn distance(potential: f64) -> Shot {
         match potential {
@@ -212,8 +212,8 @@ impl EmotionType {
         }
     }
 
-    /// What the key light loses at an intensity, 0 to 1 (GEVH equations 3.1 and 3.2); 0 where
-    /// nothing is felt.
+    /// Returns the attenuation of the key light at an intensity, 0 to 1 (GEVH equations 3.1 and
+    /// 3.2); 0 without emotion.
     #[must_use]
     pub fn attenuation(&self, intensity: f64) -> f64 {
         let share = (intensity / STRONGEST).clamp(0.0, 1.0);
@@ -224,9 +224,9 @@ impl EmotionType {
         }
     }
 
-    /// How bright the key light is at an intensity against the stage's own light. Equations 3.1 and
-    /// 3.2 each begin elsewhere; the lamp is as much stronger as lets both begin at the stage's own
-    /// light, so that no emotion jumps when it begins.
+    /// Returns the brightness of the key light at an intensity relative to the stage's own light.
+    /// Equations 3.1 and 3.2 start at different values; the result is scaled so both start at the
+    /// stage's own light, and no emotion begins with a jump.
     #[must_use]
     pub fn brightness(&self, intensity: f64) -> f64 {
         (1.0 - self.attenuation(intensity)) / (1.0 - self.attenuation(0.0))

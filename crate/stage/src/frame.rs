@@ -7,7 +7,7 @@ use crate::{Camera, Lighting, Line, Set, Visibility};
 /// Manipulators that a figure has: arms, legs and head (GEVH 3.3).
 const MANIPULATORS: usize = 5;
 
-/// All that is seen and heard at one time.
+/// Complete audiovisual state at one time.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Story time, seconds.
@@ -19,18 +19,18 @@ pub struct Frame {
     /// State of each node of the figure's tissue, in the order that the bindings of its
     /// meshes count; those that are not there are at rest. Empty for figures without tissue.
     pub tissue: Vec<NodeState>,
-    /// Where the picture is taken from.
+    /// Camera.
     pub camera: Camera,
-    /// What lights it.
+    /// Lighting.
     pub lighting: Lighting,
     /// Floor and backdrop.
     pub set: Set,
-    /// What of the figure is drawn.
+    /// Visible parts of the figure.
     pub shown: Visibility,
-    /// World from the place and frame that each manipulator is sent to; drawn when
-    /// [`Shown::manipulators`] says so.
+    /// World from each manipulator's target frame; rendered when [`Visibility::manipulators`] is
+    /// set.
     pub handles: Vec<DAffine3>,
-    /// What else is drawn over the body by lines and dots: muscles, springs.
+    /// Lines and dots rendered over the body: muscles, springs.
     pub lines: Vec<Line>,
     /// Diameter of the pupils, millimetres.
     pub pupil_mm: f64,
@@ -59,13 +59,13 @@ impl Frame {
     }
 }
 
-/// Which sound is heard, and how far into it.
+/// Current speech audio and its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurrentSpeech {
     /// Index of the utterance in the story's performance.
     pub utterance: usize,
     /// Seconds since its start.
     pub offset_secs: f64,
-    /// Index of the word being spoken, if one is.
+    /// Index of the word being spoken, if any.
     pub word: Option<usize>,
 }

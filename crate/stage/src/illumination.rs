@@ -7,57 +7,59 @@ use raconteur_base::{DVec3, ops};
 use crate::emotion::EmotionType;
 use crate::{DirectedLight, Lighting, Set};
 
-/// How much of the key's colour fill and room take on. Designed: skin stays skin.
+/// Share of the key light's colour that fill and set lights take on. Designed: skin still looks
+/// like skin.
 const SHARED_TINT: f32 = 0.35;
-/// How much white is in every key light. Designed: no gel is pure, and what has none of its colour
+/// Share of white in every key light. Designed: no gel is pure, and surfaces without its colour
 /// would be black.
 const WHITE: f32 = 0.10;
-/// How the colour grows with the intensity, an exponent of its share of [`FULL_MANNER`]. Designed.
+/// Growth of the colour with the intensity, an exponent of its share of [`FULL_MANNER`]. Designed.
 const TINGE: f64 = 0.7;
-/// The most that a key light and what lights the room take of an emotion's colour. Designed: a face
-/// and its clothes keep their hue, as behind a pale gel; the walls tell the rest.
+/// Maximum share of an emotion's colour in the key light and in the set lights. Designed: a face
+/// and its clothes keep their hue, as behind a pale gel; the walls show the rest.
 const KEY_GEL: f64 = 0.19;
 const ROOM_GEL: f64 = 0.60;
-/// How far an emotion darkens and brightens a stage at most. Designed: nothing is black, and no
+/// Maximum darkening and brightening of a stage by an emotion. Designed: nothing is black, and no
 /// forehead white.
 const DIMMEST: f64 = 0.40;
 const BRIGHTEST: f64 = 1.45;
-/// Lamps follow a brightness as a lens opens: in part, so that a face is read in the dark and not
-/// burnt in the light; exponents of the key and of the rest. Designed.
+/// Exponents of the lamps' response to brightness, of the key light and of the rest. As with a
+/// camera aperture the response is partial, so a face stays readable in the dark and is not
+/// overexposed in the light. Designed.
 const KEY_FOLLOWS: f64 = 0.5;
 const REST_FOLLOWS: f64 = 0.3;
-/// How much of a colour's own darkness is made up, as an exponent: a grey lamp is no weak one.
+/// Compensation of a colour's own darkness, as an exponent: a grey lamp is not a weak one.
 const MADE_UP: f64 = 0.6;
 /// Intensity at which shadows are as an emotion has them, of 10. Designed.
 const FULL_MANNER: f64 = 5.0;
-/// A key lamp never comes from further below or above, radians.
+/// Range of the key light's elevation, radians.
 const MIN_ELEVATION_RAD: f64 = -0.35;
 const MAX_ELEVATION_RAD: f64 = 1.15;
 /// Nor from further round.
 const MAX_AZIMUTH_RAD: f64 = 1.25;
 
-/// Towards a lamp between figure and camera, a little over the lens so that it is not in the picture.
+/// Direction to a lamp between figure and camera, slightly above the lens so it stays out of frame.
 const FRONTAL: DVec3 = DVec3::new(0.0, 0.242_535_625, 0.970_142_5);
 
-/// What is done to the light of a stage: everything against its own light.
+/// Change of a stage's light, relative to its own light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Illumination {
     /// The key's colour, linear RGB; 1, 1, 1 leaves it.
     pub color: [f32; 3],
-    /// The colour of what lights the room and the figure's edge, likewise.
+    /// Colour of the lights on the set and the figure's edge, likewise.
     pub room_color: [f32; 3],
     /// The key's brightness; 1 leaves it.
     pub brightness: f64,
-    /// How far the key lamp goes round, away from the front, radians.
+    /// Azimuth of the key light away from the front, radians.
     pub turn_rad: f64,
-    /// How far it rises, radians.
+    /// Elevation of the key light, radians.
     pub lift_rad: f64,
-    /// How soft its shadows are; 1 leaves them.
+    /// Softness of its shadows; 1 leaves them unchanged.
     pub softness: f64,
-    /// How misty the stage is, 0 to 1.
+    /// Mist on the stage, 0 to 1.
     pub mist: f64,
-    /// How far the light is that of the thesis, 0 to 1: the key takes colour and brightness as they
-    /// are and comes from between figure and camera, and the rest keeps its own light (GEVH 3.5.4.2).
+    /// Adherence to the thesis, 0 to 1: at 1 the key light takes colour and brightness unscaled and
+    /// comes from between figure and camera, and the rest keeps its own light (GEVH 3.5.4.2).
     pub strict: f64,
 }
 
@@ -77,8 +79,8 @@ impl Default for Illumination {
 }
 
 impl Illumination {
-    /// How an emotion lights the stage at an intensity, 0 to 10: a share of the colour of table 3.2,
-    /// brightness by equations 3.1 and 3.2 within bounds, and shadows.
+    /// Returns the illumination of an emotion at an intensity, 0 to 10: a share of the colour of
+    /// table 3.2, brightness by equations 3.1 and 3.2 within bounds, and shadows.
     #[must_use]
     pub fn from_emotion(emotion: &EmotionType, intensity: f64) -> Self {
         let share = (intensity / FULL_MANNER).clamp(0.0, 1.0);
@@ -107,7 +109,7 @@ impl Illumination {
         }
     }
 
-    /// What a script lights: the key takes all of its colour, the room a part.
+    /// Returns scripted illumination: the key light takes all of its colour, the set a part.
     #[must_use]
     pub fn written(color: [f32; 3], brightness: f64) -> Self {
         Self {
@@ -118,7 +120,7 @@ impl Illumination {
         }
     }
 
-    /// The light of the thesis where nothing is felt: white, from the front.
+    /// Returns the thesis's light without emotion: white, from the front.
     #[must_use]
     pub fn strict_default() -> Self {
         Self {
@@ -127,7 +129,7 @@ impl Illumination {
         }
     }
 
-    /// A share `s` of the way to another, 0 to 1.
+    /// Returns the illumination a share `s` of the way to another, 0 to 1.
     #[must_use]
     pub fn towards(&self, to: &Self, s: f64) -> Self {
         let share = s as f32;
@@ -216,15 +218,15 @@ impl Illumination {
     }
 }
 
-/// White light through so much of a colour in sRGB, as bright as white: linear RGB. The brightest channel is 1,
-/// so that grey, which has no colour, leaves it white.
+/// Returns white light filtered by a share of an sRGB colour, as bright as white: linear RGB. The
+/// brightest channel is 1, so grey, which has no hue, leaves it white.
 fn gel(srgb: [u8; 3], share: f64) -> [f32; 3] {
     let color = linear(srgb);
     let most = color.iter().copied().fold(1e-3, f32::max);
     color.map(|c| lerp(1.0, f64::from(c / most), share) as f32)
 }
 
-/// What fill and room take on of the key's colour.
+/// Returns the share of the key light's colour that fill and set lights take on.
 fn shared(color: [f32; 3]) -> [f32; 3] {
     color.map(|c| 1.0 + (c - 1.0) * SHARED_TINT)
 }
@@ -346,8 +348,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// How far a paint's colour goes in a light, ΔE at the lightness that it has in white light; and its hue,
-    /// degrees.
+    /// Returns the shift of a paint's colour in a light, ΔE at its lightness in white light; and
+    /// its hue, degrees.
     fn shifted(paint: [f64; 3], light: [f32; 3]) -> (f64, f64) {
         let y = |c: [f64; 3]| 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
         let lit: [f64; 3] = std::array::from_fn(|i| paint[i] * f64::from(light[i]));

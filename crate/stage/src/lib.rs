@@ -26,6 +26,6 @@ pub use illumination::Illumination;
 pub use light::{DirectedLight, Lighting};
 pub use line::Line;
 pub use mood::{EmotionEnvelope, EmotionTimeline, Mood};
-pub use set::{Set, SetKind};
+pub use set::{Set, StageSet};
 pub use storyteller::{BROAD, Gesture, QUICK_ZOOM, SLOW_ZOOM, Span, TakenSpace, aside_in};
 pub use visibility::{Fill, Visibility};

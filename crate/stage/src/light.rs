@@ -26,11 +26,11 @@ pub struct Lighting {
     pub ground: [f32; 3],
     /// Exposure before tone mapping, a factor.
     pub exposure: f32,
-    /// How soft the edges of shadows are: 1 as from the stage's own lamps, which are large.
+    /// Softness of shadow edges: 1 as from the stage's own lamps, which are large.
     pub softness: f32,
 }
 
-/// A light's name, and what makes it.
+/// Name of a lighting preset, and its constructor.
 pub type Preset = (&'static str, fn() -> Lighting);
 
 impl Lighting {

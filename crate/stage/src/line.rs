@@ -1,7 +1,7 @@
 //! Lines and dots over the body, for those who look at its making.
 
-/// A straight line over the body, or a dot where both ends are one. What lies behind the
-/// body shines through it, fainter.
+/// A straight line over the body, or a dot if both ends coincide. Parts behind the body are
+/// rendered fainter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// One end, world, metres.
@@ -10,6 +10,6 @@ pub struct Line {
     pub to_in_world: [f32; 3],
     /// Linear RGB and cover, 0..255; before the tone curve, in any light the same.
     pub color: [u8; 4],
-    /// Width, pixels of the picture.
+    /// Width, image pixels.
     pub width_px: f32,
 }

@@ -5,18 +5,19 @@ use raconteur_base::ops;
 
 use crate::emotion::{EmotionType, STRONGEST, Valence};
 
-/// A mood follows what is felt with this time constant, seconds. Designed.
+/// Time constant with which a mood follows emotions, seconds. Designed.
 const MOOD_SECS: f64 = 10.0;
-/// Of an emotion that ended so long ago nothing is left in the mood: a hundredth of the scale.
+/// Time after its end from which an emotion has no effect on the mood, seconds: less than a
+/// hundredth of the scale remains.
 const FORGOTTEN_SECS: f64 = 7.0 * MOOD_SECS;
 /// Moods beyond this, of 10, are positive or negative. Designed.
 const MOODY: f64 = 1.0;
 /// Moods whose activity is beyond this, of 10, are aroused. Designed.
 const AROUSED: f64 = 0.6;
-/// Emotions that are looked at for one moment; more are left out. It bounds the work.
+/// Maximum number of emotions considered at one time; more are left out. It bounds the work.
 const MAX_EMOTIONS: usize = 64;
-/// Another emotion takes over from the strongest one while that is in force only if it is as much
-/// stronger: two of about one strength do not alternate. Designed.
+/// Strength difference from which another emotion replaces the strongest one in force: two of
+/// similar strength do not alternate. Designed.
 const HYSTERESIS: f64 = 0.25;
 
 /// An emotion over time. Its intensity rises straight to the apex, stays, and falls straight.
@@ -24,19 +25,19 @@ const HYSTERESIS: f64 = 0.25;
 pub struct EmotionEnvelope {
     /// Its type.
     pub kind: &'static EmotionType,
-    /// How strong the events are that elicit it, 0 to 10.
+    /// Strength of the eliciting events, 0 to 10.
     pub potential: f64,
-    /// How strong it is at most, 0 to 10: the potential beyond the character's threshold.
+    /// Peak intensity, 0 to 10: the potential beyond the character's threshold.
     pub intensity: f64,
-    /// How active one is in it, −1 to 1.
+    /// Activation, −1 to 1.
     pub activation: f64,
-    /// When it begins, story seconds.
+    /// Start, story seconds.
     pub start_secs: f64,
-    /// When it is there in full, not before the start.
+    /// Time of full strength, not before the start.
     pub apex_secs: f64,
     /// Until when it stays so, not before the apex.
     pub until_secs: f64,
-    /// When it is gone, not before.
+    /// End of the fade, not before the previous time.
     pub end_secs: f64,
 }
 
@@ -52,7 +53,8 @@ impl EmotionEnvelope {
         self.intensity * up.min(down).clamp(0.0, 1.0)
     }
 
-    /// When it has lost half its intensity: so long shots and light are in force, seconds.
+    /// Returns the time at which it has lost half its intensity, until which shot and light are in
+    /// force, seconds.
     #[must_use]
     pub fn in_force_until_secs(&self) -> f64 {
         0.5 * (self.until_secs + self.end_secs)
@@ -62,7 +64,7 @@ impl EmotionEnvelope {
         self.intensity > 0.0 && (self.start_secs..self.in_force_until_secs()).contains(&time_secs)
     }
 
-    /// What is left of its intensity in the mood at a time: a low pass of the first order.
+    /// Returns the remainder of its intensity in the mood at a time: a first-order low pass.
     fn left_at(&self, time_secs: f64) -> f64 {
         let ramp = |from: f64| {
             let t = (time_secs - from).max(0.0);
@@ -75,17 +77,17 @@ impl EmotionEnvelope {
     }
 }
 
-/// How somebody is disposed.
+/// Mood of a character.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mood {
     /// Sum of good less sum of bad emotions, smoothed; usually −10 to 10.
     pub valence: f64,
-    /// How active one is, likewise.
+    /// Arousal, likewise.
     pub arousal: f64,
 }
 
 impl Mood {
-    /// Whether it is good or bad.
+    /// Returns its valence.
     #[must_use]
     pub fn sign(&self) -> Valence {
         match self.valence {
@@ -95,20 +97,20 @@ impl Mood {
         }
     }
 
-    /// How active it is, 0 to 1, without whether it is good or bad.
+    /// Returns its strength, 0 to 1, regardless of valence.
     #[must_use]
     pub fn activity(&self) -> f64 {
         (self.arousal / (3.0 * AROUSED)).clamp(0.0, 1.0)
     }
 
-    /// Whether it is active.
+    /// Returns true if it is aroused.
     #[must_use]
     pub fn is_aroused(&self) -> bool {
         self.arousal > AROUSED
     }
 }
 
-/// All that is felt in a performance, by start.
+/// All emotions of a performance, by start.
 #[derive(Clone, Debug, Default)]
 pub struct EmotionTimeline {
     felt: Vec<EmotionEnvelope>,
@@ -144,7 +146,7 @@ impl EmotionTimeline {
         &self.felt[first.max(begun.saturating_sub(MAX_EMOTIONS))..begun]
     }
 
-    /// The strongest emotion in force at a time; `before` keeps its place until another one is
+    /// Returns the strongest emotion in force at a time; `before` is retained until another one is
     /// clearly stronger. Of two equals, the later one.
     #[must_use]
     pub fn strongest(

@@ -6,13 +6,13 @@ use crate::Lighting;
 
 /// Luminance of white paper under an irradiance of 1, candela a square metre: a lit room. Designed.
 const PAPER: f64 = 100.0;
-/// What a room's walls and people give back of its light, share. Designed.
+/// Albedo of a set's walls and people, share. Designed.
 const ALBEDO: f64 = 0.3;
-/// How much pupils widen in full activity, millimetres: pictures that arouse widen them by some
-/// tenths (Bradley, Miccoli, Escrig and Lang 2008, doi:10.1111/j.1469-8986.2008.00654.x).
+/// Pupil dilation at full activation, millimetres: arousing images widen them by some tenths
+/// (Bradley, Miccoli, Escrig and Lang 2008, doi:10.1111/j.1469-8986.2008.00654.x).
 const AROUSED: f64 = 0.6;
-/// Their unrest, millimetres, and how often a second: two waves that do not meet again soon
-/// (hippus; Loewenfeld 1999, *The Pupil*: below 0.5 Hz, some tenths at most). Designed.
+/// Pupil unrest, millimetres, and frequencies, Hz: incommensurate waves (hippus; Loewenfeld 1999,
+/// *The Pupil*: below 0.5 Hz, some tenths at most). Designed.
 const UNREST: [(f64, f64); 3] = [(0.07, 0.19), (0.05, 0.31), (0.03, 0.47)];
 
 /// Diameter of the pupils in a light, millimetres, at `arousal` from 0 (calm) to 1, at a story time

@@ -5,9 +5,9 @@ use raconteur_base::ops;
 use crate::Lighting;
 use crate::light::lamp;
 
-/// A place that the stage shows.
+/// A set of the stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SetKind {
+pub enum StageSet {
     /// A curtain hung in a wide curve behind a floor of boards.
     Curtain,
     /// A room with a hearth at the character's right, a rug on its wooden floor.
@@ -22,25 +22,25 @@ pub enum SetKind {
     Studio,
 }
 
-/// Place and colours of the stage, linear RGB.
+/// Set and colours of the stage, linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
-    /// What stands there.
-    pub kind: SetKind,
-    /// The floor near the figure; what is of wood in a room.
+    /// Kind of set.
+    pub kind: StageSet,
+    /// Floor near the figure; in a room the wooden parts.
     pub floor: [f32; 3],
     /// The backdrop at the horizon.
     pub backdrop_low: [f32; 3],
     /// The backdrop above.
     pub backdrop_high: [f32; 3],
-    /// The pool of light behind the figure, added around the middle of the curtain; in other
-    /// places what shines there: fire, discs of sunlight, moon and stars, light from a window.
+    /// Pool of light behind the figure, added around the middle of the curtain; in other sets the
+    /// light sources: fire, discs of sunlight, moon and stars, light from a window.
     pub glow: [f32; 3],
     /// The colour that all fades to with distance.
     pub fog: [f32; 3],
-    /// How fast it does, per metre beyond the figure; 0 for clear air.
+    /// Fog density, per metre beyond the figure; 0 for clear air.
     pub fog_density: f32,
-    /// How long fire and leaves have moved, seconds; 0 where they are to be still.
+    /// Animation time of fire and leaves, seconds; 0 where they are to be still.
     pub time_secs: f64,
 }
 
@@ -49,58 +49,58 @@ pub struct Set {
 const THICKEST_FOG: f32 = 0.40;
 
 impl Set {
-    /// Places by name.
-    pub const NAMES: [(&str, SetKind); 5] = [
-        ("curtain", SetKind::Curtain),
-        ("fireside", SetKind::Fireside),
-        ("garden", SetKind::Garden),
-        ("night", SetKind::Night),
-        ("school", SetKind::School),
+    /// Sets by name.
+    pub const NAMES: [(&str, StageSet); 5] = [
+        ("curtain", StageSet::Curtain),
+        ("fireside", StageSet::Fireside),
+        ("garden", StageSet::Garden),
+        ("night", StageSet::Night),
+        ("school", StageSet::School),
     ];
 
-    /// The place of this name in [`Self::NAMES`].
+    /// Returns the set of this name in [`Self::NAMES`].
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::NAMES.iter().find(|(n, _)| *n == name);
         found.map(|(_, kind)| Self::from_kind(*kind))
     }
 
-    /// A place in its usual colours, in clear air. All chosen by eye.
+    /// Returns a set in its usual colours, in clear air. All chosen by eye.
     #[must_use]
-    pub fn from_kind(kind: SetKind) -> Self {
+    pub fn from_kind(kind: StageSet) -> Self {
         let [floor, backdrop_low, backdrop_high, glow] = match kind {
             // An evening stage: velvet of a dark red, a low pool of warm light behind the speaker.
-            SetKind::Curtain => [
+            StageSet::Curtain => [
                 [0.115, 0.070, 0.046],
                 [0.030, 0.0070, 0.0085],
                 [0.012, 0.0045, 0.0070],
                 [0.080, 0.025, 0.019],
             ],
-            SetKind::Fireside => [
+            StageSet::Fireside => [
                 [0.115, 0.060, 0.033],
                 [0.045, 0.026, 0.017],
                 [0.030, 0.018, 0.013],
                 [0.340, 0.118, 0.028],
             ],
-            SetKind::Garden => [
+            StageSet::Garden => [
                 [0.075, 0.118, 0.034],
                 [0.044, 0.070, 0.028],
                 [0.520, 0.600, 0.660],
                 [0.340, 0.320, 0.160],
             ],
-            SetKind::Night => [
+            StageSet::Night => [
                 [0.030, 0.044, 0.042],
                 [0.030, 0.052, 0.110],
                 [0.006, 0.012, 0.040],
                 [0.300, 0.330, 0.400],
             ],
-            SetKind::School => [
+            StageSet::School => [
                 [0.190, 0.120, 0.066],
                 [0.190, 0.178, 0.128],
                 [0.370, 0.340, 0.270],
                 [0.100, 0.105, 0.105],
             ],
-            SetKind::Studio => [[0.20; 3], [0.20; 3], [0.30; 3], [0.0; 3]],
+            StageSet::Studio => [[0.20; 3], [0.20; 3], [0.30; 3], [0.0; 3]],
         };
         Self {
             kind,
@@ -114,14 +114,14 @@ impl Set {
         }
     }
 
-    /// The usual lamps of the place. Designed, by eye: each is bright enough on a face's nearer
-    /// side, and its rim comes from what shines in the picture.
+    /// Returns the usual lamps of the set. Designed, by eye: each is bright enough on a face's
+    /// nearer side, and its rim comes from the visible light source.
     #[must_use]
     pub fn lighting(&self) -> Lighting {
         match self.kind {
-            SetKind::Curtain => Lighting::default(),
+            StageSet::Curtain => Lighting::default(),
             // From the hearth's side, as wide as its light on the walls.
-            SetKind::Fireside => Lighting {
+            StageSet::Fireside => Lighting {
                 key: lamp([-0.93, 0.12, 0.48], [1.26, 0.86, 0.53]),
                 fill: lamp([0.80, 0.15, 0.85], [0.135, 0.130, 0.145]),
                 rim: lamp([-0.90, 0.05, -0.70], [1.95, 0.90, 0.33]),
@@ -131,7 +131,7 @@ impl Set {
                 softness: 1.7,
             },
             // A high sun behind a shoulder, and the open sky before the face.
-            SetKind::Garden => Lighting {
+            StageSet::Garden => Lighting {
                 key: lamp([-0.56, 0.74, 0.74], [1.00, 0.95, 0.84]),
                 fill: lamp([0.80, 0.20, 0.85], [0.20, 0.23, 0.26]),
                 rim: lamp([0.60, 0.85, -0.80], [1.45, 1.32, 1.02]),
@@ -141,7 +141,7 @@ impl Set {
                 softness: 1.5,
             },
             // The lantern's warmth on the face against the moon's cool edge.
-            SetKind::Night => Lighting {
+            StageSet::Night => Lighting {
                 key: lamp([-0.93, 0.12, 0.46], [1.30, 0.82, 0.45]),
                 fill: lamp([0.80, 0.15, 0.85], [0.10, 0.14, 0.23]),
                 rim: lamp([0.55, 0.70, -0.95], [0.55, 0.78, 1.15]),
@@ -151,7 +151,7 @@ impl Set {
                 softness: 1.4,
             },
             // A window at one side, and the white panels of the ceiling.
-            SetKind::School => Lighting {
+            StageSet::School => Lighting {
                 key: lamp([-0.94, 0.38, 0.46], [1.10, 1.10, 1.08]),
                 fill: lamp([0.80, 0.25, 0.80], [0.17, 0.168, 0.162]),
                 rim: lamp([-0.65, 0.60, -0.85], [0.80, 0.84, 0.90]),
@@ -160,38 +160,39 @@ impl Set {
                 exposure: 1.0,
                 softness: 2.0,
             },
-            SetKind::Studio => Lighting::named("studio").unwrap_or_default(),
+            StageSet::Studio => Lighting::named("studio").unwrap_or_default(),
         }
     }
 
-    /// How bright a fire that lights the figure's edge is now, about 1. Its waves are of 0.9 and 1.6 Hz: nothing
-    /// flashes (WCAG 2.2, success criterion 2.3.1).
+    /// Returns the present brightness of a fire that lights the figure's edge, about 1. Its waves
+    /// are of 0.9 and 1.6 Hz: nothing flashes (WCAG 2.2, success criterion 2.3.1).
     #[must_use]
     pub fn flicker(&self) -> f32 {
-        if self.kind != SetKind::Fireside {
+        if self.kind != StageSet::Fireside {
             return 1.0;
         }
         let wave = |hz: f64| ops::sincos(core::f64::consts::TAU * hz * self.time_secs).0;
         (1.0 + 0.05 * wave(0.9) + 0.04 * wave(1.6)) as f32
     }
 
-    /// How far aside the speaker stands, so that the place is seen: share of half the picture's height,
-    /// positive to the right; of the height, so that pictures of all widths lie over each other. Designed.
+    /// Returns the horizontal offset of the speaker that keeps the set visible: share of half the
+    /// image height, positive to the right; relative to the height, so images of all widths align.
+    /// Designed.
     #[must_use]
     pub fn aside(&self) -> f64 {
         match self.kind {
             // The hearth lies at the left.
-            SetKind::Fireside => 0.38,
+            StageSet::Fireside => 0.38,
             // The lantern and the window, less of the desk.
-            SetKind::Night | SetKind::School => 0.28,
+            StageSet::Night | StageSet::School => 0.28,
             // The tree stands at the right.
-            SetKind::Garden => -0.36,
-            SetKind::Curtain | SetKind::Studio => 0.0,
+            StageSet::Garden => -0.36,
+            StageSet::Curtain | StageSet::Studio => 0.0,
         }
     }
 
-    /// The place in another light: floor, backdrop and what shines times a linear colour and a
-    /// factor, the air as thick as `mist` says, 0 to 1. White, 1 and 0 change no colour.
+    /// Returns the set in another light: floor, backdrop and light sources times a linear colour
+    /// and a factor, with fog density from `mist`, 0 to 1. White, 1 and 0 change no colour.
     #[must_use]
     pub fn lit(self, tint: [f32; 3], gain: f32, mist: f32) -> Self {
         let tinted = |c: [f32; 3]| std::array::from_fn(|i| c[i] * tint[i] * gain);
@@ -212,7 +213,7 @@ impl Set {
 
 impl Default for Set {
     fn default() -> Self {
-        Self::from_kind(SetKind::Curtain)
+        Self::from_kind(StageSet::Curtain)
     }
 }
 

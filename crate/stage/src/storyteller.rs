@@ -9,36 +9,37 @@ use raconteur_base::ops;
 
 /// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
 const EYES: f64 = 0.933;
-/// Height of the picture about the eyes while no gesture needs more, share of stature: a head
-/// takes more than a quarter of it. In a narrow one it is [`AT_REST_NARROW`], which goes to the waist.
+/// Height of the image around the eyes while no gesture needs more, share of stature: a head takes
+/// more than a quarter of it. In a narrow image it is [`AT_REST_NARROW`], which reaches the waist.
 /// Designed.
 pub(crate) const AT_REST: f64 = 0.47;
 const AT_REST_NARROW: f64 = 0.54;
 /// Height of the throat, share of stature: captions may lie below it while hands rest. Designed.
 const THROAT: f64 = 0.80;
-/// How much lower the picture is at least while hands come near its lower edge, and how near that is,
-/// shares of stature. Designed.
+/// Minimum lowering of the image while hands come near its lower edge, and the distance that counts
+/// as near, shares of stature. Designed.
 const PULLED: f64 = 0.05;
 const NEAR_EDGE: f64 = 0.10;
-/// Share of the picture above the eyes.
+/// Share of the image above the eyes.
 const ABOVE: f64 = 1.0 / 3.0;
-/// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
-/// straight up, and arms spread with bent elbows.
+/// Limits up to which gestures are followed, shares of stature: hands at the thighs, a hand
+/// stretched straight up, and arms spread with bent elbows.
 const MIN_HEIGHT: f64 = 0.36;
 const MAX_HEIGHT: f64 = 1.35;
 const MAX_HALF_WIDTH: f64 = 0.55;
-/// A picture (width over height) this narrow shows hands only as far as [`NARROW_MAX`] goes: on a
-/// phone held upright a face matters more. Designed.
+/// Aspect (width over height) from which a narrow image shows hands only up to [`NARROW_MAX`]: on
+/// an upright phone a face matters more. Designed.
 const NARROW: f64 = 0.85;
 /// One this broad shows all that hands do, width over height. Designed.
 pub const BROAD: f64 = 1.0;
-/// What a narrow picture shows for hands at most, share of stature: from below the waist up. Hands
-/// that go further leave it for a moment. Designed.
+/// Maximum span that a narrow image shows for hands, share of stature: from below the waist up.
+/// Hands beyond it briefly leave the image. Designed.
 const NARROW_MAX: f64 = 0.64;
-/// How much of the room for captions a narrow picture makes: hands may rest behind them. Designed.
+/// Share of the caption space that a narrow image reserves: hands may rest behind captions.
+/// Designed.
 const NARROW_CAPTIONS: f64 = 0.4;
-/// What pictures that emotions ask for show, shares of stature: from the chest up, head and shoulders, and
-/// the face with room for nods. Designed.
+/// Spans of shots for emotions, shares of stature: from the chest up, head and shoulders, and the
+/// face with room for nods. Designed.
 pub(crate) const BUST: Span = Span {
     bottom: 0.66,
     top: 1.08,
@@ -51,40 +52,39 @@ pub(crate) const FACE: Span = Span {
     bottom: 0.835,
     top: 1.045,
 };
-/// How far hands are held out, share of stature. Designed.
+/// Distance to which hands are held out, share of stature. Designed.
 const HELD_OUT: f64 = 0.22;
-/// A picture narrower than the first has the figure in its middle, one broader than the second as far
-/// aside as its set asks for, width over height. Designed.
+/// Aspects between which the figure moves aside, width over height: up to the first it is centred,
+/// from the second on it is as far aside as its set requests. Designed.
 const MIDDLE: f64 = 1.0;
 const ASIDE: f64 = 1.25;
 /// Half the width of a head that turns, share of stature.
 const HEAD_HALF_WIDTH: f64 = 0.085;
-/// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
-/// the lower edge at once. Designed: it is not noticed.
+/// Maximum zoom speed for one gesture, share of the image height per second. Two may move the upper
+/// and the lower edge at once. Designed: it is not noticeable.
 pub const SLOW_ZOOM: f64 = 0.05;
-/// Where an emotion brings the camera near, it is as fast as an operator's: hands come before the lens
-/// within seconds. Designed.
+/// Zoom speed for shots of emotions, as fast as a camera operator's, because hands come before the
+/// lens within seconds. Designed.
 pub const QUICK_ZOOM: f64 = 0.25;
 /// Peak speed of a minimum-jerk motion over its mean.
 const PEAK: f64 = 1.875;
 
-/// How much lower a space is that is held, metres: less than is seen.
+/// Lowering of a held space, metres: invisible.
 const HELD_M: f64 = 1e-4;
 
-/// How narrow a picture of `aspect` is, 0 to 1.
+/// Returns the narrowness of an image of `aspect`, 0 to 1.
 fn narrow(aspect: f64) -> f64 {
     ((BROAD - aspect) / (BROAD - NARROW)).clamp(0.0, 1.0)
 }
 
-/// How far aside a figure stands in a picture of `aspect` (width over height), where a set asks for
-/// `aside`: share of half the picture's height, positive to the right.
+/// Returns the horizontal offset of a figure in an image of `aspect` (width over height) for a set
+/// that requests `aside`: share of half the image height, positive to the right.
 #[must_use]
 pub fn aside_in(aspect: f64, aside: f64) -> f64 {
     aside * smooth((aspect - MIDDLE) / (ASIDE - MIDDLE))
 }
 
-/// The space that hands or the whole body take, metres from the floor and from the middle of the
-/// figure.
+/// Space taken by hands or the whole body, metres from the floor and from the middle of the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TakenSpace {
     /// Of the highest fingertip or of the crown.
@@ -106,7 +106,7 @@ impl TakenSpace {
         }
     }
 
-    /// A little more than hands take: what is shown whole in a narrow picture too.
+    /// Returns the space with a small margin, which a narrow image shows whole, too.
     #[must_use]
     pub fn with_margin(self) -> Self {
         Self {
@@ -115,7 +115,7 @@ impl TakenSpace {
         }
     }
 
-    /// As far as hands are followed.
+    /// Returns the space limited to the range in which hands are followed.
     #[must_use]
     pub fn within_reach(self, stature_m: f64) -> Self {
         Self {
@@ -126,7 +126,7 @@ impl TakenSpace {
     }
 }
 
-/// The space that a gesture takes, and when.
+/// Space and time of a gesture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gesture {
     /// Seconds.
@@ -137,7 +137,7 @@ pub struct Gesture {
     pub space: TakenSpace,
 }
 
-/// What a picture shows of a figure, shares of stature from the floor under it.
+/// Visible span of a figure, shares of stature from the floor under it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
     pub(crate) bottom: f64,
@@ -160,13 +160,13 @@ impl Span {
         }
     }
 
-    /// What a picture of `aspect` (width over height) shows while no gesture needs more.
+    /// Returns the span of an image of `aspect` (width over height) while no gesture needs more.
     #[must_use]
     pub fn at_rest(aspect: f64) -> Self {
         Self::about_eyes(lerp(AT_REST, AT_REST_NARROW, narrow(aspect)))
     }
 
-    /// The same with a head that turns, in a picture of `aspect`.
+    /// Returns the span extended for a turning head, in an image of `aspect`.
     #[must_use]
     pub(crate) fn with_head(self, stature_m: f64, aspect: f64) -> Self {
         let head = TakenSpace {
@@ -181,7 +181,7 @@ impl Span {
         self.top - self.bottom
     }
 
-    /// A share of the way to another, 0..1.
+    /// Returns the span a share of the way to another, 0..1.
     #[must_use]
     pub fn towards(self, to: Self, share: f64) -> Self {
         Self {
@@ -190,8 +190,8 @@ impl Span {
         }
     }
 
-    /// What keeps hands above a share of the picture's height at its lower edge, of a picture that shows
-    /// `at_rest` while they rest.
+    /// Returns the span that keeps hands above a share of the image height at its lower edge, for
+    /// an image that shows `at_rest` while they rest.
     #[must_use]
     fn above_captions(self, share: f64, at_rest: f64) -> Self {
         // A gesture that widens the picture comes down to its lower edge.
@@ -206,8 +206,8 @@ impl Span {
         }
     }
 
-    /// What is shown from above or below, by the camera's elevation in radians: what is held out before
-    /// the figure is seen lower or higher than at eye height.
+    /// Returns the span seen from above or below, by the camera's elevation in radians: hands held
+    /// out in front of the figure appear lower or higher than at eye height.
     #[must_use]
     pub fn seen_from(self, elevation_rad: f64) -> Self {
         let shift = HELD_OUT * ops::sincos(elevation_rad).0 * (self.height() / AT_REST).min(1.0);
@@ -217,7 +217,7 @@ impl Span {
         }
     }
 
-    /// What holds this and another.
+    /// Returns the union with another span.
     fn and(self, other: Self) -> Self {
         Self {
             bottom: self.bottom.min(other.bottom),
@@ -225,7 +225,8 @@ impl Span {
         }
     }
 
-    /// What holds the space of hands as well, in a picture of `aspect` (width over height).
+    /// Returns the span extended by the space of hands, in an image of `aspect` (width over
+    /// height).
     #[must_use]
     pub fn with(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let held = self.and(Self {
@@ -242,16 +243,16 @@ impl Span {
         }
     }
 
-    /// What keeps hands above captions in a picture of `aspect`; in a narrow one that is not worth all
-    /// that it costs the face.
+    /// Returns the span that keeps hands above captions in an image of `aspect`; a narrow image
+    /// does so only partly, to keep the face large.
     #[must_use]
     pub(crate) fn above_captions_in(self, share: f64, aspect: f64) -> Self {
         let at_rest = Self::at_rest(aspect).bottom;
         self.above_captions(share * lerp(1.0, NARROW_CAPTIONS, narrow(aspect)), at_rest)
     }
 
-    /// What is shown for a gesture: all of it, but in a narrow picture no more than from below the waist
-    /// up for hands. A whole body is shown whole.
+    /// Returns the span for a gesture: all of it, but in a narrow image no more than from below the
+    /// waist up for hands. A whole body is shown whole.
     fn for_gesture(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let mut needed = self.with(space, stature_m, aspect);
         // Hands near the lower edge get air below them, and are not behind captions.
@@ -268,8 +269,8 @@ impl Span {
         self.towards(needed, lerp(1.0, allowed / more, narrow(aspect)))
     }
 
-    /// What is shown at a time: all that the gestures then need, and of those before and after it
-    /// as much as lets no zoom be faster than `zoom`, share of the picture's height a second for each
+    /// Returns the span at a time: everything the current gestures need, and of those before and
+    /// after it as much as limits the zoom to `zoom`, share of the image height per second for each
     /// gesture: [`SLOW_ZOOM`] or [`QUICK_ZOOM`].
     #[must_use]
     pub fn visible_span(

@@ -1,6 +1,6 @@
 //! What of a figure is drawn, for those who look at its making (GEVH D.3.4).
 
-/// What of a surface is drawn.
+/// Fill mode of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fill {
     /// The surface.
@@ -12,14 +12,14 @@ pub enum Fill {
     Points,
 }
 
-/// Switches of the drawing. A story shows the body alone, in its materials.
+/// Rendering switches. A story shows only the body, in its materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(
     clippy::struct_excessive_bools,
     reason = "switches that know nothing of each other"
 )]
 pub struct Visibility {
-    /// What of the body's surface is drawn.
+    /// Fill mode of the body's surface.
     pub fill: Fill,
     /// The body.
     pub body: bool,
@@ -29,11 +29,12 @@ pub struct Visibility {
     pub frames: bool,
     /// The joint of every bone, over the body.
     pub centers: bool,
-    /// The body is drawn in its materials, else as if cast in clay.
+    /// Renders the body in its materials if true, else as a clay model.
     pub materials: bool,
-    /// Its materials are drawn with their pictures.
+    /// Enables the textures of its materials.
     pub textures: bool,
-    /// Where the manipulators are sent, over the body: [`Frame::handles`](crate::Frame).
+    /// Enables rendering of the manipulators' targets over the body:
+    /// [`Frame::handles`](crate::Frame).
     pub manipulators: bool,
     /// The springs of the face's tissue, over the body: [`Frame::lines`](crate::Frame).
     pub springs: bool,
@@ -62,7 +63,7 @@ impl Default for Visibility {
 }
 
 impl Visibility {
-    /// Whether anything is drawn over the body.
+    /// Returns true if anything is rendered over the body.
     #[must_use]
     pub fn has_overlay(&self) -> bool {
         self.bones || self.frames || self.centers || self.manipulators

@@ -7,11 +7,12 @@ use crate::table::{Row, lines};
 pub(crate) struct Antagonists<'a> {
     /// Names without sides.
     pub(crate) sets: [Vec<&'a str>; 2],
-    /// Whether each side is a pair of sets of its own; else both sides are in one.
+    /// True if each side forms its own pair of sets; otherwise both sides are in one.
     pub(crate) is_by_side: bool,
 }
 
-/// The rows of the table of antagonists, which are muscles of `rows`, or what is wrong with it.
+/// Parses the table of antagonists, which must be muscles of `rows`; returns an error message if it
+/// is invalid.
 pub(crate) fn read<'a>(text: &'a str, rows: &[Row<'_>]) -> Result<Vec<Antagonists<'a>>, String> {
     lines(text, &["one", "other", "sides"], |line| {
         let cells: Vec<&str> = line.split('\t').collect();

@@ -2,14 +2,14 @@
 
 use raconteur_base::NodeState;
 
-/// Which vertices of a mesh follow which nodes: a sparse matrix of one row a vertex. What is
-/// bound has no share of the lower jaw left when it is drawn: its nodes carry the jaw's turn,
-/// so that the renderer moves such weights to the skull.
+/// Binding of mesh vertices to nodes: a sparse matrix with one row per vertex. Bound vertices have
+/// no weight of the lower jaw when rendered: the nodes include the jaw's rotation, so the renderer
+/// moves such weights to the skull.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Binding {
     /// The vertices, rising.
     pub vertices: Vec<u32>,
-    /// Where the row of each begins in `nodes` and `weights`; one more for the end.
+    /// Start of each vertex's row in `nodes` and `weights`, plus one entry for the end.
     pub starts: Vec<u32>,
     /// Indices of nodes.
     pub nodes: Vec<u16>,
@@ -18,8 +18,8 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// What the nodes do to each bound vertex: the vertex, and the weighted sums of the nodes'
-    /// displacements and changes of normals. Nodes that are not there do nothing.
+    /// Returns, for each bound vertex, its index and the weighted sums of the nodes' displacements
+    /// and changes of normals. Missing nodes have no effect.
     pub fn apply<'a>(
         &'a self,
         nodes: &'a [NodeState],

@@ -44,13 +44,13 @@ impl JawPlace {
         x * v[0] + y * v[1] + z * v[2]
     }
 
-    /// Where a place of the jaw has gone.
+    /// Returns the current position of a point of the jaw.
     pub(super) fn moved(&self, p: [f32; 3]) -> Vector {
         let v = self.turned([0, 1, 2].map(|k| p[k] - self.hinge[k]));
         vector(self.hinge) + v + vector(self.slide)
     }
 
-    /// Where on the jaw a place of the world lies.
+    /// Returns the position on the jaw of a point in the world.
     fn unmoved(&self, p: Vector) -> [f32; 3] {
         let p = xyz(p);
         let v = [0, 1, 2].map(|k| p[k] - self.hinge[k] - self.slide[k]);
@@ -61,8 +61,8 @@ impl JawPlace {
 }
 
 impl Arch {
-    /// How far a place would have to go away from the axis to lie before the teeth, and the
-    /// way there; `None` where it does, or where there are none.
+    /// Returns the distance by which a point must move away from the axis to lie in front of the
+    /// teeth, and the direction; `None` if it already does, or if there are no teeth.
     fn inside(&self, p: [f32; 3]) -> Option<(f32, [f32; 2])> {
         let (x, z) = (p[0] - self.origin[0], p[2] - self.origin[2]);
         let (rows, columns) = (usize::from(self.rows), usize::from(self.columns));
@@ -93,7 +93,7 @@ impl Arch {
     }
 }
 
-/// How deep the deepest of each kind is in what it should keep out of, metres.
+/// Maximum penetration depth of each kind of contact, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PenetrationDepths {
     /// A lip in the other.
@@ -104,7 +104,7 @@ pub struct PenetrationDepths {
     pub bone_m: f32,
 }
 
-/// Which nodes keep out of what.
+/// Collision constraints of the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Contacts {
     /// Nodes with bone under them, with the room they have at rest above the least.
@@ -131,7 +131,7 @@ impl Contacts {
         Self { over_bone }
     }
 
-    /// Whether a node lies over a bone.
+    /// Returns true if a node lies over a bone.
     pub(super) fn is_over_bone(&self, node: usize) -> bool {
         let known = &self.over_bone;
         known
@@ -139,7 +139,7 @@ impl Contacts {
             .is_ok()
     }
 
-    /// Puts nodes out of what they have got into; tells how deep they were.
+    /// Resolves penetrations of nodes; returns their depth.
     pub(super) fn resolve(
         &self,
         tissue: &Tissue,
@@ -167,7 +167,7 @@ impl Contacts {
         depths
     }
 
-    /// Puts the lips before the teeth; tells how deep they were.
+    /// Moves the lips in front of the teeth; returns the penetration depth.
     fn free_teeth(tissue: &Tissue, springs: &mut Springs, jaw: &JawPlace) -> f32 {
         let mut deepest: f32 = 0.0;
         for &node in &tissue.before_teeth {
@@ -186,7 +186,7 @@ impl Contacts {
         deepest
     }
 
-    /// Puts the lips out of each other; tells how deep they were.
+    /// Separates the lips; returns the penetration depth.
     pub(super) fn part_lips(tissue: &Tissue, springs: &mut Springs) -> f32 {
         let mut deepest: f32 = 0.0;
         for [above, below] in &tissue.pairs {

@@ -23,13 +23,12 @@ impl Jaw {
     /// Designed: an adult's jaw opens by some 30° and slides by a centimetre at most.
     pub const RANGES: [[f64; 2]; 4] = [[0.0, 0.35], [-0.1, 0.1], [-0.004, 0.008], [0.0, 0.004]];
 
-    /// The farthest that its joint slides from its place, metres.
+    /// Maximum slide of the jaw's joint from its rest position, metres.
     pub const MAX_SLIDE_M: f64 = 0.009;
 }
 
-/// The controls of a face at one moment: contractions of its muscles, and direct
-/// parameters for what no muscle moves here (F&H section 3.1.2). Values out of range are
-/// brought into it by the caller.
+/// Controls of a face at one time: contractions of its muscles, and direct parameters for movements
+/// without a muscle here (F&H section 3.1.2). The caller clamps values to their range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceControls {
     /// Contraction of each [`Muscle`](super::Muscle), 0 relaxed to 1.
@@ -37,10 +36,10 @@ pub struct FaceControls {
     /// Protrusion (positive) or retraction of the upper and of the lower lip by the ring of
     /// the mouth, −1 to 1.
     pub protrusion: [f64; 2],
-    /// How firmly the ring of the mouth brings the lips together, whatever the jaw does: 0
-    /// not at all, 1 they touch and press (p, b, m).
+    /// Strength with which the ring of the mouth closes the lips, regardless of the jaw: 0 not at
+    /// all, 1 they touch and press (p, b, m).
     pub seal: f64,
-    /// How far the lower lip is at the edge of the upper teeth (f, v), 0 to 1.
+    /// Movement of the lower lip to the edge of the upper teeth (f, v), 0 to 1.
     pub bite: f64,
     /// The lower jaw.
     pub jaw: Jaw,
@@ -78,12 +77,12 @@ impl Default for FaceControls {
     }
 }
 
-/// What becomes of a value, given another face's and its own range.
+/// Function that maps a value, given another face's value and the range.
 type Change<'a> = &'a dyn Fn(f64, f64, [f64; 2]) -> f64;
 
 impl FaceControls {
-    /// Brings every value into its range. Contractions of all who move the face are summed
-    /// (F&H section 4.3.5); this limits the sums. NaN becomes 0.
+    /// Clamps every value to its range. Contractions from all sources are summed (F&H section
+    /// 4.3.5); this limits the sums. NaN becomes 0.
     pub fn limit(&mut self) {
         let own = *self;
         self.change(&own, &|value, _, [low, high]| {
@@ -95,7 +94,7 @@ impl FaceControls {
         });
     }
 
-    /// A share (0 to 1) of the way from this face to another, value by value.
+    /// Interpolates every value from this face to another by a share (0 to 1).
     #[must_use]
     pub fn lerp(&self, to: &Self, share: f64) -> Self {
         let mut between = *self;
@@ -103,9 +102,9 @@ impl FaceControls {
         between
     }
 
-    /// Closes the lower jaw as far as the muscles that raise it are contracted, whatever else asks
-    /// to open it: one in full closes it by itself. It turns and slides sideways and forwards as
-    /// its control says. To be called after all additions.
+    /// Closes the lower jaw by the contraction of the muscles that raise it, against any other
+    /// opening control: one at full contraction closes it completely. Lateral and forward slides
+    /// and rotations follow their controls. Call it after all additions.
     pub fn raise_jaw(&mut self) {
         for (muscle, percent) in CLOSES_JAW {
             let contraction = self.contraction[muscle.index()];
@@ -117,8 +116,8 @@ impl FaceControls {
         }
     }
 
-    /// Takes both upper lids a share (0 to 1) of the way from where they are to closed: a
-    /// blink, which closes them from any expression. To be called last.
+    /// Moves both upper lids a share (0 to 1) of the distance from their position to closed: a
+    /// blink, which closes them from any expression. Call it last.
     pub fn close_lids(&mut self, share: f64) {
         self.upper_lid = self.upper_lid.map(|lid| lerp(lid, 1.0, share));
     }

@@ -1,13 +1,13 @@
 //! A fibre of the ring of the mouth is a cord: where a muscle pulls at it, the stretches beside follow
 //! in a curve, and the middle of a lip between two levators rises with both sides.
 
-/// How far a pull spreads along the fibre, in its points; half as far it has fallen to 60 %. About
-/// 8 mm of a mouth of 50 mm. Designed: so much that two levators raise a lip in one arch.
+/// Spread of a pull along the fibre, in points; at half this distance it has fallen to 60 %. About
+/// 8 mm of a mouth of 50 mm. Designed: enough for two levators to raise a lip in one arch.
 const SPREAD_POINTS: f32 = 4.5;
 
-/// Spreads what has been done to a fibre along it. `asked` holds what its own muscle made its
-/// points move by and `moved` where they have come; the ends stay there. The difference is the
-/// one that least changes from point to point while it stays near what it was: a tridiagonal system, solved by elimination.
+/// Spreads displacements along a fibre. `asked` holds the displacement of the points by their own
+/// muscle and `moved` the current one; the ends stay. The result minimises changes from point to
+/// point while it stays near the input: a tridiagonal system, solved by elimination.
 pub(super) fn spread(asked: &[[f32; 3]], moved: &mut [[f32; 3]], work: &mut Vec<([f32; 3], f32)>) {
     let Some(last) = moved.len().checked_sub(1).filter(|last| *last > 1) else {
         return;

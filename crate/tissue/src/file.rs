@@ -9,28 +9,28 @@ use super::{MUSCLES, Muscle};
 /// The block ends in zeros up to a multiple of this many bytes.
 pub const PADDING: usize = 16;
 
-/// What [`from_bytes`] reads.
+/// Format version read by [`from_bytes`].
 const VERSION: u16 = 1;
 /// Most nodes, points of fibres and the like that a file may have; ours have some 4,000.
 const MAX_NODES: usize = 30_000;
-/// Steps in which depths are kept, metres: 255 of them are 25 mm.
+/// Quantisation step of depths, metres: 255 of them are 25 mm.
 const DEPTH_STEP_M: f32 = 1e-4;
 
-/// Why a tissue in a file is refused.
+/// Error returned when a tissue in a file is rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TissueError {
     /// Another version.
     #[error("the tissue is of version {0}; this program reads version {VERSION}")]
     Version(u16),
-    /// It ends early, or goes on.
+    /// The data ends early, or has trailing bytes.
     #[error("the tissue's length does not fit what it holds")]
     Length,
-    /// A number is none, or an index leads nowhere.
+    /// A number is not finite, or an index is out of range.
     #[error("the tissue has a value that cannot be: {0}")]
     Value(&'static str),
 }
 
-/// Reads what was written, front to back.
+/// Sequential reader of the encoded data.
 struct Reader<'a>(&'a [u8]);
 
 impl Reader<'_> {
@@ -128,7 +128,7 @@ fn arch(r: &mut Reader<'_>) -> Result<Arch, TissueError> {
     })
 }
 
-/// Reads what of the skin, whose places are read, touches teeth and the other lip.
+/// Reads the contacts of the skin with teeth and the other lip; the positions must already be read.
 fn contact(r: &mut Reader<'_>, out: &mut Tissue) -> Result<(), TissueError> {
     let count = out.rest.len();
     let corner = |r: &mut Reader<'_>| r.index(count);
@@ -229,7 +229,8 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Tissue, TissueError> {
     }
 }
 
-/// Writes a tissue; [`from_bytes`] reads it, places to a thousandth of a millimetre or two.
+/// Serialises a tissue for [`from_bytes`], with positions accurate to a thousandth of a millimetre
+/// or two.
 #[must_use]
 pub fn to_bytes(tissue: &Tissue) -> Vec<u8> {
     let mut w = Writer(VERSION.to_le_bytes().to_vec());

@@ -7,19 +7,19 @@ use core::ops::Range;
 use super::Muscle;
 use super::tissue::{Fibre, Tissue};
 
-/// How much a relaxed muscle pulls, against 1 of one that is contracted in full. Designed: only
-/// so much that the centre of relaxed muscles is where they rest.
+/// Pull of a relaxed muscle, relative to 1 of a fully contracted one. Designed: just enough to keep
+/// the centre of relaxed muscles at rest.
 const AT_REST: f32 = 0.005;
-/// From this sum of its links on, a muscle's end is wholly grown into the ring of the mouth and
-/// keeps its distance from it; below, part of its fibres end in the skin and give. Designed:
-/// above mentalis and platysma, at the least of the others.
+/// Sum of its links above which a muscle's end is wholly attached to the ring of the mouth and
+/// keeps its distance from it; below, part of its fibres end in the skin and give. Designed: above
+/// mentalis and platysma, at the minimum of the others.
 const WHOLE: f32 = 0.6;
-/// By which power of their links points of the ring count in the place that an end is grown to:
-/// those next to it nearly alone. Designed.
+/// Exponent of the link weights of ring points in the attachment position of an end: nearby points
+/// dominate. Designed.
 const NEXT_TO: i32 = 4;
 
-/// How much a point pulls at those it is grown together with: more than in proportion to its
-/// muscle's tension, 0 to 1, so that the stronger one nearly has its way.
+/// Returns the pull of a point on its junction, 0 to 1: it grows more than proportionally to its
+/// muscle's tension, so that the stronger muscle dominates.
 fn pull(tension: f32) -> f32 {
     (AT_REST + tension) * (AT_REST + tension)
 }
@@ -44,15 +44,15 @@ struct FibreJoin {
 struct JunctionPoint {
     ring: usize,
     joins: Range<usize>,
-    /// What all its members pull with, now.
+    /// Current total pull of its members.
     pulls: f32,
 }
 
-/// A point of the ring as part of the place that an end is grown to.
+/// Ring point with its weight in the attachment position of an end.
 #[derive(Clone, Debug)]
 struct Anchor {
     meeting: usize,
-    /// Share of the place; shares of an end sum to 1.
+    /// Weight of the point; weights of an end sum to 1.
     share: f32,
     /// Links of the end's whole muscle to that point.
     weight: f32,
@@ -62,12 +62,12 @@ struct Anchor {
 #[derive(Clone, Debug)]
 struct End {
     point: usize,
-    /// How much of it is grown in, 0 to 1.
+    /// Degree of attachment, 0 to 1.
     grown: f32,
     anchors: Range<usize>,
 }
 
-/// All places where muscles of a face are grown together.
+/// Junctions at which muscles of a face are attached to each other.
 #[derive(Clone, Debug)]
 pub(super) struct Junctions {
     meetings: Vec<JunctionPoint>,
@@ -153,9 +153,9 @@ impl Junctions {
         }
     }
 
-    /// Moves the points of the ring to where they and what is grown to them meet: of their
-    /// weighted centre as much as the links say. `moved` holds what every point asks for by
-    /// itself and `tension` how strongly, 0 to 1.
+    /// Moves the points of the ring to equilibrium with their attachments: by the link weights,
+    /// towards their weighted centre. `moved` holds the displacement wanted by each point alone and
+    /// `tension` its strength, 0 to 1.
     pub(super) fn relax(&mut self, tension: &[f32], moved: &mut [[f32; 3]]) {
         for meeting in &mut self.meetings {
             let asked = moved[meeting.ring];
@@ -180,9 +180,9 @@ impl Junctions {
         }
     }
 
-    /// For the end of a linear fibre: how far the place moved that it is grown to, so that
-    /// their distance is restored, and how much of that its own muscle pulled for. `None` for an
-    /// end that is free. Valid after [`Self::meet`].
+    /// Returns, for the end of a linear fibre, the displacement of its attachment position, so that
+    /// their distance is restored, and the share of it caused by its own muscle. `None` for a free
+    /// end. Valid after [`Self::relax`].
     pub(super) fn end(
         &self,
         point: usize,
@@ -204,8 +204,8 @@ impl Junctions {
         Some((to, own.min(1.0)))
     }
 
-    /// Ends that are wholly grown in, each with the place it is grown to: points of the ring and
-    /// their shares.
+    /// Returns the wholly attached ends, each with its attachment position: points of the ring and
+    /// their weights.
     #[cfg(test)]
     pub(super) fn whole_ends(&self) -> impl Iterator<Item = (usize, Vec<(usize, f32)>)> + '_ {
         let whole = self.ends.iter().filter(|e| e.grown >= 1.0);

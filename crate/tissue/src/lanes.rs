@@ -1,10 +1,10 @@
 //! Vectors of four numbers that a processor computes at once. Only operations lane by lane are
 //! used, and sums over lanes are added in order, so the bits are the same on every machine.
 
-/// A way or a place, metres, and a fourth number that is 0 where nothing else is said.
+/// Displacement or position, metres, with a fourth number that is 0 unless stated otherwise.
 pub(super) type Vector = wide::f32x4;
 
-/// How many things are done at once.
+/// Number of SIMD lanes.
 pub(super) const LANES: usize = 4;
 
 #[inline]
@@ -36,12 +36,13 @@ pub(super) fn squares(vectors: [Vector; LANES]) -> Vector {
     x * x + y * y + z * z
 }
 
-/// How many things there are when those that are missing to a whole four are filled in.
+/// Rounds a count up to a multiple of four.
 pub(super) fn whole_fours(count: usize) -> usize {
     count.next_multiple_of(LANES)
 }
 
-/// The four of `count` things from `from` on; the last stands for those that there are not.
+/// Returns the indices of four items from `from` on, of `count`; the last index replaces those out
+/// of range.
 #[inline]
 pub(super) fn four(from: usize, count: usize) -> [usize; LANES] {
     core::array::from_fn(|k| (from + k).min(count - 1))

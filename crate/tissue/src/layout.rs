@@ -10,28 +10,27 @@ pub(super) const STEP_SECS: f32 = 1.0 / STEPS_PER_S;
 /// Of the edges of the skin; diagonals, which resist shear, have a part of it. Designed.
 const SKIN_PER_S2: f32 = 900.0;
 const DIAGONAL: f32 = 0.5;
-/// Of each of the two springs that hold a node over its place: to what lies under it, and
-/// mirrored outwards.
+/// Stiffness of each of the two springs that hold a node over its position: to the layer under it,
+/// and mirrored outwards.
 const CONNECTING_PER_S2: f32 = 6000.0;
 /// Below this grip those springs are softer.
 const FIRM_GRIP: f32 = 0.3;
-/// How much stiffer they are at the lips, which must follow speech.
+/// Factor of their additional stiffness at the lips, which must follow speech.
 const LIP: f32 = 1.0;
-/// Friction between the skin and what it lies on, against the critical damping of how a node is
-/// held sideways, and the least of it, 1/s. It acts on the difference of their velocities, so
-/// that skin does not lag behind a muscle that moves evenly. Designed.
+/// Friction between the skin and the layer under it, relative to the critical damping of a node's
+/// lateral hold, and its minimum, 1/s. It acts on the velocity difference, so skin does not lag
+/// behind a muscle that moves uniformly. Designed.
 const FRICTION: f32 = 0.55;
 const MIN_FRICTION_PER_S: f32 = 60.0;
-/// Nodes nearer to each other than this are one mass, metres: in the corners of the mouth the
-/// rings of both lips crowd, and between springs of a tenth of a millimetre none would be
-/// short enough to hold.
+/// Distance below which nodes form one mass, metres: in the corners of the mouth the rings of both
+/// lips crowd, and no time step would be short enough for springs of a tenth of a millimetre.
 const APART_M: f32 = 0.001;
 
 /// Of nodes equally far in front the upper one counts as foremost.
 const ASLANT: f32 = 0.37;
 
-/// For each node the one that leads it: of those that edges too short for springs join, the
-/// foremost. Which one that is does not change in a mirror, as their order does.
+/// Returns the leader of each node: the foremost node among those joined by edges too short for
+/// springs. Unlike index order, the choice is invariant under mirroring.
 pub(super) fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16> {
     let mut leaders: Vec<u16> = (0..places.len() as u16).collect();
     let ahead = |i: u16| {
@@ -55,17 +54,17 @@ pub(super) fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) 
     leaders
 }
 
-/// An edge or diagonal of the skin of which at least one end is led by another node. Between
-/// their leaders there is a spring; this one may not get too long either.
+/// Edge or diagonal of the skin with at least one end led by another node. The spring is between
+/// their leaders; this edge has a length limit too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) leaders: [u16; 2],
-    /// From one end to the other, while their leaders are at one place.
+    /// Offset from one end to the other while their leaders coincide.
     pub(super) off: Vector,
     pub(super) rest: f32,
 }
 
-/// Four springs of the skin, which a processor takes in one go.
+/// Four springs of the skin, processed with SIMD.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpringX4 {
     pub(super) ends: [[u16; 2]; LANES],
@@ -74,7 +73,7 @@ pub(super) struct SpringX4 {
 }
 
 impl SpringX4 {
-    /// The springs between these nodes, with the stiffness and the length at rest of each.
+    /// Returns the vectors from their first ends to their second.
     pub(super) fn all(ends: &[[u16; 2]], of: &[[f32; 2]]) -> Vec<Self> {
         (0..ends.len())
             .step_by(LANES)
@@ -97,7 +96,7 @@ impl SpringX4 {
     }
 }
 
-/// The springs that hold four nodes, two each.
+/// Connecting springs of four nodes, two each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ConnectingSprings {
     /// Distance from the node to their ends.
@@ -109,7 +108,7 @@ pub(super) struct ConnectingSprings {
 }
 
 impl ConnectingSprings {
-    /// From each node's distance to what lies under it and its grip.
+    /// Builds the springs from each node's distance to the layer under it and its grip.
     pub(super) fn all(depth: &[f32], grip: &[f32]) -> Vec<Self> {
         let of: Vec<Vector> = depth
             .iter()
@@ -215,8 +214,8 @@ pub(super) fn around_nodes<E: Iterator<Item = [u16; 2]>>(
     (starts, around)
 }
 
-/// What holds a node: distance to the ends of its connecting springs, their length at rest and
-/// stiffness, and the friction of a step.
+/// Returns the hold parameters of a node: distance to the ends of its connecting springs, their
+/// rest length and stiffness, and the friction per step.
 fn hold_vector(depth: f32, grip: f32) -> Vector {
     let depth = depth.clamp(0.001, 0.05);
     // A node with little grip lies in a fold, and follows its neighbours.

@@ -11,13 +11,13 @@ use std::borrow::Cow;
 
 use raconteur_base::Side;
 
-/// A mimic muscle, by its place in the table. The reference head of F&H has 24 major ones; here
-/// paired muscles are two, and the frontal belly and the ring of the mouth are divided as
-/// their fibres are controlled apart.
+/// Facial muscle, by its index in the table. The reference head of F&H has 24 major ones; here
+/// paired muscles count as two, and the frontal belly and the ring of the mouth are divided,
+/// because their fibres are controlled separately.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Muscle(u8);
 
-/// What the table says of one muscle: its traits, as far as the tissue asks for them.
+/// Traits of one muscle from the table, as used by the tissue.
 #[derive(Clone, Debug)]
 struct Traits {
     name: Cow<'static, str>,
@@ -66,7 +66,7 @@ impl Anatomy {
         Ok(Self(Cow::Owned(all)))
     }
 
-    /// How many there are.
+    /// Returns the number of muscles.
     #[must_use]
     pub fn count(&self) -> usize {
         self.0.len()
@@ -80,15 +80,16 @@ impl Anatomy {
         Some(Muscle(place as u8))
     }
 
-    /// Share of its length that a muscle loses at full contraction, 0 to 1, and how much thicker
-    /// its middle becomes, metres on the reference head. Designed: by what the skin at its end
-    /// was seen to travel. One that is not of this table does nothing.
+    /// Returns the share of its length that a muscle loses at full contraction, 0 to 1, and the
+    /// thickening of its middle, metres on the reference head. Designed: from the observed travel
+    /// of the skin at its end. A muscle not in this table has no effect.
     pub(super) fn mechanics(&self, muscle: Muscle) -> (f32, f32) {
         let traits = self.0.get(muscle.index());
         traits.map_or((0.0, 0.0), |t| (t.shortens, t.bulge_mm * 1e-3))
     }
 
-    /// Which channel of the wrinkle map it folds the skin into, and how strongly.
+    /// Returns the channel of the wrinkle map into which the muscle folds the skin, and the
+    /// strength.
     pub(super) fn fold(&self, muscle: Muscle) -> Option<(u8, f32)> {
         self.0.get(muscle.index())?.fold
     }
@@ -100,7 +101,7 @@ impl Muscle {
         (0..MUSCLES as u8).map(Self)
     }
 
-    /// Its place in [`FaceControls::contraction`](super::FaceControls).
+    /// Returns its index in [`FaceControls::contraction`](super::FaceControls).
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -118,7 +119,7 @@ impl Muscle {
         Anatomy::SHIPPED.by_name(name)
     }
 
-    /// On which side of the face it is; `None` in the middle.
+    /// Returns the side of the face; `None` for the midline.
     #[must_use]
     pub fn side(self) -> Option<Side> {
         ROWS[self.index()].side
@@ -217,7 +218,7 @@ mod tests {
         }
     }
 
-    /// `UPDATE=1` writes the table of `docs/face.md` anew.
+    /// `UPDATE=1` rewrites the table of `docs/face.md`.
     #[test]
     fn the_reference_lists_every_muscle() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/face.md");

@@ -11,24 +11,23 @@ use super::{Anatomy, Muscle};
 
 use Muscle as M;
 
-/// How far the reddest part of the lips comes forward at full protrusion, and the outermost
-/// fibres; and how far they go back at full retraction. Millimetres on the reference head.
-/// Designed.
+/// Forward movement of the vermilion at full protrusion, and of the outermost fibres; and backward
+/// movement at full retraction. Millimetres on the reference head. Designed.
 const FORWARD_MM: [f32; 2] = [8.0, 4.0];
 const BACK_MM: [f32; 2] = [3.2, 0.8];
-/// The corners come forward further, as the ring gets shorter.
+/// Additional forward movement of the corners, because the ring gets shorter.
 const CORNER_FORWARD_MM: f32 = 2.4;
-/// How far protruding lips turn out and retracted ones roll in.
+/// Outward roll of protruding lips and inward roll of retracted ones.
 const ROLL_MM: f32 = 0.9;
-/// How far the border of the red goes to the other lip's when lips roll in, more than the edge: they
-/// look thinner (AU 23, 24 and 28 of FACS). Designed.
+/// Additional movement of the vermilion border towards the other lip, relative to the edge, when
+/// lips roll in: they look thinner (AU 23, 24 and 28 of FACS). Designed.
 const THIN_MM: f32 = 2.2;
 
 /// Thickness of a mimic muscle, by which stretching thins it: millimetres on the reference head.
 /// Designed, within the 1 to 4 mm that ultrasound shows of them.
 const THICK_MM: f32 = 2.5;
 
-/// The muscles of a face, and where contractions bring them.
+/// Muscles of a face and their state under contraction.
 #[derive(Clone, Debug)]
 pub(super) struct Muscles {
     /// Middle of the mouth at rest.
@@ -36,24 +35,24 @@ pub(super) struct Muscles {
     /// Half its width.
     half_width: f32,
     junctions: Junctions,
-    /// Of each fibre's muscle: by what share it shortens, and by how much it bulges, metres.
+    /// Shortening and bulge, metres, of each fibre's muscle.
     mechanics: Vec<(f32, f32)>,
-    /// How far each point of a fibre has moved, without the jaw.
+    /// Displacement of each point of a fibre, without the jaw.
     pub(super) moved: Vec<[f32; 3]>,
-    /// Share of that which the point's own muscle pulled for, 0 to 1; the rest was done to it.
+    /// Share of the displacement caused by the point's own muscle, 0 to 1; the rest is passive.
     pub(super) own: Vec<f32>,
     segments: Vec<Segment>,
-    /// How strongly each point asks to be where its own muscle has it, 0 to 1.
+    /// Strength with which each point holds the position given by its own muscle, 0 to 1.
     tension: Vec<f32>,
-    /// What their own muscles make the points move by.
+    /// Displacement of the points by their own muscles.
     asked: Vec<[f32; 3]>,
     /// Rows of one fibre's spreading.
     rows: Vec<([f32; 3], f32)>,
-    /// Places of the points of one fibre.
+    /// Positions of the points of one fibre.
     scratch: Vec<[f32; 3]>,
 }
 
-/// How a fibre moves from one of its points on to the next.
+/// Movement of a fibre from one of its points to the next.
 #[derive(Clone, Copy, Debug, Default)]
 struct Segment {
     /// Movement of the point.
@@ -62,7 +61,7 @@ struct Segment {
     way: Vector,
     /// As [`Muscles::own`] of the point.
     own: f32,
-    /// Whether the muscles that contracted last have changed it.
+    /// True if the last contraction changed it.
     is_new: bool,
 }
 
@@ -133,8 +132,8 @@ impl Muscles {
         }
     }
 
-    /// Moves the points as contractions, by the places of muscles, and protrusion of both lips
-    /// say. Values beyond their ranges are cut.
+    /// Moves the points by contractions, indexed by muscle, and by the protrusion of both lips.
+    /// Values out of range are clamped.
     ///
     /// First every muscle does what its own contraction asks for; then fibres that are grown together
     /// finds a place between what its members ask for, and linear muscles reach from their
@@ -176,15 +175,15 @@ impl Muscles {
         }
     }
 
-    /// Whether what these attachments hold to moves otherwise than before muscles contracted last.
+    /// Returns true if the last contraction changed the movement of these attachments.
     pub(super) fn pull_otherwise(&self, attachments: &[Attachment]) -> bool {
         let mut points = attachments.iter().map(|hold| usize::from(hold.point));
         points.any(|point| self.segments[point].is_new)
     }
 
-    /// How far fibres move the skin that these attachments hold to them. What muscles do
-    /// by themselves adds up; passive movement moves skin only as far as what pulls leaves
-    /// free, or fibres that are grown together would each bring the same movement along.
+    /// Returns the displacement of the skin at these attachments. Active movements add up; passive
+    /// movement fills only the remaining share, otherwise connected fibres would each add the same
+    /// movement.
     pub(super) fn pull(&self, attachments: &[Attachment]) -> Vector {
         let (mut by, mut done) = (Vector::default(), Vector::default());
         let (mut pulling, mut following) = (0.0, 0.0);
@@ -249,8 +248,8 @@ impl Muscles {
         }
     }
 
-    /// Brings a linear fibre from its origin to where its end has come, and lets it bulge by
-    /// its contraction and get thinner by its stretching.
+    /// Stretches a linear fibre from its origin to its moved end, with a bulge by its contraction
+    /// and thinning by its stretch.
     fn reach(&mut self, tissue: &Tissue, k: usize, contraction: f32) {
         let (fibre, (shortens, bulges)) = (&tissue.fibres[k], self.mechanics[k]);
         let own = range_of(fibre);
@@ -272,8 +271,7 @@ impl Muscles {
         }
     }
 
-    /// Makes a fibre of the ring thinner, evenly, by how much the muscles that pull at it have
-    /// made it longer.
+    /// Thins a fibre of the ring uniformly by its elongation under other muscles.
     fn thin_out(&mut self, tissue: &Tissue, fibre: &Fibre, out: f32) {
         let points = points_of(tissue, fibre);
         let moved = &mut self.moved[range_of(fibre)];
@@ -305,13 +303,13 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }
 
-/// Length of a fibre whose points are at these places.
+/// Returns the length of a fibre with points at these positions.
 fn length_of(points: &[FibrePoint], at: impl Fn(usize) -> [f32; 3]) -> f32 {
     (1..points.len()).map(|k| distance(at(k - 1), at(k))).sum()
 }
 
-/// By how much a muscle that is `longer` than it would be by itself is thinner, metres on the
-/// reference head: its volume stays.
+/// Returns the thinning of a muscle that is `longer` than by itself, metres on the reference head:
+/// its volume is preserved.
 fn thinning(longer: f32) -> f32 {
     if longer > 1.0 {
         THICK_MM * 1e-3 * (1.0 - 1.0 / longer.sqrt())
@@ -332,11 +330,10 @@ fn along_course(points: &[FibrePoint], shorter: f32, moved: &mut [[f32; 3]]) {
     }
 }
 
-/// Moves the points of a linear fibre, which are where its muscle wants them and which would
-/// then be `asked` long, so that it begins at its origin and its last point has moved by
-/// `end`. Excess length leaves the course and straightens out before it
-/// stretches; its segments keep the proportions of their lengths. Gives the length against
-/// `asked`.
+/// Moves the points of a linear fibre from the positions wanted by its muscle, with length `asked`,
+/// so that it starts at its origin and its last point has moved by `end`. A slack fibre leaves its
+/// course and straightens before it stretches; its segments keep their proportions. Returns the
+/// length relative to `asked`.
 fn stretched(
     points: &[FibrePoint],
     asked: f32,
@@ -392,7 +389,7 @@ struct Lips {
 }
 
 impl Lips {
-    /// Contraction and protrusion at a place from the right corner, −1, to the left, 1.
+    /// Returns contraction and protrusion at a position from the right corner, −1, to the left, 1.
     fn displacement(&self, is_lower: bool, aside: f32) -> [f32; 2] {
         let (own, other) = if is_lower { (1, 0) } else { (0, 1) };
         // At the corner the halves of the ring are one.
@@ -413,7 +410,7 @@ struct Lip {
 }
 
 impl Lip {
-    /// `from` is the way from the middle of the mouth.
+    /// Returns the displacement; `from` is the vector from the middle of the mouth.
     fn moved(&self, from: [f32; 3], outwards: [f32; 3], scale: f32) -> [f32; 3] {
         let c = self.contraction * (1.0 - 0.45 * self.out);
         let mm = 1e-3 * scale;

@@ -9,20 +9,19 @@ use super::springs::{NodeHold, Springs};
 use super::tissue::{Column, LipNode};
 use super::{Anatomy, FaceControls, Jaw, Muscle, NodeState, Tissue};
 
-/// The most relaxation rounds of overlong springs in a step, and what that brings into
-/// something put out again. A face that speaks takes one turn; muscles that jump as far as
-/// they go take some ten, and skin is then within half a millimetre of where it may be.
+/// Maximum number of rounds per step that relax overlong springs and resolve the resulting
+/// contacts. A speaking face needs one; muscles that jump over their full range need about ten, and
+/// skin is then within half a millimetre of its limits.
 const TURNS: usize = 64;
-/// Steps after which a face is at rest, whatever its controls.
+/// Number of steps after which a face is at rest, for any controls.
 const WARM_UP_STEPS: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
 const LOWER_CLOSES: f32 = 0.64;
-/// Sealed lips press each other by this, metres on the reference head; what stops them is
-/// each other.
+/// Overlap by which sealed lips press each other, metres on the reference head; contact stops them.
 const PRESS_M: f32 = 0.0012;
 
-/// How much of each kind of wrinkle is among the lines of age: those across the root of the nose
-/// and about the lips are the faintest. Chosen by eye.
+/// Share of each kind of wrinkle in the age lines: those across the root of the nose and around the
+/// lips are the faintest. Chosen by eye.
 const AGE_LINES: [f32; 3] = [1.0, 0.75, 0.45];
 
 /// A node whose skin a muscle folds.
@@ -32,7 +31,7 @@ struct Fold {
     /// Of [`NodeState::wrinkles`].
     channel: u8,
     muscle: Muscle,
-    /// Share of the muscle's movement that the node takes.
+    /// Share of the muscle's movement that the node follows.
     weight: f32,
     strength: f32,
 }
@@ -65,30 +64,30 @@ impl Fold {
     }
 }
 
-/// The tissue of one face, moving. Everything in it follows from the controls it was given
-/// since [`Network::reset`]; a step allocates nothing.
+/// Dynamic state of the tissue of one face. It depends only on the controls since
+/// [`Network::reset`]; a step allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Network {
     muscles: Muscles,
     springs: Springs,
     contacts: Contacts,
-    /// Way outwards of each node at rest.
+    /// Outward direction of each node at rest.
     outwards: Vec<Vector>,
     holds: Vec<NodeHold>,
     earlier: Vec<NodeHold>,
-    /// Where what lies under each node has come, without muscles.
+    /// Current position of the layer under each node, without muscles.
     bones: Vec<[Vector; 2]>,
     jaw: JawPlace,
-    /// How far the lips of each column have to move, while they are closed.
+    /// Displacement of the lips of each column while they are closed.
     gaps: Vec<[f32; 3]>,
-    /// How muscles move each node.
+    /// Displacement of each node by muscles.
     pulls: Vec<Vector>,
     folds: Vec<Fold>,
     contraction: Vec<f64>,
     blush: f32,
     depths: PenetrationDepths,
     smoothing: Smoothing,
-    /// Places between the last two steps, as they were written last.
+    /// Interpolated positions between the last two steps, from the last write.
     shown: Vec<Vector>,
     normals: Vec<Vector>,
 }
@@ -140,7 +139,8 @@ impl Network {
         }
     }
 
-    /// Puts everything where `controls` hold it, moving as from `earlier`, a step before.
+    /// Resets all nodes to the positions given by `controls`, moving as from `earlier`, one step
+    /// before.
     pub fn reset(&mut self, tissue: &Tissue, controls: &FaceControls, earlier: &FaceControls) {
         self.set_controls(tissue, earlier, &[]);
         self.set_controls(tissue, controls, &[]);
@@ -151,7 +151,7 @@ impl Network {
         self.resolve_constraints(tissue);
     }
 
-    /// Puts the face where these controls keep it, at rest.
+    /// Moves the face to its rest state under these controls.
     pub fn settle(&mut self, tissue: &Tissue, controls: &FaceControls) {
         self.reset(tissue, controls, controls);
         for _ in 0..WARM_UP_STEPS {
@@ -159,7 +159,7 @@ impl Network {
         }
     }
 
-    /// Lets a 120th of a second pass, at whose end the controls are these.
+    /// Advances by a 120th of a second, to these controls at its end.
     pub fn step(&mut self, tissue: &Tissue, controls: &FaceControls) {
         self.step_with(tissue, controls, &[]);
     }
@@ -175,8 +175,8 @@ impl Network {
         self.resolve_constraints(tissue);
     }
 
-    /// Shortens overlong springs, and moves nodes out again that this has brought into contact;
-    /// each undoes a little of the other.
+    /// Shortens overlong springs, and resolves the resulting contacts; each partly undoes the
+    /// other.
     fn resolve_constraints(&mut self, tissue: &Tissue) {
         let mut turns = 0;
         while self.springs.limit() && turns < TURNS {
@@ -187,7 +187,7 @@ impl Network {
         self.springs.follow();
     }
 
-    /// Brings muscles and jaw to the controls and finds where each node is held.
+    /// Applies the controls to muscles and jaw and computes the hold position of each node.
     fn set_controls(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
         core::mem::swap(&mut self.holds, &mut self.earlier);
         let asked = controls.contraction.iter().chain(more).copied();
@@ -225,7 +225,7 @@ impl Network {
         self.close(tissue, controls);
     }
 
-    /// Brings the lips together and the lower lip to the teeth.
+    /// Closes the lips and moves the lower lip to the teeth.
     fn close(&mut self, tissue: &Tissue, controls: &FaceControls) {
         let seal = controls.seal.clamp(0.0, 1.0) as f32;
         let bite = controls.bite.clamp(0.0, 1.0) as f32;
@@ -256,7 +256,7 @@ impl Network {
         }
     }
 
-    /// Moves the nodes of the lips by a share of what is set for their columns.
+    /// Moves the nodes of the lips by a share of their columns' displacement.
     fn move_lips(&mut self, tissue: &Tissue, share: impl Fn(&LipNode) -> f32) {
         for lip in &tissue.lips {
             let gap = self.gaps[usize::from(lip.column)];
@@ -265,9 +265,9 @@ impl Network {
         }
     }
 
-    /// The nodes between the last two steps, 0 the one before, 1 the last: how far each is from rest,
-    /// smoothed but on lips, lids and nose, how its normal turned, its wrinkles and blood. `nodes` has
-    /// room for all.
+    /// Writes the state of the nodes between the last two steps, 0 the one before, 1 the last:
+    /// displacement from rest, smoothed except on lips, lids and nose, rotation of the normal,
+    /// wrinkles and blood. `nodes` must have an entry for every node.
     pub fn write(&mut self, tissue: &Tissue, share: f32, nodes: &mut [NodeState]) {
         let steps = self.springs.before.iter().zip(&self.springs.places);
         for (shown, (a, b)) in self.shown.iter_mut().zip(steps) {
@@ -289,21 +289,20 @@ impl Network {
         }
     }
 
-    /// How many point masses and springs the network has.
+    /// Returns the number of point masses and springs.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
         (self.outwards.len(), self.springs.count())
     }
 
-    /// How deep anything was in what it should keep out of at the end of the last step,
-    /// before it was put out.
+    /// Returns the penetration depths at the end of the last step, before they were resolved.
     #[must_use]
     pub fn depths(&self) -> PenetrationDepths {
         self.depths
     }
 
-    /// How deep anything still is in what it should keep out of, after the last step. For
-    /// those who look closely: it takes a copy of the network.
+    /// Returns the penetration depths that remain after the last step. For diagnostics: it copies
+    /// the network.
     #[must_use]
     pub fn left(&self, tissue: &Tissue) -> PenetrationDepths {
         // Each kind on a copy of its own: putting one right moves the others.
@@ -317,7 +316,7 @@ impl Network {
         }
     }
 
-    /// How far the lips are apart where they are farthest, more than at rest, upwards; metres.
+    /// Returns the largest vertical distance between the lips, beyond that at rest; metres.
     #[must_use]
     pub fn lips_apart_m(&self, tissue: &Tissue) -> f32 {
         let apart = |c: &Column| {
@@ -329,7 +328,8 @@ impl Network {
         tissue.columns.iter().map(apart).fold(0.0, f32::max)
     }
 
-    /// How far the lower lip is from where it touches the upper teeth, in the middle; metres.
+    /// Returns the distance of the lower lip from its contact with the upper teeth, in the middle;
+    /// metres.
     #[must_use]
     pub fn lip_to_teeth_m(&self, tissue: &Tissue) -> f32 {
         let from_teeth = |c: &Column| {
@@ -341,8 +341,8 @@ impl Network {
         middle.map(from_teeth).fold(0.0, f32::max)
     }
 
-    /// Where the bone under a node is, as the jaw has moved it, in the axes of the figure at rest;
-    /// none under the lips, where there are teeth.
+    /// Returns the position of the bone under a node, moved by the jaw, in the axes of the figure
+    /// at rest; `None` under the lips, where there are teeth.
     #[must_use]
     pub fn bone_under(&self, tissue: &Tissue, node: usize) -> Option<[f32; 3]> {
         let [place, outwards] = self.bones.get(node)?.map(xyz);
@@ -365,13 +365,13 @@ impl Network {
         self.springs.most_stretched()
     }
 
-    /// Where a node is now, bind pose, metres.
+    /// Returns the current position of a node, bind pose, metres.
     #[must_use]
     pub fn place(&self, node: usize) -> [f32; 3] {
         xyz(self.springs.places[node])
     }
 
-    /// Where a point of a fibre ([`Tissue::points`]) is now, bind pose, metres.
+    /// Returns the current position of a point of a fibre ([`Tissue::points`]), bind pose, metres.
     #[must_use]
     pub fn fibre_place(&self, tissue: &Tissue, point: usize) -> [f32; 3] {
         let (p, moved) = (&tissue.points[point], self.muscles.moved[point]);
@@ -379,7 +379,7 @@ impl Network {
         [0, 1, 2].map(|k| p.rest[k] + (with_jaw[k] - p.rest[k]) * p.jaw + moved[k])
     }
 
-    /// How far a muscle is contracted now, 0 to 1.
+    /// Returns the current contraction of a muscle, 0 to 1.
     #[must_use]
     pub fn contraction(&self, muscle: Muscle) -> f64 {
         let own = self.contraction.get(muscle.index());

@@ -10,31 +10,31 @@ use super::Muscle;
 use super::lanes::{Vector, vector};
 use super::tissue::{FibreCurve, Tissue};
 
-/// How often, and how far at most each time. A wave over two nodes keeps a ten-millionth
-/// (0.2 each time), one over eight nodes a seventh (0.82). Chosen by `folds.rs` of the player's
-/// tests.
+/// Number of smoothing passes; the next constant is the maximum weight of each. A wave over two
+/// nodes keeps a ten-millionth (0.2 each time), one over eight nodes a seventh (0.82). Chosen by
+/// `folds.rs` of the player's tests.
 const PASSES: usize = 10;
 const STEP: f32 = 0.6;
-/// Millimetres on the reference head from a node of the lips, and from an eye's centre across
-/// and up, within which nothing is smoothed, and from which on all is.
+/// Distances from a node of the lips, and from an eye's centre across and up, within which nothing
+/// is smoothed, and beyond which smoothing is full; millimetres on the reference head.
 const FROM_LIPS_MM: [f32; 2] = [2.5, 10.0];
 const FROM_EYE_MM: [f32; 2] = [17.0, 26.0];
 /// The same from the midline, between the base of the nose and the eyes.
 const FROM_NOSE_MM: [f32; 2] = [14.0, 20.0];
 /// The same from where muscles of the ear end: its root is stiff.
 const FROM_EAR_MM: [f32; 2] = [7.0, 16.0];
-/// So far below the lips the throat begins: what the jaw does to it as it opens is smooth, and bent at
-/// once where its share ends.
+/// Distance below the lips at which the throat begins: the jaw's effect on it during opening is
+/// smooth, with a sharp bend at the end of the jaw's weight.
 const BELOW_LIPS_MM: [f32; 2] = [38.0, 52.0];
-/// Above the eyes the nose's region ends so far up, millimetres.
+/// Height above the eyes at which the nose's region ends, millimetres.
 const ABOVE_NOSE_MM: [f32; 2] = [22.0, 34.0];
 
 /// The displacements of a face's skin, smoothed.
 #[derive(Clone, Debug)]
 pub(super) struct Smoothing {
-    /// Nodes that move, and how far each goes to the mean of its neighbours.
+    /// Moving nodes, and the weight of each towards the mean of its neighbours.
     steps: Vec<(u16, f32)>,
-    /// Where the neighbours of each of them begin in `around`; one more for the end.
+    /// Start of each one's neighbours in `around`, plus one entry for the end.
     starts: Vec<u32>,
     around: Vec<u16>,
     moved: Vec<Vector>,
@@ -87,7 +87,7 @@ impl Smoothing {
         }
     }
 
-    /// Smooths how far places are from where they are at rest.
+    /// Smooths the displacements of positions from rest.
     pub(super) fn apply(&mut self, rest: &[[f32; 3]], places: &mut [Vector]) {
         for ((moved, place), rest) in self.moved.iter_mut().zip(&*places).zip(rest) {
             *moved = *place - vector(*rest);
@@ -112,7 +112,7 @@ impl Smoothing {
     }
 }
 
-/// How far each node is smoothed, 0 to 1.
+/// Returns the smoothing weight of each node, 0 to 1.
 fn shares(tissue: &Tissue) -> Vec<f32> {
     let mm = 1e-3 * tissue.scale;
     let lips = tissue.lips.iter().map(|l| tissue.rest[usize::from(l.node)]);

@@ -11,36 +11,36 @@ use super::layout::{
     skin,
 };
 
-/// Skin that is stretched beyond this resists more (biphasic). F&H gives no numbers; skin
-/// stiffens at 10 to 20 %.
+/// Stretch beyond which skin resists more (biphasic). F&H gives no numbers; skin stiffens at 10 to
+/// 20 %.
 const SLACK: f32 = 1.15;
-/// No spring of the skin is left longer than this, against its length at rest: what a step
-/// has stretched more is shortened at once (Provot 1995, "Deformation Constraints in a
-/// Mass-Spring Model to Describe Rigid Cloth Behavior").
+/// Maximum length of a skin spring relative to its rest length: a longer one is shortened
+/// immediately (Provot 1995, "Deformation Constraints in a Mass-Spring Model to Describe Rigid
+/// Cloth Behavior").
 const MAX_STRETCH: f32 = 2.15;
-/// What it is shortened to: a little less, so that it is soon done with.
+/// Length to which it is shortened: slightly less than the maximum, for faster convergence.
 const SHORTENED: f32 = 2.1;
-/// How often what may be too long is gone through, as shortening one spring stretches its
-/// neighbours.
+/// Maximum number of passes over possibly overlong springs, because shortening one spring stretches
+/// its neighbours.
 const MAX_RELAXATIONS: usize = 256;
-/// What a node moves by, against the mean of what its springs that are too long ask for, in
-/// which each counts as much as it asks for.
+/// Over-relaxation factor: a node's displacement relative to the mean of the corrections of its
+/// overlong springs, weighted by their size.
 const OVER_RELAXATION: f32 = 1.5;
-/// How much stiffer a spring is beyond its slack.
+/// Additional stiffness factor of a spring beyond its slack.
 const STRAIN_STIFFENING: f32 = 3.0;
-/// Shorter ways have no direction, metres.
+/// Length below which a vector has no direction, metres.
 const MIN_M: f32 = 1e-9;
 
-/// Where a node is held now.
+/// Current hold of a node.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct NodeHold {
-    /// Where it would be if nothing else pulled.
+    /// Position of the node without other forces.
     pub(super) place: Vector,
-    /// Way outwards there, unit length.
+    /// Outward direction at the position, unit length.
     pub(super) outwards: Vector,
 }
 
-/// Some of a number of things, each once; with room for all, also in a copy.
+/// Set of indices with fixed capacity, also in a copy.
 #[derive(Clone, Debug)]
 struct IndexSet {
     items: Vec<u32>,
@@ -87,19 +87,19 @@ pub(super) struct Springs {
     /// Counted after the springs where both are meant.
     edges: Vec<Edge>,
     connecting: Vec<ConnectingSprings>,
-    /// Of the nodes, with some that nothing moves after the last, to whole fours.
+    /// Positions of the nodes, padded to a multiple of four with fixed ones.
     pub(super) places: Vec<Vector>,
-    /// Places one step ago.
+    /// Positions at the previous step.
     pub(super) before: Vec<Vector>,
-    /// Which node leads each, itself or another, and the way from that one.
+    /// Leader of each node, itself or another, and the offset from it.
     leaders: Vec<(u16, Vector)>,
     velocities: Vec<Vector>,
-    /// Of a step, or how far the springs that are too long pull, and their weight; else 0.
+    /// Forces during a step, or correction and weight of overlong springs; otherwise 0.
     forces: Vec<Vector>,
-    /// Where the springs of each node begin in `around`; one more for the end.
+    /// Start of each node's springs in `around`, plus one entry for the end.
     starts: Vec<u32>,
     around: Vec<u32>,
-    /// Whether any spring may be too long, or only `suspects`.
+    /// True if any spring may be overlong, false if only `suspects` may be.
     has_stepped: bool,
     suspects: IndexSet,
     /// Those of the round before.
@@ -109,8 +109,8 @@ pub(super) struct Springs {
 }
 
 impl Springs {
-    /// From places at rest, faces, and for each node the distance to what lies under it and
-    /// its grip; lists of one length, indices within.
+    /// Builds the springs from rest positions, faces, and for each node the distance to the layer
+    /// under it and its grip; lists of equal length, indices in range.
     pub(super) fn new(rest: &[[f32; 3]], quads: &[[u16; 4]], depth: &[f32], grip: &[f32]) -> Self {
         let mut places: Vec<Vector> = rest.iter().copied().map(vector).collect();
         let nodes = places.len();
@@ -148,12 +148,12 @@ impl Springs {
         }
     }
 
-    /// How many springs there are, with those that hold the nodes.
+    /// Returns the number of springs, including the connecting springs.
     pub(super) fn count(&self) -> usize {
         self.ends.len() + 2 * self.leaders.len()
     }
 
-    /// Puts every node where it is held, moving as its hold does.
+    /// Resets every node to its hold position, moving as its hold does.
     pub(super) fn reset(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         self.has_stepped = true;
         for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
@@ -163,7 +163,7 @@ impl Springs {
         }
     }
 
-    /// One step, from where the nodes were held before it to where they are held now.
+    /// Performs one step, from the previous hold positions of the nodes to the current ones.
     pub(super) fn step(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         self.has_stepped = true;
         self.find_pulls();
@@ -182,8 +182,8 @@ impl Springs {
         }
     }
 
-    /// Adds the forces of the springs of the skin to those of their ends. What pulls at one first
-    /// end is summed up without being stored.
+    /// Adds the forces of the skin springs to their ends. Forces on a shared first end are summed
+    /// in registers.
     fn pull(&mut self) {
         let mut all = &self.pulls[..];
         for own in self.ends.chunk_by(|x, y| x[0] == y[0]) {
@@ -201,7 +201,7 @@ impl Springs {
         }
     }
 
-    /// Moves nodes by what pulls them, which is forgotten then.
+    /// Moves nodes by their forces, then clears these.
     fn move_nodes(&mut self, holds: &[NodeHold], earlier: &[NodeHold]) {
         let nodes = self.places.as_chunks_mut::<LANES>().0.iter_mut();
         let moving = self.velocities.as_chunks_mut::<LANES>().0.iter_mut();
@@ -239,7 +239,7 @@ impl Springs {
         }
     }
 
-    /// Puts the nodes that are led where their leaders are.
+    /// Moves led nodes to their leaders.
     pub(super) fn follow(&mut self) {
         for (node, (leader, off)) in self.leaders.iter().enumerate() {
             let leader = usize::from(*leader);
@@ -251,19 +251,19 @@ impl Springs {
         }
     }
 
-    /// Whether a node goes with another one.
+    /// Returns true if a node is led by another one.
     pub(super) fn is_led(&self, node: usize) -> bool {
         usize::from(self.leaders[node].0) != node
     }
 
-    /// Where a node is, or will be once it has followed its leader.
+    /// Returns the position of a node after it has followed its leader.
     pub(super) fn position(&self, node: usize) -> Vector {
         let (leader, off) = self.leaders[node];
         self.places[usize::from(leader)] + off
     }
 
-    /// Shortens overlong springs, and those that this makes overlong, until none is; tells
-    /// whether anything was.
+    /// Shortens overlong springs, and those that become overlong by this, until none is left;
+    /// returns true if there was any.
     pub(super) fn limit(&mut self) -> bool {
         if self.has_stepped {
             self.has_stepped = false;
@@ -328,8 +328,8 @@ impl Springs {
         }
     }
 
-    /// The ends of a spring or edge that is longer than `longest` times its length at rest, and
-    /// what each has to move by, the first one's way.
+    /// Returns the ends of a spring or edge longer than `longest` times its rest length, and the
+    /// correction of each end, in the first one's direction.
     fn too_long(&self, i: usize, longest: f32) -> Option<([usize; 2], Vector)> {
         let (ends, off, rest) = if i < self.ends.len() {
             (self.ends[i], Vector::default(), self.rest[i])

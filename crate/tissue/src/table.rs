@@ -7,25 +7,25 @@
 pub(crate) struct Row<'a> {
     /// Its name in stories, without its side.
     pub(crate) name: &'a str,
-    /// Whether there is one on each side.
+    /// True if there is one muscle on each side.
     pub(crate) is_pair: bool,
     /// Its name in the program, without its side.
     pub(crate) code: &'a str,
     /// Share of its length that it loses at full contraction, 0 to 1.
     pub(crate) shortens: f32,
-    /// How much thicker its middle becomes, millimetres on the reference head.
+    /// Thickening of its middle, millimetres on the reference head.
     pub(crate) bulge_mm: f32,
-    /// Which channel of the wrinkle map it folds the skin into, 0 to 2, and how strongly.
+    /// Channel of the wrinkle map into which it folds the skin, 0 to 2, and the strength.
     pub(crate) fold: Option<(u8, f32)>,
-    /// Which targets of ARKit it moves, by how many percent.
+    /// ARKit targets that it moves, in percent.
     pub(crate) arkit: Vec<(&'a str, u8)>,
-    /// How many percent of it closures take off: sealed lips, the lower lip at the teeth.
+    /// Reduction by closures in percent: sealed lips, the lower lip at the teeth.
     pub(crate) closures: Option<[u8; 2]>,
-    /// How many percent of the jaw's opening it takes off at full contraction.
+    /// Reduction of the jaw's opening at full contraction, in percent.
     pub(crate) closes_jaw: u8,
 }
 
-/// What the columns are; those after them are for pages and people.
+/// Names of the columns; further columns are for documentation only.
 const COLUMNS: [&str; 9] = [
     "name",
     "sides",
@@ -38,7 +38,7 @@ const COLUMNS: [&str; 9] = [
     "closes_jaw",
 ];
 
-/// The rows of a table, or what is wrong with it.
+/// Parses the rows of a table; returns an error message if it is invalid.
 pub(crate) fn read(text: &str) -> Result<Vec<Row<'_>>, String> {
     let rows = lines(text, &COLUMNS, row)?;
     for (k, row) in rows.iter().enumerate() {
@@ -153,7 +153,7 @@ fn share(text: &str) -> Result<(&str, &str), String> {
         .ok_or_else(|| format!("{text} is not of the form what:how much"))
 }
 
-/// What follows the name of a muscle of a row, for each that there is.
+/// Returns the name suffixes of a row's muscles, one for each.
 pub(crate) fn sides(row: &Row<'_>) -> &'static [&'static str] {
     if row.is_pair {
         &["Left", "Right"]
@@ -162,7 +162,7 @@ pub(crate) fn sides(row: &Row<'_>) -> &'static [&'static str] {
     }
 }
 
-/// Each muscle of a table by its place: its row, and what follows its names.
+/// Calls a function for each muscle of a table, by index, with its row and name suffix.
 pub(crate) fn for_each_muscle<'t, 'a>(
     rows: &'t [Row<'a>],
 ) -> impl Iterator<Item = (&'t Row<'a>, &'static str)> {

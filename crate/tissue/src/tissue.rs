@@ -7,25 +7,25 @@ use super::Muscle;
 /// A point of a muscle fibre at rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FibrePoint {
-    /// Place in the bind pose, metres.
+    /// Position in the bind pose, metres.
     pub rest: [f32; 3],
-    /// Way to the skin, unit length.
+    /// Direction to the skin, unit length.
     pub outwards: [f32; 3],
     /// Share of the lower jaw in where it is, 0 to 1.
     pub jaw: f32,
 }
 
-/// How the points of a fibre move when it contracts.
+/// Movement of a fibre's points on contraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FibreCurve {
-    /// Towards the first point, the origin, along the fibre. Points lie at even distances.
+    /// Towards the first point, the origin, along the fibre. Points are evenly spaced.
     Linear,
-    /// Towards a place, in the plane of the muscle: orbicularis oculi.
+    /// Towards a point, in the plane of the muscle: orbicularis oculi.
     Towards([f32; 3]),
-    /// As a half of the ring of the mouth, from the right corner to the left: upper or lower,
-    /// and how far out it lies, 0 at the red of the lips to 1.
+    /// Half of the ring of the mouth, from the right corner to the left: upper or lower, and its
+    /// outward position, 0 at the vermilion to 1.
     Oris {
-        /// Whether it lies in the lower lip.
+        /// True if it lies in the lower lip.
         is_lower: bool,
         /// 0 at the red of the lips to 1.
         out: f32,
@@ -35,47 +35,47 @@ pub enum FibreCurve {
 /// A fibre: a piece of a muscle's grid (F&H 3.1.2, "Building Muscles").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibre {
-    /// Whose it is.
+    /// Muscle of the fibre.
     pub muscle: Muscle,
-    /// How it moves.
+    /// Movement on contraction.
     pub course: FibreCurve,
     /// Its first point in [`Tissue::points`].
     pub first: u16,
-    /// How many points it has, at least two.
+    /// Number of points, at least two.
     pub count: u8,
 }
 
-/// A node's hold on a fibre.
+/// Attachment of a node to a fibre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attachment {
-    /// The point of the fibre before the place of the hold.
+    /// Point of the fibre before the attachment.
     pub point: u16,
-    /// How far on to the next point, 0 to 1.
+    /// Fraction of the segment to the next point, 0 to 1.
     pub on: f32,
-    /// Share of the fibre's movement that the node takes.
+    /// Share of the fibre's movement that the node follows.
     pub weight: f32,
 }
 
-/// Where the end of a linear fibre is grown into the ring of the mouth: the two move each
-/// other (F&H 3.1.2, "Properties").
+/// Attachment of the end of a linear fibre to the ring of the mouth: the two move each other (F&H
+/// 3.1.2, "Properties").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link {
     /// Last point of the linear fibre.
     pub end: u16,
     /// Point of the ring.
     pub ring: u16,
-    /// How much of the end's movement the point of the ring takes.
+    /// Share of the end's movement that the point of the ring follows.
     pub weight: f32,
 }
 
-/// The two lips at one place along the mouth.
+/// Both lips at one position along the mouth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Column {
     /// Nodes of the upper and of the lower lip that touch each other at rest.
     pub contact: [u16; 2],
-    /// Edge of the upper teeth there, bind pose, metres; where the lower lip goes for f and v.
+    /// Edge of the upper teeth there, bind pose, metres; target of the lower lip for f and v.
     pub edge: [f32; 3],
-    /// How far the lower lip reaches for the teeth there: 1 in the middle, 0 at the corner.
+    /// Reach of the lower lip for the teeth there: 1 in the middle, 0 at the corner.
     pub bites: f32,
 }
 
@@ -103,7 +103,7 @@ pub struct Arch {
     /// Columns from the right, where the direction is −1, to the left, where it is 1; see
     /// [`Arch::direction`].
     pub columns: u16,
-    /// Distances from the axis, metres, row by row; 0 where there is nothing.
+    /// Distances from the axis, metres, row by row; 0 if empty.
     pub radii: Vec<f32>,
 }
 
@@ -115,8 +115,8 @@ impl Arch {
     }
 }
 
-/// The soft parts of a face. Lists have lengths as their parts say; code that reads them from
-/// a file checks this once.
+/// Soft tissue of a face. The lengths of the lists are given by their parts; code that reads them
+/// from a file checks this once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tissue {
     /// Size against the reference head, about 1.
@@ -125,13 +125,13 @@ pub struct Tissue {
     pub hinge: [f32; 3],
     /// Nodes of the skin at rest, bind pose, metres.
     pub rest: Vec<[f32; 3]>,
-    /// Share of the lower jaw in what lies under each node, 0 to 1.
+    /// Weight of the lower jaw in the layer under each node, 0 to 1.
     pub jaw: Vec<f32>,
-    /// Distance from each node to the bone or to what it lies on, metres.
+    /// Distance from each node to the bone or the layer under it, metres.
     pub depth: Vec<f32>,
-    /// How firmly each is held sideways: pretension of its connecting springs, 0 slides to 1.
+    /// Lateral stiffness of each node: pretension of its connecting springs, 0 (slides) to 1.
     pub grip: Vec<f32>,
-    /// How much blood shows in each, 0 to 1: where a face blushes.
+    /// Visible blood at each node when the face blushes, 0 to 1.
     pub flush: Vec<f32>,
     /// Faces of the network.
     pub quads: Vec<[u16; 4]>,
@@ -139,13 +139,13 @@ pub struct Tissue {
     pub fibres: Vec<Fibre>,
     /// Their points.
     pub points: Vec<FibrePoint>,
-    /// Where the attachments of each node begin; one more for the end.
+    /// Start of each node's attachments, plus one entry for the end.
     pub starts: Vec<u32>,
-    /// Holds of nodes on fibres.
+    /// Attachments of nodes to fibres.
     pub attachments: Vec<Attachment>,
     /// Muscles grown into the ring of the mouth.
     pub links: Vec<Link>,
-    /// Places along the mouth.
+    /// Columns along the mouth.
     pub columns: Vec<Column>,
     /// The nodes of the lips.
     pub lips: Vec<LipNode>,
@@ -155,7 +155,7 @@ pub struct Tissue {
     pub before_teeth: Vec<u16>,
     /// Upper and lower teeth.
     pub arches: [Arch; 2],
-    /// How much of the expressive wrinkles shows while no muscle contracts, 0 to 1: lines of age. A figure's
-    /// file holds it beside the tissue.
+    /// Visible share of the expressive wrinkles without contraction, 0 to 1: age lines. A figure's
+    /// file stores it next to the tissue.
     pub lines: f32,
 }

@@ -14,23 +14,23 @@ use raconteur_speech::bundle::{
     Word, code_of_db, code_of_hz,
 };
 
-/// Silence before the first word, seconds: what a caption or a mouth needs to get ready.
+/// Silence before the first word, seconds: time for a caption or the mouth to get ready.
 const LEAD_SECS: f64 = 0.12;
 
 /// Silence after the last word, seconds: the voice dies away in it.
 const TAIL_SECS: f64 = 0.15;
 
-/// How much of the engine's own silence is kept after and before speech, fading: breath and
-/// decay that the phone labels do not cover.
+/// Duration of the engine's own silence retained after and before speech, with a fade: breath and
+/// decay not covered by the phone labels.
 const FADE_OUT_SECS: f64 = 0.06;
 const FADE_IN_SECS: f64 = 0.03;
 
-/// A recording under speech is this much softer where somebody speaks, as a factor: 12 dB.
+/// Gain of a recording while somebody speaks over it: a factor for 12 dB.
 const DUCKED: f64 = 0.25;
 /// It becomes softer and louder again within this time, seconds.
 const DUCK_SECS: f64 = 0.25;
 
-/// No sample goes beyond this: −1.5 dB, which leaves the encoders half a decibel below −1.
+/// Maximum sample value: −1.5 dB, which leaves the encoders half a decibel below −1.
 const PEAK: f64 = 0.84;
 /// From here on peaks are rounded off: the sharp ones of loud voices, once in a period.
 const KNEE: f64 = 0.7;
@@ -40,9 +40,9 @@ const INTENSITY_WINDOW_SECS: f64 = 0.032;
 
 /// A sentence that is ready.
 pub struct SpokenSentence {
-    /// Its sound and times, as they are to be heard.
+    /// Final audio and times.
     pub spoken: Spoken,
-    /// Factor on pauses that the text does not set: of the pace and of emotions.
+    /// Factor for pauses not set by the text: from speech rate and emotions.
     pub pauses: f64,
     /// Silences to add after tokens, and those to leave out, which are 0; seconds.
     pub moved_pauses: Vec<(usize, f64)>,
@@ -65,7 +65,7 @@ pub struct Recording {
     pub samples: Vec<f64>,
 }
 
-/// Assembles what was spoken for a plan. All sounds have `rate_hz`; there is a recording for
+/// Assembles the spoken sentences of a plan. All sounds have `rate_hz`; there is a recording for
 /// each of the plan's sounds.
 #[must_use]
 pub fn assemble(
@@ -111,15 +111,15 @@ pub fn assemble(
     tape.finish(plan, utterance, felt)
 }
 
-/// An utterance as far as its sentences have been joined.
+/// Utterance under construction from its joined sentences.
 struct Assembly<'a> {
     tape: AudioBuilder<'a>,
     utterance: Utterance,
     /// Silence before the next sentence, seconds.
     gap_secs: f64,
-    /// What the engine's sound holds after the last phone.
+    /// Engine audio after the last phone.
     before: &'a [f64],
-    /// The first word of the present sentence, which may be spoken in several runs.
+    /// First word of the current sentence, which may be spoken in several runs.
     first_word: usize,
 }
 
@@ -268,12 +268,12 @@ fn describe(
     }
 }
 
-/// The sound so far and where its phones end.
+/// Audio under construction, with the ends of its phones.
 struct AudioBuilder<'a> {
     rate_hz: f64,
     samples: Vec<f64>,
     marks: Vec<Mark>,
-    /// Recordings that are still to come.
+    /// Remaining recordings.
     sounds: std::collections::VecDeque<(&'a Sound, &'a Recording)>,
     /// Recordings under the speech, with their first samples.
     backgrounds: Vec<(usize, &'a Sound, &'a Recording)>,
@@ -295,7 +295,7 @@ impl AudioBuilder<'_> {
         });
     }
 
-    /// Plays the recordings that come before a word.
+    /// Plays the recordings before a word.
     fn sounds_before(&mut self, word: usize) {
         while let Some((sound, recording)) = self.sounds.front().copied() {
             if sound.word > word {
@@ -317,7 +317,7 @@ impl AudioBuilder<'_> {
         }
     }
 
-    /// Adds silence of this length that begins as `before` does and ends as `after` does.
+    /// Adds silence of this length that starts with `before` and ends with `after`.
     fn silence(&mut self, secs: f64, before: &[f64], after: &[f64]) {
         let count = |secs: f64| (secs.max(0.0) * self.rate_hz).round() as usize;
         let length = count(secs);
@@ -343,7 +343,7 @@ impl AudioBuilder<'_> {
         }
     }
 
-    /// Adds the recordings under the speech, softer where somebody speaks.
+    /// Mixes the recordings under the speech, attenuated while somebody speaks.
     fn mix(&mut self) {
         if self.backgrounds.is_empty() {
             return;
@@ -428,8 +428,8 @@ impl AudioBuilder<'_> {
     }
 }
 
-/// What a bundle tells of the intensity of a sound, a code for each [`FRAME_SECS`] of its
-/// length in seconds.
+/// Returns the intensity of a sound as bundle codes, one for each [`FRAME_SECS`] of its length in
+/// seconds.
 #[must_use]
 pub fn intensity_codes(samples: &[f64], rate_hz: f64, duration_secs: f64) -> Vec<u8> {
     let db = intensity::intensity(samples, rate_hz, FRAME_SECS, INTENSITY_WINDOW_SECS);
@@ -439,7 +439,7 @@ pub fn intensity_codes(samples: &[f64], rate_hz: f64, duration_secs: f64) -> Vec
         .collect()
 }
 
-/// Times of words from those of their phones, and their places in the text.
+/// Sets the times of words from those of their phones, and their positions in the text.
 fn words(utterance: &mut Utterance, plan: &Plan) {
     let mut spans: Vec<Option<(f64, f64)>> = vec![None; plan.words.len()];
     for phone in &utterance.phones {

@@ -105,7 +105,7 @@ fn item_text(item: &Item, resolved: &Resolved) -> String {
     }
 }
 
-fn said(content: &Content) -> String {
+fn spoken_words(content: &Content) -> String {
     let resolved = resolve(content, "festival");
     let lines = resolved
         .items
@@ -141,7 +141,7 @@ fn documents_say_what_is_expected_and_survive_writing() {
         let name = path.display();
         let source = fs::read_to_string(&path).unwrap();
         let (content, problems) = read(&source).unwrap_or_else(|p| panic!("{name}:{p}"));
-        let said = said(&content);
+        let said = spoken_words(&content);
         let told: String = problems.iter().map(|p| format!("! {p}\n")).collect();
         let beside = path.with_extension("expected");
         if std::env::var_os("UPDATE").is_some() {
@@ -154,12 +154,16 @@ fn documents_say_what_is_expected_and_survive_writing() {
             ("SSML", ssml::read(&ssml::write(&content, "en"))),
         ] {
             let (again, problems) = written.unwrap_or_else(|p| panic!("{name}: {p}"));
-            assert_eq!(self::said(&again), said, "{name} by {language}");
+            assert_eq!(self::spoken_words(&again), said, "{name} by {language}");
             assert_eq!(problems, [], "{name} by {language}");
         }
         // Line ends and a byte order mark change nothing.
         let windows = format!("\u{feff}{}", source.replace('\n', "\r\n"));
-        assert_eq!(self::said(&read(&windows).unwrap().0), said, "{name}");
+        assert_eq!(
+            self::spoken_words(&read(&windows).unwrap().0),
+            said,
+            "{name}"
+        );
     }
     assert!(count >= 5, "{count} documents");
 }

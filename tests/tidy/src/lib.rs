@@ -15,3 +15,5 @@ mod files;
 mod folders;
 #[cfg(test)]
 mod modules;
+#[cfg(test)]
+mod words;

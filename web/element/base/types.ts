@@ -123,7 +123,7 @@ export interface Piece {
 export type Words = string | AsyncIterable<string> | ReadableStream<string>;
 
 /** A text that is being told. */
-export interface Telling {
+export interface NarrationHandle {
   /** Everything has been said, or it was interrupted; rejects with the error of the words' source, when what came before it has been said. */
   readonly done: Promise<void>;
   /** Says no more, as `interrupt()` of the player. */
@@ -217,3 +217,6 @@ export interface PlayerState {
 
 /** @deprecated Use `EnvironmentExpression`. */
 export type Expressed = EnvironmentExpression;
+
+/** @deprecated Use `NarrationHandle`. */
+export type Telling = NarrationHandle;

@@ -42,7 +42,7 @@ interface PlayingSource {
 }
 
 /** What is not heard: a recording, what has none, or only what comes with speech. */
-type Missing = Utterance | 'speech' | 'sound';
+type MissingHandler = Utterance | 'speech' | 'sound';
 
 /** Speaks a story's utterances. */
 /** Where recordings lie, and how they are fetched and played. */
@@ -57,7 +57,7 @@ export class RecordedVoice implements Voice {
   readonly #utterances: Iterable<Utterance>;
   readonly #folder: URL;
   readonly #credentials: Credentials;
-  readonly #onMissing: (what: Missing, message: string) => void;
+  readonly #onMissing: (what: MissingHandler, message: string) => void;
   readonly #abort = new AbortController();
   /** Decoded sounds; null for one that cannot be had. */
   readonly #sounds = new Map<Utterance, AudioBuffer | null | 'pending'>();
@@ -101,7 +101,7 @@ export class RecordedVoice implements Voice {
    * `utterances` may come and go, in any order; `onMissing` hears of each that cannot be played, and of
    * what else is missing.
    */
-  constructor(utterances: Iterable<Utterance>, { folder, credentials, device }: Recordings, onMissing: (what: Missing, message: string) => void) {
+  constructor(utterances: Iterable<Utterance>, { folder, credentials, device }: Recordings, onMissing: (what: MissingHandler, message: string) => void) {
     this.#device = device;
     this.#utterances = utterances;
     this.#folder = folder;
@@ -466,7 +466,7 @@ export class RecordedVoice implements Voice {
 /** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played, and whether that is speech. */
 export function openVoice(utterances: Iterable<Utterance>, recordings: Recordings, report: (message: string, isSpeech: boolean) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
-  const missed = (what: Missing, why: string): void => {
+  const missed = (what: MissingHandler, why: string): void => {
     if (typeof what === 'string') {
       report(why, what === 'speech');
       return;

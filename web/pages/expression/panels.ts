@@ -4,10 +4,10 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { check, choice, numberField, vars } from '../fields.js';
 import type { App } from './app.js';
 import { BANDS, bandOf, rulesOf, told, type Rule } from './rules.js';
-import { settingOf, type Channels, type SetKind, type Side } from './state.js';
+import { settingOf, type Channels, type StageSet, type Side } from './state.js';
 import { BAD, GOOD, POTENTIAL_STEP, STRONGEST, type EmotionName } from './types.js';
 
-const SETS: Readonly<Record<SetKind, string>> = { curtain: 'Curtain', fireside: 'Fireside', garden: 'Garden', night: 'Night', school: 'School' };
+const SETS: Readonly<Record<StageSet, string>> = { curtain: 'Curtain', fireside: 'Fireside', garden: 'Garden', night: 'Night', school: 'School' };
 const CHANNELS: Readonly<Record<keyof Channels, string>> = { camera: 'Camera', light: 'Light', music: 'Music' };
 const SIDES: Readonly<Record<Side, string>> = { a: 'A', b: 'B' };
 

@@ -9,14 +9,14 @@ export interface Channels {
   music: boolean;
 }
 
-export type SetKind = 'curtain' | 'fireside' | 'garden' | 'night' | 'school';
+export type StageSet = 'curtain' | 'fireside' | 'garden' | 'night' | 'school';
 
 export interface Setting extends Channels {
   emotion: EmotionName;
   /** How strong the events are that elicit it, 0 to 10. */
   potential: number;
   /** Where the story is told. */
-  set: SetKind;
+  set: StageSet;
   /** Whether the light is that of GEVH to the letter, in full colour, and not a gel. */
   thesis: boolean;
 }

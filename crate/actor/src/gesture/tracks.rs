@@ -44,7 +44,7 @@ pub(super) struct WristNode {
 
 /// A movement of shoulder and elbow.
 #[derive(Clone, Copy, Debug)]
-struct Swing {
+struct ArmSwing {
     ends: [ArmPosture; 2],
     /// Errors of the postures at their places, metres.
     errors: [DVec3; 2],
@@ -55,7 +55,7 @@ struct Swing {
 pub(super) struct WristTrack {
     pub(super) times: Vec<f64>,
     pub(super) nodes: Vec<WristNode>,
-    swings: Vec<Swing>,
+    swings: Vec<ArmSwing>,
 }
 
 impl WristTrack {
@@ -73,7 +73,7 @@ impl WristTrack {
             arch: a.arch,
         };
         let wrist = if let Some(swing) = a.swing {
-            let Swing { ends, errors } = &self.swings[swing as usize];
+            let ArmSwing { ends, errors } = &self.swings[swing as usize];
             rig.wrist_of(&ends[0].lerp(&ends[1], m)) + errors[0].lerp(errors[1], m)
         } else if a.profile.is_some() {
             from + along * m
@@ -112,7 +112,7 @@ impl WristTrack {
                 let ends = [from, to].map(|wrist| rig.posture(wrist));
                 let errors = [0, 1].map(|k| [from, to][k] - rig.wrist_of(&ends[k]));
                 last.swing = Some(self.swings.len() as u32);
-                self.swings.push(Swing { ends, errors });
+                self.swings.push(ArmSwing { ends, errors });
             }
         }
         self.times.push(time_secs);

@@ -56,13 +56,13 @@ const HEAD_ASIDE: f64 = 0.25;
 const HEAD_AWAY: f64 = 0.5;
 /// Duration of the head turn, seconds. Designed.
 const HEAD_SECS: f64 = 0.45;
-/// Who looks for a word moves more slowly (F&H section 4.2.1), as a factor.
+/// Factor by which a speaker who searches for a word moves more slowly (F&H section 4.2.1).
 const THINKING_SLOWER: f64 = 1.8;
 
-/// What a demand is for.
+/// Purpose of a gaze demand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum GazePurpose {
-    /// Look at the listener.
+    /// A look at the listener.
     Listener,
     /// Do not; the eyes are aside when it begins.
     Aside,
@@ -70,11 +70,11 @@ enum GazePurpose {
     AsideNow,
     /// Turn away.
     Away,
-    /// A fixed place, yaw (left) and pitch (down).
+    /// A fixed direction, yaw (left) and pitch (down).
     Place([f64; 2]),
 }
 
-/// Where to look over a span of time.
+/// A gaze demand over a span of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct GazeDemand {
     start_secs: f64,
@@ -215,7 +215,7 @@ fn demands(
 
 /// Demands that do not overlap: of two at a time the one of higher rank, else the earlier.
 fn resolved(all: Vec<GazeDemand>) -> Vec<GazeDemand> {
-    /// Less than this of a demand is none, seconds.
+    /// Minimum duration of a demand, seconds; shorter ones are ignored.
     const MIN_SECS: f64 = 0.02;
     let mut kept: Vec<GazeDemand> = Vec::with_capacity(all.len());
     for mut demand in all {
@@ -243,7 +243,7 @@ fn resolved(all: Vec<GazeDemand>) -> Vec<GazeDemand> {
 /// The gaze while it is planned.
 struct GazePlan {
     gaze: Gaze,
-    /// Where the eyes are.
+    /// Direction of the eyes.
     at: [f64; 2],
     seed: u64,
     count: i64,
@@ -256,7 +256,7 @@ impl GazePlan {
         noise::unit(self.seed, stream::GAZE, self.count)
     }
 
-    /// Brings the eyes to where a demand wants them. They are free to move from a time on.
+    /// Moves the eyes to the direction of a demand. They may move from `free_secs` on.
     fn satisfy(&mut self, demand: &GazeDemand, free_secs: f64) {
         let start = demand.start_secs;
         let gap_secs = start - free_secs;
@@ -310,8 +310,8 @@ impl GazePlan {
         }
     }
 
-    /// Small movements while nothing is demanded, so that the eyes are never still for long:
-    /// over the face, or from place to place aside.
+    /// Adds small movements while there is no demand, so the eyes are never still for long: over
+    /// the face, or from direction to direction aside.
     fn rove(&mut self, from_secs: f64, to_secs: f64) {
         let mut at_secs = from_secs;
         for _ in 0..MAX_ROVES {
@@ -353,7 +353,7 @@ impl GazePlan {
         [0, 1].map(|_| ON_FACE_RAD * (2.0 * self.unit() - 1.0) * self.amount.min(1.0))
     }
 
-    /// A place aside: near to where the eyes are, if they are aside already.
+    /// Returns a direction aside, near the present one if the eyes are already aside.
     fn aside(&mut self, is_away: bool) -> [f64; 2] {
         let [least, most, mean] = ASIDE_RAD;
         let mean = if is_away { STEP_RAD } else { mean };

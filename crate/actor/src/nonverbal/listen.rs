@@ -6,12 +6,12 @@ use raconteur_base::noise;
 
 use crate::idle::stream;
 
-/// Mean time from one look aside to the next, and its mean length, seconds (Lee, Badler and
-/// Badler 2002, doi:10.1145/566654.566629: listeners look at the speaker for 237.5 frames of
-/// 30 a second on average, and aside for 13).
+/// Mean time between looks aside, and their mean length, seconds (Lee, Badler and Badler 2002,
+/// doi:10.1145/566654.566629: listeners look at the speaker for 237.5 frames at 30 frames per
+/// second on average, and aside for 13).
 const STRETCH_SECS: f64 = 250.5 / 30.0;
 const ASIDE_SECS: f64 = 13.0 / 30.0;
-/// Stretch of one fixation while looking at a face, seconds. Designed.
+/// Interval of one fixation while looking at a face, seconds. Designed.
 const FIXATION_SECS: f64 = 0.9;
 /// Offsets on a face, radians. Designed: from eye to eye to mouth.
 const ON_FACE_RAD: f64 = 0.013;
@@ -40,7 +40,8 @@ impl ListenerGaze {
         }
     }
 
-    /// How far the gaze is from the other at a time: yaw (left) and pitch (down), radians.
+    /// Returns the deviation of the gaze from the other person at a time: yaw (left) and pitch
+    /// (down), radians.
     pub(super) fn aversion(&self, time_secs: f64) -> [f64; 2] {
         let far_secs = self.to_turn(time_secs, time_secs);
         if far_secs <= 0.0 {
@@ -51,7 +52,7 @@ impl ListenerGaze {
         [0, 1].map(|k| self.amount * (share * micro[k] + aside[k]))
     }
 
-    /// The time between a span and the nearest turn; 0 where they meet.
+    /// Returns the time between a span and the nearest turn; 0 if they overlap.
     fn to_turn(&self, start_secs: f64, end_secs: f64) -> f64 {
         let after = self.turns.partition_point(|turn| turn[0] <= end_secs);
         let before = after
@@ -64,7 +65,7 @@ impl ListenerGaze {
         before.min(behind).max(0.0)
     }
 
-    /// The look aside of this stretch, unless a turn is near.
+    /// Returns the look aside of this interval, unless a turn is near.
     fn aside(&self, time_secs: f64) -> [f64; 2] {
         let stretch = (time_secs / STRETCH_SECS).floor();
         let r = |k: u64| noise::unit(self.seed, stream::LISTEN + k, stretch as i64);

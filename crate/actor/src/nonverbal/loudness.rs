@@ -8,15 +8,15 @@ use super::contour::{approximate, extrema};
 use super::track::Track;
 use crate::articulation::ORDINARY_LOUDNESS;
 
-/// From the quietest to the loudest at least, decibels, so that even speech is not blown up
-/// to whispers and shouts. Designed.
+/// Minimum range from the quietest to the loudest, decibels, so even speech is not exaggerated to
+/// whispers and shouts. Designed.
 const MIN_RANGE_DB: f64 = 12.0;
 /// Peaks this far below the loudest are noise and breath, decibels. Designed.
 const SPEECH_DB: f64 = 35.0;
 
-/// Loudness at the maxima of the curve of the intensity: 0 at the quietest, 1 at the loudest
-/// of all utterances, and [`ORDINARY_LOUDNESS`] at their mean and where nothing is known;
-/// between maxima the steps of a track, cubics that do not overshoot.
+/// Returns the loudness at the maxima of the intensity curve: 0 at the quietest, 1 at the loudest
+/// of all utterances, and [`ORDINARY_LOUDNESS`] at their mean and where it is unknown; between
+/// maxima the cubic steps of a track, which do not overshoot.
 pub(super) fn track(utterances: &[&TimedUtterance]) -> Track {
     let mut peaks: Vec<(f64, f64)> = Vec::new();
     for u in utterances {

@@ -1,10 +1,10 @@
 //! How one character accompanies speech: how much and how often.
 
-/// What the plan of expressions is made from (F&H sections 4.2 and 4.3).
+/// Source of the plan of expressions (F&H sections 4.2 and 4.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlanBasis {
-    /// From the sound: fundamental frequency and pauses (section 4.2). An utterance of
-    /// which no frequency is known goes the other way.
+    /// From the audio: fundamental frequency and pauses (section 4.2). An utterance of unknown
+    /// frequency is planned from the text.
     #[default]
     Audio,
     /// From the text: accents, phrases and kinds of sentences (section 4.3).
@@ -15,41 +15,40 @@ pub enum PlanBasis {
 /// numbers, where there are any; other numbers make other temperaments (section 4.2.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
-    /// What the plan is made from.
+    /// Source of the plan.
     pub way: PlanBasis,
-    /// How far the head is raised and tilted, 0 to 1: at 1 a highest pitch raises it by
+    /// Amount of head raise and tilt, 0 to 1: at 1 the highest pitch raises it by
     /// [`HEAD_RAISE_RAD`](super::HEAD_RAISE_RAD).
     pub head: f64,
     /// In which share of the raises the head tilts to a side (section 4.3.5: 0.75).
     pub tilt_share: f64,
-    /// How far the brows are raised and drawn together, 0 to 2.
+    /// Amount of raising and drawing together the brows, 0 to 2.
     pub brows: f64,
     /// At which share of the highest pitches the brows are raised (section 4.3.5 after Cavé
     /// et al. 1996: 0.71).
     pub brow_share: f64,
-    /// How much a highest pitch stands out from the lowest ones beside it to be shown,
-    /// semitones. Designed; F&H tell it as dependent on the speaker.
+    /// Prominence of a pitch maximum over the neighbouring minima from which it is shown,
+    /// semitones. Designed; F&H describe it as speaker-dependent.
     pub pitch_threshold: f64,
     /// Blinks, as a multiple of the natural frequency (22 a minute in speech, 17 in silence), 0 to 4.
     pub blinks: f64,
-    /// How far the gaze goes aside, 0 to 2.
+    /// Amount of gaze aversion, 0 to 2.
     pub gaze: f64,
-    /// On which share of accented syllables the speaker looks at the listener (section
-    /// 4.3.5: 0.7).
+    /// Share of accented syllables with a look at the listener (section 4.3.5: 0.7).
     pub accent_glances: f64,
     /// The same of pauses between intonational phrases (section 4.3.5: 0.7).
     pub pause_glances: f64,
-    /// From which length on a pause inside a sentence is one for thinking, seconds.
-    /// Designed; F&H tell it as dependent on the speaker.
+    /// Minimum length of a thinking pause inside a sentence, seconds. Designed; F&H describe it as
+    /// speaker-dependent.
     pub thinking_secs: f64,
-    /// Which share of such pauses shows it.
+    /// Share of such pauses in which thinking is visible.
     pub thinking_share: f64,
-    /// Which share of these is a look at the floor with a frown, and not one up with raised
-    /// brows (section 4.2.1: 0.25).
+    /// Share of these with a look at the floor and a frown, instead of a look up with raised brows
+    /// (section 4.2.1: 0.25).
     pub frown_share: f64,
     /// Mean time between two moistenings of the lips in speech, seconds. Designed.
     pub lick_secs: f64,
-    /// How far the loudness rules the head's raises, 0 to 1 (section 4.2.1). Designed.
+    /// Influence of loudness on the head's raises, 0 to 1 (section 4.2.1). Designed.
     pub head_by_loudness: f64,
     /// The same for the brows.
     pub brows_by_loudness: f64,

@@ -40,8 +40,7 @@ pub use gaze::AT_LISTENER_RAD;
 pub use manner::{Manner, PlanBasis};
 pub use raise::HEAD_RAISE_RAD;
 
-/// Times beyond this are none, seconds: thirty years, of which a double still tells
-/// microseconds.
+/// Largest valid time, seconds: thirty years, at which a double still resolves microseconds.
 const MAX_TIME_SECS: f64 = 1e9;
 /// Contraction of the frontalis in thought, and of corrugator and procerus. Designed.
 const THOUGHT_BROWS: f64 = 0.5;
@@ -55,7 +54,7 @@ const LICK: [f64; 2] = [0.6, 0.2];
 /// Before and after a turn the gaze is still planned with it, seconds.
 const AROUND_TURN_SECS: [f64; 2] = [0.6, 1.5];
 
-/// Where the gaze is, against one straight at the listener.
+/// Deviation of the gaze from a straight look at the listener.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GazeAversion {
     /// The eyes in all: yaw (left) and pitch (down), radians.
@@ -68,7 +67,7 @@ pub struct GazeAversion {
 #[derive(Clone, Debug)]
 pub struct NonVerbal {
     raises: Raises,
-    /// Brows in thought: 1 raised, −1 drawn together.
+    /// Brows while thinking: 1 raised, −1 drawn together.
     thought: Track,
     lick: Track,
     loudness: Track,
@@ -78,8 +77,8 @@ pub struct NonVerbal {
 }
 
 impl NonVerbal {
-    /// Plans everything for utterances in any order. The same seed gives the same plan,
-    /// another one another. Utterances of impossible times are passed over.
+    /// Plans everything for utterances in any order. The same seed gives the same plan, a different
+    /// seed another. Utterances with invalid times are skipped.
     #[must_use]
     pub fn new(speech: &[TimedUtterance], seed: u64, manner: &Manner) -> Self {
         let manner = manner.in_range();
@@ -111,8 +110,8 @@ impl NonVerbal {
         }
     }
 
-    /// Adds to the controls of a face at a time: brows raised or drawn together, lips
-    /// moistened. `liveliness` scales it, 1 as planned.
+    /// Adds to the controls of a face at a time: brows raised or drawn together, lips moistened.
+    /// `liveliness` scales it, 1 as planned.
     pub fn face(&self, time_secs: f64, liveliness: f64, face: &mut FaceControls) {
         use Muscle as M;
         let time_secs = possible(time_secs);
@@ -137,13 +136,13 @@ impl NonVerbal {
         face.tongue_out += LICK[0] * lick;
     }
 
-    /// How far the lips are being moistened at a time, 0 to 1.
+    /// Returns the progress of moistening the lips at a time, 0 to 1.
     #[must_use]
     pub fn lick(&self, time_secs: f64) -> f64 {
         self.lick.sample(possible(time_secs))
     }
 
-    /// How far a blink closes the lids at a time, 0 to 1.
+    /// Returns the closure of the lids by a blink at a time, 0 to 1.
     #[must_use]
     pub fn closure(&self, time_secs: f64) -> f64 {
         self.blinks.closure(possible(time_secs))
@@ -161,7 +160,7 @@ impl NonVerbal {
         [-raise, 0.5 * tilt, tilt - THOUGHT_TILT_RAD * thought]
     }
 
-    /// Where the gaze is at a time.
+    /// Returns the gaze at a time.
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> GazeAversion {
         let time_secs = possible(time_secs);
@@ -174,9 +173,9 @@ impl NonVerbal {
         }
     }
 
-    /// Relative loudness of the speech around a time: 0 the quietest, 1 the loudest, and
-    /// [`ORDINARY_LOUDNESS`](crate::articulation::ORDINARY_LOUDNESS) the mean, also where
-    /// nothing is known of it.
+    /// Returns the relative loudness of the speech around a time: 0 the quietest, 1 the loudest,
+    /// and [`ORDINARY_LOUDNESS`](crate::articulation::ORDINARY_LOUDNESS) the mean, also where it is
+    /// unknown.
     #[must_use]
     pub fn loudness(&self, time_secs: f64) -> f64 {
         self.loudness.sample(possible(time_secs))

@@ -11,17 +11,17 @@ use super::extreme::Extreme;
 
 /// Fewer voiced frames than this are no melody.
 const MIN_FRAMES: usize = 10;
-/// A voice counts as moving within at least this range, semitones, so that a monotonous
-/// speaker nods little. Designed.
+/// Minimum pitch range assumed for a voice, semitones, so a monotonous speaker nods little.
+/// Designed.
 const MIN_RANGE: f64 = 6.0;
 /// Length of a syllable that is only known by its pitch, seconds. Designed.
 const SYLLABLE_SECS: f64 = 0.2;
 /// The least height of a maximum, as a share of the range: it has stood out already.
 const MIN_HEIGHT: f64 = 0.15;
 
-/// Adds the pitch extrema of an utterance that stand out by a threshold (semitones): maxima
-/// by their height in the speaker's range, minima with none. False where too little of the
-/// sound is known.
+/// Adds the pitch extrema of an utterance that exceed a threshold of prominence (semitones): maxima
+/// with their height in the speaker's range, minima without. Returns false if too little of the
+/// audio is known.
 ///
 /// Heights are on a scale of semitones and not of hertz as in the thesis, so that one
 /// threshold fits low and high voices.
@@ -62,7 +62,7 @@ pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Ext
     true
 }
 
-/// Accents of an utterance of which none are known: around the maxima of its pitch.
+/// Returns the accents of an utterance without known accents: around the maxima of its pitch.
 pub(super) fn accents(timed: &TimedUtterance, extremes: &[Extreme]) -> Vec<Accent> {
     let maxima = extremes.iter().filter(|e| e.height > 0.0);
     maxima
@@ -75,8 +75,8 @@ pub(super) fn accents(timed: &TimedUtterance, extremes: &[Extreme]) -> Vec<Accen
         .collect()
 }
 
-/// The measured frame that an extremum of the curve stands for, and its pitch: the highest
-/// or lowest one between the curve's turning points.
+/// Returns the measured frame that an extremum of the curve represents, and its pitch: the highest
+/// or lowest frame between the curve's inflection points.
 fn measured(extremum: Extremum, curve: &[f64], f0: &[u8]) -> (Extremum, f64) {
     let (first, last) = between_turning_points(curve, extremum);
     let sign = if extremum.is_max { 1.0 } else { -1.0 };
@@ -95,7 +95,7 @@ fn measured(extremum: Extremum, curve: &[f64], f0: &[u8]) -> (Extremum, f64) {
     )
 }
 
-/// Pitch at every frame in semitones, linear over unvoiced stretches.
+/// Returns the pitch at every frame in semitones, interpolated linearly over unvoiced intervals.
 fn bridged(f0: &[u8]) -> Option<Vec<f64>> {
     let mut frames: Vec<f64> = Vec::with_capacity(f0.len());
     let (mut voiced, mut last) = (0, None);
@@ -114,8 +114,8 @@ fn bridged(f0: &[u8]) -> Option<Vec<f64>> {
     (voiced >= MIN_FRAMES).then_some(frames)
 }
 
-/// The pitches under which a tenth and above which a twentieth of the voiced frames lie: a
-/// voice's range without its errors.
+/// Returns the pitches below which a tenth and above which a twentieth of the voiced frames lie: a
+/// voice's range without pitch errors.
 fn range(f0: &[u8]) -> [f64; 2] {
     let mut counts = [0_usize; 256];
     for code in f0.iter().filter(|code| **code > 0) {

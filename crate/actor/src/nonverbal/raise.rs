@@ -10,7 +10,7 @@ use super::speech_features::{BoundaryKind, SpeechFeatures};
 use super::track::Track;
 use crate::idle::stream;
 
-/// How far the head is raised at the highest pitch, radians: 3° (F&H section 4.2.1).
+/// Head raise at the highest pitch, radians: 3° (F&H section 4.2.1).
 pub const HEAD_RAISE_RAD: f64 = 3.0 * core::f64::consts::PI / 180.0;
 /// The largest tilt to a side with a raise, radians. Designed: "slightly".
 const TILT_RAD: f64 = 0.04;
@@ -25,12 +25,12 @@ const RIGHT_BROW: f64 = 0.4;
 const QUESTION: f64 = 0.85;
 /// Time between two keys at least, seconds: 3° in it are a quick nod. Designed.
 const MIN_SECS: f64 = 0.16;
-/// A movement takes this time at most, seconds, however far apart the extrema are. Designed.
+/// Maximum duration of a movement, seconds, whatever the distance of the extrema. Designed.
 const MAX_SECS: f64 = 0.8;
-/// Time in which head and brows come down when nothing more is said, seconds. Designed.
+/// Time in which head and brows are lowered when speech ends, seconds. Designed.
 const DOWN_SECS: f64 = 0.35;
 
-/// Head and brows over the story, before the amounts of the moment.
+/// Raises of head and brows over the story, before scaling by the amounts of the time.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Raises {
     /// Raise of the head, radians.
@@ -96,8 +96,8 @@ fn push(track: &mut Track, at_secs: f64, value: f64) {
     track.push(at_secs, value);
 }
 
-/// The extrema as they are shown: at phone boundaries, those of questions in place of what
-/// the pitch does there, with a way down behind each utterance.
+/// Returns the extrema as shown: at phone boundaries, those of questions replacing the pitch there,
+/// with a descent after each utterance.
 fn keys(heard: &SpeechFeatures) -> Vec<Extreme> {
     let extremes = &heard.extremes;
     let mut all: Vec<Extreme> = Vec::with_capacity(extremes.len() + 4 * heard.questions.len());

@@ -14,12 +14,12 @@ const PAUSE_SECS: f64 = 0.15;
 /// Silence at least this long ends a turn, seconds. Designed: a second or two are a pause
 /// in a story.
 const TURN_SECS: f64 = 3.0;
-/// What speakers fill pauses with, in the languages that we speak.
+/// Filler words in the supported languages.
 const FILLERS: [&str; 9] = ["uh", "uhm", "erm", "hm", "mhm", "äh", "ähm", "öhm", "hã"];
-/// A filler only when it is drawn out, because it is a word as well.
+/// Words that count as fillers only when lengthened, because they are ordinary words as well.
 const DRAWN_FILLERS: [&str; 5] = ["er", "um", "eh", "ah", "m"];
 
-/// What a pause parts.
+/// Boundary at which a pause occurs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum BoundaryKind {
     /// Words of one phrase.
@@ -52,19 +52,19 @@ pub(super) struct AccentedSyllable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Question {
     pub(super) start_secs: f64,
-    /// When its last word begins and ends.
+    /// Start and end of its last word.
     pub(super) last_word_secs: [f64; 2],
     pub(super) end_secs: f64,
 }
 
-/// All that is said.
+/// Features of all speech.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SpeechFeatures {
     /// Phone boundaries, ascending.
     pub(super) boundaries: Vec<f64>,
     pub(super) pauses: Vec<Pause>,
     pub(super) stresses: Vec<AccentedSyllable>,
-    /// Where the voice rises and falls, utterance by utterance.
+    /// Rises and falls of the voice, utterance by utterance.
     pub(super) extremes: Vec<Extreme>,
     pub(super) questions: Vec<Question>,
     /// Start of the first sound, start of the last word and end of the last sound of each
@@ -72,10 +72,10 @@ pub(super) struct SpeechFeatures {
     pub(super) turns: Vec<[f64; 3]>,
 }
 
-/// The last sound heard so far.
+/// The last audible phone up to now.
 struct LastPhone {
     end_secs: f64,
-    /// What ends with it.
+    /// Boundary that ends with it.
     parts: BoundaryKind,
     /// Its question, if it ends one, by index.
     question: Option<usize>,
@@ -203,8 +203,8 @@ impl SpeechFeatures {
         self.turns.push([start_secs, start_secs, end_secs]);
     }
 
-    /// Adds where the voice rises and falls, and the accents of an utterance. Accents that
-    /// that the bundle does not mark are where the voice is highest, or on some of the longer words.
+    /// Adds the rises and falls of the voice, and the accents of an utterance. Accents that the
+    /// bundle does not mark are placed at the highest pitch, or on some of the longer words.
     fn add_melody(&mut self, timed: &TimedUtterance, manner: &Manner, seed: u64) {
         let u = &*timed.utterance;
         let known = accent::known(u);
@@ -232,7 +232,7 @@ impl SpeechFeatures {
         }
     }
 
-    /// The question that is being asked at a time, with the pause behind it.
+    /// Returns the question asked at a time, including the pause after it.
     pub(super) fn question_at(&self, time_secs: f64) -> Option<&Question> {
         let begun = self
             .questions
@@ -267,8 +267,8 @@ impl SpeechFeatures {
     }
 }
 
-/// What ends with each word of an utterance, and the first and last word of each question.
-/// Sentences that the bundle does not mark are found by their punctuation.
+/// Returns the boundary that ends with each word of an utterance, and the first and last word of
+/// each question. Sentences that the bundle does not mark are detected by punctuation.
 fn ends_of(u: &Utterance) -> (Vec<BoundaryKind>, Vec<(usize, usize)>) {
     let mut ends = vec![BoundaryKind::Words; u.words.len()];
     let mut questions = Vec::new();
@@ -312,7 +312,7 @@ fn ends_of(u: &Utterance) -> (Vec<BoundaryKind>, Vec<(usize, usize)>) {
     (ends, questions)
 }
 
-/// Whether a word fills a pause: "errr", "ähm".
+/// Returns true if a word fills a pause: "errr", "ähm".
 fn is_filler(text: &str) -> bool {
     let mut letters = ['\0'; 4];
     let (mut count, mut run, mut is_drawn) = (0, 0, false);

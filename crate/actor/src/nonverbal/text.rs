@@ -17,12 +17,11 @@ const NEAR_SECS: f64 = 0.45;
 /// A word longer than this has an accent more often, and a guessed accent is no longer,
 /// seconds. Designed.
 const LONG_WORD_SECS: f64 = 0.3;
-/// How much lower the last accent of a phrase is than its first, as a share: declination.
-/// Designed.
+/// Share by which the last accent of a phrase is lower than its first: declination. Designed.
 const DECLINATION: f64 = 0.3;
 
-/// How high an accent of a ToBI label is in the speaker's range, 0 to 1; `None` of one that
-/// is a low. Designed after the labels' meanings (Beckman and Ayers 1997).
+/// Returns the height of an accent with a ToBI label in the speaker's range, 0 to 1; `None` for a
+/// low one. Designed after the labels' meanings (Beckman and Ayers 1997).
 fn height_of(label: &str) -> Option<f64> {
     if label.starts_with("L*") {
         None
@@ -35,14 +34,14 @@ fn height_of(label: &str) -> Option<f64> {
     }
 }
 
-/// How high a phrase ends that rises at its end, by the label of its boundary tone.
+/// Returns the final height of a phrase with a final rise, by the label of its boundary tone.
 fn rise_of(tone: &str) -> Option<f64> {
     let is_rising = tone.ends_with("H%");
     is_rising.then_some(if tone.starts_with('H') { 0.9 } else { 0.5 })
 }
 
-/// Accents of an utterance of which none are known: on some of the longer words, where most
-/// accents are (F&H section 4.3.2: on content words).
+/// Returns the accents of an utterance without known accents: on some of the longer words, which
+/// carry most accents (F&H section 4.3.2: on content words).
 pub(super) fn accents(u: &Utterance, seed: u64) -> Vec<Accent> {
     let is_accented = |(i, word): &(usize, &Word)| {
         let is_long = word.end_secs - word.start_secs > LONG_WORD_SECS;
@@ -60,8 +59,8 @@ pub(super) fn accents(u: &Utterance, seed: u64) -> Vec<Accent> {
         .collect()
 }
 
-/// Adds what the pitch of an utterance may be taken to do: a maximum in the middle of each
-/// accented syllable and at the end of each rising phrase, with minima between.
+/// Adds the assumed pitch of an utterance: a maximum in the middle of each accented syllable and at
+/// the end of each rising phrase, with minima between.
 pub(super) fn extremes(timed: &TimedUtterance, accents: &[Accent], out: &mut Vec<Extreme>) {
     let u = &*timed.utterance;
     let mut maxima: Vec<(f64, f64)> = Vec::with_capacity(accents.len());
@@ -102,7 +101,7 @@ pub(super) fn extremes(timed: &TimedUtterance, accents: &[Accent], out: &mut Vec
     }
 }
 
-/// How far into its phrase a time is, 0 to 1; 0 where no phrases are known.
+/// Returns the relative position of a time in its phrase, 0 to 1; 0 if no phrases are known.
 fn share_of_phrase(u: &Utterance, at_secs: f64) -> f64 {
     let start = |phrase: &Phrase| u.words.get(phrase.first_word).map(|w| w.start_secs);
     let begun = u

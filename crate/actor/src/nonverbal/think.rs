@@ -8,21 +8,21 @@ use super::speech_features::{BoundaryKind, SpeechFeatures};
 use super::track::Track;
 use crate::idle::stream;
 
-/// The time that brows take to show a thought, seconds. Designed.
+/// Time in which brows show a thought, seconds. Designed.
 const BROW_SECS: f64 = 0.4;
 /// A pause must be this long for the lips to be moistened, seconds. Designed.
 const LICK_PAUSE_SECS: f64 = 0.35;
-/// The time that it takes, seconds. Designed.
+/// Duration of moistening the lips, seconds. Designed.
 const LICK_SECS: f64 = 0.5;
-/// How much more slowly one moves who thinks. Designed; F&H only tell that.
+/// Factor by which a thinking speaker moves more slowly. Designed; F&H state only the slowing.
 const SLOWER: f64 = 1.8;
 
-/// A pause in which the speaker thinks or looks for a word.
+/// A pause in which the speaker thinks or searches for a word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ThinkingPause {
     pub(super) start_secs: f64,
     pub(super) end_secs: f64,
-    /// Where the eyes are: yaw (left) and pitch (down), radians.
+    /// Direction of the eyes: yaw (left) and pitch (down), radians.
     pub(super) place: [f64; 2],
 }
 
@@ -54,7 +54,7 @@ pub(super) fn thoughts(heard: &SpeechFeatures, manner: &Manner, seed: u64) -> Ve
     thoughts
 }
 
-/// How the brows show thoughts: 1 raised, −1 drawn together.
+/// Returns the brow track of the thoughts: 1 raised, −1 drawn together.
 pub(super) fn brows(thoughts: &[ThinkingPause]) -> Track {
     let mut brows = Track::default();
     for thought in thoughts {
@@ -66,7 +66,7 @@ pub(super) fn brows(thoughts: &[ThinkingPause]) -> Track {
     brows
 }
 
-/// How far the tongue moistens the lips, 0 to 1: in the first long pause after each interval.
+/// Returns the track of moistening the lips, 0 to 1: in the first long pause after each interval.
 pub(super) fn licks(
     heard: &SpeechFeatures,
     thoughts: &[ThinkingPause],

@@ -9,8 +9,8 @@ struct Key {
     value: f64,
 }
 
-/// Keys by time. Between two of them the value follows a cubic with no slope at either, so
-/// that nothing jumps; before the first and after the last it stays.
+/// Keys by time. Between two keys the value follows a cubic with zero slope at either, so it is
+/// continuous; before the first and after the last it is constant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Track {
     keys: Vec<Key>,
@@ -37,7 +37,7 @@ impl Track {
         self.keys.last().map_or(0.0, |k| k.value)
     }
 
-    /// When the last key is; long ago without one.
+    /// Returns the time of the last key; minus infinity without one.
     pub(super) fn end_secs(&self) -> f64 {
         self.keys.last().map_or(f64::NEG_INFINITY, |k| k.at_secs)
     }
@@ -49,8 +49,9 @@ impl Track {
         }
     }
 
-    /// Moves from the last value to another within a time, as soon as the move before is
-    /// over. One that would come later than by its own length gives the move before its aim.
+    /// Moves from the last value to another within a time, as soon as the previous move is over. A
+    /// move that would be delayed by more than its own length replaces the target of the previous
+    /// one.
     pub(super) fn move_to(&mut self, from_secs: f64, length_secs: f64, value: f64) {
         let begun = self.end_secs();
         if begun > from_secs + length_secs {

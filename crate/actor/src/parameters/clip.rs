@@ -36,7 +36,7 @@ pub struct ParameterClip {
     tracks: Vec<(Parameter, Keys)>,
 }
 
-/// What a text says of the whole; what has another type says nothing.
+/// Clip-wide fields of a file; fields of another type are ignored.
 #[derive(Default, Deserialize)]
 #[serde(default)]
 struct ClipHeader {
@@ -94,13 +94,13 @@ impl ParameterClip {
         self.seconds
     }
 
-    /// What it moves, each with its place.
+    /// Returns the parameters that it moves, each with its index.
     pub(super) fn parameters(&self) -> impl Iterator<Item = (usize, Parameter)> + '_ {
         let tracks = self.tracks.iter().enumerate();
         tracks.map(|(place, (parameter, _))| (place, *parameter))
     }
 
-    /// The value of the parameter at a place, so many seconds after the begin. O(log n).
+    /// Returns the value of the parameter at an index, `secs` seconds after the start. O(log n).
     pub(super) fn value(&self, place: usize, secs: f64) -> f64 {
         self.tracks
             .get(place)

@@ -3,12 +3,10 @@
 
 use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
 
-/// Largest turn of the eyes that a script asks for, radians: beyond, a head must follow.
-/// Designed.
+/// Maximum turn of the eyes by a script, radians: beyond it the head must follow. Designed.
 const GAZE_RAD: f64 = 0.5;
 
-/// A direct parameter: its name, and whether it goes both ways (−1 to 1) instead of
-/// one (0 to 1).
+/// A direct parameter: its name, and true if it is signed (−1 to 1) instead of unsigned (0 to 1).
 const DIRECT: [(&str, bool); 18] = [
     ("Jaw", false),
     ("JawYaw", true),
@@ -30,10 +28,10 @@ const DIRECT: [(&str, bool); 18] = [
     ("GazeY", true),
 ];
 
-/// How many there are.
+/// Number of controls.
 pub const DIALS: usize = MUSCLES + DIRECT.len();
 
-/// One of them, by its place among all: the muscles in their order, then the direct ones.
+/// A face control, by its index: the muscles in their order, then the direct ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FaceControl(u8);
 
@@ -61,13 +59,13 @@ impl FaceControl {
         Self(muscle.index() as u8)
     }
 
-    /// That of a place in the order of all; `None` beyond the last.
+    /// Returns the control of an index; `None` beyond the last.
     #[must_use]
     pub fn from_index(index: usize) -> Option<Self> {
         (index < DIALS).then_some(Self(index as u8))
     }
 
-    /// Its place among all.
+    /// Returns its index among all controls.
     #[must_use]
     pub fn index(self) -> usize {
         usize::from(self.0)
@@ -82,14 +80,15 @@ impl FaceControl {
         }
     }
 
-    /// Whether it goes from −1 to 1 instead of from 0.
+    /// Returns true if its range is −1 to 1 instead of 0 to 1.
     #[must_use]
     pub fn is_signed(self) -> bool {
         let place = self.index().checked_sub(MUSCLES);
         place.is_some_and(|place| DIRECT[place].1)
     }
 
-    /// The same on the right side of the face; itself where it is on none or on the right.
+    /// Returns the same control on the right side of the face; itself if it is on the midline or on
+    /// the right.
     #[must_use]
     pub fn with_right_half(self) -> Self {
         // The right one of two always follows the left one.
@@ -133,8 +132,8 @@ impl FaceControl {
         }
     }
 
-    /// The turn of the eyes that a value asks for: yaw to the figure's left and pitch down,
-    /// radians; `GazeX` looks to the left and `GazeY` up with positive values.
+    /// Returns the turn of the eyes for a value: yaw to the figure's left and pitch down, radians;
+    /// positive values of `GazeX` look to the left, those of `GazeY` up.
     #[must_use]
     pub fn gaze_rad(self, value: f64) -> [f64; 2] {
         match self.index().checked_sub(MUSCLES) {

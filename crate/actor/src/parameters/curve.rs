@@ -7,20 +7,20 @@ use raconteur_base::curve::{lerp, smooth};
 use super::clip::ParameterClip;
 use super::script::PlaybackStyle;
 
-/// How long a value that is set takes to come, and an animation to take over, seconds.
-/// Designed: a step looks immediate, and no muscle jumps.
+/// Transition time of a set value, and of an animation that takes over, seconds. Designed: a step
+/// looks immediate, and no muscle jumps.
 pub const SET_SECS: f64 = 0.15;
 /// The shortest time in which a phase changes the value, seconds: one frame of film.
 pub const STEP_SECS: f64 = 0.04;
 
-/// What a parameter does from some time on.
+/// Change of a parameter from a time on.
 #[derive(Clone, Debug)]
 pub(super) enum ParameterChange {
-    /// Eases to a value in [`SET_SECS`] and keeps it.
+    /// Eases to a value in [`SET_SECS`] and holds it.
     Ease(f64),
-    /// Goes straight to a value in this time, seconds, and keeps it.
+    /// Moves linearly to a value in this time, seconds, and holds it.
     Line(f64, f64),
-    /// Follows a track of an animation, and keeps its last value.
+    /// Follows a track of an animation, and holds its last value.
     Clip {
         clip: Arc<ParameterClip>,
         place: usize,
@@ -29,11 +29,11 @@ pub(super) enum ParameterChange {
     },
 }
 
-/// A parameter over the time of a story; 0 before its first command. What comes later
-/// takes over from wherever the parameter is.
+/// A parameter over story time; 0 before its first command. A later command takes over from the
+/// present value.
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
-    /// When each course begins, rising.
+    /// Start times of the courses, ascending.
     starts: Vec<f64>,
     /// The value that each begins with.
     values: Vec<f64>,
@@ -50,8 +50,8 @@ impl Curve {
         }
     }
 
-    /// Lets the parameter do something from a time on; whatever else it was to do from then
-    /// on is forgotten.
+    /// Adds a change of the parameter from a time on, discarding all changes planned from that time
+    /// on.
     pub(super) fn push(&mut self, start_secs: f64, course: ParameterChange) {
         let value = self.sample(start_secs);
         while self.starts.pop_if(|s| *s >= start_secs).is_some() {
@@ -63,8 +63,8 @@ impl Curve {
         self.changes.push(course);
     }
 
-    /// Leads it straight through values, each to be reached at its time; a value takes at
-    /// least [`STEP_SECS`] to change.
+    /// Adds linear moves through values, each reached at its time; a value takes at least
+    /// [`STEP_SECS`] to change.
     pub(super) fn append_keys(&mut self, start_secs: f64, keys: &[(f64, f64)]) {
         let mut now = start_secs;
         for (at, value) in keys {

@@ -30,7 +30,7 @@ pub const VISEMES: [(&str, &str); 15] = [
 /// other five are words of the table.
 const EKMAN: [(&str, &str); 1] = [("Sadness", "sorry-for")];
 
-/// What may follow a name in those of several parameters that it stands for together.
+/// Suffixes of names that stand for several parameters together.
 const PARTS: [&str; 9] = [
     "Left",
     "Right",
@@ -43,11 +43,11 @@ const PARTS: [&str; 9] = [
     "Posterior",
 ];
 
-/// A control parameter: something of the face, a viseme, or an emotion.
+/// A control parameter: a face control, a viseme, or an emotion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Parameter(u8);
 
-/// What a parameter asks for.
+/// Target of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterTarget {
     /// A muscle, or a direct parameter of the face.
@@ -59,12 +59,12 @@ pub enum ParameterTarget {
 }
 
 impl Parameter {
-    /// How many there are.
+    /// Number of parameters.
     pub(super) const COUNT: usize = DIALS + VISEMES.len() + WORDS.len();
 
-    /// Every parameter that a name stands for, letters great or small; none for a name that
-    /// there is not. `ZygomaticusMajorLeft` is one muscle, `ZygomaticusMajor` both,
-    /// `Frontalis` all four; visemes are called `PP` or `VisemePP`.
+    /// Returns every parameter that a name stands for, case-insensitively; none for an unknown
+    /// name. `ZygomaticusMajorLeft` is one muscle, `ZygomaticusMajor` both, `Frontalis` all four;
+    /// visemes are named `PP` or `VisemePP`.
     pub fn named(name: &str) -> impl Iterator<Item = Self> {
         let name = EKMAN
             .iter()
@@ -98,7 +98,7 @@ impl Parameter {
         (0..Self::COUNT as u8).map(Self)
     }
 
-    /// Its place among all.
+    /// Returns its index among all parameters.
     pub(super) fn index(self) -> usize {
         usize::from(self.0)
     }
@@ -117,7 +117,7 @@ impl Parameter {
         }
     }
 
-    /// What it asks for.
+    /// Returns its target.
     #[must_use]
     pub fn target(self) -> ParameterTarget {
         let index = self.index();
@@ -134,7 +134,7 @@ impl Parameter {
         }
     }
 
-    /// The least value that it takes; the greatest is 1.
+    /// Returns its minimum value; the maximum is 1.
     #[must_use]
     pub fn min_value(self) -> f64 {
         let dial = FaceControl::from_index(self.index());
@@ -145,14 +145,14 @@ impl Parameter {
         }
     }
 
-    /// All names that there are, those that stand for several aside: muscles first.
+    /// Returns all names, except those that stand for several parameters: muscles first.
     pub fn names() -> impl Iterator<Item = &'static str> {
         let ekman = EKMAN.iter().map(|(name, _)| *name);
         Self::all().map(Self::name).chain(ekman)
     }
 }
 
-/// Whether a name goes on with nothing but sides and parts.
+/// Returns true if the rest of a name consists only of sides and parts.
 fn is_of_parts(mut rest: &str) -> bool {
     while !rest.is_empty() {
         match PARTS.iter().find_map(|part| rest.strip_prefix(part)) {

@@ -17,8 +17,8 @@ pub enum PlaybackStyle {
 }
 
 impl PlaybackStyle {
-    /// Where in an animation of so many seconds one is, so many seconds after it began to
-    /// play; it stays where it ends.
+    /// Returns the position in an animation of a given length, some seconds after playback began;
+    /// it stays at the end.
     #[must_use]
     pub fn place(self, since_secs: f64, length_secs: f64) -> f64 {
         let there = since_secs.clamp(0.0, length_secs);
@@ -32,20 +32,19 @@ impl PlaybackStyle {
     }
 }
 
-/// Four phases (GEVH D.3.28): from the value that the parameter has straight to that of the
-/// attack, to that of the decay, then that of the sustain held, and to that of the release,
-/// which stays.
+/// Four phases (GEVH D.3.28): linear from the parameter's present value to that of the attack, to
+/// that of the decay, then the sustain value held, and to that of the release, which remains.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Adsr {
-    /// How long each phase takes, seconds: attack, decay, sustain, release.
+    /// Duration of each phase, seconds: attack, decay, sustain, release.
     pub secs: [f64; 4],
     /// The value of each.
     pub values: [f64; 4],
 }
 
 impl Adsr {
-    /// The values with the times at which they are reached, seconds from the begin. Times
-    /// that are no times count as none.
+    /// Returns the values with the times at which they are reached, seconds from the start. Invalid
+    /// durations count as 0.
     pub(super) fn keys(&self) -> [(f64, f64); 5] {
         let mut sum = 0.0;
         let ends = self.secs.map(|secs| {
@@ -68,9 +67,9 @@ impl Adsr {
 /// One command.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParameterCommand {
-    /// A parameter takes a value.
+    /// Sets a parameter to a value.
     Set(Parameter, f64),
-    /// A parameter goes through four phases.
+    /// Moves a parameter through four phases.
     Lead(Parameter, Adsr),
     /// An animation plays.
     Play {
@@ -78,13 +77,13 @@ pub enum ParameterCommand {
         animation: String,
         /// In which direction.
         style: PlaybackStyle,
-        /// By what its values are multiplied.
+        /// Factor for its values.
         gain: f64,
     },
 }
 
-/// All commands, with their times, story seconds, in any order; of what comes at one time
-/// the last counts.
+/// All commands with their times, story seconds, in any order; of simultaneous commands the last
+/// counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParameterScript {
     /// The command.

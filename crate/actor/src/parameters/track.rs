@@ -23,8 +23,8 @@ pub struct ParameterTrack {
 }
 
 impl ParameterTrack {
-    /// From what a story asks. `library` gives animations by name; what it does not have is
-    /// left out. Times that are no numbers are left out, too.
+    /// Creates the track from a story's commands. `library` provides animations by name; unknown
+    /// names and non-finite times are left out.
     #[must_use]
     pub fn new(
         script: &ParameterScript,
@@ -91,8 +91,8 @@ impl ParameterTrack {
         }
     }
 
-    /// By how much the eyes turn from where they would look otherwise: yaw to the figure's
-    /// left and pitch down, radians.
+    /// Returns the turn of the eyes from their usual gaze direction: yaw to the figure's left and
+    /// pitch down, radians.
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> [f64; 2] {
         self.dials.iter().fold([0.0; 2], |[yaw, pitch], (dial, c)| {
@@ -101,8 +101,8 @@ impl ParameterTrack {
         })
     }
 
-    /// The mouth that visemes ask for at a time, each in its weight; of more than full weight
-    /// together, their mean. `None` while no viseme is set.
+    /// Returns the mouth targets of the visemes at a time, weighted; their mean if the total
+    /// exceeds full weight. `None` while no viseme is set.
     #[must_use]
     pub fn visemes(&self, time_secs: f64) -> Option<MouthTargets> {
         let mut mouth = MouthTargets::default();
@@ -131,7 +131,7 @@ impl ParameterTrack {
     }
 }
 
-/// A number, or none.
+/// Returns a finite number, or 0.
 fn number(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }

@@ -11,7 +11,7 @@ use raconteur_actor::limb::{ArmRig, Build, Sex};
 use raconteur_base::{Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
-/// Stances that turn the head by some degrees, a nod that closes, and a turn that does not.
+/// Stances that turn the head by some degrees, a nod that loops, and a turn that does not.
 pub(crate) const CLIPS: [(&str, &str); 6] = [
     (
         "left",
@@ -120,7 +120,7 @@ impl Stage {
     }
 }
 
-/// Standing still: what players lie over.
+/// Returns a standing idle pose, the base for players.
 pub(crate) fn idle(skeleton: &Skeleton) -> Pose {
     let mut pose = Pose::zero();
     Stance::new(skeleton, Sex::Male, 1).apply(skeleton, 0.0, 0.0, &mut pose);

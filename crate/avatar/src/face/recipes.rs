@@ -2,17 +2,17 @@
 
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 
-/// Which vertices a channel may move.
+/// Region of the vertices that a channel may move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Region {
     Everywhere,
-    /// Where the mouth's own targets move something: an expression's smile without its eyes.
+    /// Vertices moved by the mouth's own targets: an expression's smile without its eyes.
     Mouth,
-    /// Where neither mouth nor lids move: an expression's brows.
+    /// Vertices moved by neither mouth nor lids: an expression's brows.
     Brows,
 }
 
-/// Sources beside ARKit's: Oculus' visemes, and expressions. Names that files use for each,
+/// Sources in addition to ARKit's: Oculus visemes, and expressions. Names used by files for each,
 /// letters only, lower case.
 const OTHERS: [(&str, &[&str]); 15] = [
     (
@@ -60,15 +60,15 @@ pub(super) type Sum = &'static [(&'static str, f64)];
 /// An opening of the mouth reaches the actor's widest vowel (0.245 rad of jaw) with the whole
 /// of a viseme.
 const MAX_OPENING: f64 = JAW_OPEN_RAD / 0.245;
-/// What closes the lips again over that viseme.
+/// Weight that closes the lips again over that viseme.
 const UNWIDEN: f64 = -MOUTH_CLOSE_RAD / 0.245;
-/// What closes the lips over ARKit's jaw, whose `mouthClose` goes with `jawOpen`.
+/// Weight that closes the lips over ARKit's jaw, whose `mouthClose` combines with `jawOpen`.
 pub(super) const OVER_JAW: f64 = MOUTH_CLOSE_RAD / JAW_OPEN_RAD;
 
-/// A channel, the ways to make it (the first that the file can is taken; a channel that the
-/// file has is taken as it is) and the region of the last of them. Factors are designed: a
-/// viseme holds the opening of its vowel, which the jaw channel adds already and which is
-/// taken off again.
+/// Recipes: a channel, its alternatives (the first one available in the file is used; a channel
+/// present in the file is used directly) and the region of the last alternative. Factors are
+/// designed: a viseme includes the opening of its vowel, which the jaw channel already adds and
+/// which is therefore subtracted.
 pub(super) const RECIPES: [(&str, &[Sum], Region); 52] = [
     (
         "jawOpen",
@@ -207,8 +207,8 @@ pub(super) fn recognise(name: &str) -> Option<&'static str> {
         })
 }
 
-/// The source that an expression's name means. Both eyes look with one expression, so the
-/// whole of it goes to one eye's channel.
+/// Returns the source for an expression name. Both eyes look with one expression, so all of it goes
+/// to one eye's channel.
 pub(super) fn recognise_expression(name: &str) -> Option<&'static str> {
     match letters(name).as_str() {
         "lookup" => Some("eyeLookUpLeft"),

@@ -68,7 +68,7 @@ impl Reader<'_, '_> {
         Ok(shapes)
     }
 
-    /// The morph targets of a primitive that the face's channels take from, each read once.
+    /// Reads the morph targets of a primitive that the face's channels use, each once.
     fn targets(
         &mut self,
         mesh: usize,
@@ -102,7 +102,8 @@ impl Reader<'_, '_> {
     }
 }
 
-/// How far parts of a channel move the places and normals of a mesh's vertices.
+/// Returns the displacement of positions and normals of a mesh's vertices by the parts of a
+/// channel.
 fn displaced(
     parts: &[WeightedTarget],
     mesh: usize,
@@ -127,7 +128,8 @@ fn displaced(
     [positions, normals]
 }
 
-/// A shape of some vertices, of the displacements of all places and normals; `linear` turns those of a vertex.
+/// Returns a sparse shape from the displacements of all positions and normals; `linear` transforms
+/// those of a vertex.
 fn shape(
     name: &'static str,
     vertices: Vec<u32>,
@@ -160,7 +162,7 @@ fn shape(
     })
 }
 
-/// What a morph target moves: vertices and displacements, of places and normals.
+/// Sparse morph target: vertices with displacements of positions and normals.
 struct Target {
     positions: (Vec<u32>, Vec<[f32; 3]>),
     normals: (Vec<u32>, Vec<[f32; 3]>),

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use raconteur_avatar::{ImportError, convert_animation};
 use serde_json::Value;
 
-/// A real file, or `None` with a printed reason where the shared folder is absent.
+/// Returns a real file; prints a reason and returns `None` if the shared folder is absent.
 fn real(name: &str) -> Option<Vec<u8>> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models");
     let bytes = fs::read(folder.join(name)).ok();

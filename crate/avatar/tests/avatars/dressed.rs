@@ -16,8 +16,8 @@ fn list<'f>(file: &'f mut File, key: &str) -> &'f mut Vec<Value> {
     file.json[key].as_array_mut().expect("a list")
 }
 
-/// The avatar with the same mesh once more, on a copy of its skeleton whose names `rename` makes
-/// and whose armature `moved` displaces.
+/// Returns the avatar with a second copy of its mesh, on a copy of its skeleton with names from
+/// `rename` and an armature displaced by `moved`.
 fn dressed(avatar: &Avatar, moved: [f64; 3], rename: impl Fn(&str) -> String) -> File {
     let mut file = make(avatar);
     let nodes = file.json["nodes"].as_array().expect("nodes").clone();
@@ -120,7 +120,7 @@ fn what_stands_elsewhere_or_has_other_names_is_told() {
     }
 }
 
-/// Adds a board of three corners beside the figure, below a node of its own.
+/// Adds a triangle next to the figure, below its own node.
 fn with_board(visible: Option<bool>) -> File {
     let mut file = make(&Avatar::new(Dialect::Mixamo));
     let position = file.vectors(&[DVec3::X, DVec3::Y, DVec3::ONE]);
@@ -148,7 +148,8 @@ fn what_a_node_hides_is_not_drawn() {
     }
 }
 
-/// An avatar whose surface shows the first of these pictures and offers the second by an extension.
+/// Returns an avatar whose surface uses the first of these images and offers the second by an
+/// extension.
 fn painted(source: Option<&[u8]>, offered: &[u8]) -> File {
     let mut file = make(&Avatar::new(Dialect::Mixamo));
     let pictures = [source.unwrap_or(offered), offered].map(|bytes| {

@@ -7,7 +7,7 @@ use crate::made::{Avatar, Dialect, make, pack};
 use raconteur_avatar::{ImportError, import_figure, open_figure};
 use raconteur_base::{DAffine3, noise};
 
-/// A real file, or `None` with a printed reason where the shared folder is absent.
+/// Returns a real file; prints a reason and returns `None` if the shared folder is absent.
 fn real(name: &str) -> Option<Vec<u8>> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models");
     let bytes = fs::read(folder.join(name)).ok();
@@ -83,7 +83,7 @@ fn faults_are_named() {
     assert!(!big.is_empty());
 }
 
-/// Puts a hostile word in place of a number of the JSON.
+/// Replaces a number of the JSON by a hostile word.
 fn with_hostile_number(json: &str, seed: u64) -> String {
     const WORDS: [&str; 12] = [
         "0",
@@ -112,7 +112,7 @@ fn with_hostile_number(json: &str, seed: u64) -> String {
     format!("{}{word}{}", &json[..at], &json[end..])
 }
 
-/// Changes bytes of the buffer to others, or to those of NaN.
+/// Replaces bytes of the buffer by others, or by those of NaN.
 fn with_hostile_bytes(bin: &mut [u8], seed: u64) {
     for k in 0..4 {
         let at = noise::hash(seed, 3, k) as usize % bin.len();

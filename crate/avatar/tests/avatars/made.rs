@@ -13,10 +13,10 @@ use self::file::push;
 pub(crate) use self::file::{File, pack};
 use self::spelling::spelled;
 
-/// Whose names the joints bear.
+/// Naming convention of the joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dialect {
-    /// A table in the extension `VRM`; nodes have names that say nothing.
+    /// Table in the extension `VRM`; node names carry no information.
     Vrm0,
     /// A table in `VRMC_vrm`.
     Vrm1,
@@ -28,7 +28,7 @@ pub(crate) enum Dialect {
     Blender,
 }
 
-/// How the avatar is made.
+/// Parameters of the test avatar.
 #[derive(Clone, Debug)]
 pub(crate) struct Avatar {
     pub(crate) dialect: Dialect,
@@ -38,14 +38,14 @@ pub(crate) struct Avatar {
     pub(crate) armature_scaled: bool,
     /// Turn of the whole about the vertical, radians.
     pub(crate) yaw_rad: f64,
-    /// Arms below the horizontal in the rest pose, radians.
+    /// True if the armature is scaled so that the file is nevertheless in metres.
     pub(crate) arms_down_rad: f64,
     /// Bend of the elbows in the rest pose, radians.
     pub(crate) elbow_rad: f64,
-    /// How far the nodes are turned at random from the pose that the skin is bound in,
-    /// radians: a file saved in the midst of a movement.
+    /// Random rotation of the nodes relative to the bind pose, radians: a file saved during a
+    /// movement.
     pub(crate) posed_rad: f64,
-    /// Whether there are fingers.
+    /// Adds fingers.
     pub(crate) fingers: bool,
     /// Morph targets of the face by name, each moving all its vertices by [`delta`].
     pub(crate) morphs: Vec<&'static str>,
@@ -75,7 +75,7 @@ pub(crate) fn delta(i: usize) -> DVec3 {
     DVec3::new(0.001 * i as f64, 0.002, 0.003 + 0.0005 * i as f64)
 }
 
-/// A part of the stick figure: VRM's name, its parent's, and its place in the T-pose, metres.
+/// Part of the stick figure: VRM name, parent's name, and position in the T-pose, metres.
 struct Joint {
     part: String,
     parent: Option<String>,

@@ -19,7 +19,7 @@ fn number(of: &Value, key: &str) -> usize {
     of[key].as_u64().map_or(0, |n| n as usize)
 }
 
-/// A view's stream, and what its extension says beside where it lies.
+/// Returns a view's stream, and the properties of its extension apart from its location.
 fn stream(accessor: &Value, bytes: &[u8]) -> Option<(Vec<u8>, Value)> {
     let count = number(accessor, "count");
     let stride = bytes.len() / count;

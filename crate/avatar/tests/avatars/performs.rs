@@ -41,7 +41,7 @@ pub(crate) fn posed(figure: &Figure, mesh: usize, pose: &Pose) -> Vec<DVec3> {
         .collect()
 }
 
-/// Where a part's joint is seen.
+/// Returns the rendered position of a part's joint.
 fn seen(file: &File, points: &[DVec3], part: &str) -> DVec3 {
     points[file.range(part)].iter().copied().sum::<DVec3>() / 6.0
 }
@@ -67,7 +67,7 @@ pub(crate) fn pose() -> Pose {
     pose
 }
 
-/// Every way an avatar may stand in its file.
+/// Returns every supported stance of an avatar in its file.
 fn variants() -> Vec<Avatar> {
     let mut list = Vec::new();
     for (i, dialect) in DIALECTS.into_iter().enumerate() {
@@ -203,7 +203,7 @@ fn what_is_converted_is_read_by_the_player() {
     }
 }
 
-/// Displacement that a channel gives the face's first vertex, avatar's frame.
+/// Returns the displacement of the face's first vertex by a channel, avatar's frame.
 fn moved(figure: &Figure, name: &str) -> Option<DVec3> {
     let target = figure.morph_index(name)?;
     let morph = figure.meshes[1]

@@ -4,7 +4,7 @@ use super::language::Language;
 use super::starters::is_starter;
 use super::word::Word;
 
-/// Where an abbreviation is one, and whether its full stop may end a sentence too.
+/// Context in which an abbreviation applies, and its ability to end a sentence with its full stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AbbreviationUse {
     /// Before a name: "Dr. Smith".
@@ -21,7 +21,8 @@ enum AbbreviationUse {
 
 use AbbreviationUse::{AfterNumber, Any, BeforeNumber, Inner, Title};
 
-/// Written without the last full stop; read; place; whether it is clear without the stop.
+/// Written form without the last full stop; spoken form; context; true if it is unambiguous without
+/// the stop.
 type Row = (&'static str, &'static str, AbbreviationUse, bool);
 
 const ENGLISH: &[Row] = &[
@@ -215,11 +216,11 @@ const PORTUGUESE: &[Row] = &[
     ("séc", "século", Inner, false),
 ];
 
-/// What an abbreviation is read as.
+/// Spoken form of an abbreviation.
 pub struct Expansion {
-    /// Of each written word that it takes.
+    /// Spoken text of each written word that it covers.
     pub spoken: Vec<String>,
-    /// What is spoken are letters, to be called by their names.
+    /// True if the spoken text consists of letters, pronounced by their names.
     pub is_spelled: bool,
     /// Its last full stop ends a sentence as well.
     pub ends: bool,
@@ -244,7 +245,7 @@ fn row(text: &str, language: Language) -> Option<&'static Row> {
     })
 }
 
-/// Whether a word is a day of the week in English.
+/// Returns true if a word is an English day of the week.
 fn is_day(word: &str) -> bool {
     word.len() > 5 && word.ends_with("day")
 }
@@ -253,7 +254,7 @@ fn numeric(word: Option<&Word<'_>>) -> bool {
     word.is_some_and(|word| word.core.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// The abbreviation at `at`, if one stands there.
+/// Returns the expansion of the abbreviation at `at`, if there is one.
 #[must_use]
 pub fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
     let word = words.get(at)?;

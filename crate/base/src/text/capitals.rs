@@ -4,21 +4,22 @@ use super::capitals_lists::{LETTERS, NAMES, UNCLEAR, WORDS};
 use super::language::Language;
 use super::word::Word;
 
-/// What the words around capitals tell about them.
+/// Context that the surrounding words give for a word in capitals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CapitalContext {
-    /// Nothing: the words beside it are written in small letters.
+    /// None: the neighbouring words are in lower case.
     Nothing,
-    /// Ordinary words in capitals are beside it: somebody shouts.
+    /// Ordinary words in capitals are adjacent: the text is shouted.
     Shouting,
-    /// It stands where only a name can: "the US".
+    /// The position of a name: "the US".
     Name,
 }
 
-/// Runs of capitals are looked at so far, in words.
+/// Maximum distance to which runs of capitals are examined, in words.
 const MAX_DISTANCE_WORDS: usize = 8;
 
-/// Consonants with which words begin, besides single ones (English, German and Portuguese).
+/// Consonant clusters with which words begin, in addition to single consonants (English, German and
+/// Portuguese).
 const ONSETS: &str = "bl br ch chr cl cr dr dw fl fr gh gl gn gr kl kn kr lh nh ph phl phr pl pn pr \
                       ps qu rh sc sch schl schm schn schr schw scr sh shr sk sl sm sn sp sph spl \
                       spr squ st str sv sw th thr tr ts tsch tw vl vr wh wr zw";
@@ -31,8 +32,8 @@ fn has(list: &str, word: &str) -> bool {
     list.split_ascii_whitespace().any(|own| own == word)
 }
 
-/// Whether a word of letters, however written, can be said as one: it begins as words do, has
-/// vowels, and no long run without any.
+/// Returns true if a word of letters, in any case, can be pronounced as a word: it has a valid
+/// onset, vowels, and no long run without any.
 #[must_use]
 pub fn is_pronounceable(word: &str) -> bool {
     let word = word.to_lowercase();
@@ -63,14 +64,14 @@ pub fn is_pronounceable(word: &str) -> bool {
         && (is_long || begins && longest <= 3 && most_vowels <= 3 && run <= most)
 }
 
-/// Whether a word is more than one letter, and all in capitals.
+/// Returns true if a word has more than one letter, all in capitals.
 #[must_use]
 pub fn is_capitals(word: &str) -> bool {
     word.chars().count() > 1 && word.chars().all(char::is_uppercase)
 }
 
-/// Whether capitals are letters, called by their names, rather than a word: by lists of both,
-/// otherwise by their shape and by what is around.
+/// Returns true if capitals are spelt out as letters rather than read as a word: by lists of both,
+/// otherwise by their shape and context.
 #[must_use]
 pub fn is_acronym(word: &str, around: CapitalContext, language: Language) -> bool {
     if !is_capitals(word) {
@@ -90,7 +91,7 @@ pub fn is_acronym(word: &str, around: CapitalContext, language: Language) -> boo
     is_short && around != CapitalContext::Shouting || !is_pronounceable(word)
 }
 
-/// Whether a word in capitals is said louder: an ordinary word among words in small letters.
+/// Returns true if a word in capitals is emphasised: an ordinary word among words in lower case.
 #[must_use]
 pub fn is_stressed(words: &[Word<'_>], at: usize, language: Option<Language>) -> bool {
     let Some(word) = words.get(at).map(|word| word.core.as_str()) else {
@@ -107,8 +108,8 @@ pub fn is_stressed(words: &[Word<'_>], at: usize, language: Option<Language>) ->
         && !is_acronym(word, around, language)
 }
 
-/// What the words around the one at `at` tell about its capitals. Nothing beyond a sign of
-/// punctuation is looked at, so that a text tells the same however it is cut at those.
+/// Returns the context of the word in capitals at `at`. The search stops at punctuation, so the
+/// result does not depend on segmentation at punctuation marks.
 #[must_use]
 pub fn around(words: &[Word<'_>], at: usize, language: Language) -> CapitalContext {
     let Some(word) = words.get(at) else {
@@ -151,7 +152,7 @@ pub fn around(words: &[Word<'_>], at: usize, language: Language) -> CapitalConte
     CapitalContext::Nothing
 }
 
-/// The word before the one at `at`, where nothing parts the two.
+/// Returns the word before the one at `at`, if no punctuation separates the two.
 fn before(words: &[Word<'_>], at: usize) -> Option<usize> {
     let before = at.checked_sub(1)?;
     let (word, this) = (words.get(before)?, words.get(at)?);
@@ -165,7 +166,7 @@ fn after(words: &[Word<'_>], at: usize) -> Option<usize> {
     (this.end.is_empty() && !this.closes && !next.opens && !next.core.is_empty()).then_some(at + 1)
 }
 
-/// Whether capitals that are a common word as well stand where only a name can.
+/// Returns true if capitals that are also a common word occur in a position reserved for a name.
 fn is_named(word: &str, previous: &str, next: &str, language: Language) -> bool {
     let name_follows = next.starts_with(char::is_uppercase) && next.contains(char::is_lowercase);
     match (language, word) {

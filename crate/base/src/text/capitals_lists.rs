@@ -55,7 +55,7 @@ pub(super) const LETTERS: [&str; 3] = [
      OCDE ONG PDF PS PSD PSP RTP SA SOS TAC TV UE UFO USB VIP VR XL",
 ];
 
-/// Acronyms that are said as words, in all languages.
+/// Acronyms read as words, in all languages.
 pub(super) const NAMES: &str = "ACAS AIDS AWOL BAFTA BAFÖG CERN COVID DAX DIN ESA EURATOM FIFA GIF \
      GIZ IKEA IVA JPEG LASER MIDI NAFTA NASA NATO NORAD ONU OPEC OTAN PIB PIN PNG RADAR RAM ROM SAP SARS SCUBA \
      SIDA SIM SOWETO SWAT TAP TED TÜV UEFA UNESCO UNICEF UNO WIFI YAML ZIP";

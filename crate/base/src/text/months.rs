@@ -18,8 +18,8 @@ pub const MONTHS: [[&str; 3]; 12] = [
     ["December", "Dezember", "dezembro"],
 ];
 
-/// Whether `word` names a month; only with its capital in English and German, where "may"
-/// and "März" differ from other words by it.
+/// Returns true if `word` names a month; only capitalised in English and German, where the capital
+/// distinguishes "may" and "März" from other words.
 #[must_use]
 pub fn is_month(word: &str, language: Language) -> bool {
     MONTHS.iter().any(|row| match language {

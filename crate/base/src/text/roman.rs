@@ -2,8 +2,8 @@
 
 use super::language::Language;
 
-/// Names of rulers and popes that commonly take a number, [English, German, Portuguese];
-/// a genitive s is allowed.
+/// Names of rulers and popes that commonly take a number, [English, German, Portuguese]; a genitive
+/// s is allowed.
 pub const RULERS: [&[&str]; 3] = [
     &[
         "Henry",
@@ -150,7 +150,7 @@ fn spelled(mut n: u64) -> String {
     text
 }
 
-/// Whether `name` is one that takes a number, also in the genitive.
+/// Returns true if `name` is one that takes a number, also in the genitive.
 #[must_use]
 pub fn is_ruler(name: &str, language: Language) -> bool {
     let rulers = RULERS[language as usize];

@@ -1,6 +1,6 @@
 //! Scripts, and which languages are written in them: a voice reads those of its own language.
 
-/// A script, as far as voices differ in what they read (ISO 15924).
+/// A script, as distinguished by the reading ability of voices (ISO 15924).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Script {
     /// Latin.
@@ -63,9 +63,9 @@ const SCRIPTS: [(Script, &str, &str, &str); 14] = [
 ];
 
 impl Script {
-    /// The script of a word: that of its letters, where there are at least two and all are of one,
-    /// or one that is a word by itself. None for digits, signs, single letters as in formulas, and
-    /// mixtures with Latin letters.
+    /// Returns the script of a word: that of its letters, if there are at least two and all are of
+    /// one script, or one that is a word on its own. `None` for digits, signs, single letters as in
+    /// formulas, and mixtures with Latin letters.
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {
         let mut letters = word.chars().filter(|c| c.is_alphabetic());
@@ -90,13 +90,14 @@ impl Script {
         SCRIPTS[self as usize].1
     }
 
-    /// The language by which a word in the script is read where nothing tells its own (ISO 639-1).
+    /// Returns the default language for reading a word in the script when its own is unknown (ISO
+    /// 639-1).
     #[must_use]
     pub fn language(self) -> &'static str {
         SCRIPTS[self as usize].2
     }
 
-    /// Whether a language, a tag of BCP 47, is written in it.
+    /// Returns true if a language, given as a BCP 47 tag, is written in this script.
     #[must_use]
     pub fn is_read_in(self, tag: &str) -> bool {
         let primary = tag.split(['-', '_']).next().unwrap_or_default();
@@ -109,7 +110,7 @@ impl Script {
     }
 }
 
-/// The script of a letter; none for those that belong to none of these.
+/// Returns the script of a letter; `None` for a letter of no listed script.
 fn of_letter(c: char) -> Option<Script> {
     Some(match u32::from(c) {
         0x41..=0x24f | 0x1e00..=0x1eff | 0x2c60..=0x2c7f | 0xfb00..=0xfb06 | 0xff21..=0xff5a => {

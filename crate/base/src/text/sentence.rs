@@ -12,9 +12,9 @@ const ARTICLES: &str = "der die das den dem des am vom zum zur im beim ein eine 
                         jeder jede jedes jeden jedem ihr ihre ihren sein seine seinen seinem mein \
                         meine meinen meinem bis ins und oder";
 
-/// Whether a sentence ends after the word at `at`, as far as the words around it tell. Signs on
-/// their own are words here, too. A sentence that ends twice, after a word and after the sign
-/// behind it, ends once. `language` is none for one that is not read here.
+/// Returns true if a sentence ends after the word at `at`, judged by the surrounding words.
+/// Separate signs count as words. A sentence that ends twice, after a word and after the sign
+/// behind it, ends once. `language` is `None` for an unsupported language.
 ///
 /// A sentence ends with `.`, `!`, `?` or `…` where the next word does not begin small, but not with
 /// the full stop of an abbreviation, an initial or a German ordinal.
@@ -55,8 +55,8 @@ fn first_letter(word: &Word<'_>) -> Option<char> {
     word.raw.chars().find(|c| c.is_alphanumeric())
 }
 
-/// Whether the full stop after a German numeral ends a sentence: not in "am 3. Oktober", "die 2.
-/// Tür", "24.12. und", "Ludwig XIV. war".
+/// Returns true if the full stop after a German numeral ends a sentence: not in "am 3. Oktober",
+/// "die 2. Tür", "24.12. und", "Ludwig XIV. war".
 fn german_stop_ends(words: &[Word<'_>], at: usize) -> bool {
     let word = &words[at];
     let core = word.core.as_str();
@@ -85,18 +85,18 @@ fn german_stop_ends(words: &[Word<'_>], at: usize) -> bool {
     !(is_date || led || dated || ruler || first)
 }
 
-/// What a word says that is the last so far of a text that is still coming.
+/// Sentence-end state of the last word in an incomplete text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PendingEnd {
-    /// A sentence ends, whatever follows; a small letter aside.
+    /// A sentence ends here, unless a lower-case letter follows.
     Ends,
-    /// None ends.
+    /// No sentence ends here.
     GoesOn,
     /// The next word decides.
     Open,
 }
 
-/// Whether a sentence ends after the last of `words`, of a text that goes on.
+/// Returns the sentence-end state after the last of `words` in an incomplete text.
 #[must_use]
 pub fn pending_end(words: &[Word<'_>], language: Option<Language>) -> PendingEnd {
     let Some(last) = words.last() else {

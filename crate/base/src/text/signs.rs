@@ -1,15 +1,15 @@
 //! Signs that stand between words on their own: shown with one of them, since a caption is made of
 //! words.
 
-/// Signs that belong to what they open.
+/// Opening signs, which belong to the following word.
 const OPENING: &str = "([{«“„‚‹¿¡‘";
-/// Signs that close something, or go on with what closes it.
+/// Closing signs, and signs that continue after a closing one.
 const CLOSING: &str = ")]}»”’›'\".,;:!?…";
-/// Signs that belong to the number after them, where none is before them.
+/// Signs that belong to the following number if no number precedes them.
 const BEFORE_NUMBERS: &str = "$€£¥₹¢#§~±√<>≤≥≈+−-";
 
-/// How many of the `signs` between two words belong to the word before; the others to the word
-/// after. Without a word before, or after, all belong to the other.
+/// Returns the number of `signs` between two words that belong to the word before; the others
+/// belong to the word after. Without a word before, or after, all belong to the other.
 #[must_use]
 pub fn belonging_to_previous(signs: &[&str], previous: Option<&str>, next: Option<&str>) -> usize {
     let (Some(previous), Some(next)) = (previous, next) else {
@@ -36,14 +36,14 @@ pub fn belonging_to_previous(signs: &[&str], previous: Option<&str>, next: Optio
         .unwrap_or(signs.len())
 }
 
-/// Whether a word or sign ends with a mark of punctuation, quotes and brackets aside.
+/// Returns true if a word or sign ends with a punctuation mark, ignoring quotes and brackets.
 fn is_marked(text: &str) -> bool {
     text.trim_end_matches([')', ']', '}', '»', '”', '’', '›', '\'', '"'])
         .ends_with(['.', ',', ';', ':', '!', '?', '\u{2026}'])
 }
 
-/// Puts a sign on its own behind the word that it belongs to. Full stops and commas stand apart in
-/// no language: what was between them and the word is not shown.
+/// Appends a separate sign to the word that it belongs to. No language separates full stops and
+/// commas; text between them and the word is not shown.
 pub fn attach(word: &mut String, sign: &str) {
     if !sign.starts_with(['.', ',', '\u{2026}']) {
         word.push(' ');
@@ -51,13 +51,13 @@ pub fn attach(word: &mut String, sign: &str) {
     word.push_str(sign);
 }
 
-/// Words as they are shown, each with the signs that belong to it.
+/// Words for display, each with the signs that belong to it.
 #[derive(Debug, Default)]
 pub struct DisplayedWords {
     words: Vec<String>,
     /// Since the last word.
     signs: Vec<String>,
-    /// The last word takes no more signs.
+    /// True if the last word accepts no more signs.
     is_parted: bool,
 }
 
@@ -79,7 +79,7 @@ impl DisplayedWords {
         self.signs.push(text.to_owned());
     }
 
-    /// So many of the last signs were an emoticon, which is not shown.
+    /// Removes the last `signs` signs, which were an emoticon and are not shown.
     pub fn remove_last(&mut self, signs: usize) {
         self.signs.truncate(self.signs.len().saturating_sub(signs));
     }
@@ -100,7 +100,7 @@ impl DisplayedWords {
         self.words
     }
 
-    /// Gives the waiting signs to the word before; those that belong to the next are returned.
+    /// Attaches pending signs to the previous word, and returns those that belong to the next.
     fn settle(&mut self, next: Option<&str>) -> Vec<String> {
         let mut signs = core::mem::take(&mut self.signs);
         let previous = self.words.last_mut().filter(|_| !self.is_parted);

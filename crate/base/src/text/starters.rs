@@ -13,7 +13,7 @@ const STARTERS: [&str; 3] = [
     "O A Os As Um Uma Ele Ela Eles Elas Eu Nós Isto Isso Depois Então E Mas Quando Onde Quem Que \
      Como Porque Sim Não No Na Em Já Ali Aqui Agora Foi Era É Há",
 ];
-/// Whether a word with a capital rather begins a sentence.
+/// Returns true if a capitalised word more likely begins a sentence.
 #[must_use]
 pub fn is_starter(word: &str, language: Language) -> bool {
     STARTERS[language as usize]

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// A written word, split into its readable part and what surrounds it.
+/// A written word, split into its readable part and the surrounding signs.
 #[derive(Debug, Clone)]
 pub struct Word<'a> {
     /// Everything, with letters and their marks composed.
@@ -62,7 +62,7 @@ pub fn decomposed(letter: char) -> Option<(char, char)> {
     })
 }
 
-/// Whether `c` belongs to a word: a letter of any script, or a mark that letters carry.
+/// Returns true if `c` belongs to a word: a letter of any script, or a combining mark.
 #[must_use]
 pub fn is_letter(c: char) -> bool {
     // Ordinal signs are letters to Unicode; they are read as numbers' endings here.
@@ -70,7 +70,7 @@ pub fn is_letter(c: char) -> bool {
         || matches!(c, '\u{300}'..='\u{36f}' | '\u{94d}' | '\u{9cd}' | '\u{e47}'..='\u{e4e}')
 }
 
-/// Whether `c` joins letters to one word.
+/// Returns true if `c` joins letters to one word.
 #[must_use]
 pub fn is_joiner(c: char) -> bool {
     matches!(c, '\'' | '\u{2019}' | '-' | '\u{2010}' | '\u{2011}')
@@ -111,7 +111,7 @@ pub fn mark_sums(words: &mut [Word<'_>]) {
     }
 }
 
-/// Signs that mean something at a word's edge.
+/// Returns true for signs that carry meaning at a word's edge.
 fn means(c: char) -> bool {
     is_letter(c) || c.is_alphanumeric() || "+−$€£¥₹¢@#§°%‰=<>^×÷±√∞≠≤≥≈&/~".contains(c)
 }
@@ -186,19 +186,19 @@ impl<'a> Word<'a> {
         self.end.clear();
     }
 
-    /// Whether a full stop follows at once, which may belong to an abbreviation.
+    /// Returns true if a full stop follows immediately, which may belong to an abbreviation.
     #[must_use]
     pub fn dotted(&self) -> bool {
         self.end.starts_with('.')
     }
 
-    /// Whether it is letters alone, which pass as they are.
+    /// Returns true if it consists of letters only, which need no processing.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.core.chars().all(|c| is_letter(c) || is_joiner(c))
     }
 
-    /// Whether it begins with a capital.
+    /// Returns true if it begins with a capital.
     #[must_use]
     pub fn is_capital(&self) -> bool {
         self.core.chars().next().is_some_and(char::is_uppercase)

@@ -29,11 +29,11 @@ pub struct Segment {
     pub parent: Option<usize>,
     /// Index into the figure's meshes.
     pub mesh: usize,
-    /// Its own vertices as (first, count), rising; children's vertices are theirs alone.
+    /// Its own vertices as (first, count), ascending; children's vertices are not included.
     pub runs: Vec<[u32; 2]>,
 }
 
-/// What a figure's meshes are annotated with.
+/// Annotations of a figure's meshes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Annotations {
     /// Named points.
@@ -101,7 +101,7 @@ fn mesh_of(value: &Value, counts: &[u64], what: &'static str) -> Result<usize, R
     }
 }
 
-/// Reads the names on a figure's meshes from a `.glb` file; a file without any gives empty
+/// Reads the annotations of a figure's meshes from a `.glb` file; a file without any gives empty
 /// lists.
 ///
 /// # Errors

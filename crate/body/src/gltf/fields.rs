@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-/// A place in a list.
+/// Returns a JSON value as a list index.
 pub(super) fn as_index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }

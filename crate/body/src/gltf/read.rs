@@ -22,50 +22,50 @@ use accessor::Source;
 use document::Document;
 use mesh::{read_primitive, read_skin};
 
-/// Why a file is not a figure.
+/// Error returned when a file cannot be read as a figure.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The container or its JSON is not glTF 2.0 binary.
     #[error("not a glTF binary: {0}")]
     NotGlb(String),
-    /// The file asks for an extension that is not understood.
+    /// The file requires an unsupported extension.
     #[error("needs the glTF extension {0}")]
     Extension(String),
-    /// Something refers to an element that does not exist.
+    /// A reference to an element that does not exist.
     #[error("{what} refers to an element that does not exist")]
     OutOfRange {
-        /// What refers.
+        /// The referring item.
         what: &'static str,
     },
-    /// Data is shorter than its description says.
+    /// Data is shorter than declared.
     #[error("the data of {what} are shorter than claimed")]
     Truncated {
-        /// Whose data.
+        /// The affected data.
         what: &'static str,
     },
-    /// Compressed data are no stream of the length and kind that their description says.
+    /// Compressed data are not a stream of the declared length and kind.
     #[error("the compressed data of {what} cannot be unpacked")]
     Packed {
-        /// Whose data.
+        /// The affected data.
         what: &'static str,
     },
     /// An accessor has the wrong type.
     #[error("{what} have a type that is not supported")]
     Type {
-        /// Whose type.
+        /// The item with the invalid type.
         what: &'static str,
     },
     /// A number is infinite or not a number.
     #[error("{what} hold a number that is not finite")]
     NotFinite {
-        /// Whose number.
+        /// The item with the invalid number.
         what: &'static str,
     },
     /// Attributes of one mesh differ in length.
     #[error("{what} have another count than the positions")]
     Count {
-        /// Whose count.
+        /// The item with the invalid count.
         what: &'static str,
     },
     /// The file would take more memory than any figure needs.
@@ -83,7 +83,7 @@ pub enum ReadError {
     /// A skin uses a joint that is neither a bone nor a known helper.
     #[error("the skin uses an unknown joint, {0}")]
     UnknownJoint(String),
-    /// What moves under the skin of the face cannot be read.
+    /// The tissue under the skin of the face cannot be read.
     #[error("the tissue of the face cannot be read: {0}")]
     Tissue(#[from] TissueError),
     /// There is no mesh with a skin.

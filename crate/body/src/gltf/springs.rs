@@ -10,12 +10,12 @@ use crate::springs::{Chain, Collider, SpringLink, Springs, place};
 
 /// The extension's name.
 pub(super) const EXTENSION: &str = "VRMC_springBone";
-/// What a file may have; more is left out.
+/// Maximum number of spring joints in a file; more are left out.
 const MAX_JOINTS: usize = 128;
 const MAX_COLLIDERS: usize = 128;
 
-/// The springs of a document, whose joints are numbers of nodes. A node belongs to one chain
-/// alone: a chain that would share one, or that has a number that is none, does not swing.
+/// Reads the springs of a document, whose joints are node numbers. A node belongs to one chain
+/// only: a chain that would share one, or that has an invalid number, is left out.
 pub(super) fn read(root: &Value) -> Springs {
     let of = &root["extensions"][EXTENSION];
     let read: Vec<Option<Collider>> = items(of, "colliders")
@@ -160,7 +160,7 @@ pub(super) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Val
 mod tests {
     use super::*;
 
-    /// A chain of four links that meets both of two colliders, a sphere and a capsule.
+    /// Returns a chain of four links that collides with two colliders, a sphere and a capsule.
     fn springs() -> Springs {
         let link = |joint| SpringLink {
             joint,

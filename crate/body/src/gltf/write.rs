@@ -23,7 +23,7 @@ use buffer::{Buffer, FLOAT, Packing, UNSIGNED_BYTE};
 /// The extension of positions and the like as small integers.
 const QUANTIZATION: &str = "KHR_mesh_quantization";
 
-/// The positions' grid: a power of two, so that values on it are exact in f32.
+/// Quantisation grid of the positions: a power of two, so values on it are exact in `f32`.
 struct Grid {
     /// World position of the integer origin, metres.
     origin: DVec3,
@@ -32,7 +32,7 @@ struct Grid {
 }
 
 impl Grid {
-    /// The finest grid of 16 bits that holds all meshes. A figure up to 2 m gets steps of
+    /// Returns the finest grid of 16 bits that holds all meshes. A figure up to 2 m gets steps of
     /// 1/32768 m (0.03 mm).
     fn around(meshes: &[Mesh]) -> Self {
         let points = || meshes.iter().flat_map(|m| &m.positions).map(|p| vec(*p));
@@ -167,7 +167,7 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
     value
 }
 
-/// Weights rounded to 255ths whose sum is exactly 255; the largest takes the rounding.
+/// Returns weights rounded to 255ths whose sum is exactly 255; the largest absorbs the rounding.
 #[must_use]
 pub fn weights_in_255ths(w: [f32; 4]) -> [u8; 4] {
     let mut q = w.map(|x| (x * 255.0).round() as i32);
@@ -209,7 +209,7 @@ fn joint_nodes(figure: &Figure) -> Vec<Value> {
         .collect()
 }
 
-/// The figure as a `.glb` file that every reader of `KHR_mesh_quantization` takes.
+/// Writes the figure as a `.glb` file for every reader of `KHR_mesh_quantization`.
 #[must_use]
 pub fn to_glb(figure: &Figure) -> Vec<u8> {
     let (mut document, buffer) = document(figure, &Annotations::default());
@@ -217,8 +217,8 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
     finish(document, buffer)
 }
 
-/// The figure as a `.glb` file with the names on its meshes, compressed: about half as long.
-/// Corners of triangles may come back turned, for example 1, 2, 0 for 0, 1, 2.
+/// Writes the figure as a compressed `.glb` file with the annotations of its meshes: about half as
+/// long. Corners of triangles may be rotated, for example 1, 2, 0 for 0, 1, 2.
 #[must_use]
 pub fn to_packed_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
     let (mut document, mut buffer) = document(figure, annotations);
@@ -276,7 +276,7 @@ fn meshes(buffer: &mut Buffer, grid: &Grid, figure: &Figure) -> (Vec<Value>, Vec
     (meshes, materials.into_iter().map(material).collect())
 }
 
-/// What glTF has no place for.
+/// Returns the data that glTF has no place for.
 fn scene_extras(buffer: &mut Buffer, figure: &Figure, annotations: &Annotations) -> Value {
     let mut extras = Map::new();
     let mut put = |key: &str, value: Value| extras.insert(key.to_owned(), value);
@@ -304,7 +304,8 @@ fn scene_extras(buffer: &mut Buffer, figure: &Figure, annotations: &Annotations)
     Value::Object(extras)
 }
 
-/// The document without what the buffer tells: its views, its accessors and itself.
+/// Returns the document without the parts derived from the buffer: its views, its accessors and
+/// itself.
 fn document(figure: &Figure, annotations: &Annotations) -> (Value, Buffer) {
     let grid = Grid::around(&figure.meshes);
     let mut buffer = Buffer::default();

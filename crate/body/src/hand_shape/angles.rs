@@ -17,8 +17,8 @@ pub const FINGER_ROLL_RAD: [f64; 4] = [
     (-5.0_f64).to_radians(),
 ];
 
-/// Turn of the thumb's flexion axis about the thumb from the y axis of table A.1, left
-/// hand, radians: its nail looks partly towards the back of the hand. Chosen by eye.
+/// Turn of the thumb's flexion axis about the thumb from the y axis of table A.1, left hand,
+/// radians: its nail points partly towards the back of the hand. Chosen by eye.
 pub const THUMB_ROLL_RAD: f64 = (-22.0_f64).to_radians();
 
 /// Angles of one finger, radians.
@@ -131,8 +131,8 @@ impl HandAngles {
         fingers.fold(saddle.max(palmar).max(bends), f64::max)
     }
 
-    /// Local rotations of the finger bones relative to the zero pose, as [`Pose`](crate::pose::Pose) keeps
-    /// them, in the order of [`finger_bones`].
+    /// Returns the local rotations of the finger bones relative to the zero pose, as stored in
+    /// [`Pose`](crate::pose::Pose), in the order of [`finger_bones`].
     #[must_use]
     pub fn rotations(&self, side: Side) -> [(Bone, DQuat); 15] {
         let world = self.left_world();

@@ -88,8 +88,8 @@ struct Row {
     parent: Option<usize>,
     /// The table's column "Hand": rows marked R have the z components of all axes negated.
     flip_z: bool,
-    /// Euler angles Z-Y-Z in the table's last place, 1e-4 degrees: whole numbers compress
-    /// to half of what their fractions do in the page's download.
+    /// Euler angles Z-Y-Z in the table's last place, 1e-4 degrees: whole numbers compress to half
+    /// the size of fractions in the page's download.
     euler_zyz_places: [i32; 3],
     /// Position of the male example in hundredths of skeleton units (inch-like), x left,
     /// y up, z back.
@@ -132,8 +132,8 @@ const fn row(
     }
 }
 
-/// GEVH tables A.1 and A.2. `bone_chin` has no row in A.1 and takes its parent's
-/// frame; the lost separator of `bone_r_middle2` is restored.
+/// GEVH tables A.1 and A.2. `bone_chin` has no row in A.1 and takes its parent's frame; the lost
+/// separator of `bone_r_middle2` is restored.
 #[rustfmt::skip]
 static ROWS: [Row; Bone::COUNT] = [
     row("bone_sacroiliac", None, false, [178.7079, 90.0, -90.0], [-0.13, 37.82, 0.0]),
@@ -192,7 +192,7 @@ static ROWS: [Row; Bone::COUNT] = [
     row("bone_chin", Some(52), false, [179.9038, 90.0039, -90.033], [0.01, 68.99, 0.0]),];
 
 impl Bone {
-    /// How many bones there are.
+    /// Number of bones.
     pub const COUNT: usize = 54;
 
     /// Every bone, parents before children.
@@ -265,7 +265,7 @@ impl Bone {
         ROWS[self.index()].name
     }
 
-    /// The bone this one hangs on; `None` for the sacroiliac.
+    /// Returns the parent bone; `None` for the sacroiliac.
     #[must_use]
     pub fn parent(self) -> Option<Self> {
         ROWS[self.index()].parent.map(|i| Self::ALL[i])
@@ -278,7 +278,7 @@ impl Bone {
         Self::ALL.into_iter().find(|b| &b.name()[5..] == bare)
     }
 
-    /// The side of the body, or `None` on the midline.
+    /// Returns the side of the body, or `None` on the midline.
     #[must_use]
     pub fn side(self) -> Option<Side> {
         match &self.name()[5..7] {

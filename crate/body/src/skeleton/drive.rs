@@ -4,20 +4,20 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::Bone;
 
-/// What turns a joint.
+/// Source of a joint's rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
     /// A bone of appendix A: its own rotation in the pose.
     Bone(Bone),
-    /// A share of a bone's rotation (slerp from none), at the bone's own place but
-    /// hanging on the bone's parent: keeps volume at elbow, knee and finger joints.
+    /// A share of a bone's rotation (slerp from none), at the bone's own place but attached to the
+    /// bone's parent: preserves volume at elbow, knee and finger joints.
     Share(Bone, f64),
     /// A share of the rotation of a bone about its own x axis (its twist), hanging on
     /// the bone's parent: spreads the wrist's twist along the forearm.
     Twist(Bone, f64),
-    /// A share of a bone's swing (its rotation without the twist) and a share of its twist,
-    /// at the bone's own place but hanging on the bone's parent: lets the skin of the upper
-    /// arm follow the arm wherever it points and its twist only little by little.
+    /// A share of a bone's swing (its rotation without the twist) and a share of its twist, at the
+    /// bone's own place but attached to the bone's parent: the skin of the upper arm follows the
+    /// arm in every direction and its twist only gradually.
     Part(Bone, f64, f64),
     /// An eyeball; hangs on the skull.
     Eye(Side),
@@ -27,14 +27,13 @@ pub enum Drive {
     LowerLid(Side),
     /// Swings; chains count from 0, and so do the joints of one. At rest in every pose.
     Spring(u8, u8),
-    /// Never turns by itself.
+    /// Fixed relative to its parent.
     Fixed,
 }
 
 impl Drive {
-    /// The helper half way through a bone's turn. Shoulder and wrist also twist: the
-    /// shoulder's half leaves the twist to the upper arm's helpers, the wrist's continues
-    /// the forearm's.
+    /// Returns the half-turn helper of a bone. Shoulder and wrist also twist: the shoulder's half
+    /// leaves the twist to the upper arm's helpers, the wrist's continues the forearm's.
     #[must_use]
     pub fn half(bone: Bone) -> Self {
         match bone {
@@ -53,7 +52,8 @@ impl Drive {
         }
     }
 
-    /// How much of its bone's turn the joint takes, 0 to 2: swing and twist count one each.
+    /// Returns the share of its bone's rotation that the joint takes, 0 to 2: swing and twist count
+    /// one each.
     #[must_use]
     pub fn share(self) -> f64 {
         match self {
@@ -65,7 +65,7 @@ impl Drive {
         }
     }
 
-    /// What the joint makes of its bone's turn from the zero pose.
+    /// Returns the joint's rotation for its bone's rotation from the zero pose.
     #[must_use]
     pub fn of_turn(self, turn: DQuat) -> DQuat {
         let none = DQuat::IDENTITY;
@@ -81,11 +81,11 @@ impl Drive {
         }
     }
 
-    /// How far a half joint moves in its own frame under a turn of its bone, as a share of
-    /// stature. A bent joint bares the head of its bone: without this the back of a knuckle
-    /// flattens and elbow and knee lose volume. Designed: 1.9 mm at the knuckles, 1.1 mm at
-    /// the other joints of a finger, 11 mm at the elbow and 39 mm at the knee of an adult
-    /// bent right round.
+    /// Returns the displacement of a half joint in its own frame under a turn of its bone, as a
+    /// share of stature. A bent joint bares the head of its bone: without this the back of a
+    /// knuckle flattens and elbow and knee lose volume. Designed: 1.9 mm at the knuckles, 1.1 mm at
+    /// the other joints of a finger, 11 mm at the elbow and 39 mm at the knee of an adult at full
+    /// flexion.
     #[must_use]
     pub fn rise(self, turn: DQuat) -> DVec3 {
         let Self::Share(bone, _) = self else {

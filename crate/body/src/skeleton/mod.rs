@@ -21,11 +21,11 @@ pub struct Joint {
     pub name: String,
     /// Index of the parent joint, always smaller than this joint's own; `None` for the root.
     pub parent: Option<usize>,
-    /// Origin in the parent's frame, metres. Does not depend on the pose.
+    /// Origin in the parent's frame, metres. Independent of the pose.
     pub translation_in_parent: DVec3,
     /// Parent from joint in the zero pose.
     pub zero_rotation: DQuat,
-    /// What turns it.
+    /// Source of its rotation.
     pub drive: Drive,
 }
 
@@ -37,7 +37,7 @@ pub struct Skeleton {
     stature_m: f64,
 }
 
-/// Where the helpers stand.
+/// Positions of the face helpers.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceJoints {
     /// Centres of the eyeballs in the bind pose, world, left and right.
@@ -159,8 +159,8 @@ impl Skeleton {
         Self { joints, stature_m }
     }
 
-    /// The male example of GEVH table A.1, 77 units tall, in its zero pose. The table has no
-    /// eyes; theirs are set at the skull's usual place.
+    /// Returns the male example of GEVH table A.1, 77 units tall, in its zero pose. The table has
+    /// no eyes; theirs are set at the skull's usual place.
     #[must_use]
     pub fn example() -> Self {
         let face = FaceJoints {
@@ -174,8 +174,8 @@ impl Skeleton {
         Self::from_bind(&positions, &zero_frames(), face, stature_m)
     }
 
-    /// A skeleton from joints already in order, parents first, the first 54 being the bones.
-    /// `None` when that does not hold.
+    /// Creates a skeleton from joints in order, parents first, the first 54 being the bones. `None`
+    /// for any other order.
     #[must_use]
     pub fn from_joints(joints: Vec<Joint>, stature_m: f64) -> Option<Self> {
         let ordered = joints
@@ -214,13 +214,14 @@ impl Skeleton {
         self.joints.len() - 1
     }
 
-    /// Standing height in metres, barefoot.
+    /// Returns the standing height in metres, barefoot.
     #[must_use]
     pub fn stature_m(&self) -> f64 {
         self.stature_m
     }
 
-    /// How large the figure is beside one of 1.7 m, for which designed lengths are written.
+    /// Returns the scale of the figure relative to one of 1.7 m, for which designed lengths are
+    /// written.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.stature_m / DESIGN_STATURE_M
@@ -238,8 +239,8 @@ impl Skeleton {
         self.joints[bone.index()].translation_in_parent.magnitude()
     }
 
-    /// How far from its parent a bone is that should not be, metres: of `distance_m`, what
-    /// its length does not account for. The lower jaw slides in its joint, but not out of it.
+    /// Returns the excess distance of a bone from its parent, metres: the part of `distance_m`
+    /// beyond its length. The lower jaw slides in its joint, but not out of it.
     #[must_use]
     pub fn stretched_m(&self, bone: Bone, distance_m: f64) -> f64 {
         let slack = if bone == Bone::Chin {

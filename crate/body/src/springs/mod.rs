@@ -15,19 +15,19 @@ use crate::skeleton::Skeleton;
 
 pub(crate) use renumbered::place;
 
-/// Steps a second: the rate for which drag is given in files.
+/// Simulation steps per second: the rate for which drag is given in files.
 pub const STEPS_PER_S: f64 = 60.0;
-/// Times that a chain is pushed out of what it touches in a step: out of one it may come into
+/// Number of times that a chain is pushed out of colliders in a step: leaving one may enter
 /// another.
 const PUSHES: usize = 3;
-/// Cosine of the farthest that a link turns from its direction at rest, whatever those above it do:
-/// 17°. Designed: hair that stands off farther looks as if it blew in a wind, and goes through
-/// colliders in quick motion.
+/// Cosine of the maximum turn of a link from its rest direction, independent of its parents: 17°.
+/// Designed: hair that stands off farther looks windblown, and passes through colliders in quick
+/// motion.
 const MAX_SWING_COS: f64 = 0.956;
 /// And of the farthest that colliders push it: 30°. A raised shoulder may not press hair into the
 /// face.
 const MAX_PUSH_COS: f64 = 0.866;
-/// A joint that moves farther in one step has been put elsewhere, metres.
+/// Displacement in one step from which a joint counts as teleported, metres.
 const LEAP_M: f64 = 0.3;
 
 /// A joint of a chain, and how its end behaves.
@@ -35,13 +35,13 @@ const LEAP_M: f64 = 0.3;
 pub struct SpringLink {
     /// Index of the joint in the skeleton.
     pub joint: usize,
-    /// Force towards the place at rest, metres a second for each step.
+    /// Force towards the rest position, metres per second for each step.
     pub stiffness: f64,
     /// Gravity as a vector, world, metres a second for each step.
     pub gravity: DVec3,
     /// Share of the speed lost in a step, 0..1.
     pub drag: f64,
-    /// How near the end comes to a collider, metres.
+    /// Collision radius of the end, metres.
     pub radius_m: f64,
 }
 
@@ -65,16 +65,16 @@ pub struct Collider {
     pub radius_m: f64,
 }
 
-/// All that swings on a figure, and what it meets.
+/// All spring chains of a figure, and their colliders.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Springs {
     /// Those nearer to the root first.
     pub chains: Vec<Chain>,
-    /// What keeps them out.
+    /// Colliders of the chains.
     pub colliders: Vec<Collider>,
 }
 
-/// Where the ends are: one for each link but the last of each chain, world, metres.
+/// Positions of the ends: one for each link but the last of each chain, world, metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringState {
     now: Vec<DVec3>,
@@ -85,7 +85,7 @@ pub struct SpringState {
 }
 
 impl SpringState {
-    /// Where an end was a share of a step before the last one that was made.
+    /// Returns the position of an end a share of a step before the last step.
     fn position_at(&self, end: usize, share: f64) -> DVec3 {
         self.before[end].lerp(self.now[end], share)
     }
@@ -105,7 +105,7 @@ struct HangingJoint<'a> {
 }
 
 impl Springs {
-    /// Whether nothing swings.
+    /// Returns true if there are no spring chains.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.chains.is_empty()
@@ -164,8 +164,8 @@ impl Springs {
             core::mem::replace(&mut swing.before, core::mem::replace(&mut swing.now, next));
     }
 
-    /// Turns the chains of a solved posture to where their ends are, a share of a step before the
-    /// last one that was made; where a second swing is given, that much on the way to it.
+    /// Rotates the chains of a solved posture to their ends, a share of a step before the last
+    /// step; with a second spring state, blended towards it by a share.
     pub fn show(
         &self,
         skeleton: &Skeleton,
@@ -186,8 +186,8 @@ impl Springs {
         swing.lines = lines;
     }
 
-    /// Places the ends of all chains, from the roots outwards: each where `wanted` has it, as far
-    /// as its distance and the colliders let it. Writes them to `ends`.
+    /// Places the ends of all chains, from the roots outwards: each at its `wanted` position,
+    /// limited by its distance and the colliders. Writes them to `ends`.
     fn place(
         &self,
         skeleton: &Skeleton,
@@ -232,7 +232,7 @@ impl Springs {
         }
     }
 
-    /// A place at the end's distance from its joint, outside what the chain meets.
+    /// Returns a position at the end's distance from its joint, outside the chain's colliders.
     fn kept_out(
         &self,
         chain: &Chain,
@@ -265,7 +265,8 @@ impl Springs {
     }
 }
 
-/// The direction of `to`, as far as the cosine of its angle to an arm is not less.
+/// Returns the direction of `to`, clamped so the cosine of its angle to an arm is not less than a
+/// minimum.
 fn clamp_direction(arm: DVec3, to: DVec3, least: f64) -> DVec3 {
     let rest = arm.normalize_or_zero();
     let to = to.normalize_or(rest);
@@ -277,7 +278,7 @@ fn clamp_direction(arm: DVec3, to: DVec3, least: f64) -> DVec3 {
     rest * least + aside * (1.0 - least * least).sqrt()
 }
 
-/// A frame turned the shortest way so that its arm points along `to`.
+/// Returns a frame rotated the shortest way so its arm points along `to`.
 fn turned(frame: DAffine3, arm: DVec3, to: DVec3) -> DAffine3 {
     let (Some(from), Some(to)) = (arm.try_normalize(), to.try_normalize()) else {
         return frame;

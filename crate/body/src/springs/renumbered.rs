@@ -3,8 +3,8 @@
 use super::{Chain, Collider, SpringLink, Springs};
 
 impl Springs {
-    /// With joints by other numbers. A chain that loses a joint does not swing; a collider that
-    /// does keeps nothing out.
+    /// Returns the springs with renumbered joints. A chain that loses a joint is disabled, and so
+    /// is a collider.
     #[must_use]
     pub fn renumbered(&self, joint: &dyn Fn(usize) -> Option<usize>) -> Self {
         let link = |l: &SpringLink| {
@@ -37,7 +37,7 @@ impl Springs {
     }
 }
 
-/// Where a collider lies among those that can be used.
+/// Returns the index of a collider among the valid ones.
 pub(crate) fn place(read: &[Option<Collider>], number: usize) -> Option<usize> {
     read.get(number)?.as_ref()?;
     Some(read[..number].iter().flatten().count())

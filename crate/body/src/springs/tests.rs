@@ -4,7 +4,8 @@ use super::*;
 use crate::pose::Pose;
 use crate::skeleton::{Bone, Drive};
 
-/// A skeleton from whose skull a chain of three links hangs beside the neck, and what keeps it out.
+/// Returns a skeleton with a chain of three links attached to the skull next to the neck, and its
+/// colliders.
 fn hung(gravity: f64) -> (Skeleton, Springs) {
     let mut skeleton = Skeleton::example();
     let mut world = Vec::new();

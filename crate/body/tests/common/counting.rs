@@ -7,7 +7,7 @@ thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The system's allocator, which counts what this thread asks for.
+/// The system's allocator, counting this thread's allocations.
 struct Counting;
 
 #[expect(unsafe_code, reason = "an allocator cannot be written without")]
@@ -34,7 +34,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// How often a thing allocates.
+/// Returns the number of allocations of a function.
 pub(crate) fn counted(what: impl FnOnce()) -> usize {
     let before = COUNT.with(Cell::get);
     what();

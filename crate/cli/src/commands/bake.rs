@@ -24,41 +24,41 @@ use raconteur_voice::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
 pub(crate) struct Bake {
-    /// Scripts, or folders that hold a story.eml.
+    /// Scripts, or folders that contain a story.eml.
     #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
     /// The speech engine; without it, the one of the story's voice, else kokoro, or where that
     /// is not installed the first of festival, flite and espeak-ng that is.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
-    /// The voice of what names no other, as its engine calls it; without it, the one that the
-    /// story chooses (`r:performer`), else one of the engine in the story's language, or where that
-    /// tells none its first in English.
+    /// Default voice, by its engine's name. Without it, the voice chosen by the story
+    /// (`r:performer`), otherwise one of the engine in the story's language, or its first English
+    /// voice if the story has no language.
     #[arg(long)]
     voice: Option<String>,
     /// List the voices of the engine, or of all that are installed.
     #[arg(long)]
     list_voices: bool,
-    /// Change nothing; fail when a bundle is not up to date.
+    /// Change nothing; fail if a bundle is out of date.
     #[arg(long, conflicts_with = "list_voices")]
     check: bool,
     /// Pace of everything, 1 for the voice's own.
     #[arg(long, default_value_t = STORY_PACE)]
     pace: f64,
-    /// How words are pronounced: a file with lines WORD = RESPELLING or WORD = /IPA/. Without
-    /// it, lexicon.txt beside the story, if there is one.
+    /// Pronunciation lexicon: a file with lines WORD = RESPELLING or WORD = /IPA/. Without it,
+    /// lexicon.txt next to the story, if it exists.
     #[arg(long)]
     lexicon: Option<PathBuf>,
     /// Address of a MaryTTS server.
     #[arg(long, default_value = "localhost:59125")]
     server: String,
-    /// Folder of recordings, with their alignments beside them.
+    /// Folder of recordings, with their alignments next to them.
     #[arg(long)]
     recordings: Option<PathBuf>,
-    /// How many utterances are made at a time; without it, one for each processor.
+    /// Number of utterances baked in parallel; by default one per processor.
     #[arg(long)]
     jobs: Option<usize>,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -179,7 +179,7 @@ impl Bake {
         })
     }
 
-    /// What another engine than the default one means, or that none could be queried.
+    /// Reports the use of another engine than the default one, or that none is available.
     fn report_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
         let mut err = terminal::err();
         if let Some(missing) = &baked.compared_without {
@@ -303,7 +303,7 @@ fn row(engine: &str, voice: &VoiceInfo) -> Value {
     })
 }
 
-/// Bakes a story, with a bar that shows how far it is.
+/// Bakes a story with a progress bar.
 fn bake_with_bar(script: &Script, folder: &Path, options: &BakeOptions) -> Result<BakeReport> {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?;
     let bar = ProgressBar::new(0).with_style(style);
@@ -322,7 +322,7 @@ fn bake_with_bar(script: &Script, folder: &Path, options: &BakeOptions) -> Resul
     baked
 }
 
-/// What `--format json` prints of a story.
+/// Returns the output of `--format json` for a story.
 fn in_json(name: &str, baked: &BakeReport) -> Value {
     json!({
         "file": name,

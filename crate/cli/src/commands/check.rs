@@ -18,14 +18,14 @@ use raconteur_voice::files::inside;
 /// Report problems in stories.
 #[derive(Args)]
 pub(crate) struct Check {
-    /// Scripts, or folders that hold a story.eml.
+    /// Scripts, or folders that contain a story.eml.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// The figure whose reach is checked: a name, or the path of a .glb file. Without this,
     /// the one that the story chooses, else sofia.
     #[arg(long)]
     figure: Option<String>,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -66,7 +66,7 @@ impl Check {
     }
 }
 
-/// Utterances of the bundle that are said and whose sound is not the one that was baked.
+/// Returns diagnostics for spoken utterances of the bundle whose audio differs from the baked one.
 fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
     let (voice, document) = (files.voice(), files.script().document);
     if let Err(error) = inside::check_folder(files.folder(), &voice) {

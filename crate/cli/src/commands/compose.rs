@@ -17,7 +17,7 @@ use raconteur_voice::bake::program::{FFMPEG, MissingPrograms, OPUSENC, Program};
 pub(crate) struct Compose {
     /// A score, JSON; assets/music/README.md describes the format.
     score: PathBuf,
-    /// Where to write the music: .wav, .opus or .mp3; may be given several times.
+    /// Output file for the music: .wav, .opus or .mp3; may be given several times.
     #[arg(short, long, required = true)]
     output: Vec<PathBuf>,
 }

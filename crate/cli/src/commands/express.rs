@@ -10,7 +10,7 @@ use raconteur_player::{Options, Player, StoryInput};
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
 use raconteur_stage::emotion::EMOTIONS;
-use raconteur_stage::{Frame, SetKind};
+use raconteur_stage::{Frame, StageSet};
 
 use crate::commands::render::{parse_set, parse_size};
 use crate::picture::{self, write_png};
@@ -30,9 +30,9 @@ const STUDY: [&str; 8] = [
     "reproach",
     "neutral",
 ];
-/// When the emotion of a clip begins, seconds.
+/// Start of the emotion in a clip, seconds.
 const BEGIN_SECS: f64 = 1.0;
-/// When a picture of the sheet is taken: camera and light have come to what they show, seconds.
+/// Capture time of the sheet's images, seconds: camera and light have settled.
 const SETTLED_SECS: f64 = 5.0;
 
 /// Show how camera, light and music express emotions.
@@ -46,7 +46,7 @@ pub(crate) struct Express {
 enum ExpressAction {
     /// Make a film of each emotion: by default the eight clips of the third study of GEVH.
     Clips(Clips),
-    /// Draw all emotions in one pose by the face, by each channel alone, and by all together.
+    /// Render all emotions in one pose by the face, by each channel alone, and by all together.
     Sheet(Sheet),
 }
 
@@ -68,9 +68,9 @@ struct SheetRow {
     /// A figure's name, or the path of a .glb file.
     #[arg(long, default_value = "sofia")]
     figure: String,
-    /// Where it stands: curtain, fireside, garden, night or school.
+    /// Set: curtain, fireside, garden, night or school.
     #[arg(long, value_parser = parse_set)]
-    set: Option<SetKind>,
+    set: Option<StageSet>,
 }
 
 #[derive(Args)]
@@ -83,7 +83,7 @@ struct Clips {
     emotions: Vec<String>,
     #[command(flatten)]
     shown: SheetRow,
-    /// A channel that stays as it is; may be given several times.
+    /// Channel that stays neutral; may be given several times.
     #[arg(long, value_enum)]
     without: Vec<Channel>,
     /// Length of a film, seconds.
@@ -99,7 +99,7 @@ struct Clips {
 
 #[derive(Args)]
 struct Sheet {
-    /// Where to write the picture (PNG).
+    /// Output image (PNG).
     #[arg(short, long)]
     output: PathBuf,
     #[command(flatten)]
@@ -118,7 +118,8 @@ fn parse_emotion(name: &str) -> Result<String, String> {
 }
 
 impl SheetRow {
-    /// A player of a script that elicits an emotion for so long and lets some channels express it.
+    /// Returns a player of a script that elicits an emotion for a duration and expresses it by some
+    /// channels.
     fn player(&self, emotion: &str, by: &[Channel], secs: f64) -> Result<Player> {
         let on = |channel: Channel| by.contains(&channel);
         let felt = if emotion == "neutral" {
@@ -143,7 +144,7 @@ impl SheetRow {
             options: Options::default(),
         })
         .player;
-        player.set_place(self.set);
+        player.override_set(self.set);
         Ok(player)
     }
 }

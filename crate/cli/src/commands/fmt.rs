@@ -12,14 +12,14 @@ use raconteur_voice::files::disk;
 
 use crate::{Outcome, report, terminal};
 
-/// Write stories in their canonical form. Comments stay, before their clause. A story that
-/// would lose something is left as it is, with a message.
+/// Format stories canonically. Comments stay, before their clause. A story that would lose content
+/// is left unchanged, with a message.
 #[derive(Args)]
 pub(crate) struct Fmt {
-    /// Scripts, or folders that hold a story.eml.
+    /// Scripts, or folders that contain a story.eml.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Only tell which stories are not in their canonical form.
+    /// Only report stories that are not in canonical form.
     #[arg(long)]
     check: bool,
 }
@@ -54,7 +54,7 @@ impl Fmt {
     }
 }
 
-/// The canonical text, or what keeps it from saying the same.
+/// Returns the canonical text, or the diagnostics that prevent an equivalent one.
 fn formatted(source: &str, undecoded: Option<Diagnostic>) -> Result<String, Vec<Diagnostic>> {
     let parsed = parse(source);
     let told = undecoded.into_iter().chain(parsed.diagnostics);

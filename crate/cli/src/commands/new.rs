@@ -16,7 +16,7 @@ use crate::{Outcome, terminal};
 pub(crate) struct New {
     /// The folder, which must not be there yet.
     name: PathBuf,
-    /// Make a course instead: a story that asks one question of each kind.
+    /// Create a course instead: a story with one question of each kind.
     #[arg(long)]
     course: bool,
 }
@@ -53,7 +53,7 @@ impl New {
     }
 }
 
-/// Writes what a folder holds.
+/// Writes the contents of an embedded folder.
 fn write(from: &Dir<'_>, to: &Path) -> Result<()> {
     let told = |path: &Path| format!("cannot write {}", path.display());
     fs::create_dir_all(to).with_context(|| told(to))?;

@@ -12,10 +12,10 @@ use crate::report;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome, terminal};
 
-/// Print where the joints are at given times.
+/// Print joint positions at given times.
 #[derive(Args)]
 pub(crate) struct Pose {
-    /// A script, or a folder that holds a story.eml.
+    /// Script, or folder that contains a story.eml.
     file: PathBuf,
     /// Times in seconds, separated by commas.
     #[arg(long, value_delimiter = ',', required = true)]
@@ -26,7 +26,7 @@ pub(crate) struct Pose {
     /// Print only a digest of every joint and morph for each time.
     #[arg(long)]
     digest: bool,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }

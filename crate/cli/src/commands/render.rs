@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Player;
 use raconteur_render::headless::Headless;
 use raconteur_render::{Quality, RenderOptions};
-use raconteur_stage::{Set, SetKind, Shot};
+use raconteur_stage::{Set, Shot, StageSet};
 
 use crate::Outcome;
 use crate::film;
@@ -18,7 +18,7 @@ use crate::report;
 use crate::soundtrack::Soundtrack;
 use crate::story::StoryFiles;
 
-/// How much of the speaker is in the picture.
+/// Shot size on the speaker.
 #[derive(Clone, Copy, ValueEnum)]
 enum ShotName {
     Storyteller,
@@ -29,47 +29,47 @@ enum ShotName {
     Long,
 }
 
-/// Draw a picture or film of a story.
+/// Render an image or film of a story.
 #[derive(Args)]
 #[command(group(ArgGroup::new("what").required(true).args(["output", "video"])))]
 pub(crate) struct Render {
-    /// A script, or a folder that holds a story.eml.
+    /// Script, or folder that contains a story.eml.
     file: PathBuf,
-    /// Time of the picture, seconds.
+    /// Time of the image, seconds.
     #[arg(long, default_value_t = 0.0)]
     at: f64,
-    /// Where to write the picture (PNG).
+    /// Output image (PNG).
     #[arg(short, long)]
     output: Option<PathBuf>,
-    /// Where to write a film with sound; ffmpeg decides by the name. Without ffmpeg, numbered
-    /// pictures are written into a folder of that name.
+    /// Output film with audio; ffmpeg chooses the format by the name. Without ffmpeg, numbered
+    /// images are written to a folder of that name.
     #[arg(long)]
     video: Option<PathBuf>,
     /// Frames a second of the film.
     #[arg(long, default_value_t = 25)]
     fps: u32,
-    /// Length of the film, seconds; all of the story from --at if not given.
+    /// Length of the film, seconds; by default the rest of the story from --at.
     #[arg(long)]
     length: Option<f64>,
     /// Width and height in pixels.
     #[arg(long, default_value = "1280x720", value_parser = parse_size)]
     size: (u32, u32),
-    /// How much of the speaker is in the picture until the story or an emotion says otherwise.
+    /// Initial shot size, until the story or an emotion changes it.
     #[arg(long, value_enum, default_value = "storyteller")]
     shot: ShotName,
-    /// How much work goes into a picture: lowest, low, medium or high.
+    /// Rendering quality: lowest, low, medium or high.
     #[arg(long, default_value = "high", value_parser = parse_quality)]
     quality: Quality,
     /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
     #[arg(long)]
     figure: Option<String>,
-    /// The place behind the speaker, in its usual light: curtain, fireside, garden, night or
-    /// school; without it, the story's.
+    /// Set behind the speaker, in its usual light: curtain, fireside, garden, night or school; by
+    /// default the story's.
     #[arg(long, value_parser = parse_set)]
-    set: Option<SetKind>,
+    set: Option<StageSet>,
 }
 
-pub(crate) fn parse_set(name: &str) -> Result<SetKind, String> {
+pub(crate) fn parse_set(name: &str) -> Result<StageSet, String> {
     let found = Set::NAMES.iter().find(|(known, _)| *known == name);
     found.map(|(_, kind)| *kind).ok_or_else(|| {
         let names = Set::NAMES.map(|(known, _)| known);
@@ -86,7 +86,7 @@ fn parse_quality(name: &str) -> Result<Quality, String> {
     )
 }
 
-/// Largest side of a picture, pixels; what every adapter can draw.
+/// Maximum side of an image, pixels; supported by every adapter.
 const MAX_SIDE_PX: u32 = 8192;
 
 pub(crate) fn parse_size(text: &str) -> Result<(u32, u32), String> {
@@ -125,7 +125,7 @@ impl Render {
             &files.text,
             &loaded.diagnostics,
         )?;
-        loaded.player.set_place(self.set);
+        loaded.player.override_set(self.set);
         let mut headless = Headless::new_blocking(RenderOptions {
             quality: self.quality,
         })

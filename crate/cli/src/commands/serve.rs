@@ -20,43 +20,42 @@ const USUAL_PORT: u16 = 7373;
 const MIN_IDLE_SECS: f64 = 1.0;
 const MAX_IDLE_SECS: f64 = 86_400.0;
 
-/// Perform what minds send, and tell them what happens as JSON lines.
+/// Perform fragments sent by minds, and report events as JSON lines.
 ///
 /// A mind sends fragments of EML by WebSocket (one a message), TCP or standard input (each
 /// ends with the line that closes it). See docs/live.md.
 #[derive(Args)]
 pub(crate) struct Serve {
-    /// A script, or a folder that holds a story.eml, to perform meanwhile; its speech bundle
-    /// is the figure's voice. Without one a figure waits, silent.
+    /// Script, or folder that contains a story.eml, to perform meanwhile; its speech bundle is the
+    /// figure's voice. Without one the figure waits, silent.
     story: Option<PathBuf>,
     /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
     #[arg(long)]
     figure: Option<String>,
-    /// Take WebSockets at this port; 0 chooses one. 7373 where no way is given.
+    /// Port for WebSockets; 0 chooses a free one. The default is 7373 if no transport is given.
     #[arg(long)]
     port: Option<u16>,
-    /// Take plain TCP at this port; 0 chooses one.
+    /// Port for plain TCP; 0 chooses a free one.
     #[arg(long)]
     tcp: Option<u16>,
-    /// Take fragments from the standard input and write lines to the standard output.
+    /// Read fragments from standard input and write lines to standard output.
     #[arg(long)]
     stdin: bool,
     /// Listen at this address. Any but a loopback one opens the door to other machines.
     #[arg(long, default_value = "127.0.0.1")]
     listen: IpAddr,
-    /// What a mind must know: `raconteur 1 TOKEN` is the first line by TCP; `?token=` or a
-    /// bearer header by WebSocket. Without this one is generated and printed; then WebSockets of
-    /// this machine need none.
+    /// Token required from minds: the first line by TCP is `raconteur 1 TOKEN`; `?token=` or a
+    /// bearer header by WebSocket. Without it one is generated and printed; then WebSockets of this
+    /// machine need none.
     #[arg(long)]
     token: Option<String>,
-    /// A mind from which nothing has come for so long is gone, seconds. It is sent a
-    /// sign of life after a third of it.
+    /// Idle timeout of a mind, seconds. A ping is sent after a third of it.
     #[arg(long, default_value_t = 90.0)]
     idle: f64,
     /// Story seconds a second.
     #[arg(long, default_value_t = 1.0)]
     speed: f64,
-    /// Let story time pass only with lines `@SECONDS` of the standard input.
+    /// Advance story time only by `@SECONDS` lines on standard input.
     #[arg(long, requires = "stdin", conflicts_with = "speed")]
     r#virtual: bool,
 }

@@ -14,7 +14,7 @@ use raconteur_sculpt::crossing::Skin;
 
 use crate::terminal;
 
-/// A story to be told.
+/// Story to perform.
 pub(crate) struct StoryCheck<'a> {
     /// The script.
     pub(crate) text: &'a str,
@@ -22,14 +22,14 @@ pub(crate) struct StoryCheck<'a> {
     pub(crate) bundle: Option<&'a [u8]>,
 }
 
-/// What was found of one face: worst values by what they are, and what is beyond its limit.
+/// Findings about one face: the worst value of each check, and the values beyond their limit.
 pub(crate) struct FaceReport {
     pub(crate) worst: BTreeMap<&'static str, f64>,
     pub(crate) wrong: Vec<String>,
 }
 
 impl StoryCheck<'_> {
-    /// Lets a figure tell it; `who` names it in what is found.
+    /// Performs the story with a figure; `who` names it in the findings.
     pub(crate) fn by(&self, who: &str, figure: Figure, names: &Annotations) -> FaceReport {
         let mut worst = crossed(&figure, names);
         let mut wrong: Vec<String> = worst
@@ -60,14 +60,14 @@ impl StoryCheck<'_> {
     }
 }
 
-/// Whether a check of a sweep looks at the face: bodies are all alike here.
+/// Returns true if a sweep check concerns the face: all bodies are equal here.
 fn is_of_face(check: &str) -> bool {
     ["lip", "lids", "mouth", "skin"]
         .iter()
         .any(|start| check.starts_with(start))
 }
 
-/// How near to its landmarks a crossing belongs to lids or lips, metres, and those landmarks.
+/// Maximum distance of an intersection from lid or lip landmarks, metres, and those landmarks.
 const LIDS: (f64, [&str; 8]) = (
     0.009,
     [
@@ -114,7 +114,7 @@ fn crossed(figure: &Figure, names: &Annotations) -> BTreeMap<&'static str, f64> 
     counts
 }
 
-/// Prints how many told it without a fault, and each value over all of them.
+/// Prints the number of faultless performances, and each value over all of them.
 pub(crate) fn summary(all: &[&FaceReport]) -> Result<()> {
     let mut out = terminal::out();
     let fine = all.iter().filter(|f| f.wrong.is_empty()).count();

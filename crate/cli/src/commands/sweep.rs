@@ -13,16 +13,16 @@ use crate::report;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome, terminal};
 
-/// Play stories without pixels and report what a viewer would notice.
+/// Play stories without rendering and report visible faults.
 #[derive(Args)]
 pub(crate) struct Sweep {
-    /// Scripts, or folders that hold a story.eml.
+    /// Scripts, or folders that contain a story.eml.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Who performs: a name, or the path of a figure; without it, the story's choice, else sofia.
+    /// Performer: a name, or the path of a figure; by default the story's choice, otherwise sofia.
     #[arg(long)]
     figure: Option<String>,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -35,7 +35,7 @@ struct Entry {
     unit: &'static str,
     ok: bool,
     at_secs: f64,
-    /// The bone; left out when nothing was found.
+    /// Bone; omitted if nothing was found.
     #[serde(skip_serializing_if = "str::is_empty")]
     part: &'static str,
 }

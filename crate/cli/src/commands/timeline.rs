@@ -16,9 +16,9 @@ use crate::{Format, Outcome, terminal};
 /// Print the resolved clauses of a story in time order.
 #[derive(Args)]
 pub(crate) struct Timeline {
-    /// A script, or a folder that holds a story.eml.
+    /// Script, or folder that contains a story.eml.
     file: PathBuf,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -36,10 +36,10 @@ struct Entry<'a> {
     /// Index of the enclosing seq or par in this list.
     #[serde(skip_serializing_if = "Option::is_none")]
     container: Option<u32>,
-    /// Which repetition of its container, from 0.
+    /// Iteration of its container, from 0.
     #[serde(skip_serializing_if = "is_first")]
     iteration: u32,
-    /// How much later its stroke comes, seconds.
+    /// Delay of its stroke, seconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     late: Option<f64>,
 }
@@ -56,7 +56,7 @@ fn is_first(iteration: &u32) -> bool {
 struct TimelineReport<'a> {
     duration: f64,
     lead_in: f64,
-    /// How much of the lead-in the hands need, seconds.
+    /// Share of the lead-in needed by the hands, seconds.
     waits: f64,
     clauses: Vec<Entry<'a>>,
     marks: BTreeMap<&'a str, f64>,

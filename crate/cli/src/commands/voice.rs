@@ -16,7 +16,7 @@ use raconteur_voice::bake::engine::{ENGINES, EngineOptions};
 use raconteur_voice::bake::measure::{self, Row, Settings};
 use raconteur_voice::bake::{Cast, picture};
 
-/// Measure voices and look at them.
+/// Measure and inspect voices.
 #[derive(Args)]
 pub(crate) struct Voice {
     #[command(subcommand)]
@@ -27,11 +27,11 @@ pub(crate) struct Voice {
 enum VoiceAction {
     /// List the voices of an engine, or of all that are installed.
     List(List),
-    /// Measure what markup and emotions do to a voice; fail when a setting misses its target.
+    /// Measure the effect of markup and emotions on a voice; fail if a setting misses its target.
     Measure(Measure),
     /// Draw a sentence: its spectrum with words, phones and pitch over it.
     Picture(Picture),
-    /// Print what a story says as documents of SSML 1.1, one after the other.
+    /// Print the spoken text of a story as SSML 1.1 documents, one after the other.
     Ssml(Ssml),
 }
 
@@ -43,7 +43,7 @@ struct List {
     /// Address of a MaryTTS server.
     #[arg(long, default_value = "localhost:59125")]
     server: String,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -60,15 +60,15 @@ impl List {
 
 #[derive(Args)]
 struct Ssml {
-    /// The script, or the folder that holds a story.eml.
+    /// Script, or folder that contains a story.eml.
     story: PathBuf,
-    /// The language of what names no other, a BCP 47 tag.
+    /// Default language, a BCP 47 tag.
     #[arg(long, default_value = "en-US")]
     language: String,
 }
 
 impl Ssml {
-    /// What lies in files is left to them.
+    /// Prints the documents; contents of other files are not included.
     fn run(&self) -> Result<Outcome> {
         let files = StoryFiles::read(&self.story)?;
         let mut out = terminal::out();
@@ -84,7 +84,7 @@ impl Ssml {
     }
 }
 
-/// Whose voice.
+/// Choice of a voice.
 #[derive(Args)]
 struct VoiceChoice {
     /// The speech engine; without it, kokoro or the first that is installed.
@@ -121,7 +121,7 @@ struct Measure {
     /// Measure one setting of each kind instead of all.
     #[arg(long)]
     sample: bool,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
 }
@@ -130,7 +130,7 @@ struct Measure {
 struct Picture {
     #[command(flatten)]
     who: VoiceChoice,
-    /// What it says; SABLE's markup is understood.
+    /// Spoken text; SABLE markup is supported.
     text: String,
     /// The SVG file.
     #[arg(short, long)]

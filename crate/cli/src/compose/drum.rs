@@ -43,7 +43,7 @@ pub(crate) fn snare(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     });
 }
 
-/// Several hands that hardly meet, then the room.
+/// Plays a clap: several hands with small delays, then reverberation.
 pub(crate) fn clap(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     const HANDS_SECS: [f64; 3] = [0.0, 0.011, 0.021];
     let level = 0.6 * note.velocity;

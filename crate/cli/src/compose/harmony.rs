@@ -52,7 +52,7 @@ fn class(name: &str) -> Result<(f64, &str)> {
     })
 }
 
-/// The MIDI number of a note such as `F#4`; C4 is 60.
+/// Parses the MIDI number of a note such as `F#4`; C4 is 60.
 ///
 /// # Errors
 /// When it is none.
@@ -65,7 +65,7 @@ pub(crate) fn pitch(name: &str) -> Result<f64> {
     Ok(12.0 * (f64::from(octave) + 1.0) + class)
 }
 
-/// A chord such as `Am7` or `C/E`.
+/// Parses a chord such as `Am7` or `C/E`.
 ///
 /// # Errors
 /// When it is none.
@@ -97,8 +97,8 @@ impl Chord {
         above(self.bass, low)
     }
 
-    /// Its n-th tone counted from the root at or above `low`, from 1; then it goes on an
-    /// octave higher.
+    /// Returns its n-th tone counted from the root at or above `low`, from 1; higher degrees
+    /// continue in the next octave.
     pub(crate) fn degree(&self, n: u32, low: f64) -> f64 {
         let n = n.max(1) as usize - 1;
         let octave = 12.0 * (n / self.tones.len()) as f64;

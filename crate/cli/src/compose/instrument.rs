@@ -11,7 +11,7 @@ use super::drum;
 use super::note::Note;
 use super::signal::{Filter, Noise, RATE_HZ, Stereo, add, frequency_hz, sine};
 
-/// Who plays.
+/// Instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Instrument {
@@ -31,7 +31,7 @@ pub(crate) enum Instrument {
     Marimba,
     /// A flute.
     Flute,
-    /// A bright lead of three sawtooths.
+    /// Bright lead of three sawtooths.
     Lead,
     Kick,
     Snare,
@@ -46,7 +46,7 @@ pub(crate) enum Instrument {
 }
 
 impl Instrument {
-    /// Adds a note to a channel pair, which ends where the piece does. `noise` is the note's
+    /// Adds a note to a channel pair, which ends at the end of the piece. `noise` is the note's
     /// own.
     pub(crate) fn play(self, note: &Note, noise: &mut Noise, out: &mut Stereo) {
         match self {
@@ -72,7 +72,7 @@ impl Instrument {
     }
 }
 
-/// How loud a held note is: attack and release are straight, both in seconds.
+/// Returns the amplitude of a held note: linear attack and release, both in seconds.
 fn envelope(t: f64, length: f64, attack: f64, release: f64) -> f64 {
     let up = (t / attack).min(1.0);
     let down = 1.0 - ((t - length) / release).clamp(0.0, 1.0);
@@ -83,13 +83,13 @@ fn envelope(t: f64, length: f64, attack: f64, release: f64) -> f64 {
 /// A choir of sawtooths through a filter that opens and closes with the note.
 struct Ensemble {
     voices: usize,
-    /// How far the outer voices are out of tune, share of the frequency.
+    /// Detuning of the outer voices, share of the frequency.
     detune: f64,
     attack: f64,
     release: f64,
     /// The filter at rest and fully open, multiples of the frequency.
     cutoff: [f64; 2],
-    /// How long it takes to open, seconds.
+    /// Opening time of the filter, seconds.
     opening: f64,
     level: f64,
 }
@@ -153,7 +153,7 @@ fn ensemble(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Ensemble) {
     });
 }
 
-/// A sawtooth with its jump rounded by a polynomial, so that it hardly aliases (PolyBLEP,
+/// Returns a sawtooth with its discontinuity rounded by a polynomial to reduce aliasing (PolyBLEP,
 /// Välimäki and Huovilainen 2007, doi:10.1109/MSP.2007.323276).
 fn sawtooth(phase: f64, step: f64) -> f64 {
     let plain = 2.0 * phase - 1.0;
@@ -168,15 +168,15 @@ fn sawtooth(phase: f64, step: f64) -> f64 {
     }
 }
 
-/// A plucked string: a burst of noise that goes round in a delay and loses its brightness.
+/// Plucked string: a noise burst that circulates in a delay line and loses its brightness.
 struct Plucked {
     /// Filter of the burst, Hz: how hard the finger is.
     burst_hz: f64,
     /// Time in which a string of 220 Hz falls by 60 dB, seconds.
     ring_secs: f64,
-    /// How much of its brightness each round keeps, 0..1.
+    /// Brightness retained per round, 0..1.
     bright: f64,
-    /// Where it is plucked, share of its length.
+    /// Pluck position, share of the string's length.
     place: f64,
     release: f64,
     /// A sine of the same pitch beneath.
@@ -248,9 +248,9 @@ fn string(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Plucked) {
 struct FrequencyModulation {
     /// Frequency of the modulator, multiple of the carrier's.
     ratio: f64,
-    /// How strongly it modulates at the stroke and later, radians.
+    /// Modulation index at the stroke and later, radians.
     index: [f64; 2],
-    /// How fast the tone falls, 1/s.
+    /// Decay rate of the tone, 1/s.
     decay: f64,
     release: f64,
     /// Frequency and level of the stroke's own partial.
@@ -323,7 +323,7 @@ fn marimba(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     });
 }
 
-/// A flute: few partials, breath, and a vibrato that comes with time.
+/// Plays a flute: few partials, breath noise, and a delayed vibrato.
 fn flute(note: &Note, noise: &mut Noise, out: &mut Stereo) {
     let pitch_hz = frequency_hz(note.pitch);
     let level = 0.2 * note.velocity;

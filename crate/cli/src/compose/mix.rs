@@ -10,7 +10,7 @@ use super::signal::{Filter, Noise, RATE_HZ, Stereo, sine};
 /// No sample is beyond this, dB below full scale: encoders overshoot a little.
 const CEILING_DB: f64 = -1.5;
 
-/// Plays a score; the sound is as loud as it says and never clips.
+/// Mixes a score at the loudness that it specifies, without clipping.
 pub(crate) fn mix(score: &Score, parts: &[Part]) -> Stereo {
     let length = score.length_secs() + score.tail;
     let count = (length * RATE_HZ).round() as usize;
@@ -146,8 +146,8 @@ fn reverberate(sent: &Stereo) -> Stereo {
     out
 }
 
-/// Keeps every sample below the ceiling: the level is let down smoothly over 5 ms before a
-/// peak and comes back over 120 ms.
+/// Limits every sample to the ceiling: the gain falls smoothly over 5 ms before a peak and recovers
+/// over 120 ms.
 fn limit(sound: &mut Stereo) {
     let ceiling = gain(CEILING_DB);
     let ahead = (0.005 * RATE_HZ) as usize;

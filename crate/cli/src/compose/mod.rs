@@ -62,7 +62,7 @@ impl Music {
         20.0 * libm::log10(peak.max(1e-6))
     }
 
-    /// Writes a file; its ending, `wav`, `opus` or `mp3`, says in what format.
+    /// Writes an audio file in the format of its extension: `wav`, `opus` or `mp3`.
     ///
     /// # Errors
     /// For another ending, or when an encoder is missing or fails.

@@ -5,7 +5,7 @@
 pub(crate) struct Note {
     /// Seconds from the start.
     pub(crate) start_secs: f64,
-    /// How long it is held, seconds.
+    /// Duration for which it is held, seconds.
     pub(crate) length_secs: f64,
     /// MIDI number; meaningless for drums.
     pub(crate) pitch: f64,

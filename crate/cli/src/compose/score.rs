@@ -12,7 +12,7 @@ use super::note::Note;
 
 /// The longest piece without its tail, seconds.
 const MAX_SECS: f64 = 1200.0;
-/// The most notes and cells in a piece; a cell that holds notes counts for each.
+/// Maximum number of notes and cells in a piece; a cell that holds notes counts for each.
 const MAX_WORK: usize = 1_000_000;
 
 /// A piece as it is written.
@@ -41,23 +41,23 @@ pub(crate) struct Score {
 #[serde(deny_unknown_fields)]
 pub(crate) struct Track {
     name: String,
-    /// What plays it.
+    /// Instrument of the track.
     pub(crate) instrument: Instrument,
     /// Level, dB.
     pub(crate) level: f64,
     /// From -1, left, to 1, right.
     #[serde(default)]
     pub(crate) pan: f64,
-    /// Share that goes into the room, 0..1.
+    /// Reverb send, 0..1.
     #[serde(default)]
     pub(crate) room: f64,
     /// Share that echoes after three eighths, 0..1.
     #[serde(default)]
     pub(crate) echo: f64,
-    /// How far each stroke of the kick drum pushes it back, 0..1.
+    /// Attenuation by each stroke of the kick drum (ducking), 0..1.
     #[serde(default)]
     pub(crate) duck: f64,
-    /// The lowest note that degrees of a chord may give.
+    /// Lowest note for degrees of a chord.
     #[serde(default = "middle")]
     low: String,
 }
@@ -86,9 +86,9 @@ struct Section {
     play: Vec<String>,
 }
 
-/// What one track plays.
+/// Notes of one track.
 pub(crate) struct Part {
-    /// Who plays.
+    /// Track.
     pub(crate) track: Track,
     /// By start.
     pub(crate) notes: Vec<Note>,
@@ -246,7 +246,7 @@ impl Section {
     }
 }
 
-/// The chord at a place, in bars from the start of its section.
+/// Returns the chord at a position, in bars from the start of its section.
 fn chord_at(chords: &[Vec<Chord>], bars: f64) -> Option<&Chord> {
     let bar = chords.get(bars as usize % chords.len().max(1))?;
     // Cells of three in a bar of two chords: a time that is a rounding error below belongs above.
@@ -273,7 +273,7 @@ pub(crate) fn gain(db: f64) -> f64 {
     libm::pow(10.0, db / 20.0)
 }
 
-/// A place in a bar.
+/// Cell of a bar.
 struct Cell<'a> {
     start_secs: f64,
     length_secs: f64,
@@ -283,7 +283,7 @@ struct Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// Plays the text of a cell; `held` are the notes that a following `-` holds.
+    /// Plays the text of a cell; `held` are the notes that a following `-` extends.
     fn play(&self, text: &str, held: &mut Vec<usize>, notes: &mut Vec<Note>) -> Result<()> {
         match text {
             "." => held.clear(),
@@ -334,7 +334,7 @@ impl Cell<'_> {
     }
 }
 
-/// What must hold whatever the text: it is refused, or its notes lie in the piece.
+/// Checks the invariants for any text: it is rejected, or its notes lie in the piece.
 ///
 /// # Panics
 /// Where it does not hold.

@@ -63,17 +63,17 @@ impl Filter {
         [low, band, high]
     }
 
-    /// What lies below a frequency; `resonance` is the filter's Q, 0.707 for none.
+    /// Filters the signal with a low-pass; `resonance` is the filter's Q, 0.707 for none.
     pub(crate) fn low(&mut self, x: f64, cutoff_hz: f64, resonance: f64) -> f64 {
         self.step(x, cutoff_hz, resonance)[0]
     }
 
-    /// What lies about a frequency.
+    /// Filters the signal with a band-pass.
     pub(crate) fn band(&mut self, x: f64, centre_hz: f64, resonance: f64) -> f64 {
         self.step(x, centre_hz, resonance)[1]
     }
 
-    /// What lies above a frequency.
+    /// Filters the signal with a high-pass.
     pub(crate) fn high(&mut self, x: f64, cutoff_hz: f64, resonance: f64) -> f64 {
         self.step(x, cutoff_hz, resonance)[2]
     }
@@ -87,7 +87,7 @@ pub(crate) fn frequency_hz(pitch: f64) -> f64 {
     440.0 * libm::pow(2.0, (pitch - 69.0) / 12.0)
 }
 
-/// Adds a sound to both channels from a time on: `sound` gives the samples left and right for
+/// Adds a sound to both channels from a given time: `sound` gives the left and right samples for
 /// seconds since the start, until `length_secs` or the end of the piece.
 pub(crate) fn add(
     out: &mut Stereo,
@@ -115,7 +115,7 @@ pub(crate) fn add(
 mod tests {
     use super::*;
 
-    /// Effective value of what a filter leaves of a sine.
+    /// Returns the RMS level of a sine after a filter.
     fn left(hz: f64, mut filter: impl FnMut(f64) -> f64) -> f64 {
         let samples = (0..48_000).map(|i| filter(sine(hz * f64::from(i) / RATE_HZ)));
         let late = samples.skip(24_000).map(|y| y * y).sum::<f64>() / 24_000.0;

@@ -6,13 +6,13 @@
 
 /// Cuts a stream; one for each connection. Memory is bounded by the limit.
 pub(crate) struct Framer {
-    /// The fragment so far, at most one byte more than the limit.
+    /// Current fragment, at most one byte longer than the limit.
     text: Vec<u8>,
     limit: usize,
     /// Elements that are open.
     depth: usize,
     state: State,
-    /// Nothing but white space since the last end of line.
+    /// True if only white space has arrived since the last end of line.
     blank: bool,
 }
 
@@ -28,16 +28,16 @@ enum State {
         slash: bool,
         quote: Option<u8>,
     },
-    /// After `<!`: bytes seen that fit `--` or `[CDATA[`.
+    /// After `<!`: number of bytes that match `--` or `[CDATA[`.
     Declaration(usize),
-    /// In a comment, a CDATA section or an instruction: bytes of its end that were seen.
+    /// In a comment, a CDATA section or an instruction: number of matched bytes of its end.
     Until(&'static [u8], usize),
 }
 
 const OPEN_CDATA: &[u8] = b"[CDATA[";
 
 impl Framer {
-    /// A fragment longer than `limit` bytes is given cut, one byte longer than it.
+    /// Creates a splitter; a fragment longer than `limit` bytes is truncated to one byte more.
     pub(crate) fn new(limit: usize) -> Self {
         Self {
             text: Vec::new(),
@@ -48,7 +48,7 @@ impl Framer {
         }
     }
 
-    /// Takes bytes; the fragments that they complete, in order.
+    /// Processes bytes; returns the fragments that they complete, in order.
     pub(crate) fn push(&mut self, bytes: &[u8]) -> Vec<String> {
         let mut fragments = Vec::new();
         for &byte in bytes {
@@ -136,8 +136,8 @@ impl Framer {
     }
 }
 
-/// What must hold whatever the bytes and however they are cut into packets: the same fragments,
-/// none empty, none longer than the limit.
+/// Checks the invariants for any bytes and any division into packets: the same fragments, none
+/// empty, none longer than the limit.
 ///
 /// # Panics
 /// Where it does not hold.

@@ -4,25 +4,25 @@
 //! for one, and cannot read what comes back. It cannot make them begin with this line: a
 //! browser's bytes begin with its own, and no page knows the token.
 
-/// What the line begins with: the program and the version of what follows.
+/// Start of the line: program and protocol version.
 const OPENING: &str = "raconteur 1 ";
 /// The longest line, bytes.
 const MAX_GREETING_BYTES: usize = 1024;
-/// How requests of HTTP begin.
+/// Prefixes of HTTP requests.
 const METHODS: [&str; 10] = [
     "GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH ", "PRI ",
 ];
 
-/// What the bytes so far are.
+/// Classification of the bytes received so far.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Greeting<'a> {
-    /// Perhaps the line, when more has come.
+    /// Possible prefix of the greeting line.
     Begun,
     /// The line, with this token.
     Told(&'a str),
     /// A request of HTTP.
     Http,
-    /// Something else.
+    /// Any other data.
     Other,
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn line(token: &str) -> String {
     format!("{OPENING}{token}")
 }
 
-/// Looks at the bytes that have come, of which none after the end of the line are.
+/// Classifies the received bytes, none of which is after the end of the line.
 pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
     let alike = |whole: &str| bytes.iter().zip(whole.as_bytes()).all(|(a, b)| a == b);
     if !alike(OPENING) {
@@ -56,8 +56,8 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
     }
 }
 
-/// What must hold whatever the bytes: they are decided in bounded length, and a token is one
-/// line's rest.
+/// Checks the invariants for any bytes: they are classified within a bounded length, and a token is
+/// the rest of one line.
 ///
 /// # Panics
 /// Where it does not hold.
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// What a stream is found to be, read byte by byte, and after how many bytes.
+    /// Returns the classification of a stream read byte by byte, and the number of bytes needed.
     fn found(stream: &[u8]) -> Option<(Greeting<'_>, usize)> {
         (1..=stream.len()).find_map(|n| match read(&stream[..n]) {
             Greeting::Begun => None,

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-/// Watches one connection: after a silence it gets a ping, and after a
-/// longer one it is closed, so that dead connections keep no place.
+/// Monitors one connection: it gets a ping after a silence, and is closed after a longer one, so
+/// that dead connections do not occupy a slot.
 pub(crate) struct Heartbeat {
     heard: Instant,
     asked: bool,
@@ -13,7 +13,7 @@ pub(crate) struct Heartbeat {
 /// The action that is due.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum HeartbeatAction {
-    /// Nothing.
+    /// No action.
     Steady,
     /// Send a ping; once a silence.
     Ask,
@@ -22,7 +22,8 @@ pub(crate) enum HeartbeatAction {
 }
 
 impl Heartbeat {
-    /// A connection that is silent for `idle` is dead; a ping goes out after a third of it.
+    /// Creates a monitor; a connection silent for `idle` is dead, and a ping is sent after a third
+    /// of it.
     pub(crate) fn new(idle: Duration, now: Instant) -> Self {
         Self {
             heard: now,
@@ -31,7 +32,7 @@ impl Heartbeat {
         }
     }
 
-    /// Something came.
+    /// Records received data.
     pub(crate) fn record_activity(&mut self, now: Instant) {
         self.heard = now;
         self.asked = false;
@@ -58,7 +59,7 @@ mod tests {
 
     proptest! {
         /// For any times of messages and checks: no connection that sent within the time is dead,
-        /// and none that did not lives on; one silence gets one ping, before its end.
+        /// and every other one is; one silence gets one ping, before its end.
         #[test]
         fn who_is_heard_lives(steps in prop::collection::vec((0_u64..60, any::<bool>()), 1..100)) {
             let begin = Instant::now();

@@ -13,21 +13,21 @@ use crate::terminal;
 
 /// Fragments of one mind that wait to be performed; a mind that sends more is not read.
 const WAITING: usize = 16;
-/// Lines that wait to be sent to one mind; one that does not read them misses the rest.
+/// Maximum number of unsent lines per mind; a mind that does not read them misses the rest.
 const UNREAD: usize = 1024;
-/// Minds connected at once.
+/// Maximum number of connected minds.
 const MAX_MINDS: usize = 32;
-/// How often a connection looks for lines to send while it waits for fragments.
+/// Interval at which a connection checks for lines to send while it waits for fragments.
 pub(crate) const TURN: Duration = Duration::from_millis(20);
-/// A mind that has not greeted by then, or takes longer to read a line, is gone.
+/// Timeout for a mind's greeting, and for reading a line.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// A line for a mind, without the end of line.
 pub(crate) type Line = Arc<str>;
 
-/// What the performer holds of a mind.
+/// Mind, as seen by the performer.
 pub(crate) struct Mind {
-    /// Tells minds apart.
+    /// Identifier of the mind.
     pub(crate) id: u32,
     inbox: Receiver<String>,
     outbox: Outbox,
@@ -39,7 +39,7 @@ enum Outbox {
     StandardOutput,
 }
 
-/// What a connection holds of the performer.
+/// Performer, as seen by a connection.
 pub(crate) struct MindLink {
     inbox: SyncSender<String>,
     outbox: Receiver<Line>,
@@ -47,21 +47,21 @@ pub(crate) struct MindLink {
     held: Option<String>,
 }
 
-/// Where connections come in.
+/// Entry point for connections.
 #[derive(Clone)]
 pub(crate) struct ConnectionSender {
     token: Arc<str>,
-    /// Whether every WebSocket must say the token, too: those of this machine as well.
+    /// True if every WebSocket must present the token, including those of this machine.
     pub(crate) guarded: bool,
     /// A mind that is silent for so long is gone.
     pub(crate) idle: Duration,
-    /// Where connections wait before they come in.
+    /// Connections that have not greeted yet.
     pub(crate) lobby: PendingConnections,
     arrivals: SyncSender<Mind>,
     connected: Arc<AtomicUsize>,
 }
 
-/// A place among the connected minds; leaving gives it back.
+/// Slot among the connected minds, released on drop.
 pub(crate) struct ConnectionSlot(Arc<AtomicUsize>);
 
 impl Drop for ConnectionSlot {
@@ -80,7 +80,7 @@ enum MindMessage {
 }
 
 impl ConnectionSender {
-    /// A door, and where those who came through it are found.
+    /// Creates an entry point, and the receiver of the minds that enter.
     pub(crate) fn new(token: &str, guarded: bool, idle: Duration) -> (Self, Receiver<Mind>) {
         let (arrivals, arrived) = sync_channel(MAX_MINDS);
         let door = Self {
@@ -94,21 +94,21 @@ impl ConnectionSender {
         (door, arrived)
     }
 
-    /// A place for a mind, unless all are taken.
+    /// Returns a free slot for a mind, if there is one.
     pub(crate) fn place(&self) -> Option<ConnectionSlot> {
         let before = self.connected.fetch_add(1, Ordering::Relaxed);
         let place = ConnectionSlot(Arc::clone(&self.connected));
         (before < MAX_MINDS).then_some(place)
     }
 
-    /// Whether a token opens the door. The time that this takes tells nothing but lengths.
+    /// Returns true if a token is valid. The duration of the comparison reveals only lengths.
     pub(crate) fn opens(&self, token: &str) -> bool {
         let pairs = self.token.bytes().zip(token.bytes());
         let differences = pairs.fold(0, |sum, (a, b)| sum | (a ^ b));
         differences == 0 && self.token.len() == token.len()
     }
 
-    /// Brings a mind in.
+    /// Registers a mind.
     pub(crate) fn enter(&self) -> Result<MindLink, Disconnected> {
         let (inbox, fragments) = sync_channel(WAITING);
         let (lines, outbox) = sync_channel(UNREAD);
@@ -121,7 +121,7 @@ impl ConnectionSender {
         })
     }
 
-    /// Brings in the mind at the standard input; what it sends goes into the sender.
+    /// Registers the mind at standard input; its input goes into the returned sender.
     pub(crate) fn enter_by_input(&self) -> Result<SyncSender<String>, Disconnected> {
         let (inbox, fragments) = sync_channel(WAITING);
         let mind = Mind::new(fragments, Outbox::StandardOutput);
@@ -140,7 +140,7 @@ impl Mind {
         }
     }
 
-    /// The next fragment, if there is one; `Gone` when there will be none.
+    /// Returns the next fragment, if there is one; `Gone` if there will be none.
     pub(crate) fn next(&self) -> Result<Option<String>, Disconnected> {
         match self.inbox.try_recv() {
             Ok(fragment) => Ok(Some(fragment)),
@@ -154,12 +154,12 @@ impl Mind {
         self.inbox.recv().map_err(|_| Disconnected)
     }
 
-    /// Whether it is the one at the standard input.
+    /// Returns true for the mind at standard input.
     pub(crate) fn is_at_input(&self) -> bool {
         matches!(self.outbox, Outbox::StandardOutput)
     }
 
-    /// Tells a line. Never waits for a connection: what a mind does not read is counted.
+    /// Sends a line. Never blocks on a connection: unread lines are counted.
     pub(crate) fn send_line(&mut self, line: &Line) -> io::Result<()> {
         let lines = match &self.outbox {
             Outbox::StandardOutput => {
@@ -193,7 +193,8 @@ impl MindLink {
         }
     }
 
-    /// Whether the mind may be read. While it may not, its connection fills up and slows it.
+    /// Returns true if the mind may be read. Otherwise its connection fills up, which slows it
+    /// down.
     pub(crate) fn is_free(&mut self) -> Result<bool, Disconnected> {
         match self.held.take() {
             None => Ok(true),

@@ -28,18 +28,18 @@ use crate::terminal;
 use framing::Framer;
 use mind::{ConnectionSender, Disconnected, Line, Mind};
 
-/// Between two looks at the clock and at what has come.
+/// Interval at which clock and input are polled.
 const STEP: Duration = Duration::from_millis(10);
-/// Fragments of one mind that are performed at one look, so that all minds get their turn.
+/// Maximum number of fragments of one mind performed per poll, so that all minds get their turn.
 const AT_ONCE: usize = 4;
 
-/// Which way minds may come.
+/// Transports available to minds.
 pub(crate) struct Transports {
-    /// Where WebSockets are taken.
+    /// Address for WebSockets.
     pub(crate) websocket: Option<SocketAddr>,
-    /// Where plain connections are taken.
+    /// Address for plain TCP.
     pub(crate) tcp: Option<SocketAddr>,
-    /// Whether the standard input is a mind.
+    /// True if standard input is a mind.
     pub(crate) stdin: bool,
     /// The token that they must send; without one it is generated and printed.
     pub(crate) token: Option<String>,
@@ -47,7 +47,7 @@ pub(crate) struct Transports {
     pub(crate) idle: Duration,
 }
 
-/// What makes story time pass.
+/// Source of story time.
 #[derive(Clone, Copy)]
 pub(crate) enum Clock {
     /// Real time, this much faster.
@@ -55,7 +55,7 @@ pub(crate) enum Clock {
         /// Story seconds a second.
         speed: f64,
     },
-    /// Lines `@SECONDS` of the standard input: for scripts that must always tell the same.
+    /// Lines `@SECONDS` of standard input: for scripts with reproducible output.
     Virtual,
 }
 
@@ -65,14 +65,14 @@ pub(crate) enum Clock {
 struct Greeting<'a> {
     version: u32,
     time_secs: f64,
-    /// When the script ends, story time, seconds.
+    /// End of the script, story time, seconds.
     end_secs: f64,
     figure: &'a str,
-    /// The script's named moments, story time, seconds.
+    /// Named marks of the script, story time, seconds.
     marks: BTreeMap<&'a str, f64>,
 }
 
-/// Performs until the standard input has ended, where it is the only way in; else for ever.
+/// Performs until standard input ends if it is the only transport; otherwise forever.
 pub(crate) fn run(mut player: Player, ways: &Transports, clock: Clock) -> Result<()> {
     let token = ways.token.clone().map_or_else(token, Ok)?;
     let open_to_others = ways.websocket.is_some_and(|at| !at.ip().is_loopback());
@@ -126,7 +126,7 @@ fn token() -> Result<String> {
     Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
 }
 
-/// Takes connections in threads of their own; the address, with the port that was chosen.
+/// Accepts connections on separate threads; returns the address with the chosen port.
 fn listen(
     address: SocketAddr,
     door: &ConnectionSender,
@@ -182,7 +182,7 @@ fn read_input(door: &ConnectionSender) {
     });
 }
 
-/// The performance and those who take part.
+/// Live performance and its participants.
 struct LiveSession {
     player: Player,
     arrivals: Receiver<Mind>,
@@ -286,7 +286,7 @@ impl LiveSession {
         Ok(())
     }
 
-    /// Lets time pass and tells everybody what happens.
+    /// Advances the time and reports all events.
     fn pass(&mut self, now_secs: f64) -> Result<()> {
         self.player.advance(now_secs);
         for event in self.player.drain_events() {

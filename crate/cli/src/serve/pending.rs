@@ -12,14 +12,14 @@ use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Greetings that are awaited at once, on all ports together.
+/// Maximum number of awaited greetings on all ports together.
 const MAX_PENDING: usize = 64;
-/// How long what a refused peer still sends is read, so that it gets to read why.
+/// Duration for which data of a rejected peer is still read, so that it receives the reason.
 const FAREWELL: Duration = Duration::from_secs(3);
-/// How much of it is read, bytes.
+/// Maximum amount of that data, bytes.
 const FAREWELL_BYTES: usize = 1 << 20;
 
-/// Where connections wait until they have greeted.
+/// Connections that have not greeted yet.
 #[derive(Clone, Default)]
 pub(crate) struct PendingConnections(Arc<Mutex<PendingConnection>>);
 
@@ -37,8 +37,7 @@ pub(crate) struct PendingGuard {
 }
 
 impl PendingConnections {
-    /// Takes a connection in, and turns out the one that has waited longest where there is
-    /// no room: its reads end.
+    /// Adds a connection, and evicts the oldest one if the list is full: its reads end.
     ///
     /// # Errors
     /// When there are no more handles.
@@ -71,15 +70,15 @@ impl Drop for PendingGuard {
     }
 }
 
-/// A connection whose reads may have to be over at a time, however many there are: a time-out
-/// of each read alone would let a peer drip bytes for ever.
+/// Connection with a common deadline for all reads: with a timeout per read, a peer could send
+/// single bytes forever.
 pub(crate) struct DeadlineStream {
     stream: TcpStream,
     until: Option<Instant>,
 }
 
 impl DeadlineStream {
-    /// All reads together may take so long.
+    /// Creates a stream with a time limit for all reads together.
     pub(crate) fn new(stream: TcpStream, patience: Duration) -> Self {
         Self {
             stream,
@@ -93,8 +92,8 @@ impl DeadlineStream {
         self.stream.set_read_timeout(Some(turn))
     }
 
-    /// Closes the connection after what has been written. What the peer has sent is read, since
-    /// a connection that is closed with unread bytes is reset, and the peer would lose the words.
+    /// Closes the connection after the written data. Pending input is read first, because a
+    /// connection closed with unread bytes is reset and the peer would lose the message.
     pub(crate) fn farewell(mut self) {
         self.until = Some(Instant::now() + FAREWELL);
         let _ = self.stream.shutdown(Shutdown::Write);

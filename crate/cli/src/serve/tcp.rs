@@ -13,16 +13,16 @@ use super::heartbeat::{Heartbeat, HeartbeatAction};
 use super::mind::{ConnectionSender, Disconnected, MindLink, PATIENCE, TURN};
 use super::pending::DeadlineStream;
 
-/// What a wrong greeting is answered.
+/// Response to an invalid greeting.
 const REFUSED: &str = r#"{"kind":"failed","code":"serve::token","message":"the first line must be: raconteur 1 TOKEN"}
 "#;
-/// What a request of HTTP is answered.
+/// Response to an HTTP request.
 const NO_PAGES: &str = "HTTP/1.1 400 Bad Request\r\ncontent-type: text/plain\r\nconnection: close\r\n\r\n\
                         This port takes no HTTP. A mind says first: raconteur 1 TOKEN\n";
-/// What a mind is answered for which there is no place.
+/// Response to a mind if all slots are taken.
 const FULL: &str = r#"{"kind":"failed","code":"serve::full","message":"all places are taken; try again later"}
 "#;
-/// Asks a silent mind for a line; an empty one will do.
+/// Ping that requests a line from a silent mind; an empty one suffices.
 const PING: &str = "{\"kind\":\"ping\"}\n";
 /// The message to a mind that did not answer.
 const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"nothing came for too long; an empty line answers a ping"}
@@ -36,8 +36,8 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
     let mut wire = DeadlineStream::new(stream, PATIENCE);
     let refusal = match greet(&mut wire, door) {
         Ok(()) => None,
-        Err(Refusal::Silent(error)) => return Err(error),
-        Err(Refusal::Told(why)) => Some(why),
+        Err(RejectReason::Silent(error)) => return Err(error),
+        Err(RejectReason::Told(why)) => Some(why),
     };
     // Who is refused takes no place, not even for a moment.
     let place = refusal.is_none().then(|| door.place()).flatten();
@@ -56,31 +56,31 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> io::Result<()
     ended
 }
 
-/// Why a connection is not let in.
-enum Refusal {
+/// Reason for rejecting a connection.
+enum RejectReason {
     /// It gets a message.
     Told(&'static str),
     /// It is gone, or out of time.
     Silent(io::Error),
 }
 
-/// Waits for the greeting, byte by byte so that nothing after it is taken.
-fn greet(wire: &mut DeadlineStream, door: &ConnectionSender) -> Result<(), Refusal> {
+/// Reads the greeting, byte by byte so that nothing after it is consumed.
+fn greet(wire: &mut DeadlineStream, door: &ConnectionSender) -> Result<(), RejectReason> {
     let mut bytes = Vec::new();
     let mut byte = [0];
     loop {
         match wire.read(&mut byte) {
-            Ok(0) => return Err(Refusal::Silent(ErrorKind::UnexpectedEof.into())),
+            Ok(0) => return Err(RejectReason::Silent(ErrorKind::UnexpectedEof.into())),
             Ok(_) => bytes.push(byte[0]),
             Err(e) if e.kind() == ErrorKind::Interrupted => continue,
-            Err(e) if would_block(&e) => return Err(Refusal::Told(REFUSED)),
-            Err(e) => return Err(Refusal::Silent(e)),
+            Err(e) if would_block(&e) => return Err(RejectReason::Told(REFUSED)),
+            Err(e) => return Err(RejectReason::Silent(e)),
         }
         match greeting::read(&bytes) {
             Greeting::Begun => {}
             Greeting::Told(token) if door.opens(token) => return Ok(()),
-            Greeting::Told(_) | Greeting::Other => return Err(Refusal::Told(REFUSED)),
-            Greeting::Http => return Err(Refusal::Told(NO_PAGES)),
+            Greeting::Told(_) | Greeting::Other => return Err(RejectReason::Told(REFUSED)),
+            Greeting::Http => return Err(RejectReason::Told(NO_PAGES)),
         }
     }
 }
@@ -137,7 +137,7 @@ fn talk(wire: &mut DeadlineStream, mut link: MindLink, door: &ConnectionSender) 
     }
 }
 
-/// Whether a read found nothing yet, rather than failed.
+/// Returns true if a read had no data yet and did not fail.
 pub(crate) fn would_block(error: &io::Error) -> bool {
     matches!(
         error.kind(),

@@ -66,9 +66,9 @@ pub(crate) fn serve(stream: TcpStream, door: &ConnectionSender) -> Result<(), Er
     Ok(())
 }
 
-/// How a conversation ends.
+/// End of a conversation.
 enum End {
-    /// The close frame says why.
+    /// Close frame with a reason.
     Told(CloseCode, &'static str),
     /// The mind has left.
     Left,
@@ -138,9 +138,9 @@ fn talk(
     }
 }
 
-/// Whether a request may come in, or why not. Browsers let any page connect to any address,
-/// the loopback one included, but say which page: without the token only local pages and
-/// programs may, and those only where the door is not guarded.
+/// Admits a request, or returns the reason for rejection. Browsers let any page connect to any
+/// address, including loopback, but send its origin: without the token only local pages and
+/// programs may connect, and only if the entry point is not guarded.
 fn admit(request: &Request, door: &ConnectionSender) -> Result<(), &'static str> {
     let headers = request.headers();
     let in_query = request
@@ -159,7 +159,7 @@ fn header<'a>(headers: &'a HeaderMap, name: &str) -> Option<&'a str> {
     headers.get(name)?.to_str().ok()
 }
 
-/// Whether a page's origin is this machine.
+/// Returns true if a page's origin is this machine.
 fn is_local(origin: &str) -> bool {
     let host = origin.split_once("://").map_or("", |(_, rest)| rest);
     let host = match host.strip_prefix('[') {

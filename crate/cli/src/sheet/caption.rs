@@ -53,8 +53,8 @@ const LETTERS: [(char, [u8; 7]); 43] = [
     (' ', [0x00; 7]),
 ];
 
-/// Calls `dot` with the place of every dot of a text, from its upper left corner. What
-/// there is no letter for is left out.
+/// Calls `dot` with the position of every dot of a text, from its upper left corner. Characters
+/// without a glyph are skipped.
 pub(super) fn dots(text: &str, mut dot: impl FnMut(u32, u32)) {
     for (place, letter) in text.chars().enumerate() {
         let upper = letter.to_ascii_uppercase();

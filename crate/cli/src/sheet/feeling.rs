@@ -17,14 +17,14 @@ use super::view::before;
 /// Of the blink's tiles.
 const FRAMES_PER_S: f64 = 60.0;
 
-/// At which an emotion has the strength of its place.
+/// Potential at which an emotion has its nominal strength.
 const PLAIN_POTENTIAL: f64 = 5.0;
 
-/// What a portrait feels, and how strongly: friendly, lips closed.
+/// Emotion of a portrait and its strength: friendly, lips closed.
 const FRIENDLY: (&str, f64) = ("joy", 2.0);
 
 impl<'a> Maker<'a> {
-    /// Someone who feels what a word names.
+    /// Returns the posture with the named emotion.
     fn with_emotion(&self, word: &str, potential: f64) -> Posture<'a> {
         let affect = Affect::named(word).unwrap_or_default();
         let share = potential / PLAIN_POTENTIAL;

@@ -1,7 +1,7 @@
 //! Lights of a contact sheet.
 
 use raconteur_base::DVec3;
-use raconteur_stage::{DirectedLight, Lighting, Set, SetKind};
+use raconteur_stage::{DirectedLight, Lighting, Set, StageSet};
 
 /// A lamp from the character's right and little else: it shows relief. Designed, by eye.
 fn lamp() -> Lighting {
@@ -39,5 +39,5 @@ pub(crate) fn named(name: &str) -> Option<Lighting> {
 
 /// A grey room.
 pub(crate) fn room() -> Set {
-    Set::from_kind(SetKind::Studio)
+    Set::from_kind(StageSet::Studio)
 }

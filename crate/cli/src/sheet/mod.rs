@@ -23,7 +23,7 @@ pub(crate) use posture::PosedFigure;
 use tile::Style;
 pub(crate) use tile::Tile;
 
-/// What a sheet shows.
+/// Contents of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SheetPart {
     /// Everything.
@@ -44,7 +44,7 @@ pub(crate) enum SheetPart {
     Poses,
     /// Teeth, jaw open, smile.
     Mouth,
-    /// Each muscle of the face alone; not part of all.
+    /// Each muscle of the face alone; not part of `all`.
     Muscles,
     /// The fifteen visemes; not part of all.
     Visemes,
@@ -89,7 +89,7 @@ pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Ve
         .collect()
 }
 
-/// Draws tiles of one figure and lays them out, `grid` to a row without captions or gaps where it is
+/// Renders tiles of one figure and lays them out, `grid` to a row without captions or gaps if
 /// given; `drawn` is called after each.
 pub(crate) fn draw(
     figure: &Figure,
@@ -108,10 +108,10 @@ pub(crate) fn draw(
     Ok(board.picture())
 }
 
-/// What is wrong where it has too many.
+/// Error message for too many tiles.
 const FULL: &str = "more tiles than the sheet has places for";
 
-/// A sheet that tiles are put on one after another.
+/// Sheet to which tiles are added one after another.
 pub(crate) struct ContactSheet {
     picture: Picture,
     layout: Layout,
@@ -122,8 +122,8 @@ pub(crate) struct ContactSheet {
 }
 
 impl ContactSheet {
-    /// For tiles of these widths over height, `grid` to a row without captions or gaps where it is
-    /// given, otherwise about `columns`.
+    /// Creates a sheet for tiles of these aspect ratios, `grid` to a row without captions or gaps
+    /// if given, otherwise about `columns`.
     pub(crate) fn new(aspects: &[f64], height: u32, grid: Option<u32>, columns: u32) -> Self {
         let width = |aspect: &f64| ((f64::from(height) * aspect).round() as u32).max(1);
         let widths: Vec<u32> = aspects.iter().map(width).collect();
@@ -168,7 +168,7 @@ impl ContactSheet {
         self.place_tile(&pixels, &tile.caption)
     }
 
-    /// Lays the picture of the next tile down, of the size that it has.
+    /// Places the image of the next tile at its size.
     pub(crate) fn place_tile(&mut self, pixels: &[u8], caption: &str) -> Result<()> {
         let places = self
             .layout
@@ -191,7 +191,7 @@ impl ContactSheet {
     }
 }
 
-/// From where a face is seen.
+/// View direction of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FaceView {
     /// From the front.
@@ -210,7 +210,8 @@ pub(crate) fn faces(figure: &Figure, views: &[FaceView], caption: &str) -> Vec<T
 /// Two lights of the room behind the figure, where the display's curve is straight.
 const BEHIND: [f32; 2] = [0.15, 0.35];
 
-/// The figure is where a picture changes less than half as much as the room behind it.
+/// Computes a silhouette: the figure is where an image changes less than half as much as the
+/// background.
 fn silhouette(
     headless: &mut Headless,
     frame: &mut Frame,

@@ -18,7 +18,7 @@ pub(crate) struct Picture {
     rgba: Vec<u8>,
 }
 
-/// Where each tile lies, row after row.
+/// Position of each tile, row after row.
 pub(crate) struct Layout {
     /// Upper left corner of each tile.
     pub(crate) places: Vec<(u32, u32)>,

@@ -8,7 +8,7 @@ use raconteur_body::{Bone, Figure, HandShape};
 
 use super::posture::{PosedFigure, Posture};
 
-/// A pose that a figure is shown in.
+/// Pose of a displayed figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PoseName {
     /// As the figure was made.
@@ -31,7 +31,7 @@ pub(crate) enum PoseName {
 pub(super) const FIST: u8 = 14;
 
 impl PoseName {
-    /// The pose as a posture that can still be changed; the bind pose stands.
+    /// Returns the pose as a modifiable posture; the bind pose stands.
     pub(super) fn posture(self, figure: &Figure) -> Posture<'_> {
         let mut posture = Posture::standing(figure);
         match self {

@@ -13,13 +13,13 @@ pub(crate) struct Posture<'a> {
     face: FaceControls,
 }
 
-/// A pose ready to be drawn.
+/// Pose ready for rendering.
 pub(crate) struct PosedFigure {
     /// World from joint.
     pub(crate) world_from_joint: Vec<DAffine3>,
     /// One for each of the figure's morphs.
     pub(crate) morph_weights: Vec<f32>,
-    /// The nodes of its face's tissue; none where it has none.
+    /// Nodes of its face's tissue; empty if it has none.
     pub(crate) tissue: Vec<NodeState>,
 }
 
@@ -36,7 +36,7 @@ fn axes(first: DVec3, second: DVec3) -> DMat3 {
 }
 
 impl<'a> Posture<'a> {
-    /// Standing upright, arms hanging.
+    /// Returns an upright posture, arms hanging.
     pub(crate) fn standing(figure: &'a Figure) -> Self {
         let mut posture = Self {
             figure,
@@ -51,7 +51,8 @@ impl<'a> Posture<'a> {
         posture
     }
 
-    /// Directions of upper arm and forearm, left side, world; the elbow keeps to its hinge.
+    /// Sets the directions of upper arm and forearm, left side, world; the elbow stays on its
+    /// hinge.
     pub(crate) fn arm(&mut self, side: Side, upper: [f64; 3], fore: [f64; 3]) {
         let (upper, fore) = (on(side, upper).normalize(), on(side, fore).normalize());
         let bend = upper.angle_between(fore).max(0.02);
@@ -81,7 +82,7 @@ impl<'a> Posture<'a> {
         shape.apply(side, &mut self.pose);
     }
 
-    /// Turns a bone by a rotation given in the axes of the zero pose's world.
+    /// Rotates a bone by a rotation given in the axes of the zero pose's world.
     pub(crate) fn turn(&mut self, bone: Bone, by: DQuat) {
         let zero = zero_frames()[bone.index()];
         let own = self.pose.rotation(bone);
@@ -126,7 +127,7 @@ impl<'a> Posture<'a> {
         }
     }
 
-    /// Gives a bone this rotation in the world, whatever its ancestors do.
+    /// Sets the world rotation of a bone, independent of its ancestors.
     fn set_in_world(&mut self, bone: Bone, wanted: DQuat) {
         let skeleton: &Skeleton = &self.figure.skeleton;
         let mut world = Vec::new();

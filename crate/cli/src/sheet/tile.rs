@@ -22,7 +22,7 @@ const OPEN: u8 = 4;
 const POINT: u8 = 19;
 const PINCH: u8 = 27;
 
-/// How a view is drawn.
+/// Rendering style of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     /// By the renderer, lit.
@@ -35,17 +35,17 @@ pub(crate) enum Style {
 
 /// One view.
 pub(crate) struct Tile {
-    /// What it shows.
+    /// Caption.
     pub(crate) caption: String,
     /// Width over height.
     pub(crate) aspect: f64,
-    /// How the figure stands.
+    /// Pose of the figure.
     pub(crate) posed: PosedFigure,
-    /// Where it is seen from.
+    /// Camera.
     pub(crate) camera: Camera,
-    /// What lights it.
+    /// Lighting.
     pub(crate) lighting: Lighting,
-    /// How it is drawn.
+    /// Rendering style.
     pub(crate) style: Style,
 }
 
@@ -236,8 +236,8 @@ impl<'a> Maker<'a> {
         ]
     }
 
-    /// Turned a little, so that a thumb before the palm stands out, with room for one that
-    /// stands off.
+    /// Returns tiles of handshapes, slightly rotated so that a thumb in front of the palm is
+    /// visible, with room for an extended one.
     fn shapes(&self) -> Vec<Tile> {
         let side = Side::Right;
         HandShape::ALL
@@ -314,7 +314,7 @@ impl<'a> Maker<'a> {
         }]
     }
 
-    /// The lower half of a face with given controls.
+    /// Returns a tile of the lower half of a face with given controls.
     fn lips(&self, caption: &str, controls: FaceControls) -> Tile {
         let mut posture = self.standing();
         posture.face(controls);

@@ -4,7 +4,7 @@ use raconteur_base::{DAffine3, DVec3, Side, ops};
 use raconteur_body::{Bone, Drive, Figure};
 use raconteur_stage::Camera;
 
-/// Places of a posed figure, world, metres.
+/// Points of a posed figure, world, metres.
 pub(crate) struct FigurePoints<'a> {
     figure: &'a Figure,
     world_from_joint: &'a [DAffine3],
@@ -84,7 +84,7 @@ impl<'a> FigurePoints<'a> {
 /// Vertical field of view, radians: a long lens.
 const FOV_Y_RAD: f64 = 0.30;
 
-/// A camera before `target` (at +z, turned by `yaw_rad` to its left and raised by
+/// Returns a camera in front of `target` (at +z, rotated by `yaw_rad` to its left and raised by
 /// `pitch_rad`) that sees `half_height_m` above and below it.
 pub(crate) fn before(target: DVec3, half_height_m: f64, yaw_rad: f64, pitch_rad: f64) -> Camera {
     let distance = half_height_m / ops::tan(0.5 * FOV_Y_RAD);

@@ -12,10 +12,10 @@ const FINER: usize = 2;
 const PAPER: f64 = 0.13;
 const SURFACE: f64 = 0.24;
 const INK: f64 = 0.86;
-/// How far before the surface an edge may lie and still be seen on it, share of the distance.
+/// Depth tolerance of a visible edge in front of the surface, share of the distance.
 const BIAS: f64 = 2.0e-3;
 
-/// A point in the picture: x and y in samples, z the distance along the view, metres.
+/// Point in the image: x and y in samples, z the distance along the view, metres.
 type Point = [f64; 3];
 
 struct View {
@@ -42,7 +42,7 @@ impl View {
         }
     }
 
-    /// `None` before the near plane.
+    /// Projects a point; `None` in front of the near plane.
     fn project(&self, p: DVec3) -> Option<Point> {
         let d = p - self.camera.eye_in_world;
         let z = d.dot(self.forward);
@@ -93,7 +93,7 @@ impl Canvas {
         }
     }
 
-    /// Draws an edge where nothing lies before it.
+    /// Draws the unoccluded part of an edge.
     fn line(&mut self, a: Point, b: Point) {
         let steps = (b[0] - a[0]).abs().max((b[1] - a[1]).abs()).ceil();
         if steps > 8.0 * (self.size.0 + self.size.1) as f64 {

@@ -5,7 +5,7 @@ use std::os::unix::fs::symlink;
 
 use crate::workshop::{BakeFixture, stderr_of, wave};
 
-/// Bakes a story that plays a recording; fails when it does and gives what was said.
+/// Bakes a story that plays a recording; fails if that succeeds, and returns the message.
 fn refused(workshop: &BakeFixture, clause: &str) -> String {
     workshop.write_story(clause);
     // Both spoken texts and those that are only compared.

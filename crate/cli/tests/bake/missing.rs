@@ -64,7 +64,7 @@ fn voices_of_the_script_are_named_with_the_others() {
     assert!(told.contains("localhost:1"), "{told}");
 }
 
-/// Where a program of this machine is.
+/// Returns the path of an installed program.
 fn installed(name: &str) -> PathBuf {
     let path = env::var_os("PATH").unwrap_or_default();
     env::split_paths(&path)

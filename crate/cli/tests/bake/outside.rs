@@ -45,7 +45,7 @@ const NAMES: [(&str, &str); 9] = [
     ("opus", "<r:music time='0' file='FILE.opus'/>"),
 ];
 
-/// What stands outside, of every kind that is asked for.
+/// Creates files outside the story, of every type that a story may request.
 fn secrets(workshop: &BakeFixture) {
     let outside = workshop.path("outside");
     for inner in ["", "figures", "animations", "music", "voice"] {
@@ -67,8 +67,8 @@ fn secrets(workshop: &BakeFixture) {
     fs::write(outside.join("speech.json"), "{\"secret\": 1}").unwrap();
 }
 
-/// The files that a command in a folder says it has opened, without links. Those of a scratch
-/// folder are gone.
+/// Returns the files that a command in a folder reports as opened, with links resolved. Scratch
+/// files are gone.
 fn opened(folder: &Path, out: &Output) -> Vec<PathBuf> {
     let told = stderr_of(out);
     let lines = told.lines().filter_map(|line| line.strip_prefix("opened "));
@@ -78,7 +78,7 @@ fn opened(folder: &Path, out: &Output) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Runs every command that reads a story; fails where one opens what it may not.
+/// Runs every command that reads a story; fails if one opens a forbidden file.
 fn assert_contained(workshop: &BakeFixture, what: &str) {
     let root = fs::canonicalize(workshop.path("")).unwrap();
     let allowed = |path: &Path| {

@@ -8,11 +8,11 @@ use std::process::{Child, Command, Output, Stdio};
 use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 
-/// How many utterances the story has.
+/// Number of utterances in the story.
 pub(crate) const UTTERANCES: usize = 4;
 
-/// Tells the log that it has begun, takes as long as `WAIT` says and until there is no file `GATE`, and
-/// copies its input with a tag.
+/// Fake encoder: logs its start, waits for `WAIT` and until there is no file `GATE`, and copies its
+/// input with a tag.
 const OPUSENC: &str = r#"#!/bin/sh
 echo "opusenc $*" >> "$LOG"
 sleep "$WAIT"
@@ -90,7 +90,7 @@ impl BakeFixture {
         fs::write(self.path("story/story.eml"), text).unwrap();
     }
 
-    /// The program, with nothing on its path but the encoders and what scripts need.
+    /// Returns a command of the program with only the encoders and the scripts' tools on its path.
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
         let path = format!("{}:/usr/bin:/bin", self.path("bin").display());
@@ -127,7 +127,7 @@ impl BakeFixture {
         command
     }
 
-    /// How often an encoder has begun.
+    /// Returns the number of encoder starts.
     pub(crate) fn encoder_starts(&self) -> usize {
         let log = fs::read_to_string(self.path("log")).unwrap_or_default();
         log.lines().count()
@@ -169,7 +169,7 @@ impl BakeFixture {
         paces.remove(0)
     }
 
-    /// Whether `bake --check` says that the bundle is that of a pace.
+    /// Returns true if `bake --check` accepts the bundle as that of a pace.
     pub(crate) fn is_up_to_date(&self, pace: &str) -> bool {
         let out = self.bake(pace, &["--check"]).output().unwrap();
         let told = String::from_utf8_lossy(&out.stdout).into_owned();
@@ -192,7 +192,7 @@ impl BakeFixture {
     }
 }
 
-/// What a command has said on standard error.
+/// Returns the standard error of a command.
 pub(crate) fn stderr_of(out: &Output) -> String {
     String::from_utf8_lossy(&out.stderr).into_owned()
 }

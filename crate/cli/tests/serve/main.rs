@@ -16,7 +16,7 @@ use self::server::{LONG, Server, Tcp, closing, command, hear, is, root, websocke
 const LINE: &str = "<voice-text time='0' timeId='v'><div>Hello <emph><tm name='w'/>world!</emph>\
                     </div></voice-text>";
 
-/// The recorded session of docs/live.md: lines after `> ` go in, the others come out.
+/// The recorded session of docs/live.md: lines after `> ` are input, the others output.
 #[test]
 fn the_recorded_session_is_what_happens() {
     let path = root().join("docs/live.md");
@@ -106,14 +106,14 @@ fn minds_share_one_storyteller() {
     let server = Server::start(&["--port", "0", "--tcp", "0", "--speed", "4"], 2);
     let mut first = websocket(&format!("ws://{}/", server.addresses[0]), None).expect("let in");
     let mut second = server.mind();
-    assert!(is(&hear(&mut first), "hello"));
+    assert!(is(&receive(&mut first), "hello"));
     assert!(second.next().is_some_and(|l| is(&l, "hello")));
     first
         .send(Message::text(
             "<event time='0.5' timeId='mine'>from one</event>",
         ))
         .expect("sent");
-    assert!(is(&hear(&mut first), "accepted"));
+    assert!(is(&receive(&mut first), "accepted"));
     let told = second.until(|l| is(l, "storyevent"));
     assert_eq!(told["payload"], "from one");
     // And may use its names.
@@ -122,7 +122,7 @@ fn minds_share_one_storyteller() {
         &second.until(|l| is(l, "accepted") || is(l, "failed")),
         "accepted"
     ));
-    let told = std::iter::repeat_with(|| hear(&mut first)).find(|l| l["payload"] == "from two");
+    let told = std::iter::repeat_with(|| receive(&mut first)).find(|l| l["payload"] == "from two");
     assert!(told.is_some());
     // Too long for a fragment is refused, too long for a message ends the connection.
     let long = |n: usize| {
@@ -132,7 +132,7 @@ fn minds_share_one_storyteller() {
         ))
     };
     first.send(long(10_000)).expect("sent");
-    let failed = std::iter::repeat_with(|| hear(&mut first)).find(|l| is(l, "failed"));
+    let failed = std::iter::repeat_with(|| receive(&mut first)).find(|l| is(l, "failed"));
     assert_eq!(
         failed.map(|l| l["code"].clone()),
         Some("live::too-large".into())
@@ -248,8 +248,8 @@ fn what_a_page_makes_a_browser_send_is_not_performed() {
     assert_eq!(event["payload"], "mine");
 }
 
-/// Strangers who open connections without end and drip a byte now and then, and minds who come
-/// meanwhile: those are all heard, and none of the strangers is kept.
+/// Strangers keep opening connections and send a byte now and then while minds connect: all minds
+/// are served, and no stranger keeps a slot.
 #[test]
 fn dripping_strangers_keep_nobody_out() {
     let server = Server::start(&["--port", "0", "--tcp", "0"], 2);
@@ -266,7 +266,7 @@ fn dripping_strangers_keep_nobody_out() {
         }
         strangers.extend(server.addresses.iter().map(connect));
         let mut socket = websocket(&url, None).expect("let in");
-        assert!(is(&hear(&mut socket), "hello"));
+        assert!(is(&receive(&mut socket), "hello"));
         let mut mind = server.mind();
         mind.send("<event time='0'>heard</event>\n");
         mind.until(|l| l["payload"] == "heard");

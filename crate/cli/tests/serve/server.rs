@@ -10,7 +10,7 @@ use serde_json::Value;
 use tungstenite::client::IntoClientRequest as _;
 use tungstenite::{Message, WebSocket};
 
-/// Nothing that is awaited takes as long on the slowest machine.
+/// Timeout longer than anything on the slowest machine.
 pub(crate) const LONG: Duration = Duration::from_secs(60);
 
 pub(crate) fn root() -> PathBuf {
@@ -32,14 +32,14 @@ pub(crate) fn command(arguments: &[&str]) -> Command {
 /// A server that ends with its test.
 pub(crate) struct Server {
     pub(crate) child: Child,
-    /// Where it says that it listens, in order.
+    /// Reported listening addresses, in order.
     pub(crate) addresses: Vec<String>,
-    /// What it says that a mind by TCP says first, with the end of the line.
+    /// Reported greeting for a mind by TCP, including the end of the line.
     pub(crate) greeting: String,
 }
 
 impl Server {
-    /// Starts one with this many ways in.
+    /// Starts a server with this number of transports.
     pub(crate) fn start(arguments: &[&str], ways: usize) -> Self {
         let mut child = command(arguments).spawn().expect("the program runs");
         let stderr = child.stderr.take().expect("standard error");
@@ -67,7 +67,7 @@ impl Server {
         }
     }
 
-    /// A mind by TCP that is let in.
+    /// Connects an admitted mind by TCP.
     pub(crate) fn mind(&self) -> Tcp {
         let address = self.addresses.last().expect("an address");
         let mut mind = Tcp::connect(address);
@@ -102,7 +102,7 @@ impl Tcp {
         self.stream.write_all(text.as_bytes()).expect("sent");
     }
 
-    /// The next line; none when the connection has ended.
+    /// Returns the next line; `None` if the connection has ended.
     pub(crate) fn next(&mut self) -> Option<Value> {
         let mut line = String::new();
         match self.lines.read_line(&mut line) {
@@ -113,7 +113,7 @@ impl Tcp {
         }
     }
 
-    /// The next line for which something holds.
+    /// Returns the next line that satisfies a predicate.
     pub(crate) fn until(&mut self, holds: impl Fn(&Value) -> bool) -> Value {
         let since = Instant::now();
         while since.elapsed() < LONG {
@@ -151,7 +151,7 @@ pub(crate) fn websocket(
     }
 }
 
-pub(crate) fn hear(socket: &mut WebSocket<TcpStream>) -> Value {
+pub(crate) fn receive(socket: &mut WebSocket<TcpStream>) -> Value {
     loop {
         if let Message::Text(text) = socket.read().expect("a message") {
             return serde_json::from_str(&text).expect("JSON");
@@ -159,7 +159,7 @@ pub(crate) fn hear(socket: &mut WebSocket<TcpStream>) -> Value {
     }
 }
 
-/// How a WebSocket is closed.
+/// Returns the close code of a WebSocket.
 pub(crate) fn closing(socket: &mut WebSocket<TcpStream>) -> Option<u16> {
     loop {
         match socket.read() {

@@ -3,7 +3,7 @@
 use crate::record::{record, words};
 
 words! {
-    /// How a question is answered.
+    /// Answer type of a question.
     AskKind {
         /// By one of its options.
         Choice = "choice",
@@ -13,7 +13,7 @@ words! {
         Order = "order",
         /// By giving each option its partner.
         Match = "match",
-        /// By what is written into gaps of the prompt.
+        /// By text entered into gaps of the prompt.
         Gap = "gap",
         /// By a number.
         Number = "number",
@@ -25,19 +25,19 @@ words! {
 }
 
 impl AskKind {
-    /// Whether it is answered by what somebody writes, which no option has to offer.
+    /// Returns true if the answer is free input instead of an offered option.
     #[must_use]
     pub fn is_free(self) -> bool {
         matches!(self, Self::Number | Self::Text)
     }
 
-    /// Whether an answer has parts, some of which may be right.
+    /// Returns true if an answer has parts, which may be partly right.
     #[must_use]
     pub fn has_parts(self) -> bool {
         matches!(self, Self::Several | Self::Order | Self::Match | Self::Gap)
     }
 
-    /// Whether its options are shown one below the other.
+    /// Returns true if its options are shown in a vertical list.
     #[must_use]
     pub fn is_listed(self) -> bool {
         !matches!(self, Self::Gap | Self::Number | Self::Text)
@@ -45,27 +45,27 @@ impl AskKind {
 }
 
 record! {
-    /// What one may answer, or a rule for what one may.
+    /// A possible answer, or a rule for accepted answers.
     AskOption = "option" {
         /// Its name.
         name: String = "name",
-        /// What is read.
+        /// Displayed text.
         text: String = "text",
-        /// A picture beside the story that is shown with it.
+        /// Image shown with it, a file next to the story.
         picture: Option<String> = "picture",
-        /// What the picture shows, for those who do not see it.
+        /// Text alternative of the image.
         alt: Option<String> = "alt",
-        /// Whether it is right.
+        /// True if it is a right answer.
         is_right: bool = "right",
         /// Its right partner, of `match`.
         partner: Option<String> = "partner",
-        /// What is taken, of `gap` and `text`: texts between bars.
+        /// Accepted texts, for `gap` and `text`: separated by bars.
         accepts: Option<String> = "accepts",
-        /// What must not be there, of `text`: texts between bars.
+        /// Texts that must not occur, for `text`: separated by bars.
         rejects: Option<String> = "rejects",
-        /// The least number that is taken.
+        /// Smallest accepted number.
         least: Option<f64> = "least",
-        /// The greatest number that is taken.
+        /// Largest accepted number.
         most: Option<f64> = "most",
         /// The bone that is pointed at.
         at: Option<String> = "at",
@@ -77,47 +77,47 @@ record! {
 }
 
 record! {
-    /// A question, without what follows from its answers.
+    /// A question without the reactions to its answers.
     Question = "ask" {
         /// Its name.
         name: String = "name",
-        /// How it is answered.
+        /// Answer type.
         kind: AskKind = "type",
-        /// What is asked, to be read.
+        /// Displayed text of the question.
         prompt: String = "prompt",
-        /// A picture beside the story that is shown with it.
+        /// Image shown with it, a file next to the story.
         picture: Option<String> = "picture",
-        /// What the picture shows, for those who do not see it.
+        /// Text alternative of the image.
         alt: Option<String> = "alt",
-        /// Whether some answers are right and others wrong; else whatever is answered is taken.
+        /// True if answers are graded right or wrong; otherwise every answer is accepted.
         is_graded: bool = "graded",
-        /// What a right answer counts.
+        /// Points for a right answer.
         points: f64 = "points",
-        /// Whether what is right of an answer counts by itself.
+        /// Enables points for partly right answers.
         is_partial: bool = "partial",
-        /// Whether its options are shown in an order by chance.
+        /// Enables random order of its options.
         is_shuffled: bool = "shuffle",
-        /// How often one may answer.
+        /// Maximum number of tries.
         tries: u32 = "tries",
-        /// What is read after a wrong answer, while there are tries left.
+        /// Text shown after a wrong answer, while tries are left.
         hint: Option<String> = "hint",
-        /// What is read once it is answered for good.
+        /// Text shown after the final answer.
         feedback: Option<String> = "feedback",
-        /// What is read in its place after a right answer.
+        /// Text shown instead after a right answer.
         feedback_right: Option<String> = "feedbackRight",
-        /// What is read in its place after a wrong answer.
+        /// Text shown instead after a wrong answer.
         feedback_wrong: Option<String> = "feedbackWrong",
-        /// How long one may think about it, seconds; none: as long as one likes.
+        /// Time limit, seconds; none: unlimited.
         limit_secs: Option<f64> = "limit",
     }
     children {
-        /// What one may answer, in order.
+        /// Possible answers, in order.
         options: Vec<AskOption>
     }
 }
 
 record! {
-    /// After which answers something is performed.
+    /// Answers that trigger a reaction.
     Reaction = "answer" {
         /// `right`, `wrong`, `answered`, or the name of an option.
         to: String = "to",
@@ -129,13 +129,13 @@ record! {
     Heading = "part" {
         /// Its name.
         name: String = "name",
-        /// What is read.
+        /// Displayed text.
         title: String = "title",
     }
 }
 
 record! {
-    /// When something is performed: what a variable or a question has to be.
+    /// Condition on a variable or a question.
     Condition = "if" {
         /// The variable, the question, or `score`.
         name: String = "name",
@@ -151,29 +151,29 @@ record! {
 }
 
 record! {
-    /// How much is drawn of a pool.
+    /// Random draw from a pool.
     Draw = "pool" {
-        /// How many of its clauses each learner has.
+        /// Number of clauses drawn for each learner.
         count: u32 = "count",
     }
 }
 
 record! {
-    /// A variable takes a value.
+    /// Assignment of a variable.
     Assignment = "r:set" {
         /// The variable.
         name: String = "name",
         /// Its value: a number, `true` or `false`, or any other text.
         value: Option<String> = "value",
-        /// What is added to its number, which begins at 0.
+        /// Increment of its number, which begins at 0.
         by: Option<f64> = "by",
     }
 }
 
 record! {
-    /// The story goes on elsewhere.
+    /// Continues the story at another part.
     Goto = "goto" {
-        /// The part where it goes on.
+        /// Name of the destination part.
         to: String = "to",
     }
 }

@@ -5,11 +5,11 @@ use crate::record::{record, words};
 use raconteur_base::Side;
 
 words! {
-    /// What gives way where a gesture begins sooner than the hand can be there.
+    /// Adjustment if a gesture begins before the hand can reach its start.
     RunUp {
         /// The whole script waits.
         Delay = "delay",
-        /// The stroke comes late.
+        /// The stroke is delayed.
         Late = "late",
         /// The hand is there all the same.
         Snap = "snap",
@@ -17,7 +17,7 @@ words! {
 }
 
 words! {
-    /// What expressions beside speech are made from.
+    /// Source of the expressions that accompany speech.
     Expressions {
         /// The sound: its pitch and pauses (F&H section 4.2).
         Sound = "sound",
@@ -27,7 +27,7 @@ words! {
 }
 
 words! {
-    /// The hand that somebody writes and points with.
+    /// The character's dominant hand.
     PreferredHand {
         /// The left one.
         Left = "left",
@@ -48,9 +48,9 @@ impl PreferredHand {
 }
 
 record! {
-    /// Who performs the script, in what voice and language, and in which manner.
+    /// Performer of the script, with voice, language and manner.
     Performer = "performer" {
-        /// The figure: a name of the library, or a file beside the story.
+        /// Figure: a name in the library, or a file next to the story.
         figure: Option<String> = "figure",
         /// The voice's name.
         voice: Option<String> = "voice",
@@ -58,35 +58,35 @@ record! {
         language: Option<String> = "language",
         /// The dominant hand.
         handedness: Option<PreferredHand> = "handedness",
-        /// What expressions beside speech are made from.
+        /// Source of the expressions that accompany speech.
         expressions: Option<Expressions> = "expressions",
-        /// How far the head is raised and tilted with speech.
+        /// Amount of head raise and tilt with speech.
         head: Option<f64> = "head",
-        /// How far the brows are.
+        /// Amount of brow movement with speech.
         brows: Option<f64> = "brows",
-        /// How often the eyes blink, against the natural frequency.
+        /// Blink rate, relative to the natural frequency.
         blinks: Option<f64> = "blinks",
-        /// How far the gaze goes aside.
+        /// Amount of gaze aversion.
         gaze: Option<f64> = "gaze",
         /// In which share of the raises the head tilts.
         tilt_share: Option<f64> = "tilts",
         /// At which share of the highest pitches the brows are raised.
         brow_share: Option<f64> = "browShare",
-        /// How far a pitch stands out to be shown, semitones.
+        /// Prominence from which a pitch is shown, semitones.
         pitch_threshold: Option<f64> = "pitchThreshold",
-        /// On which share of accents the speaker looks at the listener.
+        /// Share of accents with a look at the listener.
         accent_glances: Option<f64> = "accentGlances",
         /// The same of pauses between phrases.
         pause_glances: Option<f64> = "pauseGlances",
         /// From which length on a pause is one for thinking, seconds.
         thinking_secs: Option<f64> = "thinkingPause",
-        /// Which share of such pauses shows it.
+        /// Share of such pauses in which thinking is visible.
         thinking_share: Option<f64> = "thinking",
-        /// Which share of these is a look down with a frown.
+        /// Share of these with a look down and a frown.
         frown_share: Option<f64> = "frowns",
         /// Mean time between two moistenings of the lips, seconds.
         lick_secs: Option<f64> = "lickInterval",
-        /// How far the loudness rules the head's raises.
+        /// Influence of the loudness on the head's raises.
         head_by_loudness: Option<f64> = "headByLoudness",
         /// The same for the brows.
         brows_by_loudness: Option<f64> = "browsByLoudness",
@@ -94,8 +94,8 @@ record! {
 }
 
 words! {
-    /// Where the story is told.
-    Scenery {
+    /// Set in which the story takes place.
+    StageSet {
         /// A theatre's curtain and boards.
         Curtain = "curtain",
         /// A room with a hearth.
@@ -110,9 +110,9 @@ words! {
 }
 
 words! {
-    /// How closely the light keeps to the thesis.
+    /// Adherence of the light to the thesis.
     Fidelity {
-        /// Scaled so that a face is read and nothing jumps.
+        /// Scaled so a face stays readable and nothing jumps.
         Stage = "stage",
         /// As GEVH 3.5.4.2 has it.
         Thesis = "thesis",
@@ -120,7 +120,7 @@ words! {
 }
 
 words! {
-    /// How active a mood is.
+    /// Arousal of a mood.
     Arousal {
         /// Calm.
         Low = "low",
@@ -130,33 +130,33 @@ words! {
 }
 
 record! {
-    /// A piece of the author's in place of the library's.
+    /// The author's music piece, which replaces the library's.
     Piece = "piece" {
         /// The mood in which it is played.
         valence: Valence = "valence",
-        /// How active that mood is; none: however active.
+        /// Arousal of that mood; none: any.
         arousal: Option<Arousal> = "arousal",
-        /// A file beside the story.
+        /// A file next to the story.
         file: String = "file",
-        /// How many seconds a bar takes: another piece takes over on a bar line.
+        /// Length of a bar, seconds: another piece takes over on a bar line.
         bar_secs: f64 = "bar",
     }
 }
 
 record! {
-    /// Which channels of the environment express emotions (GEVH 3.5.4), and where.
+    /// Environment channels that express emotions (GEVH 3.5.4), and the set.
     Environment = "environment" {
-        /// Whether the camera does.
+        /// Enables the camera.
         camera: bool = "camera",
-        /// Whether the light does.
+        /// Enables the light.
         light: bool = "light",
-        /// Whether music does.
+        /// Enables music.
         music: bool = "music",
-        /// Where the story is told.
-        set: Scenery = "set",
-        /// How closely the light keeps to the thesis.
+        /// Set in which the story takes place.
+        set: StageSet = "set",
+        /// Adherence of the light to the thesis.
         fidelity: Fidelity = "fidelity",
-        /// What draws the music of a mood; none: whoever shows the story.
+        /// Random seed of the mood's music; none: chosen by the host of the story.
         seed: Option<u32> = "seed",
     }
     children {
@@ -166,9 +166,9 @@ record! {
 }
 
 words! {
-    /// Who leads a channel of the environment from a clause on.
+    /// Source of control for a channel of the environment from a clause on.
     Lead {
-        /// What the script writes.
+        /// The script's own values.
         Script = "script",
         /// The strongest emotion, or the mood.
         Emotion = "emotion",
@@ -176,17 +176,17 @@ words! {
 }
 
 words! {
-    /// The emotions of Ortony, Clore and Collins, those that F&H name besides, and `neutral`.
+    /// The emotions of Ortony, Clore and Collins, additional ones named by F&H, and `neutral`.
     EmotionKind {
-        /// None in particular.
+        /// No particular emotion.
         Neutral = "neutral",
         /// Joy.
         Joy = "joy",
         /// Distress.
         Distress = "distress",
-        /// Glad for somebody.
+        /// Pleased about another person's good fortune.
         HappyFor = "happy-for",
-        /// Sorry for somebody.
+        /// Sorry about another person's misfortune.
         SorryFor = "sorry-for",
         /// Resentment.
         Resentment = "resentment",
@@ -198,7 +198,7 @@ words! {
         Fear = "fear",
         /// Satisfaction.
         Satisfaction = "satisfaction",
-        /// What was feared came true.
+        /// Confirmation of a fear.
         FearsConfirmed = "fears-confirmed",
         /// Relief.
         Relief = "relief",
@@ -254,7 +254,7 @@ words! {
 record! {
     /// Elicits an emotion.
     Emotion = "emotion" {
-        /// Which one; none: a place without a word.
+        /// Emotion word; none: a place without a word.
         kind: Option<EmotionKind> = "type",
         /// Passive to active, −100 to 100; none: that of its word.
         activation: Option<f64> = "activation",
@@ -262,21 +262,21 @@ record! {
         evaluation: Option<f64> = "evaluation",
         /// Submissive to dominant, likewise.
         power: Option<f64> = "power",
-        /// Where its expression is blended.
+        /// Space in which its expression is blended.
         space: EmotionSpace = "space",
         /// Its potential, 0 to 10 (GEVH 3.5.4.1).
         potential: f64 = "potential",
-        /// What of the potential is not felt, 0 to 10.
+        /// Threshold subtracted from the potential, 0 to 10.
         threshold: f64 = "threshold",
-        /// How long it is kept up, in seconds.
+        /// Duration at full strength, seconds.
         duration_secs: f64 = "duration",
-        /// How long it takes to go when nothing follows, in seconds.
+        /// Decay time if no other emotion follows, seconds.
         decay_secs: f64 = "decay",
     }
 }
 
 impl Emotion {
-    /// What of its potential is felt, 0 to 10.
+    /// Returns the intensity: the part of its potential above the threshold, 0 to 10.
     #[must_use]
     pub fn intensity(&self) -> f64 {
         (self.potential - self.threshold).max(0.0)
@@ -284,7 +284,7 @@ impl Emotion {
 }
 
 words! {
-    /// How much of the figure the camera shows (GEVH 3.5.4.1).
+    /// Shot size of the camera (GEVH 3.5.4.1).
     ShotKind {
         /// A detail, such as the eyes.
         ExtremeCloseUp = "extremeCloseUp",
@@ -302,9 +302,9 @@ words! {
 }
 
 words! {
-    /// From where the camera looks (GEVH 3.5.4.1).
+    /// Vertical camera angle (GEVH 3.5.4.1).
     CameraAngle {
-        /// At the height of what it looks at.
+        /// At the height of its target.
         Eye = "eye",
         /// From above.
         High = "high",
@@ -314,15 +314,15 @@ words! {
 }
 
 record! {
-    /// Takes a shot.
+    /// Sets the shot of the camera.
     Camera = "camera" {
-        /// Who leads from here on.
+        /// Source of control from here on.
         by: Lead = "by",
-        /// How much it shows; none: unchanged.
+        /// Shot size; none: unchanged.
         shot: Option<ShotKind> = "shot",
-        /// From where; none: unchanged.
+        /// Camera angle; none: unchanged.
         angle: Option<CameraAngle> = "angle",
-        /// How long the way there takes in seconds; 0 is a cut.
+        /// Transition time, seconds; 0 is a cut.
         transition_secs: f64 = "transition",
     }
 }
@@ -330,13 +330,13 @@ record! {
 record! {
     /// Changes the key light (GEVH 3.5.4.2).
     Light = "light" {
-        /// Who leads from here on.
+        /// Source of control from here on.
         by: Lead = "by",
-        /// Its colour as red, green, blue in sRGB; none: unchanged.
+        /// Colour as red, green, blue in sRGB; none: unchanged.
         color: Option<[u8; 3]> = "color",
-        /// Its brightness, 1 as in the stage's own light; none: unchanged.
+        /// Brightness, 1 as in the stage's own light; none: unchanged.
         brightness: Option<f64> = "brightness",
-        /// How long the change takes in seconds.
+        /// Transition time, seconds.
         transition_secs: f64 = "transition",
     }
 }
@@ -356,15 +356,15 @@ words! {
 record! {
     /// Plays music: from the library by its mood, or a file.
     Music = "music" {
-        /// Who leads from here on.
+        /// Source of control from here on.
         by: Lead = "by",
-        /// The mood; none: silence, unless there is a file.
+        /// Mood of the music; none: silence, unless there is a file.
         valence: Option<Valence> = "valence",
-        /// A file beside the story.
+        /// A file next to the story.
         file: Option<String> = "file",
         /// Its volume, 1 as recorded.
         volume: f64 = "volume",
-        /// How long it fades in, and the music before out, in seconds.
+        /// Cross-fade time with the previous music, seconds.
         fade_secs: f64 = "fade",
     }
 }

@@ -77,9 +77,9 @@ impl FunctionArgs {
 record! {
     /// Moves the whole figure along a function (GEVH D.1.6).
     VhMove = "vh-move" {
-        /// The function's name, such as `segment`.
+        /// Name of the function, such as `segment`.
         function: String = "functionName",
-        /// Whether it starts again after its period.
+        /// True if it repeats after its period.
         is_looping: bool = "isLooping",
     }
     children {

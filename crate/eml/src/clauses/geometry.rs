@@ -3,7 +3,7 @@
 use crate::record::{record, words};
 
 words! {
-    /// What of a surface is drawn.
+    /// Fill mode of surfaces.
     FillMode {
         /// The surface.
         Solid = "solid",
@@ -15,7 +15,7 @@ words! {
 }
 
 words! {
-    /// Which meshes are drawn.
+    /// Meshes to render.
     VisibleMeshes {
         /// The body.
         Body = "body",
@@ -27,29 +27,29 @@ words! {
 }
 
 record! {
-    /// Switches of the drawing; `None` keeps a setting.
+    /// Rendering switches; `None` keeps a setting.
     ConfigureGeometry = "body-configure-geometry" {
-        /// What of a surface is drawn.
+        /// Fill mode of surfaces.
         fill_mode: Option<FillMode> = "fillMode",
-        /// Whether the frames of the bones are drawn.
+        /// Enables rendering of the bones' frames.
         frames_visible: Option<bool> = "areFramesVisible",
-        /// Whether the centres of the hierarchy are drawn.
+        /// Enables rendering of the hierarchy's centres.
         centers_visible: Option<bool> = "areHierarchyCentersVisible",
-        /// Which meshes are drawn.
+        /// Meshes to render.
         meshes: Option<VisibleMeshes> = "visibleMeshes",
-        /// Whether materials are used.
+        /// Enables materials.
         materials_active: Option<bool> = "areMaterialsActive",
-        /// Whether textures are used.
+        /// Enables textures.
         textures_active: Option<bool> = "areTexturesActive",
-        /// Whether the manipulators are drawn.
+        /// Enables rendering of the manipulators.
         manipulators_visible: Option<bool> = "areManipulatorsVisible",
-        /// Whether the body is drawn, whatever the meshes (extension).
+        /// Enables rendering of the body, whatever the meshes (extension).
         body_visible: Option<bool> = "isBodyVisible",
-        /// Whether the springs of the face are drawn (extension).
+        /// Enables rendering of the face's springs (extension).
         springs_visible: Option<bool> = "areSpringsVisible",
-        /// Whether the muscles of the face are drawn (extension).
+        /// Enables rendering of the face's muscles (extension).
         muscles_visible: Option<bool> = "areMusclesVisible",
-        /// Whether the bone under the face is drawn (extension).
+        /// Enables rendering of the skull under the face (extension).
         skull_visible: Option<bool> = "isSkullVisible",
     }
 }

@@ -21,7 +21,7 @@ words! {
 }
 
 impl Manipulator {
-    /// How many joint angles it has (GEVH 3.3.1).
+    /// Returns the number of its joint angles (GEVH 3.3.1).
     #[must_use]
     pub fn joints(self) -> usize {
         if self == Self::Head { 5 } else { 6 }
@@ -29,22 +29,21 @@ impl Manipulator {
 }
 
 record! {
-    /// Switches a manipulator; `None` keeps a setting (GEVH D.3.19).
+    /// Configures a manipulator; `None` keeps a setting (GEVH D.3.19).
     ConfigureManipulator = "body-configure-manipulator" {
-        /// Which one.
+        /// Manipulator to configure.
         manipulator: Manipulator = "manipulator",
-        /// Whether it moves its limb.
+        /// Enables control of its limb.
         is_on: Option<bool> = "isOn",
-        /// Whether its joints have limits.
+        /// Enables the limits of its joints.
         joint_limits_active: Option<bool> = "jointLimitsActive",
-        /// Joint angles, degrees, that solutions are preferred near (extension); an empty list
-        /// takes a preference back.
+        /// Preferred joint angles, degrees (extension); an empty list removes the preference.
         preferred_deg: Option<Vec<f64>> = "preferred",
     }
 }
 
-/// What places, angles and velocities of manipulators are at most either way, in their own units:
-/// rounding stays harmless.
+/// Maximum magnitude of positions, angles and velocities of manipulators, in their own units: keeps
+/// rounding errors harmless.
 pub const MAX_COORDINATE: f64 = 1e5;
 
 /// The names of the joint attributes.
@@ -53,24 +52,24 @@ pub(crate) const JOINTS: [&str; 6] = ["j1", "j2", "j3", "j4", "j5", "j6"];
 /// Sets the joints of a manipulator (GEVH D.3.20).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForwardKinematics {
-    /// Which one.
+    /// Manipulator to set.
     pub manipulator: Manipulator,
-    /// How many joints the document says it has; none: as many as are given.
+    /// Number of joints declared in the document; none: the number of angles given.
     pub joint_count: Option<u32>,
-    /// The angle of each joint in degrees; none: unchanged.
+    /// Angle of each joint in degrees; none: unchanged.
     pub joints_deg: [Option<f64>; 6],
-    /// Whether they turn there, or are there at once (extension).
+    /// True to turn the joints smoothly; false to set them instantly (extension).
     pub is_smooth: bool,
 }
 
-/// How long joints that are set turn at least, seconds, and the angle, degrees, beyond which they
-/// take longer. Designed: as quick as it looks unhurried.
+/// Minimum duration of a smooth joint turn, seconds, and the angle, degrees, from which it takes
+/// longer. Designed: the quickest turn that looks unhurried.
 const QUICK_SECS: f64 = 0.5;
 const QUICK_DEG: f64 = 90.0;
 
 impl ForwardKinematics {
-    /// The angle of each joint that counts, degrees: not of those beyond what the manipulator or the
-    /// document has; none: unchanged.
+    /// Returns the effective angle of each joint, degrees, without joints beyond those of the
+    /// manipulator or the document; none: unchanged.
     #[must_use]
     pub fn counted_deg(&self) -> [Option<f64>; 6] {
         let said = self.joint_count.map_or(usize::MAX, |count| count as usize);
@@ -82,8 +81,8 @@ impl ForwardKinematics {
         joints
     }
 
-    /// How long it takes, seconds. What is written says so, and not where the limb is: that is not
-    /// known before the story is timed.
+    /// Returns the duration, seconds. It depends on the written angles only, since the pose of the
+    /// limb is unknown before the story is timed.
     #[must_use]
     pub fn length_secs(&self) -> f64 {
         if !self.is_smooth {
@@ -110,7 +109,7 @@ impl Record for ForwardKinematics {
     }
 }
 
-/// Where the end of a limb is to come.
+/// Target of the end of a limb.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Target {
     /// Position in skeleton units.
@@ -133,16 +132,16 @@ impl Target {
     }
 }
 
-/// Brings the end of a limb to a target, interpolating its joints (GEVH D.3.21).
+/// Moves the end of a limb to a target, interpolating its joints (GEVH D.3.21).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointInterpolation {
-    /// Which limb.
+    /// Limb to move.
     pub manipulator: Manipulator,
-    /// How long it takes in seconds. Counts when both are given.
+    /// Duration in seconds. Takes precedence when both are given.
     pub static_time_secs: Option<f64>,
-    /// How fast the joints turn, in radians a second.
+    /// Turn rate of the joints, radians per second.
     pub static_velocity_rad_per_s: Option<f64>,
-    /// Where to.
+    /// Destination.
     pub target: Target,
 }
 
@@ -159,14 +158,14 @@ impl Record for JointInterpolation {
     }
 }
 
-/// Brings the end of a limb to a target on a straight way (GEVH D.3.22).
+/// Moves the end of a limb to a target in a straight line (GEVH D.3.22).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameInterpolation {
-    /// Which limb.
+    /// Limb to move.
     pub manipulator: Manipulator,
-    /// How long it takes in seconds.
+    /// Duration in seconds.
     pub period_secs: f64,
-    /// Where to.
+    /// Destination.
     pub target: Target,
 }
 
@@ -185,11 +184,11 @@ impl Record for FrameInterpolation {
 record! {
     /// Moves the end of a limb along a function (GEVH D.3.23).
     ManipulatorFunction = "body-non-deterministic-function" {
-        /// Which limb.
+        /// Limb to move.
         manipulator: Manipulator = "manipulator",
-        /// The function's name, such as `segment`.
+        /// Name of the function, such as `segment`.
         function: String = "functionName",
-        /// Whether it starts again after its period.
+        /// True if it repeats after its period.
         is_looping: bool = "isLooping",
     }
     children {
@@ -201,11 +200,11 @@ record! {
 /// Moves the end of a limb by inverse velocity (GEVH D.3.24).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Jacobian {
-    /// Which limb.
+    /// Limb to move.
     pub manipulator: Manipulator,
-    /// Whether it goes to the target, or else at the velocities.
+    /// True to move to the target; false to move at the velocities.
     pub is_static_target: bool,
-    /// Where to.
+    /// Destination.
     pub target: Target,
     /// Velocity in units a second.
     pub velocity: [f64; 3],
@@ -238,17 +237,17 @@ impl Record for Jacobian {
 record! {
     /// Stops a manipulator (GEVH D.3.25).
     Stop = "body-non-deterministic-stop" {
-        /// Which one.
+        /// Manipulator to set.
         manipulator: Manipulator = "manipulator",
     }
 }
 
 record! {
-    /// Holds the end of a limb where it is, or lets it go (GEVH D.3.26).
+    /// Locks the end of a limb in place, or releases it (GEVH D.3.26).
     Lock = "body-non-deterministic-lock" {
-        /// Which one.
+        /// Manipulator to lock.
         manipulator: Manipulator = "manipulator",
-        /// Whether it is held.
+        /// True to lock it; false to release it.
         is_lock: bool = "isLock",
     }
 }

@@ -6,7 +6,7 @@ use crate::record::{record, words};
 record! {
     /// Sets a control parameter (GEVH D.3.27).
     SetControlParameter = "body-set-control-parameter" {
-        /// Which one, such as `Disgust`.
+        /// Parameter, such as `Disgust`.
         parameter: String = "parameterId",
         /// Its value, 0 to 1.
         value: f64 = "value",
@@ -14,9 +14,9 @@ record! {
 }
 
 record! {
-    /// Leads a control parameter through attack, decay, sustain and release (GEVH D.3.28).
+    /// Moves a control parameter through attack, decay, sustain and release (GEVH D.3.28).
     AdsrControlParameter = "body-animate-ADSR-control-parameter" {
-        /// Which one.
+        /// Parameter to animate.
         parameter: String = "parameterId",
         /// From the value before to the attack value, seconds.
         attack_secs: f64 = "attackDurationTime",
@@ -26,9 +26,9 @@ record! {
         decay_secs: f64 = "decayDurationTime",
         /// The value at the end of the decay.
         decay_value: f64 = "decayValue",
-        /// How long the sustain value is held, seconds.
+        /// Duration of the sustain, seconds.
         sustain_secs: f64 = "sustainDurationTime",
-        /// The value held; none: the decay value.
+        /// Sustain value; none: the decay value.
         sustain_value: Option<f64> = "sustainValue",
         /// From there to the release value, seconds.
         release_secs: f64 = "releaseDurationTime",
@@ -42,7 +42,7 @@ record! {
     LoadControlParameterAnimation = "body-load-control-parameter-animation" {
         /// Its file, relative.
         file: String = "file",
-        /// Whether the file lies in the library instead of beside the story.
+        /// True if the file is in the library instead of next to the story.
         is_resources_relative: bool = "isResourcesRelative",
     }
 }
@@ -64,17 +64,17 @@ words! {
 record! {
     /// Plays an animation of control parameters from the library (GEVH D.3.30).
     AnimateControlParameter = "body-animate-control-parameter" {
-        /// Which one.
+        /// Animation to play.
         animation: String = "animationId",
         /// In which direction.
         style: Style = "style",
-        /// By what its values are multiplied.
+        /// Factor for its values.
         gain: f64 = "value",
     }
 }
 
 impl AnimateControlParameter {
-    /// How long it plays, seconds: `length` tells the length of one pass.
+    /// Returns the playing time, seconds; `length` gives the length of one pass.
     pub(crate) fn length_secs(&self, length: impl Fn(&str) -> Option<f64>) -> f64 {
         let passes = match self.style {
             Style::Forward | Style::Reverse => 1.0,

@@ -4,7 +4,7 @@ use super::sets::Member;
 use crate::record::{record, words};
 
 words! {
-    /// What kind of animation a player plays.
+    /// Kind of animation player.
     PlayerKind {
         /// Keyframe animations in layers.
         Multiple = "multiple",
@@ -36,15 +36,15 @@ record! {
 record! {
     /// Adds an animation player (GEVH D.3.11).
     PlayerAdd = "body-player-add" {
-        /// Its name; none: it is the first player.
+        /// Name; none: the first player.
         name: Option<String> = "name",
-        /// What it plays.
+        /// Kind of player.
         kind: PlayerKind = "type",
-        /// How many layers it has; only for [`PlayerKind::Multiple`].
+        /// Number of layers; only for [`PlayerKind::Multiple`].
         layers: Option<u32> = "numberOfLayers",
     }
     children {
-        /// The bones that it moves; none: all.
+        /// Bones that it moves; none: all.
         bones: Option<Bones>
     }
 }
@@ -52,15 +52,15 @@ record! {
 record! {
     /// Replaces all animation players by one (GEVH D.3.12).
     PlayerSetExclusive = "body-player-set-exclusive" {
-        /// Its name; none: it is the first player.
+        /// Name; none: the first player.
         name: Option<String> = "name",
-        /// What it plays.
+        /// Kind of player.
         kind: PlayerKind = "type",
-        /// How many layers it has; only for [`PlayerKind::Multiple`].
+        /// Number of layers; only for [`PlayerKind::Multiple`].
         layers: Option<u32> = "numberOfLayers",
     }
     children {
-        /// The bones that it moves; none: all.
+        /// Bones that it moves; none: all.
         bones: Option<Bones>
     }
 }
@@ -68,7 +68,7 @@ record! {
 record! {
     /// Changes the priority of an animation player (GEVH D.3.14).
     PlayerChangePriority = "body-player-change-priority" {
-        /// The player; none: the first one.
+        /// Player; none: the first one.
         name: Option<String> = "name",
         /// The new priority; the player with the highest moves a bone.
         priority: i32 = "priority",
@@ -78,7 +78,7 @@ record! {
 record! {
     /// Removes an animation player (GEVH D.3.15).
     PlayerRemove = "body-player-remove" {
-        /// The player; none: the first one.
+        /// Player; none: the first one.
         name: Option<String> = "name",
     }
 }
@@ -86,7 +86,7 @@ record! {
 record! {
     /// Configures the transitions of keyframe animations (GEVH D.3.5).
     DeterministicAnimation = "body-configure-deterministic-animation" {
-        /// Whether animations cross-fade; none: unchanged.
+        /// Enables cross-fades of animations; none: unchanged.
         smooth: Option<bool> = "smooth",
         /// Length of a cross-fade in seconds; none: unchanged.
         swap_secs: Option<f64> = "swapTime",
@@ -100,13 +100,13 @@ words! {
         Speed = "speed",
         /// Weight in the blend.
         Weight = "weight",
-        /// Whether the track plays: 0 or 1.
+        /// Enables the track: 0 or 1.
         Enable = "enable",
     }
 }
 
 words! {
-    /// How a property goes to its new value.
+    /// Transition of a property to its new value.
     Transition {
         /// At constant pace.
         Linear = "linear",
@@ -116,11 +116,11 @@ words! {
 record! {
     /// Sets a property of tracks (GEVH D.3.6).
     DeterministicTrackProperty = "body-configure-deterministic-track-property" {
-        /// Which property.
+        /// Property to set.
         property: TrackProperty = "property",
         /// Its new value; 0 or 1 for [`TrackProperty::Enable`].
         new_value: f64 = "newValue",
-        /// The player; none: the first one.
+        /// Player; none: the first one.
         player: Option<String> = "player",
         /// Length of the transition in seconds.
         duration_secs: f64 = "duration",
@@ -134,21 +134,21 @@ record! {
 }
 
 words! {
-    /// What happens to the stack of animations.
+    /// Operation on the stack of animations.
     PrimitiveKind {
-        /// An animation is put on it.
+        /// Pushes an animation onto it.
         Push = "push",
         /// The topmost animation is exchanged for another.
         Exchange = "exchange",
-        /// The topmost animation is taken off.
+        /// Removes the topmost animation.
         Pop = "pop",
-        /// All animations are taken off.
+        /// Removes all animations.
         Clear = "clearAnimationStack",
     }
 }
 
 words! {
-    /// How an animation plays (GEVH D.3.18).
+    /// Playback mode of an animation (GEVH D.3.18).
     PlaybackStyle {
         /// Over and over.
         Loop = "loop",
@@ -168,11 +168,11 @@ words! {
 }
 
 record! {
-    /// How an animation plays (GEVH D.3.18).
+    /// Playback style of an animation (GEVH D.3.18).
     AnimationStyle = "animation-style" {
-        /// In which way.
+        /// Playback mode.
         style: PlaybackStyle = "playbackStyle",
-        /// How often, for the styles that end (extension).
+        /// Number of passes, for the modes that end (extension).
         iterations: u32 = "iterations",
     }
 }
@@ -180,21 +180,21 @@ record! {
 /// Operates on the stack of animations of a player (GEVH D.3.17).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeterministicPrimitive {
-    /// What to do.
+    /// Stack operation.
     pub primitive: PrimitiveKind,
-    /// The player; none: the first one.
+    /// Player; none: the first one.
     pub player: Option<String>,
     /// The animation, for push and exchange.
     pub animation: Option<String>,
-    /// The tracks; none: all.
+    /// Tracks; none: all.
     pub tracks: Option<Tracks>,
-    /// How it plays; none: in a loop.
+    /// Playback style; none: in a loop.
     pub style: Option<AnimationStyle>,
 }
 
 impl DeterministicPrimitive {
-    /// How long what it puts on plays, seconds, at the speed at which it is recorded: `length`
-    /// tells the length of one pass. What plays over and over has no length.
+    /// Returns the playing time of the pushed animation, seconds, at its recorded speed; `length`
+    /// gives the length of one pass. Endless playback has length 0.
     pub(crate) fn length_secs(&self, length: impl Fn(&str) -> Option<f64>) -> f64 {
         let puts = matches!(
             self.primitive,

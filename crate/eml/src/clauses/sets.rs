@@ -73,8 +73,8 @@ pub const BONES: &[&str] = &[
     "chin",
 ];
 
-/// The number of a layer by its name, which ends in it (`layer1`) or is it (`1`); none when it
-/// is not the name of a layer.
+/// Returns the number of a layer from its name, which ends in it (`layer1`) or is it (`1`); `None`
+/// for any other name.
 #[must_use]
 pub fn layer_number(name: &str) -> Option<usize> {
     let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -82,7 +82,7 @@ pub fn layer_number(name: &str) -> Option<usize> {
 }
 
 words! {
-    /// What a set consists of.
+    /// Kind of a set's members.
     SetKind {
         /// Layers of a player.
         Multiple = "multiple",
@@ -96,7 +96,7 @@ words! {
 pub struct Set {
     /// Its name.
     pub name: String,
-    /// What it consists of.
+    /// Kind of its members.
     pub kind: SetKind,
     /// Its members, in order: [`MemberKind::Item`] and [`MemberKind::Set`].
     pub members: Vec<Member>,
@@ -116,7 +116,7 @@ impl Record for Set {
     }
 }
 
-/// What a [`Member`] is.
+/// Kind of a [`Member`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MemberKind {
     /// `it`: a body group or a layer of a set.
@@ -147,10 +147,10 @@ impl MemberKind {
     }
 }
 
-/// One of the things that a set, a list of tracks or a list of bones names.
+/// A member of a set, a list of tracks or a list of bones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Member {
-    /// What it is.
+    /// Kind of the member.
     pub kind: MemberKind,
     /// Its name; the number of a layer as digits; a bone without its `bone_`.
     pub name: String,
@@ -190,8 +190,8 @@ impl Child for Member {
     }
 }
 
-/// Finds what the set `name` comes to: its items and those of the sets that it refers to,
-/// each once, in order. A cycle is not followed; an unknown set is empty.
+/// Resolves the set `name`: its items and those of the sets that it references, each once, in
+/// order. Cycles are not followed; an unknown set is empty.
 #[must_use]
 pub fn items_of<'s>(sets: &'s [Set], name: &str) -> Vec<&'s str> {
     let mut items = Vec::new();

@@ -43,17 +43,18 @@ impl Field for Level {
 record! {
     /// Emphasises (GEVH D.4.7).
     Emph = "emph" {
-        /// How strongly; numbers as in SABLE: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+        /// Strength of the emphasis; numbers as in SABLE: 0 reduced, 0.5 none, 1 moderate, 2
+        /// strong.
         level: Level = "level",
     }
 }
 
 record! {
-    /// Says something else on one speech engine (GEVH D.4.8).
+    /// Speaks replacement text on one speech engine (GEVH D.4.8).
     Engine = "engine" {
         /// The engine's name.
         id: String = "id",
-        /// What it says instead.
+        /// Replacement text.
         data: String = "data",
     }
 }
@@ -71,13 +72,13 @@ record! {
 }
 
 record! {
-    /// Says how text is pronounced (GEVH D.4.10).
+    /// Specifies the pronunciation of text (GEVH D.4.10).
     Pron = "pron" {
         /// In the International Phonetic Alphabet.
         ipa: Option<String> = "ipa",
         /// In a spelling that sounds like it.
         sub: Option<String> = "sub",
-        /// The language that the text comes from.
+        /// Language of the text's origin.
         origin: Option<String> = "origin",
     }
 }
@@ -85,13 +86,13 @@ record! {
 record! {
     /// Changes the pace (GEVH D.4.11). Numbers are words a minute.
     Rate = "rate" {
-        /// How fast.
+        /// Speech rate.
         speed: Level = "speed",
     }
 }
 
 words! {
-    /// What a text is (GEVH D.4.12).
+    /// Type of a text (GEVH D.4.12).
     SayAsMode {
         /// Letters to be spelt.
         Literal = "literal",
@@ -149,9 +150,9 @@ words! {
 }
 
 record! {
-    /// Says what a text is (GEVH D.4.12).
+    /// Specifies the type of a text (GEVH D.4.12).
     SayAs = "sayas" {
-        /// What it is.
+        /// Type of the text.
         mode: SayAsMode = "mode",
         /// The order of its parts.
         mode_type: Option<SayAsType> = "modetype",
@@ -161,7 +162,7 @@ record! {
 record! {
     /// Changes the volume (GEVH D.4.13). Numbers are gains, 1 unchanged.
     Volume = "volume" {
-        /// How loud.
+        /// Volume.
         level: Level = "level",
     }
 }
@@ -214,7 +215,7 @@ record! {
     }
 }
 
-/// What a container does to the speech in it.
+/// Effect of a container on the speech in it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Markup {
     /// Emphasises it.
@@ -227,13 +228,13 @@ pub enum Markup {
     Pron(Pron),
     /// Changes its pace.
     Rate(Rate),
-    /// Says what it is.
+    /// Specifies the type of the text.
     SayAs(SayAs),
     /// Changes its volume.
     Volume(Volume),
     /// Changes its language.
     Language(Language),
-    /// Changes who speaks it.
+    /// Changes the speaker.
     Speaker(Speaker),
 }
 
@@ -270,7 +271,7 @@ impl Markup {
 }
 
 words! {
-    /// How a recording sounds together with the speech.
+    /// Mixing of a recording with the speech.
     AudioMode {
         /// The speech waits for it.
         Insertion = "insertion",
@@ -284,7 +285,7 @@ record! {
     Audio = "audio" {
         /// Its address.
         src: String = "src",
-        /// How it sounds together with the speech.
+        /// Mixing with the speech.
         mode: AudioMode = "mode",
         /// Its volume, 1 as recorded.
         level: f64 = "level",
@@ -292,7 +293,7 @@ record! {
 }
 
 words! {
-    /// The punctuation mark whose intonation goes before a pause.
+    /// Punctuation mark whose intonation precedes a pause.
     Boundary {
         /// As after a question.
         Question = "?",
@@ -306,25 +307,25 @@ words! {
 }
 
 words! {
-    /// What to do with the text or file of a [`VoiceSay`].
+    /// Operation on the text or file of a [`VoiceSay`].
     VoiceOperation {
-        /// Speak the text.
+        /// Speaks the text.
         Text = "text",
-        /// Speak the file.
+        /// Speaks the file.
         File = "file",
         /// Synthesise the text without speaking it.
         PreprocessText = "preprocessText",
         /// Synthesise the file without speaking it.
         PreprocessFile = "preprocessFile",
-        /// Speak the text; what follows does not wait.
+        /// Speaks the text without delaying the next clause.
         AsynchronousText = "asynchronousText",
-        /// Speak the file; what follows does not wait.
+        /// Speaks the file without delaying the next clause.
         AsynchronousFile = "asynchronousFile",
     }
 }
 
 words! {
-    /// What a text or file is.
+    /// Format of a text or file.
     UtteranceKind {
         /// Plain text.
         Text = "text",
@@ -336,15 +337,15 @@ words! {
 /// Speaks a text or a file without time markers (GEVH D.4.2, D.4.14).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceSay {
-    /// What to do.
+    /// Operation.
     pub operation: VoiceOperation,
-    /// What the text or file is.
+    /// Format of the text or file.
     pub kind: UtteranceKind,
-    /// Whether a file lies in the library instead of beside the story.
+    /// True if a file is in the library instead of next to the story.
     pub is_resources_relative: bool,
     /// The text, or the path of the file.
     pub content: String,
-    /// Where the content is.
+    /// Span of the content.
     pub content_span: Span,
 }
 
@@ -364,7 +365,7 @@ impl Record for VoiceSay {
 }
 
 impl VoiceSay {
-    /// Whether its content is the path of a file.
+    /// Returns true if its content is the path of a file.
     #[must_use]
     pub fn is_file(&self) -> bool {
         matches!(
@@ -375,13 +376,13 @@ impl VoiceSay {
         )
     }
 
-    /// Whether what follows waits until it is spoken.
+    /// Returns true if the next clause waits until it is spoken.
     #[must_use]
     pub fn is_waited_for(&self) -> bool {
         matches!(self.operation, VoiceOperation::Text | VoiceOperation::File)
     }
 
-    /// Whether it is heard, rather than only made ready.
+    /// Returns true if it is audible, rather than only prepared.
     #[must_use]
     pub fn is_heard(&self) -> bool {
         !matches!(
@@ -392,9 +393,9 @@ impl VoiceSay {
 }
 
 record! {
-    /// Says how tense the story is from here on (extension).
+    /// Sets the tension of the story from here on (extension).
     Beat = "beat" {
-        /// From 0, at ease, to 1, the climax; none: as the text tells.
+        /// Tension from 0, at ease, to 1, the climax; none: derived from the text.
         tension: Option<f64> = "tension",
     }
 }
@@ -402,7 +403,7 @@ record! {
 record! {
     /// Changes the voice of all speech from now on (GEVH D.4.15).
     VoiceChange = "voice-change" {
-        /// The voice's name, such as `don_diphone`.
+        /// Name of the voice, such as `don_diphone`.
         voice: String = "voice",
     }
 }

@@ -7,7 +7,7 @@ use crate::suggest::quoted;
 use crate::{Diagnostic, Span};
 use std::borrow::Cow;
 
-/// The character of a reference, given what stands between `&` and `;`.
+/// Returns the character of a reference, given the text between `&` and `;`.
 pub(crate) fn character(name: &str, span: Span, sink: &mut Sink) -> Option<char> {
     let found = match name {
         "amp" => Some('&'),

@@ -10,7 +10,7 @@ pub(crate) struct Tree<'a, E> {
     pub(crate) nodes: Vec<Node<'a, E>>,
     /// The attributes of all elements, those of one element together.
     pub(crate) attributes: Vec<Attribute<'a>>,
-    /// The body whose elements have been taken out.
+    /// Body whose elements have been taken out.
     pub(crate) taken_from: Option<u32>,
 }
 
@@ -36,7 +36,7 @@ impl<'a, E> Tree<'a, E> {
 /// An element or a run of text.
 #[derive(Debug)]
 pub(crate) struct Node<'a, E> {
-    /// What it is.
+    /// Kind of the node.
     pub(crate) kind: NodeKind<E>,
     /// The name as written, or the text.
     pub(crate) text: &'a str,
@@ -48,18 +48,18 @@ pub(crate) struct Node<'a, E> {
     pub(crate) subtree_end: u32,
     /// Index of its first attribute.
     pub(crate) first_attribute: u32,
-    /// How many attributes it has.
+    /// Number of attributes.
     pub(crate) attribute_count: u16,
 }
 
-/// What a node is.
+/// Kind of a node.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NodeKind<E> {
     /// An element, with its entry in the schema when it has one.
     Element(Option<E>),
     /// An element whose start tag is malformed: already reported, to be dropped.
     Malformed,
-    /// Characters as they stand in the source.
+    /// Characters verbatim from the source.
     Text,
     /// One resolved character reference.
     Reference(char),
@@ -76,12 +76,12 @@ pub(crate) struct Attribute<'a> {
     pub(crate) name_start: u32,
     /// Offset of the value.
     pub(crate) value_start: u32,
-    /// Whether the value holds no reference.
+    /// True if the value contains no reference.
     pub(crate) is_plain: bool,
 }
 
 impl Attribute<'_> {
-    /// Where the name is.
+    /// Returns the span of the name.
     pub(crate) fn name_span(&self) -> Span {
         Span::from_offsets(
             self.name_start as usize,
@@ -89,7 +89,7 @@ impl Attribute<'_> {
         )
     }
 
-    /// Where the value is, without its quotes.
+    /// Returns the span of the value, without its quotes.
     pub(crate) fn value_span(&self) -> Span {
         Span::from_offsets(
             self.value_start as usize,

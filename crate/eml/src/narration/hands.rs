@@ -5,17 +5,17 @@ use std::fmt::Write as _;
 use super::escaped;
 use super::sentences::Sentence;
 
-/// Between beats there are at least so many words, and before the first. *Designed*.
+/// Minimum number of words between beats, and before the first. *Designed*.
 const BETWEEN_BEATS: usize = 4;
-/// A hand that waves to the first words is on its way when they are said; if it came with them
-/// they would wait for it, seconds.
+/// Delay of words after the start of a waving hand, seconds: the hand is already moving when they
+/// are spoken; starting together, the words would wait for it.
 const WAVE_LATER: &str = "0.65s";
 
 /// A hand is raised in greeting to these.
 const GREETINGS: &str = "hello hi hey welcome goodbye bye greetings hallo willkommen tschüss servus \
                          olá oi tchau adeus bem-vindo bem-vindos bem-vinda bem-vindas";
-/// Words of English, German and Portuguese that no beat falls on, if they are as long as others that
-/// one falls on.
+/// Function words of English, German and Portuguese on which no beat falls, if they are as long as
+/// words that carry one.
 const SMALL: &str = "a an and are as at be been but by can could did do does for from had has have he \
     her hers him his how i if in into is it its just may me might must my no nor not of on or our \
     shall she should so some than that the their them then there these they this those to up us was \
@@ -32,7 +32,7 @@ const SMALL: &str = "a an and are as at be been but by can could did do does for
     quando que quem são se sem ser seu seus sobre sua suas também tem tenho ter teu teus tinha toda \
     todas todo todos tua tudo uma umas você vocês";
 
-/// What a sentence says, with marks where hands move, and their gestures.
+/// Text of a sentence with gesture markers, and its gestures.
 pub(super) struct GesturedSentence {
     pub(super) said: String,
     pub(super) gestures: String,
@@ -83,7 +83,7 @@ pub(super) fn performed(sentence: &Sentence, index: usize) -> GesturedSentence {
     }
 }
 
-/// A hand's shape, its palm (angle and normal) and where it goes (seconds; EML's axes).
+/// A hand's shape, its palm (angle and normal) and its path (seconds; EML's axes).
 struct Motion {
     hand: &'static str,
     shape: u8,

@@ -16,27 +16,28 @@ pub use split::{ClauseSplit, split_clauses};
 
 use sentences::{Sentence, phrases, sentences};
 
-/// How strong what an emoticon tells is felt, of 10. *Designed*.
+/// Potential of an emoticon's emotion, of 10. *Designed*.
 const POTENTIAL: f64 = 4.0;
-/// The first word comes soon: who has typed it waits for it. Seconds.
+/// Start time of the first word, seconds. It is short because the author of typed text waits for
+/// it.
 const BEGINS: &str = "0.15";
 /// Silence between two sentences, and between two phrases of one, seconds.
 const SENTENCE_GAP: &str = "0.35s";
 const PHRASE_GAP: &str = "0.05s";
 
-/// How a text is told.
+/// Options for narrating a text.
 #[derive(Clone, Copy, Debug)]
 pub struct NarrationOptions<'a> {
     /// The text's, a tag of BCP 47.
     pub language: &'a str,
-    /// Sentences are said phrase by phrase, for a voice that takes long: it is heard after the
-    /// first.
+    /// True to speak sentences phrase by phrase, for a slow voice: playback starts after the first
+    /// phrase.
     pub is_phrased: bool,
-    /// What is longer is told so far, in characters.
+    /// Maximum length of the narrated text, in characters.
     pub most: usize,
 }
 
-/// A fragment, and what is felt at its end.
+/// A fragment, and the emotion at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NarratedFragment {
     /// Clauses of EML in a script of their own.
@@ -45,7 +46,7 @@ pub struct NarratedFragment {
     pub feels: String,
 }
 
-/// The script that tells a text, in its canonical form; none where it has no word.
+/// Returns the script that narrates a text, in its canonical form; `None` if it has no word.
 #[must_use]
 pub fn narrate(text: &str, telling: &NarrationOptions<'_>) -> Option<String> {
     let head: String = text.chars().take(telling.most).collect();
@@ -60,8 +61,8 @@ pub fn narrate(text: &str, telling: &NarrationOptions<'_>) -> Option<String> {
     Some(crate::write(&parsed.document))
 }
 
-/// The fragment that goes on telling after a text that has left the feeling `felt`; none where
-/// it has no word.
+/// Returns the fragment that continues the narration after a text that ended with the emotion
+/// `felt`; `None` if it has no word.
 #[must_use]
 pub fn continue_narration(text: &str, language: &str, felt: &str) -> Option<NarratedFragment> {
     let all = sentences(text, language);
@@ -78,7 +79,7 @@ fn script(head: &str, clauses: &str) -> String {
     )
 }
 
-/// A text that markup cannot be in. What XML has no place for is a space.
+/// Escapes a text for markup. Characters not allowed in XML become spaces.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -94,8 +95,8 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// The clauses that tell sentences, the first at `begins`, after the feeling `felt`; and the one
-/// that they leave. None without a sentence.
+/// Returns the clauses that narrate sentences, the first at `begins`, after the emotion `felt`; and
+/// the final emotion. `None` without a sentence.
 fn clauses_of(all: &[Sentence], begins: &str, felt: &str) -> Option<(String, String)> {
     let last = all.len().checked_sub(1)?;
     let mut out = "<gesture-is-on time='0' isOn='true'/>".to_owned();

@@ -11,7 +11,7 @@ use raconteur_base::text::word::Word;
 use crate::voice::{Item, NO_EMPHASIS};
 use crate::{Span, TextSegment, VoiceText};
 
-/// A phrase has so many words. *Designed*: a breath.
+/// Minimum number of words in a phrase. *Designed*: a breath.
 const MIN_WORDS: usize = 4;
 const MAX_WORDS: usize = 12;
 
@@ -20,15 +20,15 @@ const MAX_WORDS: usize = 12;
 pub(super) struct SpokenWord {
     /// With its punctuation and the signs on their own that belong to it.
     pub(super) text: String,
-    /// Said louder: in capitals among words that are not.
+    /// True if emphasised: in capitals among words that are not.
     pub(super) is_stressed: bool,
 }
 
-/// What is said in one clause.
+/// Text spoken in one clause.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sentence {
     pub(super) words: Vec<SpokenWord>,
-    /// A word of emotion, where an emoticon tells it.
+    /// Emotion word given by an emoticon.
     pub(super) emotion: Option<&'static str>,
     /// More of the same sentence follows.
     pub(super) goes_on: bool,
@@ -41,8 +41,8 @@ enum Part {
     Felt(&'static str),
 }
 
-/// The sentences of a text; a line ends one as well. A feeling after the end of a sentence is of
-/// that one.
+/// Returns the sentences of a text; a line ends one as well. An emoticon after the end of a
+/// sentence belongs to that sentence.
 pub(super) fn sentences(text: &str, language: &str) -> Vec<Sentence> {
     let language = Language::from_tag(language);
     text.split(['\n', '\r', '\u{2028}', '\u{2029}'])

@@ -5,9 +5,9 @@ use raconteur_base::text::language::Language;
 use raconteur_base::text::sentence::{PendingEnd, ends_after, pending_end};
 use raconteur_base::text::word::Word;
 
-/// What has no end for so many characters is cut between two words.
+/// Maximum number of characters without an end before text is cut between two words.
 const MAX_CLAUSE_CHARS: usize = 240;
-/// A comma or dash ends a clause of so many words.
+/// Minimum number of words in a clause ended by a comma or dash.
 const ENOUGH_WORDS: usize = 5;
 
 /// A text in clauses; clauses and rest together are the text.
@@ -15,15 +15,15 @@ const ENOUGH_WORDS: usize = 5;
 pub struct ClauseSplit<'t> {
     /// Those that are whole.
     pub clauses: Vec<&'t str>,
-    /// What may go on.
+    /// Remainder that may continue.
     pub rest: &'t str,
 }
 
-/// Cuts a text into clauses: at the ends of its sentences and lines, at `;` and `:`, at commas and
-/// dashes after five words, and where nothing of this comes for 240 characters. With `is_whole`
-/// nothing more comes; otherwise the last word, and one whose full stop only the next word tells
-/// from that of an abbreviation, are kept for later. The same text gives the same clauses in
-/// whatever pieces it comes, but for an emoticon that comes after its clause.
+/// Splits a text into clauses: at the ends of its sentences and lines, at `;` and `:`, at commas
+/// and dashes after five words, and at the latest after 240 characters. With `is_whole` the text is
+/// complete; otherwise the last word, and a word whose full stop is distinguished from that of an
+/// abbreviation only by the next word, are kept for later. The clauses do not depend on the pieces
+/// in which a text arrives, except for an emoticon that arrives after its clause.
 #[must_use]
 pub fn split_clauses<'t>(text: &'t str, language: &str, is_whole: bool) -> ClauseSplit<'t> {
     let mut cutter = ClauseSplitter {
@@ -53,7 +53,7 @@ pub fn split_clauses<'t>(text: &'t str, language: &str, is_whole: bool) -> Claus
     cutter.finish(is_whole)
 }
 
-/// The places of what stands between white space.
+/// Returns the ranges of text between white space.
 fn tokens(text: &str) -> impl Iterator<Item = (usize, usize)> {
     text.split_whitespace().map(move |token| {
         let start = token.as_ptr() as usize - text.as_ptr() as usize;
@@ -65,13 +65,13 @@ struct ClauseSplitter<'t> {
     text: &'t str,
     language: Option<Language>,
     found: ClauseSplit<'t>,
-    /// Where the clause begins that is not whole yet.
+    /// Start of the incomplete clause.
     from: usize,
-    /// What stands in it.
+    /// Words in it.
     words: Vec<Word<'t>>,
-    /// How many of these have a letter or a digit.
+    /// Number of these with a letter or a digit.
     counted: usize,
-    /// The next word tells whether a sentence has ended with the last.
+    /// True if only the next word decides whether the last word ended a sentence.
     is_open: bool,
     /// The clause is whole here, unless an emoticon follows that belongs to it.
     ends_at: Option<usize>,
@@ -106,7 +106,7 @@ impl<'t> ClauseSplitter<'t> {
         }
     }
 
-    /// Looks whether a clause ends with the last word.
+    /// Checks for the end of a clause at the last word.
     fn check_end(&mut self, end: usize) {
         let Some(word) = self.words.last() else {
             return;
@@ -133,7 +133,7 @@ impl<'t> ClauseSplitter<'t> {
         }
     }
 
-    /// Cuts what is too long before the token from `start` to `end`, or in it.
+    /// Cuts overlong text before the token from `start` to `end`, or in it.
     fn shorten(&mut self, start: usize, end: usize) {
         let length = |from: usize, to: usize| self.text[from..to].chars().count();
         if length(self.from, end) <= MAX_CLAUSE_CHARS {
@@ -182,7 +182,7 @@ mod tests {
         lived there, as everybody knew, had left; nobody knew when: perhaps at 10:30 — or later. It \
         weighs 1,000 kg! 🙂 Yes.\nThe end";
 
-    /// The clauses of a text that comes in pieces of so many characters.
+    /// Returns the clauses of a text that arrives in pieces of a given number of characters.
     pub(super) fn in_pieces(text: &str, length: usize, language: &str) -> Vec<String> {
         let chars: Vec<char> = text.chars().collect();
         let (mut rest, mut all) = (String::new(), Vec::new());

@@ -4,7 +4,7 @@ use super::{children_of, display_name};
 use crate::schema::{Attribute, Content, ELEMENTS, Element, Kind, Presence};
 use std::fmt::Write as _;
 
-/// What the page says before the elements.
+/// Introduction of the page, before the elements.
 const START: &str = include_str!("introduction.md");
 
 /// The parts of the page: a title, and how the sources of its elements begin.

@@ -13,7 +13,7 @@ pub use json::json;
 pub use markdown::markdown;
 pub use relax_ng::relax_ng;
 
-/// The elements that may stand in one, in the order of the table.
+/// Returns the elements allowed in a parent, in the order of the table.
 fn children_of(parent: &Element) -> impl Iterator<Item = &'static Element> + Clone {
     let name = parent.name;
     let extension = parent.extension;

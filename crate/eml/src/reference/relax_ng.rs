@@ -177,7 +177,7 @@ fn any_of(out: &mut Indented, element: &Element) {
     out.close("zeroOrMore");
 }
 
-/// As many of a child as its parent may hold.
+/// Writes the allowed number of a child in its parent.
 fn some_of(out: &mut Indented, child: &Element, required: bool) {
     let reference = format!("<ref name=\"{}\"/>", pattern_of(child));
     let Some(most) = child.most_per_parent else {

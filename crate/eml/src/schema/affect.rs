@@ -4,8 +4,8 @@
 use crate::suggest::quoted;
 use crate::{Diagnostic, Span};
 
-/// Nouns and adjectives with their place: activation and evaluation, −100 to 100. *Designed*, by the
-/// quarter of the disc and the neighbours that Russell gives such words (1980,
+/// Nouns and adjectives with their place: activation and evaluation, −100 to 100. *Designed*, by
+/// the quadrant of the disc and the neighbours that Russell gives such words (1980,
 /// doi:10.1037/h0077714), on the scale of F&H table 4.4.
 const WORDS: [(&str, [f64; 2]); 47] = [
     ("amazement amazed astonishment astonished awe", [75.0, 20.0]),
@@ -152,7 +152,7 @@ const FORMS: [(&str, &str); 22] = [
     ("anxious", "anxiety"),
 ];
 
-/// What a word that is none of the table's stands for.
+/// Meaning of an emotion word outside the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WordMeaning {
     /// A word of the table.
@@ -161,7 +161,7 @@ pub(super) enum WordMeaning {
     Place([f64; 2]),
 }
 
-/// What a word of emotion stands for that is none of the table's; none for an unknown one.
+/// Returns the meaning of an emotion word outside the table; `None` for an unknown word.
 pub(super) fn meant(word: &str) -> Option<WordMeaning> {
     let is = |own: &str| own.eq_ignore_ascii_case(word);
     if let Some((_, own)) = FORMS.iter().find(|(form, _)| is(form)) {
@@ -171,7 +171,7 @@ pub(super) fn meant(word: &str) -> Option<WordMeaning> {
     place.map(|(_, place)| WordMeaning::Place(*place))
 }
 
-/// What is told of a word with a place.
+/// Reports a word that has a place.
 pub(super) fn report_place(
     word: &str,
     [activation, evaluation]: [f64; 2],

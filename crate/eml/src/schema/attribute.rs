@@ -9,55 +9,54 @@ pub struct Attribute {
     pub name: &'static str,
     /// Other spellings that are accepted with a warning.
     pub aliases: &'static [&'static str],
-    /// What it may hold.
+    /// Kind of its value.
     pub kind: Kind,
     /// Other words for those of a choice, accepted with a warning.
     pub word_aliases: &'static [(&'static str, &'static str)],
-    /// What it may hold beside a word of another attribute of the element: then this counts
-    /// instead of `kind`.
+    /// Kinds that replace `kind` when another attribute of the element has a given word.
     pub beside: &'static [ConditionalKind],
-    /// What counts when it is left out.
+    /// Effect of its absence.
     pub default: Presence,
-    /// The unit of its numbers; empty when there is none.
+    /// Unit of its numbers; empty if there is none.
     pub unit: &'static str,
-    /// Whether it belongs to the extensions' namespace.
+    /// True if it belongs to the extensions' namespace.
     pub extension: bool,
-    /// What it means.
+    /// Meaning of the attribute.
     pub doc: &'static str,
 }
 
-/// What an attribute may hold where another one has a certain word.
+/// Kind of an attribute's value when another attribute has a given word.
 #[derive(Clone, Copy, Debug)]
 pub struct ConditionalKind {
     /// The other attribute, a choice.
     pub attribute: &'static str,
     /// Its word.
     pub word: &'static str,
-    /// What may be held then.
+    /// Kind in that case.
     pub kind: Kind,
 }
 
-/// What counts when an attribute is left out.
+/// Effect of the absence of an attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Presence {
     /// It must be there, or the element is dropped.
     Required,
-    /// Nothing in particular.
+    /// No default value.
     Optional,
     /// This value.
     Default(&'static str),
 }
 
-/// What an attribute may hold.
+/// Kind of an attribute's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Any text.
     Text,
     /// A name that time expressions can use.
     Name,
-    /// A name of something else: any text but none.
+    /// A reference by name: any non-empty text.
     Identifier,
-    /// The relative path of a file that does not leave its folder.
+    /// The relative path of a file inside its folder.
     Path,
     /// A relative address, or one by http or https.
     Url,
@@ -94,7 +93,7 @@ pub enum Kind {
         words: &'static [&'static str],
         /// The smallest and the largest number.
         numbers: [f64; 2],
-        /// The smallest and the largest change in percent, where one may be given.
+        /// The smallest and the largest change in percent, if percentages are allowed.
         percent: Option<[f64; 2]>,
     },
     /// A number, or a truth value, which counts as 1 or 0.
@@ -107,8 +106,7 @@ pub enum Kind {
     Color,
 }
 
-/// The largest number either way that a document may write: it keeps products and
-/// sums of a few of them finite.
+/// Maximum magnitude of a number in a document: keeps products and sums of a few of them finite.
 pub(crate) const MAX_NUMBER: f64 = 1e6;
 
 impl Attribute {
@@ -139,7 +137,7 @@ impl Attribute {
         Self::new(name, Kind::Bool, doc)
     }
 
-    /// Any finite number up to [`MAX_NUMBER`] either way.
+    /// Creates an attribute for any finite number of magnitude up to [`MAX_NUMBER`].
     pub(super) const fn number(name: &'static str, doc: &'static str) -> Self {
         Self::between(name, -MAX_NUMBER, MAX_NUMBER, doc)
     }
@@ -170,7 +168,8 @@ impl Attribute {
         Self::new(name, Kind::Seconds { most }, doc).unit("s")
     }
 
-    /// A place, an angle or a velocity of a manipulator, within [`MAX_COORDINATE`].
+    /// Creates an attribute for a position, an angle or a velocity of a manipulator, within
+    /// [`MAX_COORDINATE`].
     pub(super) const fn placed(name: &'static str, doc: &'static str) -> Self {
         Self::between(name, -MAX_COORDINATE, MAX_COORDINATE, doc)
     }

@@ -11,7 +11,7 @@ const fn value(word: &'static str, kind: Kind) -> ConditionalKind {
     }
 }
 
-/// The values of each property; nothing plays faster than a hundred times its pace.
+/// Values of each property; the maximum speed is a hundred times the recorded one.
 const VALUES: &[ConditionalKind] = &[
     value(
         "speed",

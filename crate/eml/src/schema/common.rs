@@ -6,11 +6,11 @@ use crate::Manipulator;
 /// Changes in percent up to a factor of four and its inverse: further, a voice is no voice.
 pub(super) const FOURFOLD: [f64; 2] = [-75.0, 300.0];
 
-/// Which limb moves.
+/// Limb to move.
 pub(super) const MANIPULATOR: Attribute =
     Attribute::choice("manipulator", Manipulator::WORDS, "The limb, or the head.").required();
 
-/// Where the end of a limb goes; whether it must be said differs.
+/// Position of the end of a limb; required in some elements.
 pub(super) const POSITION: [Attribute; 3] = [
     Attribute::placed(
         "posX",
@@ -21,7 +21,7 @@ pub(super) const POSITION: [Attribute; 3] = [
     Attribute::placed("posZ", "Position: units to the back.").unit("units"),
 ];
 
-/// How the end of a limb is turned there.
+/// Orientation of the end of a limb.
 pub(super) const ORIENTATION: [Attribute; 3] = [
     Attribute::placed("yaw", "Orientation: yaw.")
         .default("0")
@@ -34,7 +34,7 @@ pub(super) const ORIENTATION: [Attribute; 3] = [
         .unit("°"),
 ];
 
-/// Along what something moves.
+/// Function that defines a path.
 pub(super) const FUNCTION: [Attribute; 2] = [
     Attribute::identifier(
         "functionName",

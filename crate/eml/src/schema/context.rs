@@ -25,7 +25,7 @@ pub(super) const MAX_REQUIRED: usize = 4;
 
 const ABSENT: u16 = u16::MAX;
 
-/// What the elements' readers work with.
+/// Context of the elements' readers.
 pub(crate) struct Context<'t> {
     pub(crate) tree: &'t Tree<'t>,
     pub(crate) sink: &'t mut Sink,
@@ -34,11 +34,11 @@ pub(crate) struct Context<'t> {
     /// Length of the whole source.
     pub(crate) source_bytes: usize,
     pub(crate) namespaces: &'t Namespaces<'t>,
-    /// Whether the limit of clauses has been reported.
+    /// True if the limit of clauses has been reported.
     pub(crate) told_clauses: bool,
-    /// Whether it is read for a performance that goes on.
+    /// True if the text is read for a performance in progress.
     pub(crate) is_fragment: bool,
-    /// Activation and evaluation of an emotion whose word has a place alone, while its element is
+    /// Activation and evaluation of an emotion whose word has only a place, while its element is
     /// read.
     pub(crate) placed: Option<[f64; 2]>,
 }
@@ -57,8 +57,8 @@ impl<'t> Context<'t> {
         Span::from_offsets(start, start + node.text.len())
     }
 
-    /// Calls `visit` with every legal child element of a node, and reports the others,
-    /// surplus ones, missing ones and stray text.
+    /// Calls `visit` with every legal child element of a node, and reports the others, surplus
+    /// ones, missing ones and stray text.
     pub(crate) fn children(
         &mut self,
         node: usize,
@@ -98,7 +98,7 @@ impl<'t> Context<'t> {
         self.report_missing(node, tally);
     }
 
-    /// [`Context::admit`], and whether there are not too many of it.
+    /// [`Context::admit`], with a check of the number of occurrences.
     pub(crate) fn admit_counted(
         &mut self,
         tally: &mut Tally,
@@ -136,7 +136,7 @@ impl<'t> Context<'t> {
         }
     }
 
-    /// The table's entry of a child of `parent`, when it may stand there.
+    /// Returns the table entry of a child of `parent`, if it is allowed there.
     pub(crate) fn admit(
         &mut self,
         child: usize,
@@ -165,8 +165,8 @@ impl<'t> Context<'t> {
         Some(entry)
     }
 
-    /// The table's entry of a node by its namespace, whatever it stands in; reports when
-    /// there is none.
+    /// Returns the table entry of a node by its namespace, in any context; reports unknown
+    /// elements.
     pub(crate) fn resolve(
         &mut self,
         node: usize,

@@ -1,7 +1,7 @@
 //! `environment`, `piece`: how camera, light and music express emotions, and where the story is told.
 
 use super::{Attribute, Content, Element, Kind};
-use crate::{Arousal, Fidelity, Scenery, Valence};
+use crate::{Arousal, Fidelity, StageSet, Valence};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::reference_text(
@@ -29,7 +29,7 @@ pub(super) static ELEMENT: Element = Element {
         )
         .default("true"),
         Attribute::flag("music", "Whether the mood controls the music.").default("true"),
-        Attribute::choice("set", Scenery::WORDS, "The set of the story.").default("curtain"),
+        Attribute::choice("set", StageSet::WORDS, "The set of the story.").default("curtain"),
         Attribute::choice(
             "fidelity",
             Fidelity::WORDS,
@@ -76,7 +76,7 @@ pub(super) static PIECE: Element = Element {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Arousal, Scenery, Valence, parse};
+    use crate::{Arousal, StageSet, Valence, parse};
 
     #[test]
     fn channels_are_on_until_one_says_otherwise() {
@@ -88,7 +88,7 @@ mod tests {
         let environment = parsed.document.environment.expect("an environment");
         let channels = (environment.camera, environment.light, environment.music);
         assert_eq!(channels, (true, false, true));
-        assert_eq!(environment.set, Scenery::Night);
+        assert_eq!(environment.set, StageSet::Night);
         let piece = &environment.pieces[0];
         let mood = (piece.valence, piece.arousal, piece.bar_secs);
         assert_eq!(mood, (Valence::Negative, Some(Arousal::High), 2.0));

@@ -36,7 +36,7 @@ pub(super) const CONTROLS: Attribute = Attribute::new(
 )
 .extension();
 
-/// What a course interpolates (extension).
+/// Interpolated quantity of a transition (extension).
 pub(super) const SPACE: Attribute = Attribute::choice(
     "space",
     Space::WORDS,
@@ -44,16 +44,16 @@ pub(super) const SPACE: Attribute = Attribute::choice(
 )
 .extension();
 
-/// Where one track may stand and how often: once a hand.
+/// Parent of a track; one track per hand is allowed.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
 
-/// Stands for the offset of a key that has none yet.
+/// Placeholder for the offset of a key without a time.
 const UNTIMED: f64 = f64::NAN;
 
-/// Nodes in a track that are taken for keys, before more of them may be anything.
+/// Maximum capacity reserved for a track's keys from its node count, since nodes may be anything.
 const USUAL_KEYS: usize = 64;
 
-/// Reads a track: its hand, and its keys with `value`. None when no key is left.
+/// Reads a track: its hand, and its keys with `value`. `None` if no key is left.
 pub(super) fn read<'t, K: Default>(
     cx: &mut Context<'t>,
     node: usize,
@@ -216,8 +216,8 @@ pub(super) fn add<K>(
     tracks.push(track);
 }
 
-/// Gives times to the keys that have none: evenly between their timed neighbours, the
-/// ends counting as 0 and the duration (GEVH 3.5.2).
+/// Assigns times to untimed keys: evenly between their timed neighbours, with the ends at 0 and the
+/// duration (GEVH 3.5.2).
 fn spread<K>(keys: &mut [Key<K>], duration_secs: f64) {
     let is_untimed = |key: &Key<K>| key.offset_secs.is_nan();
     let last = keys.len().saturating_sub(1);

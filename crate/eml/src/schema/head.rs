@@ -12,7 +12,7 @@ pub(super) static ELEMENT: Element = Element {
     ..Element::new("head", &["eml"], Role::Structure)
 };
 
-/// Reads what the head and the elements in it hold.
+/// Reads the head and its elements.
 pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element) {
     let fields = cx.fields(node, element);
     let mut set = Set {

@@ -2,7 +2,7 @@
 
 use super::{ELEMENTS, Element};
 
-/// More than twice as many slots as elements, so that few names share one.
+/// Number of slots: more than twice the number of elements, so few names share one.
 const SLOTS: usize = 512;
 const EMPTY: u8 = u8::MAX;
 
@@ -28,7 +28,7 @@ const fn build() -> [u8; SLOTS] {
     table
 }
 
-/// Length, first, middle and last letter tell most names apart.
+/// Computes a hash from length, first, middle and last letter, which distinguish most names.
 const fn hash(name: &[u8]) -> usize {
     let n = name.len();
     if n == 0 {
@@ -52,14 +52,14 @@ const fn same_bytes(a: &[u8], b: &[u8]) -> bool {
     true
 }
 
-/// Whether two names are the same. Names are short and mostly differ early, so that this
-/// is faster than the call that comparing strings makes.
+/// Returns true if two names are equal. Names are short and mostly differ early, so this is faster
+/// than a call of the string comparison.
 pub(crate) fn same(a: &str, b: &str) -> bool {
     let is_same = |(a, b): (u8, u8)| a == b;
     a.len() == b.len() && (std::ptr::eq(a, b) || a.bytes().zip(b.bytes()).all(is_same))
 }
 
-/// All elements with exactly this name, which lie together.
+/// Returns all elements with exactly this name, which are contiguous.
 pub(super) fn variants(name: &str) -> &'static [&'static Element] {
     let mut slot = hash(name.as_bytes());
     while TABLE[slot] != EMPTY {

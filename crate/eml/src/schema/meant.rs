@@ -4,8 +4,8 @@ use super::{Element, find, find_extension};
 use crate::namespaces;
 use crate::suggest::nearest;
 
-/// A hint at the element that an unknown one was meant to be: its name without the prefix,
-/// whether it was written as an extension, and where it stands.
+/// Returns a hint at the element probably meant by an unknown one: its name without the prefix, its
+/// extension flag, and its allowed context.
 pub(super) fn element_meant(local: &str, extended: bool, parent: &Element) -> Option<String> {
     let of = |extension: bool| {
         let all = super::ELEMENTS.iter();
@@ -49,13 +49,13 @@ pub(super) fn element_meant(local: &str, extended: bool, parent: &Element) -> Op
         .or_else(|| any(true).map(meant))
 }
 
-/// How the prefix of extensions is bound.
+/// Returns the declaration of the extensions' prefix.
 fn bound() -> String {
     let prefix = namespaces::EXTENSIONS_PREFIX;
     format!("bind xmlns:{prefix}='{}' on `eml`", namespaces::EXTENSIONS)
 }
 
-/// What to write instead of an extension's name without its prefix.
+/// Returns the correction for an extension's name without its prefix.
 pub(super) fn unprefixed(name: &str) -> String {
     let prefix = namespaces::EXTENSIONS_PREFIX;
     format!(

@@ -1,8 +1,8 @@
 //! The language as a table: one small file an element, registered in [`ELEMENTS`],
 //! which drives parsing, checks, writing and documentation.
 
-/// A text for people who read about the language. No page shows it, and it would be 12 KB of what a
-/// player downloads (gzip), so the wasm builds are without.
+/// Returns a text for readers of the language reference. No page shows it, and it would add 12 KB
+/// to a player's download (gzip), so wasm builds omit it.
 pub(super) const fn reference_text(text: &'static str) -> &'static str {
     if cfg!(target_arch = "wasm32") {
         ""
@@ -117,29 +117,29 @@ pub struct Element {
     pub name: &'static str,
     /// Other spellings that are accepted with a warning.
     pub aliases: &'static [&'static str],
-    /// Whether it belongs to the extensions' namespace.
+    /// True if it belongs to the extensions' namespace.
     pub extension: bool,
-    /// What it does, in one or two sentences.
+    /// Description, in one or two sentences.
     pub doc: &'static str,
-    /// What was decided where the source is silent or contradicts itself.
+    /// Decision taken where the source is silent or contradicts itself.
     pub decision: &'static str,
     /// A clause, or a whole script, that uses it without fault.
     pub example: &'static str,
-    /// Where it is specified.
+    /// Specification of the element.
     pub source: &'static str,
-    /// The elements that it may stand in; none for the root.
+    /// Allowed parent elements; empty for the root.
     pub parents: &'static [&'static str],
-    /// What it may hold.
+    /// Allowed content.
     pub content: Content,
     /// Its own attributes; clauses also have [`TIMED`].
     pub attributes: &'static [Attribute],
     /// Attributes of which at least one must be there.
     pub one_of: &'static [&'static str],
-    /// Elements of which it must hold at least one.
+    /// Required children, at least one of each.
     pub required_children: &'static [&'static str],
-    /// How many of them one parent may hold.
+    /// Maximum number per parent.
     pub most_per_parent: Option<u32>,
-    /// What becomes of it.
+    /// Role of the element in the document.
     pub(crate) role: Role,
 }
 
@@ -163,12 +163,12 @@ impl Element {
         }
     }
 
-    /// A clause that is read by a function of its own.
+    /// Creates a clause with its own read function.
     const fn clause(name: &'static str, build: BuildClause) -> Self {
         Self::new(name, CLAUSE_PARENTS, Role::Clause(build))
     }
 
-    /// A clause that is nothing but its attributes and children.
+    /// Creates a clause that consists of its attributes and children only.
     const fn record(name: &'static str, blank: fn() -> ClauseKind) -> Self {
         Self::new(name, CLAUSE_PARENTS, Role::Record(blank))
     }
@@ -186,7 +186,7 @@ impl Element {
         Self::new(name, parents, Role::Part)
     }
 
-    /// Whether it is a clause: has a time of its own and stands in the body or a group.
+    /// Returns true if it is a clause: it has its own time and occurs in the body or a group.
     #[must_use]
     pub fn is_clause(&self) -> bool {
         matches!(
@@ -213,10 +213,10 @@ impl Element {
 /// The markup of a document, each element with its entry here.
 pub(crate) type Tree<'a> = crate::markup::Tree<'a, &'static Element>;
 
-/// What an element may hold.
+/// Allowed content of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// Nothing.
+    /// No content.
     Empty,
     /// Elements only.
     Elements,
@@ -232,17 +232,17 @@ impl Content {
     }
 }
 
-/// Reads a clause; none when it must be dropped.
+/// Function that reads a clause; returns `None` if it must be dropped.
 pub(crate) type BuildClause = fn(&mut Context<'_>, usize, &Fields<'_>) -> Option<ClauseKind>;
 
-/// What becomes of an element.
+/// Role of an element.
 #[derive(Clone, Copy)]
 pub(crate) enum Role {
-    /// Holds the document together.
+    /// Structure of the document.
     Structure,
     /// A clause without clauses inside.
     Clause(BuildClause),
-    /// A clause whose record says how it is read.
+    /// A clause read through its record.
     Record(fn() -> ClauseKind),
     /// A clause that groups clauses.
     Group(fn(crate::Group) -> ClauseKind),
@@ -250,7 +250,7 @@ pub(crate) enum Role {
     Scene(fn() -> ClauseKind),
     /// A part of spoken text.
     Voice(fn(&mut Context<'_>, usize, &Fields<'_>, &mut VoiceBuilder)),
-    /// A part of spoken text around others.
+    /// A part of spoken text that contains others.
     Container(fn() -> Markup),
     /// Read by its parent.
     Part,
@@ -274,10 +274,10 @@ impl std::fmt::Debug for Role {
     }
 }
 
-/// Where a clause may stand.
+/// Allowed parents of a clause.
 pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par", "answer", "part", "if", "pool"];
 
-/// Where a part of spoken text may stand: SABLE's containers (GEVH D.4).
+/// Allowed parents of a part of spoken text: SABLE's containers (GEVH D.4).
 pub(crate) const VOICE_PARENTS: &[&str] = &[
     "voice-text",
     "div",
@@ -319,8 +319,8 @@ pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
     find_in(true, name)
 }
 
-/// The element of a record by its name, of the extensions where EML has none of it or where it
-/// is written with their prefix.
+/// Returns the element of a record by its name; the extension if EML has no such element or the
+/// name has the extensions' prefix.
 pub(crate) fn recorded(name: &str) -> Option<&'static Element> {
     match name.strip_prefix("r:") {
         Some(local) => find_extension(local),
@@ -340,7 +340,7 @@ fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
     })
 }
 
-/// The entry of the same name that may stand in `parent`.
+/// Returns the entry of the same name that is allowed in `parent`.
 pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'static Element> {
     if element.is_allowed_in(parent) {
         return Some(element);

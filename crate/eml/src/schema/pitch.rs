@@ -13,8 +13,8 @@ const RANGES: &[&str] = &[
     "smallest",
 ];
 
-/// Hertz that are within [`FOURFOLD`] of what some voice has: its lines lie at 80 to 500 Hz, and its
-/// range may be a tenth of that.
+/// Frequencies in hertz within [`FOURFOLD`] of some voice: pitch is at 80 to 500 Hz, and its range
+/// may be a tenth of that.
 const HERTZ: [f64; 2] = [2.0, 2000.0];
 
 pub(super) static ELEMENT: Element = Element {

@@ -24,8 +24,8 @@ impl<'t> Context<'t> {
         self.visit(fields, record, children)
     }
 
-    /// Fills a record from the attributes of an element alone; false when a required one
-    /// is missing.
+    /// Fills a record from the attributes of an element only; returns false if a required one is
+    /// missing.
     pub(crate) fn attributes(&mut self, fields: &Fields<'_>, record: &mut dyn Record) -> bool {
         self.visit(fields, record, Vec::new())
     }
@@ -80,7 +80,7 @@ impl<'t> Context<'t> {
 struct Reader<'c, 't, 'f> {
     cx: &'c mut Context<'t>,
     fields: &'c Fields<'f>,
-    /// The children that no list has taken yet.
+    /// Children not yet taken by a list.
     children: Vec<(usize, &'static Element)>,
     complete: bool,
 }

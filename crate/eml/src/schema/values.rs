@@ -14,7 +14,7 @@ use crate::time_expr::{self, Problem};
 use crate::{Diagnostic, EmotionSpace, Name, Span, TimeExpr, markup};
 use std::borrow::Cow;
 
-/// Where on a gesture's time line a key lies.
+/// Position of a key on a gesture's timeline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum KeyTime {
     /// Seconds from its start.
@@ -69,7 +69,8 @@ impl Context<'_> {
         }
     }
 
-    /// A word of emotion; one beyond the table's leaves its place for the attributes that follow.
+    /// Reads an emotion word; for a word outside the table, stores its place for the following
+    /// attributes.
     fn emotion_word(&mut self, attribute: &Attribute, text: &str, span: Span) -> Value {
         self.placed = None;
         match (parse(attribute.kind, text), affect::meant(text)) {
@@ -90,7 +91,7 @@ impl Context<'_> {
         }
     }
 
-    /// What the place of an emotion's word gives an attribute that is not written.
+    /// Returns the value that the place of an emotion word gives to an absent attribute.
     fn placed(&self, fields: &Fields<'_>, name: &str) -> Option<Value> {
         let [activation, evaluation] = self.placed.filter(|_| fields.element.name == "emotion")?;
         match name {
@@ -204,12 +205,12 @@ impl Context<'_> {
     }
 }
 
-/// Whether an attribute holds a word of emotion.
+/// Returns true if an attribute holds an emotion word.
 fn is_emotion(fields: &Fields<'_>, name: &str) -> bool {
     name == "type" && fields.element.extension && fields.element.name == "emotion"
 }
 
-/// What an attribute may hold beside what else is written.
+/// Returns the kind of an attribute's value, given the other attributes.
 fn conditional_kind(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
     let has = |other: &str, word: &str| {
         let written = fields.get(other).and_then(|(_, written)| written);
@@ -220,8 +221,8 @@ fn conditional_kind(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
     found.map_or(attribute.kind, |b| b.kind)
 }
 
-/// A number as nearly every one is written; none for all that needs a closer look. Numbers
-/// are half of what a script's attributes hold.
+/// Parses a number in its usual form; `None` for forms that need the full parser. Numbers are half
+/// of the attribute values of a script.
 fn usual_number(kind: Kind, text: &str) -> Option<f64> {
     let (least, most) = match kind {
         Kind::Number { least, most } => (least, most),
@@ -236,7 +237,7 @@ fn usual_number(kind: Kind, text: &str) -> Option<f64> {
     (value >= least && value <= most && value.abs() <= MAX_NUMBER).then_some(value)
 }
 
-/// A text without the white space around it; there is nearly always none.
+/// Trims white space, which is nearly always absent.
 fn trimmed(text: &str) -> &str {
     let is_mark = |b: Option<&u8>| b.is_some_and(u8::is_ascii_graphic);
     if is_mark(text.as_bytes().first()) && is_mark(text.as_bytes().last()) {

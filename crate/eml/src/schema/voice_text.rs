@@ -39,15 +39,15 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
     Some(ClauseKind::VoiceText(text))
 }
 
-/// Collects the pieces of a spoken text.
+/// Builder of a spoken text.
 pub(crate) struct VoiceBuilder {
     pub(crate) pieces: Vec<TextSegment>,
-    /// SABLE's emphasis level of the text that comes next.
+    /// SABLE emphasis level of the following text.
     pub(crate) emphasis: f64,
 }
 
 impl VoiceBuilder {
-    /// Adds the content of a node that stands for the container `parent`.
+    /// Adds the content of a node that represents the container `parent`.
     pub(crate) fn content(&mut self, cx: &mut Context<'_>, node: usize, parent: &'static str) {
         let tree = cx.tree;
         let mut child = node + 1;
@@ -65,8 +65,8 @@ impl VoiceBuilder {
         }
     }
 
-    /// Adds an element in the container `parent`. What does not belong into speech is
-    /// reported and its text spoken.
+    /// Adds an element in the container `parent`. Elements not allowed in speech are reported and
+    /// their text is spoken.
     fn element(
         &mut self,
         cx: &mut Context<'_>,

@@ -9,7 +9,7 @@ use crate::suggest::quoted;
 use crate::work::step;
 use crate::{Diagnostic, Span};
 
-/// What became of a start tag.
+/// Result of reading a start tag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     /// It ends where it seemed to; every slip was mended.
@@ -109,25 +109,26 @@ pub(super) fn scan<'a>(
     }
 }
 
-/// What stands around a value.
+/// Quotes of a value.
 enum ValueQuotes {
     Quotes,
     Backticks,
     None,
 }
 
-/// Where a value stands in the tag.
+/// Location of a value in the tag.
 struct Value {
     from: usize,
     to: usize,
-    /// Where the tag goes on.
+    /// Offset after the value.
     past: usize,
     marks: ValueQuotes,
     /// There is no reference in it.
     is_plain: bool,
 }
 
-/// The value that begins here. Where its quote is not closed, the place of the next markup, if there is one.
+/// Reads the value at this offset. If its quote is not closed, returns the offset of the next
+/// markup, if any.
 fn value(bytes: &[u8], at: usize) -> Result<Value, Option<usize>> {
     let Some(q @ (b'\'' | b'"' | b'`')) = bytes.get(at).copied() else {
         let end = word_end(bytes, at);
@@ -162,7 +163,7 @@ fn value(bytes: &[u8], at: usize) -> Result<Value, Option<usize>> {
     })
 }
 
-/// Where what is neither space nor markup ends.
+/// Returns the end of a run without space and markup.
 fn word_end(bytes: &[u8], from: usize) -> usize {
     let ends = |&b: &u8| b.is_ascii_whitespace() || b == b'<';
     bytes[from..]
@@ -178,7 +179,7 @@ fn skip_space(bytes: &[u8], mut i: usize) -> usize {
     i
 }
 
-/// What a byte may be in a tag.
+/// Class of a byte in a tag.
 #[derive(Clone, Copy, PartialEq)]
 enum Class {
     Name,

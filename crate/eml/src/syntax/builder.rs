@@ -18,20 +18,20 @@ use quick_xml::events::Event;
 /// Bounds the memory of the tree: about 150 MB at worst.
 const MAX_NODES: usize = 2_000_000;
 
-/// How deep recursion over the tree may go, whatever the limits say.
+/// Maximum depth of recursion over the tree, whatever the limits.
 const MAX_DEPTH: usize = 256;
 
-/// Takes an element of the body as soon as it is complete: a node of the tree.
-pub(crate) type Take<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
+/// Callback that takes an element of the body once it is complete: a node of the tree.
+pub(crate) type TakeEvent<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
 
-/// Reads `source` into a tree. The elements in the body of a document that starts as it
-/// should are given to `take` one after another and leave the tree, so that a long
-/// script needs no more memory than its longest clause.
+/// Parses `source` into a tree. In a document with a valid beginning, the elements of the body are
+/// passed to `take` one after another and removed from the tree, so a long script needs no more
+/// memory than its longest clause.
 pub(crate) fn build<'a>(
     source: &'a str,
     limits: &Limits,
     sink: &mut Sink,
-    take: &mut Take<'a, '_>,
+    take: &mut TakeEvent<'a, '_>,
 ) -> Tree<'a> {
     let mut builder = Builder {
         source,
@@ -54,13 +54,13 @@ struct Builder<'a, 's, 't> {
     source: &'a str,
     limits: &'s Limits,
     sink: &'s mut Sink,
-    take: &'s mut Take<'a, 't>,
+    take: &'s mut TakeEvent<'a, 't>,
     tree: Tree<'a>,
-    /// Whether the first body in the root has been met.
+    /// True after the first body in the root.
     met_body: bool,
     /// Indices of the open elements.
     stack: Vec<u32>,
-    /// How many elements are open below the depth limit.
+    /// Number of open elements below the depth limit.
     skipped_depth: usize,
     told_depth: bool,
     reread_budget: usize,
@@ -93,11 +93,11 @@ impl<'a> Events<'a> {
     }
 }
 
-/// Why the reader stopped, short of the end of the source.
+/// Reason why the reader stopped before the end of the source.
 struct Restart {
-    /// Where to go on.
+    /// Offset at which to continue.
     at: usize,
-    /// How far the bytes have been looked at already.
+    /// Offset up to which bytes have been scanned.
     reached: usize,
 }
 
@@ -160,8 +160,8 @@ impl<'a> Builder<'a, '_, '_> {
         (Events::new(self.source, at), at)
     }
 
-    /// Reads the event at byte `start`. Returns where it ends, or where and whether to go on
-    /// when it has no end.
+    /// Reads the event at byte `start`. Returns its end, or the restart position, if any, of an
+    /// unterminated event.
     fn read_event(
         &mut self,
         events: &mut Events<'a>,
@@ -216,7 +216,7 @@ impl<'a> Builder<'a, '_, '_> {
         Ok(end)
     }
 
-    /// Goes on behind markup at byte `at` that has no end.
+    /// Continues after unterminated markup at byte `at`.
     fn recover(&mut self, error: &Error, at: usize) -> Option<Restart> {
         let rest = self.source.get(at + 1..)?;
         let next = rest.find('<').map(|i| at + 1 + i);
@@ -293,7 +293,7 @@ impl<'a> Builder<'a, '_, '_> {
         }
     }
 
-    /// Whether white space counts where the reader stands.
+    /// Returns true if white space is significant at the reader's position.
     fn keeps_space(&self) -> bool {
         let Some(&open) = self.stack.last() else {
             return false;

@@ -18,8 +18,8 @@ const LIMITS: Limits = Limits {
     diagnostics: 1000,
 };
 
-/// Whether nodes from one on lie in the source in order, with the text that stands there, and
-/// contain each other.
+/// Checks that the nodes from an index on are in source order, contain the text at their position,
+/// and contain each other.
 fn check(source: &str, tree: &Tree<'_>, from: usize) -> Result<(), TestCaseError> {
     let mut open: Vec<u32> = Vec::new();
     let mut at = 0;

@@ -7,9 +7,9 @@ use crate::diagnostic::Sink;
 use crate::work::step;
 use crate::{ClauseId, Diagnostic, Document, Limits};
 
-/// How often the content of each group plays, bounded so that the timeline has no more
-/// clauses than it may: groups whose repetition goes beyond play once. Clauses that are no
-/// groups have 0. Nothing is expanded to find out.
+/// Returns the number of repetitions of each group, bounded by the maximum number of clauses in the
+/// timeline: groups beyond it play once. Clauses other than groups have 0. Computed without
+/// expansion.
 pub(super) fn bounded_counts(
     document: &Document,
     groups: &[ClauseId],
@@ -54,7 +54,7 @@ pub(super) fn bounded_counts(
     counts
 }
 
-/// Lists every clause at its time, each iteration of a group by itself.
+/// Lists every clause at its time, each iteration of a group separately.
 pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Timeline {
     let mut list = List {
         document,
@@ -113,11 +113,11 @@ struct List<'d> {
     earliest: f64,
 }
 
-/// Where in the repetitions a clause plays.
+/// Repetition in which a clause plays.
 struct Iteration {
     /// Seconds after the first iteration.
     shift: f64,
-    /// When the iteration is cut off.
+    /// Time at which the iteration is cut off.
     cut: f64,
     container: Option<u32>,
     iteration: u32,

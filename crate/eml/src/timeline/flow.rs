@@ -9,21 +9,21 @@ use crate::suggest::quoted;
 use crate::{ClauseId, ClauseKind, Diagnostic, Document};
 use std::collections::BTreeMap;
 
-/// A stretch of the timeline between two cuts.
+/// An interval of the timeline between two cuts.
 #[derive(Default)]
 struct Interval {
-    /// The first clause that starts in it and does something.
+    /// First effective clause that starts in it.
     first: Option<ClauseId>,
-    /// A question in it is asked on every way through it.
+    /// True if a question in it is asked on every path through it.
     waits: bool,
-    /// The goto that ends it, and the stretch where that leads.
+    /// Goto that ends it, and the interval to which it leads.
     goto: Option<(ClauseId, Option<usize>)>,
-    /// Every way through it takes the goto.
+    /// True if every path through it takes the goto.
     always: bool,
 }
 
 impl Interval {
-    /// The stretches that may come next; one past the last is the end.
+    /// Returns the possible next intervals; one past the last is the end.
     fn next(&self, here: usize) -> impl Iterator<Item = usize> + use<> {
         let to = self.goto.and_then(|(_, to)| to);
         let on = (!self.always || to.is_none()).then_some(here + 1);
@@ -31,7 +31,7 @@ impl Interval {
     }
 }
 
-/// Reports clauses that no way comes to, and gotos that lead round for ever.
+/// Reports unreachable clauses, and gotos in endless loops.
 pub(super) fn check(document: &Document, timeline: &Timeline, sink: &mut Sink) {
     let is_goto =
         |c: &super::TimedClause| matches!(document.clause(c.clause).kind, ClauseKind::Goto(_));
@@ -122,7 +122,7 @@ fn stretches(document: &Document, timeline: &Timeline) -> Vec<Interval> {
     all
 }
 
-/// Which of the stretches, and of the end after them, are come to.
+/// Returns the reachable intervals, including the end after them.
 fn spread(count: usize, from: &[usize], next: impl Fn(usize) -> Vec<usize>) -> Vec<bool> {
     let mut reached = vec![false; count + 1];
     let mut open = from.to_vec();
@@ -134,7 +134,7 @@ fn spread(count: usize, from: &[usize], next: impl Fn(usize) -> Vec<usize>) -> V
     reached
 }
 
-/// The gotos of rings without a question, and of ways from which none leads to the end.
+/// Returns the gotos of loops without a question, and of paths from which the end is unreachable.
 fn endless(stretches: &[Interval], reached: &[bool]) -> Vec<ClauseId> {
     let mut before = vec![Vec::new(); stretches.len() + 1];
     for (at, stretch) in stretches.iter().enumerate() {
@@ -156,8 +156,8 @@ fn endless(stretches: &[Interval], reached: &[bool]) -> Vec<ClauseId> {
         .collect()
 }
 
-/// Stretches whose goto closes a ring of stretches that do not wait: depth first, with a stack
-/// of its own.
+/// Returns the intervals whose goto closes a loop of intervals without waiting: depth first, with
+/// an explicit stack.
 fn rings(stretches: &[Interval], reached: &[bool]) -> Vec<bool> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {

@@ -2,19 +2,19 @@
 
 use std::ops::Range;
 
-/// So many clauses share a leaf; looking at each of them costs less than the tree would.
+/// Number of clauses per leaf; a linear scan of them is cheaper than more tree levels.
 const BLOCK: usize = 8;
 
-/// A binary tree of latest ends over blocks of clauses by start, laid out as an array:
-/// node `i` has the children `2i` and `2i + 1`, the leaves come last.
+/// A binary tree of latest ends over blocks of clauses by start, stored as an array: node `i` has
+/// the children `2i` and `2i + 1`, the leaves come last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct EndIndex {
     latest: Vec<f64>,
     leaves: usize,
 }
 
-/// The tree of any list that fits in memory is lower than this; a search keeps at most
-/// one waiting node a level.
+/// Upper bound of the tree's height for any list that fits in memory; a search keeps at most one
+/// pending node per level.
 const HEIGHT: usize = 64;
 
 impl EndIndex {

@@ -11,44 +11,44 @@ use crate::{ClauseId, Diagnostic, Document, Durations, Limits, Name, SortedMap, 
 use index::EndIndex;
 use names::Names;
 
-/// A timeline and what was wrong with the times.
+/// A timeline with the problems of its times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
-    /// What plays when; clauses without a time are left out.
+    /// Timeline; clauses without a time are left out.
     pub timeline: Timeline,
-    /// What was wrong.
+    /// Problems.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// When everything in a document happens, in seconds from the start of the script.
+/// Times of all clauses of a document, in seconds from the start of the script.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timeline {
     /// Length of the script.
     pub duration_secs: f64,
-    /// By how much everything was delayed so that nothing starts before 0.
+    /// Delay of the whole timeline, seconds, so nothing starts before 0.
     pub lead_in_secs: f64,
     /// The clauses by start, ties in document order.
     pub clauses: Vec<TimedClause>,
-    /// The named moments; those inside a repetition mean its first iteration.
+    /// Named markers; those inside a repetition refer to its first iteration.
     pub marks: SortedMap<Name, f64>,
-    /// The times of what each clause says, counted from its start.
+    /// Timings of each clause's speech, counted from its start.
     pub voices: SortedMap<ClauseId, VoiceTiming>,
     ends: EndIndex,
 }
 
-/// A clause at its time. A clause in a repetition appears once an iteration. The document
-/// tells all else about it.
+/// A clause with its time. A clause in a repetition appears once per iteration. All other data are
+/// in the document.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedClause {
-    /// When it starts, at least 0.
+    /// Start time, at least 0.
     pub start_secs: f64,
-    /// When it ends, at least its start.
+    /// End time, at least its start.
     pub end_secs: f64,
     /// The clause in the document.
     pub clause: ClauseId,
     /// Index in [`Timeline::clauses`] of the seq or par it plays in.
     pub container: Option<u32>,
-    /// Which iteration of that group, from 0.
+    /// Iteration of that group, from 0.
     pub iteration: u32,
 }
 
@@ -94,7 +94,7 @@ impl Timeline {
         }
     }
 
-    /// Goes on until what nothing waits for has been heard to its end.
+    /// Extends the timeline to the end of all asynchronous speech.
     fn with_heard_ends(&mut self) {
         for timed in &self.clauses {
             let said = self.voices.get(&timed.clause);

@@ -8,28 +8,28 @@ use crate::{
 };
 use std::cmp::Ordering;
 
-/// A named moment.
+/// A named marker.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NamedTime {
     /// The clause that it belongs to.
     pub(super) clause: ClauseId,
     /// Seconds after the start of that clause.
     pub(super) offset_secs: f64,
-    /// Where it is named.
+    /// Span of the name.
     pub(super) span: Span,
 }
 
-/// What a walk over all clauses finds.
+/// Data collected in one pass over all clauses.
 pub(super) struct ClauseIndex {
-    /// The times of everything that is spoken.
+    /// Timings of all speech.
     pub(super) voices: SortedMap<ClauseId, VoiceTiming>,
     /// Every name.
     pub(super) names: Names,
     /// The groups, outer ones first.
     pub(super) groups: Vec<ClauseId>,
-    /// The clauses whose start names moments.
+    /// Clauses whose start names markers.
     pub(super) absolute: Vec<ClauseId>,
-    /// Something is spoken that nothing waits for.
+    /// True if there is asynchronous speech.
     pub(super) asynchronous: bool,
 }
 
@@ -37,15 +37,15 @@ pub(super) struct ClauseIndex {
 pub(super) struct Names {
     /// As the document has them.
     moments: Vec<(Name, NamedTime)>,
-    /// The moments by name; of several with one name the first.
+    /// Markers by name; the first of several with one name.
     order: Vec<Key>,
 }
 
-/// The first letters of a name as a number, which tell most names apart, and the place of
-/// its moment. Sorting and searching go over these alone: much less than the moments.
+/// First letters of a name as a number, which distinguish most names, and the index of its marker.
+/// Sorting and searching use these only, which are much smaller than the markers.
 type Key = (u64, u32);
 
-/// The first eight bytes, the first one counting most: it orders as the text does.
+/// Returns the first eight bytes, most significant first: ordered like the text.
 fn prefix(name: &str) -> u64 {
     let mut bytes = [0; 8];
     let length = name.len().min(bytes.len());
@@ -54,9 +54,8 @@ fn prefix(name: &str) -> u64 {
 }
 
 impl Names {
-    /// Asks for the times of every voice-text and collects every name, of several moments
-    /// with one name the first, and the groups. One walk does it all, because a long
-    /// script has to come from far memory each time.
+    /// Collects the timings of every voice-text, every name (the first of several equal ones), and
+    /// the groups. It is a single pass, because a long script does not fit in the cache.
     pub(super) fn collect(
         document: &Document,
         durations: &dyn Durations,
@@ -133,7 +132,7 @@ impl Names {
         }
     }
 
-    /// The moment of a name.
+    /// Returns the marker of a name.
     pub(super) fn find(&self, name: &str) -> Option<&NamedTime> {
         let prefix = prefix(name);
         let found = self.order.binary_search_by(|key| {
@@ -145,7 +144,7 @@ impl Names {
         Some(&self.moments[place as usize].1)
     }
 
-    /// How many names there are.
+    /// Returns the number of names.
     pub(super) fn len(&self) -> usize {
         self.order.len()
     }
@@ -155,7 +154,7 @@ impl Names {
         self.order.iter().map(|&key| name_at(&self.moments, key))
     }
 
-    /// The names with what `value` says of their moments.
+    /// Returns the names with the value that `value` gives to their markers.
     pub(super) fn map(mut self, value: impl Fn(&NamedTime) -> Option<f64>) -> SortedMap<Name, f64> {
         let mut marks = Vec::with_capacity(self.order.len());
         for (_, place) in self.order {
@@ -168,8 +167,8 @@ impl Names {
     }
 }
 
-/// The order of two moments whose names begin alike, apart from the sort so that what it
-/// does most stays small.
+/// Compares two markers whose names have equal prefixes; separate from the sort, so its inner loop
+/// stays small.
 #[cold]
 #[inline(never)]
 fn by_name(moments: &[(Name, NamedTime)], a: Key, b: Key) -> Ordering {
@@ -177,7 +176,7 @@ fn by_name(moments: &[(Name, NamedTime)], a: Key, b: Key) -> Ordering {
     names.then(a.1.cmp(&b.1))
 }
 
-/// The name that a key stands for.
+/// Returns the name of a key.
 fn name_at(moments: &[(Name, NamedTime)], key: Key) -> &str {
     &moments[key.1 as usize].0
 }
@@ -190,7 +189,7 @@ fn report_duplicate(name: &str, moment: &NamedTime, first: &NamedTime, sink: &mu
     );
 }
 
-/// When a marker lies, in seconds from the start of its utterance.
+/// Returns the offset of a marker, in seconds from the start of its utterance.
 fn offset(mark: &Mark, timing: &VoiceTiming, sink: &mut Sink) -> f64 {
     let Some(word) = timing.words.get(mark.word) else {
         return timing.duration_secs;

@@ -18,25 +18,25 @@ use crate::{
 /// the work on a document with many unknown names.
 const MAX_LOOKS: usize = 5_000;
 
-/// Names that a message tells of those that count from each other.
+/// Maximum number of names listed in a message about a chain of references.
 const MAX_CHAIN: usize = 32;
 
-/// Times beyond this, about 31 years, come from sums that have run away.
+/// Times beyond this, about 31 years, result from overflowing sums.
 const MAX_TIME_SECS: f64 = 1e9;
 
-/// The solution: each clause's first iteration, not yet delayed.
+/// Solved times: each clause's first iteration, without delay.
 pub(super) struct Times {
-    /// Times in seconds, NaN when there is none.
+    /// Times in seconds, NaN if there is none.
     values: UnknownMap<f64>,
 }
 
 impl Times {
-    /// When a clause starts.
+    /// Returns the start time of a clause.
     pub(super) fn start(&self, clause: ClauseId) -> Option<f64> {
         Some(self.values[Unknown::Start(clause)]).filter(|t| !t.is_nan())
     }
 
-    /// When a clause that starts ends.
+    /// Returns the end time of a clause that has a start.
     pub(super) fn end(&self, clause: ClauseId) -> f64 {
         self.values[Unknown::End(clause)]
     }
@@ -66,8 +66,7 @@ impl Unknown {
     }
 }
 
-/// A value for each unknown. The two of a clause lie together, since they are mostly used
-/// together.
+/// A value for each unknown. The two of a clause are adjacent, since they are mostly used together.
 struct UnknownMap<T>(Vec<[T; 2]>);
 
 impl<T: Copy> UnknownMap<T> {
@@ -143,7 +142,7 @@ enum State {
     Done,
 }
 
-/// A named moment in an expression, found.
+/// A resolved marker in an expression.
 struct Term {
     clause: ClauseId,
     offset_secs: f64,
@@ -159,7 +158,7 @@ struct Solver<'d, 's> {
     /// The terms of all clauses, those of one clause together, as many as it names when it
     /// is not refused.
     terms: Vec<Term>,
-    /// Where those of each clause begin.
+    /// Index of the first term of each clause.
     first_term: Vec<u32>,
     /// In a seq, the clause before.
     before: Vec<Option<ClauseId>>,
@@ -167,12 +166,11 @@ struct Solver<'d, 's> {
     values: UnknownMap<f64>,
     /// Clauses whose expression has been found faulty and reported.
     refused: Vec<bool>,
-    /// The clauses that count from a name that nothing has, with its place among their
-    /// names; by clause.
+    /// Clauses that depend on an undefined name, with its index among their names; by clause.
     unresolved: Vec<(ClauseId, usize)>,
-    /// Where on the stack an open unknown lies.
+    /// Stack index of an open unknown.
     depth: UnknownMap<u32>,
-    /// The clauses on the stack whose start names moments, and where on it they lie.
+    /// Clauses on the stack whose start names markers, with their stack index.
     suspects: Vec<(ClauseId, usize)>,
 }
 
@@ -230,8 +228,7 @@ impl Solver<'_, '_> {
         }
     }
 
-    /// Whether all that an unknown needs is known, as it mostly is when the unknowns are
-    /// gone through in the order of the document.
+    /// Returns true if all dependencies of an unknown are known, the usual case in document order.
     fn is_ready(&self, unknown: Unknown) -> bool {
         let known = |needed| self.state[needed] == State::Done;
         if let Unknown::End(id) = unknown {
@@ -270,7 +267,7 @@ impl Solver<'_, '_> {
         }
     }
 
-    /// Puts an unknown and the first thing it needs on the stack.
+    /// Pushes an unknown and its first dependency onto the stack.
     fn open(&mut self, unknown: Unknown, stack: &mut Vec<(Unknown, usize)>) {
         self.state[unknown] = State::Open;
         // A document has fewer than 2³¹ clauses, and each unknown is open once.
@@ -315,7 +312,7 @@ impl Solver<'_, '_> {
         }
     }
 
-    /// What a plain number counts from; none in the body.
+    /// Returns the reference of a plain number; `None` in the body.
     fn base(&self, id: ClauseId, clause: &Clause) -> Option<Unknown> {
         match (self.before[id.index()], clause.parent) {
             (Some(before), _) => Some(Unknown::End(before)),
@@ -402,10 +399,9 @@ impl Solver<'_, '_> {
         start + length
     }
 
-    /// Reports the cycle of the unknowns on the stack from `depth` on, and refuses the
-    /// expressions that close it. Plain numbers are never at fault: what they count
-    /// from forms a tree. Each suspect is refused once, so that all cycles together
-    /// cost linear time.
+    /// Reports the cycle of the unknowns on the stack from `depth` on, and rejects the expressions
+    /// that close it. Plain numbers are never at fault: their references form a tree. Each suspect
+    /// is rejected once, so all cycles together cost linear time.
     fn refuse_cycle(&mut self, depth: usize) {
         let from = self.suspects.partition_point(|&(_, d)| d < depth);
         let faulty: Vec<ClauseId> = self.suspects.drain(from..).map(|(id, _)| id).collect();
@@ -446,8 +442,7 @@ impl Solver<'_, '_> {
         }
     }
 
-    /// The names by which a clause without a time counts from one another, up to the one
-    /// that nothing has.
+    /// Returns the chain of names from a clause without a time to the undefined one.
     fn chain(&self, from: ClauseId) -> String {
         let mut steps: Vec<String> = Vec::new();
         let mut at = Some(from).filter(|_| !self.sink.is_full_of("eml::no-time"));

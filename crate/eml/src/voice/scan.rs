@@ -7,8 +7,8 @@ use crate::work::step;
 use std::ops::ControlFlow;
 
 impl VoiceText {
-    /// Goes through words and markers in order, as long as `visit` wants. A marker waits
-    /// for the next letter or digit, be it in the middle of a token.
+    /// Visits words and markers in order, until `visit` stops. A marker takes effect at the next
+    /// letter or digit, even in the middle of a token.
     pub(crate) fn scan<'v>(&'v self, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
         let mut token = Token::default();
         let mut words = 0;
@@ -101,12 +101,12 @@ fn pass_marks<'v>(
     ControlFlow::Continue(())
 }
 
-/// Whether a byte is an ASCII letter or digit.
+/// Returns true if a byte is an ASCII letter or digit.
 pub(crate) fn is_letter(b: u8) -> bool {
     CLASS[usize::from(b)] == LETTER
 }
 
-/// The class of ASCII letters and digits; 1, so that adding classes counts them.
+/// Class of ASCII letters and digits; 1, so adding classes counts them.
 const LETTER: u8 = 1;
 /// The class of white space.
 const SPACE: u8 = 2;
@@ -131,7 +131,7 @@ pub(super) const fn is_space(b: u8) -> bool {
     matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
-/// What a spoken text consists of for those who time it and those who feel it.
+/// Item of a spoken text for timing and for emotions.
 pub(crate) enum Item<'i, 'v> {
     Word(&'i Token<'v>),
     Mark(Mark),
@@ -141,7 +141,7 @@ pub(crate) enum Item<'i, 'v> {
     Emoticon {
         /// The word of its emotion.
         name: &'static str,
-        /// How many items of signs before it belong to it.
+        /// Number of preceding sign items that belong to it.
         parts: usize,
         /// Punctuation right behind it.
         rest: &'i str,
@@ -150,10 +150,10 @@ pub(crate) enum Item<'i, 'v> {
     Gap,
 }
 
-/// Takes what a spoken text consists of, until it has had enough.
+/// Callback for the items of a spoken text; it may stop the scan.
 pub(crate) type Visit<'v, 'c> = dyn FnMut(Item<'_, 'v>) -> ControlFlow<()> + 'c;
 
-/// What stands between white space.
+/// A token between white space.
 #[derive(Default)]
 pub(crate) struct Token<'v> {
     /// Up to the first markup in it.
@@ -161,10 +161,10 @@ pub(crate) struct Token<'v> {
     /// All of it, when there is markup in it.
     whole: String,
     pub(crate) span: Span,
-    /// How many letters and digits it holds.
+    /// Number of letters and digits in it.
     pub(crate) letters: usize,
     pub(super) emphasized: bool,
-    /// What before it may be of an emoticon with it.
+    /// Preceding tokens that may form an emoticon with it.
     spaced: Spaced,
 }
 
@@ -178,7 +178,7 @@ impl<'v> Token<'v> {
         }
     }
 
-    /// The token as it is spoken and captioned: without markup and emoji.
+    /// Returns the token as it is spoken and captioned: without markup and emoji.
     pub(crate) fn spoken_text(&self) -> String {
         let text = self.text();
         emoticon::without_emoji(text).unwrap_or_else(|| text.to_owned())

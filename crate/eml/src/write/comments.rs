@@ -3,7 +3,7 @@
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-/// A comment and where it stands.
+/// A comment with its position.
 #[derive(Clone, Copy)]
 pub(super) struct Comment<'s> {
     /// Offset of its first byte.
@@ -12,7 +12,7 @@ pub(super) struct Comment<'s> {
     pub(super) text: &'s str,
 }
 
-/// All comments, by where they stand to the root element.
+/// All comments, by their position relative to the root element.
 #[derive(Default)]
 pub(super) struct Comments<'s> {
     pub(super) before: Vec<Comment<'s>>,

@@ -19,8 +19,8 @@ use comments::Comment;
 pub use normal::normal_form;
 use tag::Tag;
 
-/// Codes of diagnostics in spite of which writing a document anew loses nothing of what
-/// its author wrote: another spelling, or something that is kept as it is.
+/// Codes of diagnostics with which rewriting a document loses nothing: another spelling, or content
+/// that is kept unchanged.
 pub const HARMLESS: &[&str] = &[
     "eml::alias",
     "eml::letter-case",

@@ -2,8 +2,8 @@
 
 use crate::{ClauseKind, Document, Span, TextSegment, Track};
 
-/// The document without places in a text, and with the pieces of text that a reference or
-/// a comment cuts joined. Two texts that mean the same give the same.
+/// Returns the document without source spans, and with text segments joined across references and
+/// comments. Two texts with the same meaning give the same result.
 #[must_use]
 pub fn normal_form(document: &Document) -> Document {
     let mut document = document.clone();

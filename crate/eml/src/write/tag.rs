@@ -10,7 +10,7 @@ use raconteur_base::Side;
 /// An element with its attributes as text.
 pub(super) struct Tag {
     element: &'static Element,
-    /// In front of the others: when it starts.
+    /// Start time, written before the other attributes.
     timed: String,
     attributes: String,
     extended: bool,
@@ -23,7 +23,7 @@ impl Tag {
         Self::inside(element, "")
     }
 
-    /// An empty tag of the element that stands in `parent`.
+    /// Creates an empty tag of the element allowed in `parent`.
     fn inside(element: &'static str, parent: &str) -> Self {
         let element = schema::recorded(element).unwrap_or(schema::ELEMENTS[0]);
         Self {
@@ -56,7 +56,7 @@ impl Tag {
         format!("{}{}", self.timed, self.attributes)
     }
 
-    /// Whether it is an extension or has one.
+    /// Returns true if it is an extension or has an extension attribute.
     pub(super) fn is_extended(&self) -> bool {
         self.extended
     }
@@ -122,7 +122,7 @@ impl Tag {
             .push_str(&format!(" {prefix}{name}='{text}'"));
     }
 
-    /// Adds what a gesture-key holds. All times of keys are given, so that none is spread.
+    /// Adds the content of a gesture-key. All key times are written explicitly, so none is spread.
     pub(super) fn gesture(&mut self, gesture: &GestureKey) {
         self.number("duration", Some(gesture.duration_secs));
         let words = Handedness::WORDS.iter();
@@ -220,7 +220,7 @@ pub(super) fn number(number: f64) -> String {
     format!("{}", number + 0.0)
 }
 
-/// Text between tags or apostrophes. Line ends in it are kept by every reader of XML.
+/// Escapes text between tags or apostrophes. Every XML reader preserves line ends in it.
 pub(super) fn escaped(text: &str) -> String {
     // Values stand between apostrophes, so that quotes need no reference, which `escape` would make of them.
     partial_escape(text).replace('\'', "&apos;")

@@ -8,7 +8,7 @@ use crate::{Boundary, DivKind, MarkEvent, TextSegment, VoiceText};
 /// The pauses that have a word.
 const LEVELS: [(u32, &str); 4] = [(350, ""), (0, "none"), (150, "small"), (800, "large")];
 
-/// The content of a voice-text, and whether there are extensions in it.
+/// Returns the content of a voice-text, and true if it contains extensions.
 pub(super) fn content(text: &VoiceText) -> (String, bool) {
     let mut out = String::new();
     let mut open: Vec<String> = Vec::new();

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-/// A change of a file at any place.
+/// A change of a file at any position.
 #[derive(Clone, Debug)]
 pub(crate) enum Edit {
     Delete(usize, usize),

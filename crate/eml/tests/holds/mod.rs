@@ -12,14 +12,14 @@ pub(crate) fn document(source: &[u8]) {
     assert_invariants(source, &parsed);
 }
 
-/// What a mind sends.
+/// Checks a fragment sent by a mind.
 pub(crate) fn fragment(source: &[u8]) {
     if let Ok(text) = std::str::from_utf8(source) {
         assert_invariants(source, &parse_fragment(text));
     }
 }
 
-/// A time expression: what stands in an attribute, so without what would end it.
+/// Checks a time expression: an attribute value, so without its terminators.
 pub(crate) fn time(source: &[u8]) {
     let Ok(text) = std::str::from_utf8(source) else {
         return;
@@ -34,7 +34,7 @@ pub(crate) fn time(source: &[u8]) {
     assert_invariants(script.as_bytes(), &parse(&script));
 }
 
-/// Resolves what was read and checks what must hold for any input.
+/// Resolves a parsed document and checks the invariants for any input.
 fn assert_invariants(source: &[u8], parsed: &Parsed) {
     let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
     let text = String::from_utf8_lossy(source);

@@ -16,26 +16,26 @@ use crate::lower::plan::ScriptPlan;
 
 /// A hand that is interrupted stops in this time, seconds. Designed.
 const HALT_SECS: f64 = 0.15;
-/// As long before and after a stroke a hand may be on its way, seconds.
+/// Maximum time before and after a stroke during which a hand may be in motion, seconds.
 const PREPARATION_SECS: f64 = 0.9;
 
-/// Where a performance is interrupted.
+/// Interruption of a performance.
 #[derive(Clone, Copy)]
 struct Interruption {
     /// Story time, seconds.
     at_secs: f64,
-    /// What begins up to this time has been told, and its end has to be; not after the cut.
+    /// Time up to which starts have been delivered, so their ends must follow; not after the cut.
     told_secs: f64,
 }
 
 impl Interruption {
-    /// Whether what begins at a time has begun.
+    /// Returns true if something with a given start time has begun.
     fn has_begun(&self, time_secs: f64) -> bool {
         time_secs < self.at_secs || time_secs <= self.told_secs
     }
 }
 
-/// Whether a message asks to end what fragments say and do: `<interrupt/>`.
+/// Returns true if a message is `<interrupt/>`, which ends the actions of fragments.
 pub(crate) fn is_interrupt(text: &str) -> bool {
     let inside = text.trim().strip_prefix("<interrupt");
     let inside = inside.and_then(|rest| rest.strip_suffix("/>"));
@@ -43,7 +43,7 @@ pub(crate) fn is_interrupt(text: &str) -> bool {
 }
 
 impl LivePerformance {
-    /// Takes the message `<interrupt/>`, which counts as a fragment of its mind; see
+    /// Accepts the message `<interrupt/>`, which counts as a fragment of its mind; see
     /// [`Live::interrupt`].
     pub(crate) fn admit_interrupt(&mut self, mind: u32, now_secs: f64) -> FragmentOutcome {
         self.fragments_begun = self.fragments_begun.wrapping_add(1);
@@ -57,8 +57,8 @@ impl LivePerformance {
         }
     }
 
-    /// Ends what fragments say and do at a time. Cues up to `told_secs` have been delivered.
-    /// Whether there was anything to end.
+    /// Ends the actions of fragments at a time. Cues up to `told_secs` have been delivered. Returns
+    /// true if there was anything to end.
     pub(crate) fn interrupt(
         &mut self,
         at_secs: f64,
@@ -101,10 +101,10 @@ impl LivePerformance {
 }
 
 impl ScriptPlan {
-    /// Ends what goes on at a cut and leaves out what has not begun; `others` are the story's commands
-    /// to manipulators. Gives the cues of the ends; nothing before the cut changes. What was switched
-    /// stays: shots, music, parameters, animation players; and the figure walks where it has set out
-    /// for.
+    /// Ends ongoing actions at a cut and removes those that have not begun; `others` are the
+    /// story's commands to manipulators. Returns the cues of the ends; nothing before the cut
+    /// changes. Switched states persist: shots, music, parameters, animation players; and the
+    /// figure walks on to its destination.
     fn interrupt(&mut self, cut: &Interruption, others: &[Command]) -> Vec<Cue> {
         let at_secs = cut.at_secs;
         self.utterances
@@ -130,7 +130,8 @@ impl ScriptPlan {
         self.end_cues(cut)
     }
 
-    /// Leaves out the cues after a cut, but for the ends of what has begun: they come now.
+    /// Removes the cues after a cut, except the ends of what has begun, which become due
+    /// immediately.
     fn end_cues(&mut self, cut: &Interruption) -> Vec<Cue> {
         let mut open: Vec<CueKind> = Vec::new();
         let mut ends = Vec::new();
@@ -159,7 +160,7 @@ impl ScriptPlan {
     }
 }
 
-/// The cue that ends what a cue begins.
+/// Returns the cue that ends the state begun by a cue.
 fn end_of(kind: &CueKind) -> Option<CueKind> {
     match kind {
         CueKind::ClauseStart(clause) => Some(CueKind::ClauseEnd(clause.clone())),
@@ -193,7 +194,7 @@ fn shorten(cue: &mut UtteranceCue, at_secs: f64) {
     retain_whole(u);
 }
 
-/// Leaves out what names words or phones that are not there any more.
+/// Removes references to words or phones that no longer exist.
 fn retain_whole(u: &mut Utterance) {
     let (words, phones) = (u.words.len(), u.phones.len());
     u.text_starts.truncate(words);
@@ -209,13 +210,13 @@ fn retain_whole(u: &mut Utterance) {
         .retain(|s| s.first_word.saturating_add(s.words) <= words);
 }
 
-/// Whether anything is left of a stroke; a preparation that the planner sees to is given up.
+/// Returns true if any of a stroke remains; a preparation added by the planner is discarded.
 fn has_set_in(stroke: &GestureStroke, at_secs: f64) -> bool {
     let needs_keys = stroke.phase == GesturePhase::Stroke;
     stroke.start_secs < at_secs && (!needs_keys || !stroke.keys.is_empty())
 }
 
-/// Leaves out later commands, and stops the limbs that these and not the `others` moved last.
+/// Removes later commands, and stops the limbs last moved by these and not by the `others`.
 fn stop(commands: &mut Vec<Command>, others: &[Command], at_secs: f64) {
     commands.retain(|c| c.time_secs < at_secs);
     let moves = |c: &&Command| {
@@ -244,15 +245,15 @@ fn stop(commands: &mut Vec<Command>, others: &[Command], at_secs: f64) {
     }
 }
 
-/// Leaves out the keys of a stroke that the hand has not come to.
+/// Removes the keys of a stroke that the hand has not reached.
 fn release(stroke: &mut GestureStroke, at_secs: f64) {
     stroke.keys.retain(|k| k.time_secs < at_secs);
     stroke.end_secs = stroke.end_secs.min(at_secs);
 }
 
-/// Where a hand that gestures comes to rest for a moment when it is interrupted, so that it eases
-/// back from there: a little further on its way. `own` are the strokes that are interrupted; a hand
-/// that the story leads goes its way.
+/// Returns the place at which an interrupted gesturing hand briefly comes to rest, slightly further
+/// along its path, so it eases back from there. `own` are the interrupted strokes; a hand driven by
+/// the story continues.
 fn halt<'a>(
     plan: &ArmPlan,
     mut own: impl Iterator<Item = &'a GestureStroke>,
@@ -281,7 +282,7 @@ fn halt<'a>(
     })
 }
 
-/// Lets an emotion fade that is there in full; one that grows does so first.
+/// Fades an emotion at full strength; a growing one first reaches its apex.
 fn fade(emotion: &mut EmotionSpan, at_secs: f64) {
     let until = emotion.until_secs.min(at_secs.max(emotion.apex_secs));
     let fade_secs = emotion.end_secs - emotion.until_secs;

@@ -21,7 +21,7 @@ use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::questions::QuestionCue;
 use crate::lower::script::{Script, TimingSources};
 
-/// What a live performance may cost. Beyond, fragments are refused and the story plays on.
+/// Limits of a live performance. Beyond them, fragments are refused and the story continues.
 pub mod limits {
     /// Length of a fragment, bytes: some 2,500 words.
     pub const FRAGMENT_BYTES: usize = 16 << 10;
@@ -35,9 +35,9 @@ pub mod limits {
     /// Commands to animation players, and as many to control parameters, that outlive their
     /// fragments; beyond, the oldest are lost.
     pub const CARRIED_COMMANDS: usize = 1024;
-    /// How far ahead of now a fragment may reach, seconds.
+    /// Maximum lead of a fragment over the current time, seconds.
     pub const AHEAD_SECS: f64 = 3600.0;
-    /// Fragments that a mind may send at once.
+    /// Number of fragments that a mind may send in a burst.
     pub const BURST: f64 = 20.0;
     /// Fragments a second of story time that it may send for long.
     pub const RATE_HZ: f64 = 10.0;
@@ -45,7 +45,7 @@ pub mod limits {
     pub const MINDS: usize = 64;
 }
 
-/// An arm is down again this long after its last stroke, seconds: hold and retraction.
+/// Time after its last stroke at which an arm is down again, seconds: hold and retraction.
 const SETTLE_SECS: f64 = 2.0;
 
 /// The outcome of a fragment.
@@ -61,13 +61,14 @@ pub struct FragmentOutcome {
     pub utterances: Vec<UtteranceCue>,
     /// The index of the first of [`Performed::utterances`].
     pub first_utterance: usize,
-    /// What it asks, by time; whoever has sent it performs what follows from the answers.
+    /// Questions, by time; the sender of the fragment performs the reactions to the answers.
     pub questions: Vec<QuestionCue>,
     /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
     /// It was no fragment but the message `<interrupt/>`.
     pub interrupts: bool,
-    /// When `<interrupt/>` ended something, story time, seconds; see [`crate::Player::interrupt`].
+    /// Story time at which `<interrupt/>` ended something, seconds; see
+    /// [`crate::Player::interrupt`].
     pub cut_secs: Option<f64>,
 }
 
@@ -90,26 +91,26 @@ struct Fragment {
     first_utterance: usize,
     marks: SortedMap<Name, f64>,
     plan: ScriptPlan,
-    /// When it was interrupted: moments after that never come. Infinite where it was not.
+    /// Time of the interruption: later markers never occur. Infinite if it was not interrupted.
     cut_secs: f64,
-    /// None of its cues has been delivered: they may lie before the time up to which all others
-    /// were.
+    /// True if none of its cues has been delivered: they may precede the delivery time of all
+    /// others.
     fresh: bool,
 }
 
-/// How much a mind may still send.
+/// Remaining send budget of a mind.
 struct SendBudget {
     mind: u32,
     fragments: f64,
     at_secs: f64,
 }
 
-/// A fragment as it comes.
+/// An incoming fragment.
 pub(crate) struct FragmentText<'a> {
-    /// Which mind sends it.
+    /// Index of the sending mind.
     pub(crate) mind: u32,
     pub(crate) text: &'a str,
-    /// Story time at which it comes, seconds.
+    /// Story time of arrival, seconds.
     pub(crate) now_secs: f64,
     /// Story time from which its own times count, seconds.
     pub(crate) base_secs: f64,
@@ -119,7 +120,7 @@ pub(crate) struct FragmentText<'a> {
 pub(crate) struct LiveContext<'a> {
     pub(crate) cast: &'a Cast,
     pub(crate) library: &'a Library,
-    /// The story's script, for its bundle, its named moments and its sets.
+    /// The story's script, for its bundle, its markers and its sets.
     pub(crate) script: &'a Script,
     pub(crate) story: &'a ScriptPlan,
     /// The actor before the fragment joins.
@@ -128,20 +129,20 @@ pub(crate) struct LiveContext<'a> {
 
 /// The live performance: the fragments that have joined the story.
 pub(crate) struct LivePerformance {
-    /// In the order in which they came.
+    /// Fragments in order of arrival.
     fragments: Vec<Fragment>,
     fragments_begun: u32,
     utterances_begun: usize,
     allowances: Vec<SendBudget>,
     /// Commands of forgotten fragments that stay in force.
     carried: CarriedCommands,
-    /// Cues that are delivered next, whatever their time: clauses that a seek has passed over, and
-    /// ends of what was interrupted.
+    /// Cues to deliver next, whatever their time: clauses skipped by a seek, and ends of
+    /// interrupted actions.
     due: Vec<Cue>,
 }
 
 impl LivePerformance {
-    /// `utterances` is how many the story has.
+    /// Creates a live performance; `utterances` is the number of the story's utterances.
     pub(crate) fn new(utterances: usize) -> Self {
         Self {
             fragments: Vec::new(),
@@ -153,7 +154,7 @@ impl LivePerformance {
         }
     }
 
-    /// The plans of all fragments, in the order in which they came.
+    /// Returns the plans of all fragments, in order of arrival.
     pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
         self.fragments.iter().map(|f| &f.plan)
     }
@@ -163,7 +164,7 @@ impl LivePerformance {
         &self.carried
     }
 
-    /// When the last clause ends, story time; minus infinity when there is none.
+    /// Returns the end time of the last clause, story time; minus infinity if there is none.
     pub(crate) fn end_secs(&self) -> f64 {
         let ends = self.fragments.iter().map(|f| f.end_secs);
         ends.fold(f64::NEG_INFINITY, f64::max)
@@ -176,7 +177,7 @@ impl LivePerformance {
             .flat_map(|f| (f.first_utterance..).zip(&f.plan.utterances))
     }
 
-    /// Whether a mind may send at a time without being refused for its pace.
+    /// Returns true if a mind may send at a time without exceeding its rate limit.
     pub(crate) fn has_room(&self, mind: u32, now_secs: f64) -> bool {
         let mut known = self.allowances.iter();
         known
@@ -184,7 +185,7 @@ impl LivePerformance {
             .is_none_or(|a| a.remaining(now_secs) >= 1.0)
     }
 
-    /// Takes one fragment from a mind's allowance, if it has one left.
+    /// Deducts one fragment from a mind's budget, if any is left.
     fn spend(&mut self, mind: u32, now_secs: f64) -> bool {
         let known = self.allowances.iter().position(|a| a.mind == mind);
         let mut allowance = match known {
@@ -207,7 +208,7 @@ impl LivePerformance {
         may
     }
 
-    /// Takes a fragment into the performance.
+    /// Admits a fragment to the performance.
     pub(crate) fn admit(
         &mut self,
         incoming: &FragmentText<'_>,
@@ -278,7 +279,7 @@ impl LivePerformance {
         Ok(())
     }
 
-    /// Refuses what comes too fast.
+    /// Rejects fragments that exceed the rate limit.
     fn check_rate(&mut self, mind: u32, now_secs: f64) -> Result<(), Diagnostic> {
         if !self.spend(mind, now_secs) {
             let message = "too many fragments at once; this one was not read";
@@ -288,7 +289,7 @@ impl LivePerformance {
     }
 
     /// Resolves the names that a fragment takes from the story and from earlier fragments. The
-    /// performer is the story's, and so is the language that is mimed.
+    /// performer is the story's, and so is the language used for lip animation.
     fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &LiveContext<'_>) {
         let late = times::bind(&mut parsed.document, base_secs, |name| {
             let story = &scene.script.timeline.marks;
@@ -304,8 +305,8 @@ impl LivePerformance {
         }
     }
 
-    /// Gives a fragment its times on the story's clock, late enough for its hands to come in
-    /// time and for others to have said what they say, and reports its problems.
+    /// Schedules a fragment on the story's clock, late enough for its hands and for others' speech
+    /// to end, and reports its problems.
     fn timed_script(
         &self,
         parsed: Parsed,
@@ -359,13 +360,13 @@ impl LivePerformance {
         carried.chain(live).cloned().collect()
     }
 
-    /// The story time of a name in the remembered fragments; of several, the last that came.
+    /// Returns the story time of a name in the stored fragments; of several, the most recent.
     fn mark(&self, name: &str) -> Option<f64> {
         let mut fragments = self.fragments.iter().rev();
         fragments.find_map(|f| f.marks.get(name).copied().filter(|at| *at <= f.cut_secs))
     }
 
-    /// Forgets fragments that ended long ago, and as many more ended ones as it takes.
+    /// Removes fragments that ended long ago, and as many other ended ones as necessary.
     fn evict(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
         let over = |f: &Fragment, secs: f64| f.end_secs + SETTLE_SECS + secs < now_secs;
         while let Some(old) = self
@@ -455,14 +456,14 @@ impl LivePerformance {
 }
 
 impl SendBudget {
-    /// The remainder at a time. A clock that went back gives nothing.
+    /// Returns the remaining budget at a time. A clock that went back adds nothing.
     fn remaining(&self, now_secs: f64) -> f64 {
         let since_secs = (now_secs - self.at_secs).max(0.0);
         (self.fragments + since_secs * limits::RATE_HZ).min(limits::BURST)
     }
 }
 
-/// The cues after one time up to and including another; none when time runs backwards.
+/// Returns the cues after one time up to and including another; empty when time runs backwards.
 pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
     let first = cues.partition_point(|c| c.time_secs <= from_secs);
     let last = cues.partition_point(|c| c.time_secs <= to_secs);
@@ -482,7 +483,7 @@ fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
         .collect()
 }
 
-/// Refuses what is too long.
+/// Rejects overlong text.
 fn check_length(text: &str) -> Result<(), Diagnostic> {
     if text.len() > limits::FRAGMENT_BYTES {
         let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);

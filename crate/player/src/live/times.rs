@@ -9,9 +9,9 @@ use raconteur_eml::{ClauseKind, Diagnostic, Document, Name, NameTerm};
 
 use crate::lower::anchor::{ANCHOR, add_anchor};
 
-/// Replaces the names that a fragment does not define itself by their times. `base_secs` is
-/// the story time of the fragment's start, `outside` the story time of a name. Where a sum of
-/// outside moments has passed, the clause starts at once, with a warning.
+/// Replaces the names that a fragment does not define itself by their times. `base_secs` is the
+/// story time of the fragment's start, `outside` the story time of a name. If a sum of outside
+/// markers has passed, the clause starts immediately, with a warning.
 pub(super) fn bind(
     document: &mut Document,
     base_secs: f64,
@@ -72,7 +72,7 @@ pub(super) fn bind(
     warnings
 }
 
-/// How many clauses play when all repetitions are played out, as far as `most`.
+/// Returns the number of clauses with all repetitions played, up to `most`.
 pub(super) fn played_out(document: &Document, most: u64) -> u64 {
     let mut counts = vec![1_u64; document.clauses.len()];
     // Children come after their group, so backwards they are ready when it comes.

@@ -7,13 +7,13 @@ use raconteur_base::order::sort_by_number;
 use crate::lower::cues::UtteranceCue;
 use crate::lower::plan::ScriptPlan;
 
-/// From the end of what was being said to what has waited for it, seconds: a short breath.
+/// Pause between previous speech and speech that waited for it, seconds: a short breath.
 const BREATH_SECS: f64 = 0.15;
 /// Speech that overlaps by less follows on; sums of times are no more exact than this. Seconds.
 const TOUCH_SECS: f64 = 1e-6;
 
-/// By how much a fragment is delayed so that its hands are there in time, seconds. Speech
-/// waits for them, for both are one utterance (GEVH D.2: a lead-in delays the whole).
+/// Returns the delay of a fragment that brings its hands in place in time, seconds. Its speech is
+/// delayed too, since both are one utterance (GEVH D.2: a lead-in delays the whole).
 pub(super) fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
     let mut delay: f64 = 0.0;
     for side in Side::BOTH {
@@ -28,16 +28,16 @@ pub(super) fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
     delay
 }
 
-/// From when on the hands of a fragment can be at the place of a stroke, seconds: its first stroke
-/// comes as much later as its hands are delayed.
+/// Returns the earliest time at which the hands of a fragment can start a stroke, seconds: its
+/// first stroke is delayed by as much as its hands.
 pub(super) fn hands_from(plan: &ScriptPlan, run_up_secs: f64) -> f64 {
     let strokes = plan.strokes.iter().flatten();
     let first = strokes.map(|stroke| stroke.start_secs).reduce(f64::min);
     first.map_or(f64::NEG_INFINITY, |first| first + run_up_secs)
 }
 
-/// The shortest delay, and no less than `least_secs`, with which `own` speech falls together with
-/// none of the others. What one fragment says at once by itself stays so.
+/// Returns the shortest delay, at least `least_secs`, with which `own` speech overlaps none of the
+/// others. Overlaps within one fragment remain.
 pub(super) fn turn<'a>(
     own: &[UtteranceCue],
     others: impl Iterator<Item = &'a UtteranceCue>,
@@ -62,7 +62,7 @@ pub(super) fn turn<'a>(
     })
 }
 
-/// When an utterance is heard; none for one that takes no time.
+/// Returns the audible interval of an utterance; `None` if it has no duration.
 fn span(cue: &UtteranceCue) -> Option<(f64, f64)> {
     let (start, end) = (cue.timed.start_secs, cue.timed.end_secs());
     (end > start).then_some((start, end))

@@ -6,12 +6,12 @@ use raconteur_eml::{Clause, ClauseId, ClauseKind, Document, Span, TimeExpr};
 /// Names the fragment's own start; no document can write it.
 pub(crate) const ANCHOR: &str = "";
 
-/// Whether a clause is the anchor.
+/// Returns true if a clause is the anchor.
 pub(crate) fn is_anchor(clause: &Clause) -> bool {
     clause.time_id.as_deref().is_some_and(is_anchor_name)
 }
 
-/// Whether a mark is the anchor's.
+/// Returns true if a mark is the anchor's.
 pub(crate) fn is_anchor_name(name: &str) -> bool {
     name == ANCHOR
 }

@@ -11,10 +11,10 @@ use raconteur_eml::{
     layer_number, nearest, quoted,
 };
 
-/// Layers of a player where the script gives no number.
+/// Default number of layers of a player.
 const LAYERS: usize = 2;
 
-/// A script's commands to animation players, by time, and the clauses that give them.
+/// Returns a script's commands to animation players, by time, and their clauses.
 pub(crate) fn commands(
     document: &Document,
     timeline: &Timeline,
@@ -83,8 +83,8 @@ fn player_kind(kind: raconteur_eml::PlayerKind, layers: Option<u32>) -> PlayerKi
     }
 }
 
-/// The operation of a clause; none when it puts on an animation without a name, which the
-/// checks of the language report.
+/// Returns the operation of a clause; `None` if it adds an unnamed animation, which the language
+/// checks report.
 fn operation(primitive: &DeterministicPrimitive) -> Option<Operation> {
     let name = || primitive.animation.clone();
     Some(match primitive.primitive {
@@ -216,14 +216,14 @@ const SHIPPED: &[&str] = &[
     "welcome",
 ];
 
-/// What to do about an animation that was not found: the name of the library that is meant.
+/// Returns a hint for an unknown animation: the name in the library that is probably meant.
 pub(crate) fn hint(name: &str) -> Option<String> {
     let near = nearest(name, SHIPPED.iter().copied())?;
     Some(format!("did you mean `{near}`?"))
 }
 
-/// What commands of a script cannot do; of a live fragment, after all that was commanded
-/// `before`. Missing animations are reported when the page provides none.
+/// Returns the problems of a script's commands; of a live fragment, after all commands `before`.
+/// Missing animations are reported if the page provides none.
 pub(crate) fn problems(
     document: &Document,
     timeline: &Timeline,

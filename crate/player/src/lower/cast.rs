@@ -24,8 +24,7 @@ pub(crate) struct Cast {
 }
 
 impl Cast {
-    /// Measures a figure for a story. `handedness` is the dominant hand that the page chooses,
-    /// if it does.
+    /// Measures a figure for a story. `handedness` is the dominant hand chosen by the page, if any.
     pub(crate) fn new(figure: Arc<Figure>, document: &Document, handedness: Option<Side>) -> Self {
         Self {
             face: FaceRig::new(&figure),
@@ -37,8 +36,8 @@ impl Cast {
         }
     }
 
-    /// What of a document this figure cannot do: targets out of its reach, control parameters
-    /// that do not exist.
+    /// Returns the parts of a document that this figure cannot perform: targets out of reach,
+    /// unknown control parameters.
     pub(crate) fn problems(&self, document: &Document) -> Vec<Diagnostic> {
         let far = reach::out_of_reach(document, &self.units, &self.reach, self.hands);
         far.into_iter()
@@ -47,7 +46,7 @@ impl Cast {
             .collect()
     }
 
-    /// How many morph targets the figure has.
+    /// Returns the number of the figure's morph targets.
     pub(crate) fn morphs(&self) -> usize {
         self.figure.morph_names.len()
     }

@@ -4,12 +4,12 @@ use raconteur_actor::Library;
 use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_stage::{Gesture, TakenSpace};
 
-/// Animations that take the figure farther from its place than this, share of stature, are seen
-/// as a whole. Designed: a nod or a shift of weight is not.
+/// Displacement of the figure, share of stature, from which an animation is framed as a whole.
+/// Designed: a nod or a shift of weight stays below it.
 const SMALL_WAY: f64 = 0.03;
 
-/// The space in the picture that commands of animation players need, and when. `commands` are in
-/// any order, with their times in seconds.
+/// Returns the image space that commands of animation players need, and its times. `commands` are
+/// in any order, with their times in seconds.
 pub(crate) fn spaces(
     commands: &[(f64, PlayerCommand)],
     library: &Library,
@@ -38,7 +38,8 @@ pub(crate) fn spaces(
         .collect()
 }
 
-/// When what plays from a time on is changed, seconds; never without such a command.
+/// Returns the time of the next change of the playback after a time, seconds; infinite without such
+/// a command.
 fn next_change(commands: &[(f64, PlayerCommand)], time_secs: f64) -> f64 {
     commands
         .iter()

@@ -5,7 +5,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Document, Fidelity, Lead};
 use raconteur_stage::{EmotionEnvelope, EmotionTimeline};
 
-/// Which channels express emotions.
+/// Environment channels that express emotions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Channels {
     pub(crate) camera: bool,
@@ -16,7 +16,7 @@ pub(crate) struct Channels {
 }
 
 impl Channels {
-    /// As a script has them: all where it does not say.
+    /// Returns the channels of a script; all if unspecified.
     pub(crate) fn from_document(document: &Document) -> Self {
         let on = |of: fn(&raconteur_eml::Environment) -> bool| {
             document.environment.as_ref().is_none_or(of)
@@ -33,19 +33,19 @@ impl Channels {
     }
 }
 
-/// Who has taken a channel over.
+/// Current controller of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ControlSource {
-    /// A cue of the script, by its place.
+    /// A cue of the script, by index.
     Script(usize),
-    /// The strongest emotion; none: nothing is felt.
+    /// The strongest emotion; `None` for no emotion.
     Emotion(Option<EmotionEnvelope>),
 }
 
-/// Who takes a channel over, by time. `cues` are the times at which the script says something and
-/// who leads from then on, by time; `follows` whether emotions lead at first. What an emotion has taken
-/// stays for `least_secs` at least unless the script takes it, and as long as what follows is the
-/// `same`. What comes later never changes what was before.
+/// Returns the controllers of a channel, by time. `cues` are the times of the script's cues with
+/// the controller from then on, by time; `follows` is true if emotions control it initially. An
+/// emotion holds control for at least `least_secs` unless the script takes it, and as long as its
+/// successor is the `same`. Later events never change earlier results.
 pub(crate) fn leaders(
     cues: &[(f64, Lead)],
     feelings: &EmotionTimeline,

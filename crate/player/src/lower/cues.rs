@@ -8,18 +8,18 @@ use crate::Script;
 use crate::lower::anchor::{is_anchor, is_anchor_name};
 use crate::lower::utterance;
 
-/// A moment that listeners are notified of.
+/// An event that listeners are notified of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cue {
     /// Story time, seconds.
     pub time_secs: f64,
-    /// Which fragment of a live performance it belongs to; none: the story itself.
+    /// Fragment of a live performance that it belongs to; `None` for the story itself.
     pub fragment: Option<u32>,
-    /// What happens.
+    /// Kind of event.
     pub kind: CueKind,
 }
 
-/// What happens at a cue.
+/// Kind of event at a cue.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CueKind {
     /// A word begins.
@@ -46,7 +46,7 @@ pub enum CueKind {
         /// Its index.
         utterance: usize,
     },
-    /// A named moment comes.
+    /// A marker is reached.
     Mark {
         /// Its name, from a `timeId` or a `tm`.
         name: String,
@@ -66,7 +66,7 @@ pub enum CueKind {
     },
 }
 
-/// What identifies a clause to listeners.
+/// Identification of a clause for listeners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClauseRef {
     /// Its index among the clauses of its script or fragment, from 0 in document order.
@@ -87,18 +87,18 @@ impl ClauseRef {
     }
 }
 
-/// An utterance of a script at its time, and what the page needs to have it heard.
+/// An utterance of a script with its time, and the data that the page needs to play it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UtteranceCue {
     /// The utterance, with words as the script writes them; without sound when it was not baked.
     pub timed: TimedUtterance,
-    /// Whether the times are guessed because it was not baked.
+    /// True if the times are estimated because it was not baked.
     pub estimated: bool,
-    /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
-    /// it is in; none where the page decides.
+    /// BCP 47 tag of its language: of the baked voice, or of the markup around all of it; `None`
+    /// leaves it to the page.
     pub language: Option<String>,
-    /// The voice that the script names for it alone or by `voice-change`; none where it is the
-    /// story's own.
+    /// Voice that the script names for it directly or by `voice-change`; `None` for the story's
+    /// own.
     pub voice: Option<String>,
     /// The phone set of its voice, for example `radio`.
     pub phone_set: String,

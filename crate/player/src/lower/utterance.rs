@@ -106,7 +106,7 @@ mod tests {
     use raconteur_speech::Bundle;
 
     /// What a script says.
-    fn said(eml: &str, bundle: Option<&str>) -> Vec<UtteranceCue> {
+    fn spoken_words(eml: &str, bundle: Option<&str>) -> Vec<UtteranceCue> {
         utterances(&Script::read(eml, bundle.map(str::as_bytes)))
     }
 
@@ -114,7 +114,7 @@ mod tests {
     fn what_was_baked_keeps_its_melody_and_is_written_as_in_the_script() {
         let eml = include_str!("../../../../assets/stories/hello-world/story.eml");
         let json = include_str!("../../../../assets/stories/hello-world/voice/speech.json");
-        let cues = said(eml, Some(json));
+        let cues = spoken_words(eml, Some(json));
         let bundle = Bundle::from_json(json.as_bytes()).expect("a bundle");
         let (said, baked) = (&cues[0].timed.utterance, &bundle.utterances[0]);
         assert_eq!((&said.f0, &said.phones), (&baked.f0, &baked.phones));
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn what_was_not_baked_has_words_and_phones_at_estimated_times() {
         let eml = "<eml><body><voice-text>one <emph>two</emph> three</voice-text></body></eml>";
-        let cues = said(eml, None);
+        let cues = spoken_words(eml, None);
         let said = &cues[0].timed.utterance;
         let emphasized: Vec<bool> = said.words.iter().map(|w| w.emphasized).collect();
         assert_eq!(emphasized, [false, true, false]);
@@ -157,21 +157,24 @@ mod tests {
             let open = "<eml xmlns:r='urn:raconteur:eml:1'>";
             format!("{open}<head>{head}</head><body>{text}</body></eml>")
         };
-        let german = said(&eml(head), None);
+        let german = spoken_words(&eml(head), None);
         assert_eq!(mimed(&german[0]), ["f iy ah", "v aa l ax"]);
         assert_eq!(mimed(&german[1]), ["f ao r", "w ey l z"]);
         let poem = include_str!(
             "../../../../assets/stories/virtual-poets/zwei-parallelen/voice/speech.json"
         );
-        assert_eq!(mimed(&said(&eml(""), Some(poem))[0]), mimed(&german[0]));
-        assert_ne!(mimed(&said(&eml(""), None)[0]), mimed(&german[0]));
+        assert_eq!(
+            mimed(&spoken_words(&eml(""), Some(poem))[0]),
+            mimed(&german[0])
+        );
+        assert_ne!(mimed(&spoken_words(&eml(""), None)[0]), mimed(&german[0]));
     }
 
     #[test]
     fn phones_share_the_time_of_their_word() {
         let text = "Bumblebees 1984 hum, \u{e4}\u{65e5} don’t &amp; x<break msec='300'/> 99%";
         let eml = format!("<eml><body><voice-text>{text}</voice-text></body></eml>");
-        let cues = said(&eml, None);
+        let cues = spoken_words(&eml, None);
         let said = &cues[0].timed.utterance;
         let mut now = 0.0;
         for phone in &said.phones {

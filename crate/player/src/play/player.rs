@@ -8,7 +8,7 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{EmotionTimeline, Frame, Lighting, SetKind, View};
+use raconteur_stage::{EmotionTimeline, Frame, Lighting, StageSet, View};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -84,7 +84,7 @@ pub struct Player {
     /// The lamps that the page chooses; none: those of the story's set.
     lighting: Option<Lighting>,
     /// The place that the page chooses; none: the story's.
-    place: Option<SetKind>,
+    set_override: Option<StageSet>,
     picture: ShotDirector,
     layers: ActorCrossfade,
     /// The tissue of the face, if the figure has any.
@@ -143,7 +143,7 @@ impl Player {
             picture: ShotDirector::new(&options, &score.story, &feelings),
             feelings,
             lighting: None,
-            place: None,
+            set_override: None,
             score,
             clock: Clock::new(),
             layers: ActorCrossfade::new(actor, needs, morphs),
@@ -382,8 +382,8 @@ impl Player {
     }
 
     /// Where the story is told; by none, where it says.
-    pub fn set_place(&mut self, place: Option<SetKind>) {
-        self.place = place;
+    pub fn override_set(&mut self, set: Option<StageSet>) {
+        self.set_override = set;
     }
 
     /// Keeps hands and feet above captions that take this share of the picture's height at its lower

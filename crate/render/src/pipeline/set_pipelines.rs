@@ -1,6 +1,6 @@
 //! What draws the stage: one program for each place, compiled when a story first goes there.
 
-use raconteur_stage::SetKind;
+use raconteur_stage::StageSet;
 use wgpu::{Device, RenderPipeline};
 
 use super::{
@@ -18,13 +18,13 @@ pub(crate) struct SetPipelines {
 
 /// The fragment shader of a place. Each is a program of its own, so that none pays for another's
 /// branches where a rasteriser runs both sides.
-fn theatre_entry(kind: SetKind) -> &'static str {
+fn theatre_entry(kind: StageSet) -> &'static str {
     match kind {
-        SetKind::Curtain | SetKind::Studio => "fs_theatre",
-        SetKind::Fireside => "fs_fireside",
-        SetKind::Garden => "fs_garden",
-        SetKind::Night => "fs_night",
-        SetKind::School => "fs_school",
+        StageSet::Curtain | StageSet::Studio => "fs_theatre",
+        StageSet::Fireside => "fs_fireside",
+        StageSet::Garden => "fs_garden",
+        StageSet::Night => "fs_night",
+        StageSet::School => "fs_school",
     }
 }
 
@@ -34,7 +34,7 @@ impl Pipelines {
         &mut self,
         device: &Device,
         shared: &SharedResources,
-        kind: SetKind,
+        kind: StageSet,
     ) {
         while self.make_theatre(device, shared, kind) {}
         let entry = theatre_entry(kind);
@@ -47,7 +47,7 @@ impl Pipelines {
         &mut self,
         device: &Device,
         shared: &SharedResources,
-        kind: SetKind,
+        kind: StageSet,
     ) -> bool {
         let entry = theatre_entry(kind);
         let target = self.target;

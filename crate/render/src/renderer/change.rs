@@ -1,6 +1,6 @@
 //! Another quality: at once, or without holding a picture up.
 
-use raconteur_stage::SetKind;
+use raconteur_stage::StageSet;
 
 use wgpu::Device;
 
@@ -17,7 +17,7 @@ impl Renderer {
         if self.tier.options.quality != options.quality {
             self.tier = self.make_tier(options);
             self.targets = None;
-            self.compile(SetKind::Curtain);
+            self.compile(StageSet::Curtain);
         }
         self.update_tier();
     }
@@ -47,7 +47,7 @@ impl Renderer {
     }
 
     /// Compiles one program of the quality that is on its way, and takes it when it has all.
-    pub(super) fn resume(&mut self, set: SetKind) {
+    pub(super) fn resume(&mut self, set: StageSet) {
         let Some(mut tier) = self.coming.take() else {
             return;
         };
@@ -66,7 +66,7 @@ impl Renderer {
     }
 
     /// Compiles all that the present quality needs for a place and the figure.
-    pub(super) fn compile(&mut self, set: SetKind) {
+    pub(super) fn compile(&mut self, set: StageSet) {
         let figure = self.figure.as_ref();
         while compile_one((&self.device, &self.shared), figure, &mut self.tier, set) {}
     }
@@ -85,7 +85,7 @@ fn compile_one(
     (device, shared): (&Device, &SharedResources),
     figure: Option<&GpuFigure>,
     tier: &mut Tier,
-    set: SetKind,
+    set: StageSet,
 ) -> bool {
     let keys = figure.into_iter().flat_map(GpuFigure::pipeline_keys);
     tier.pipelines

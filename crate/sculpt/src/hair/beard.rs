@@ -10,7 +10,7 @@ use super::cut::{BeardCut, LIPS_Y, height_of, on_lip, slope};
 use super::roots::{scattered, spread};
 use super::space::Sample;
 use crate::assemble::PartWithNormals;
-use crate::head::{Ear, Head, Holds, ScalpBinding};
+use crate::head::{Ear, Head, ScalpBinding, VertexWeights};
 use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
@@ -256,7 +256,7 @@ struct BeardInProgress<'a> {
     density: f64,
     part: MeshPart,
     normals: Vec<DVec3>,
-    holds: Vec<Holds>,
+    holds: Vec<VertexWeights>,
 }
 
 impl BeardInProgress<'_> {

@@ -44,37 +44,37 @@ const EAR_RINGS: [f64; 11] = [
     1.0, 0.94, 0.88, 0.81, 0.74, 0.64, 0.53, 0.40, 0.27, 0.15, 0.07,
 ];
 
-/// How often the face's texels are shared out anew, and from which to which depth in front
-/// of the ears that begins, mm.
+/// Number of redistributions of the face's texels; the next constant is the depth range in front of
+/// the ears over which they start, mm.
 const EVENINGS: usize = 1;
 const FRONT_MM: [f64; 2] = [35.0, 75.0];
 
-/// Where the crown's midline stops being cut: positions on the patch from the front.
+/// Position on the patch, from the front, behind which the crown's midline is not cut.
 const CUT_FROM: u8 = 2;
 
-/// What all heads share.
+/// Texture chart shared by all heads.
 pub(crate) struct Chart {
-    /// The drawn surface's faces over the vertices of the chart, which are doubled along
-    /// the cut.
+    /// Faces of the rendered surface over the vertices of the chart, which are doubled along the
+    /// cut.
     pub(crate) faces: Vec<Vec<u32>>,
-    /// The drawn vertex of each of them.
+    /// Rendered vertex of each chart vertex.
     pub(crate) source: Vec<u32>,
-    /// Place in the atlas, 0..1.
+    /// Texture coordinates in the atlas, 0..1.
     pub(crate) uv: Vec<[f64; 2]>,
-    /// The drawn vertices on the mean head, mm.
+    /// Rendered vertices on the mean head, mm.
     pub(crate) mean: Vec<DVec3>,
-    /// Places on the mean head.
+    /// Positions on the mean head.
     pub(crate) places: Places,
 }
 
 impl Chart {
-    /// A quantity of the drawn vertices for the chart's.
+    /// Maps values of the rendered vertices to the chart's vertices.
     pub(crate) fn select<T: Copy>(&self, drawn: &[T]) -> Vec<T> {
         self.source.iter().map(|&v| drawn[v as usize]).collect()
     }
 }
 
-/// Places on the mean head by the cage's coordinates, with fractions; left half, mm.
+/// Positions on the mean head by fractional coordinates of the cage; left half, mm.
 #[derive(Debug)]
 pub(crate) struct Places {
     cage: Cage,
@@ -93,8 +93,8 @@ impl Places {
         low.lerp(high, b - j)
     }
 
-    /// A place by column (0..20) and row (0..31). Within a hole of the grid the nearest
-    /// vertices of its border stand in.
+    /// Returns the position at column (0..20) and row (0..31). Within a hole of the grid, the
+    /// nearest vertices of its border are used.
     pub(crate) fn grid(&self, column: f64, row: f64) -> DVec3 {
         let column = column.clamp(0.0, f64::from(LAST_COLUMN) - 1e-6);
         let row = row.clamp(0.0, f64::from(LAST_ROW) - 1e-6);
@@ -118,14 +118,14 @@ impl Places {
         })
     }
 
-    /// A place by the eye's ring (0..8) and the position around (0..16, wraps).
+    /// Returns the position at the eye's ring (0..8) and the position around (0..16, wraps).
     pub(crate) fn eye(&self, ring: f64, position: f64) -> DVec3 {
         Self::between(ring.clamp(0.0, 7.999), position.rem_euclid(16.0), |r, k| {
             self.position_of(Key::eye(r, usize::from(k)))
         })
     }
 
-    /// A place by the mouth's ring (0..5) and the position along it (0..12).
+    /// Returns the position at the mouth's ring (0..5) and the position along it (0..12).
     pub(crate) fn mouth(&self, ring: f64, position: f64) -> DVec3 {
         Self::between(
             ring.clamp(0.0, 4.999),
@@ -135,7 +135,7 @@ impl Places {
     }
 }
 
-/// The chart, made once: it depends on nothing.
+/// Returns the chart, computed once: it has no inputs.
 pub(crate) fn chart() -> &'static Chart {
     static CHART: OnceLock<Chart> = OnceLock::new();
     CHART.get_or_init(make)
@@ -277,7 +277,8 @@ impl Net<'_> {
         }
     }
 
-    /// Where the outline is held: on both sides, from the front of the neck round to the end of the cut.
+    /// Returns the fixed positions of the outline: on both sides, from the front of the neck round
+    /// to the end of the cut.
     fn outline(&self, lengths: &Lengths) -> Vec<(u32, DVec2)> {
         let g = Key::Grid;
         let half: f64 = lengths.across.iter().sum();
@@ -307,7 +308,8 @@ impl Net<'_> {
         held
     }
 
-    /// What is held together: the lips meet; the lids stand open, and their lining follows below.
+    /// Returns the bridges between vertices: the lips are joined; the lids stay open, and their
+    /// lining follows below.
     fn bridges(&self) -> Vec<(u32, u32, f64)> {
         let mut bridges = Vec::new();
         for side in Side::BOTH {
@@ -364,7 +366,7 @@ impl Net<'_> {
         }
     }
 
-    /// Lays the bag behind the lips onto the line where they meet.
+    /// Places the mouth cavity on the line where the lips meet.
     fn lay_mouth(&self, flat: &mut [DVec2]) {
         for side in Side::BOTH {
             for k in 0..13 {

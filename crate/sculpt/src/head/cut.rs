@@ -10,7 +10,7 @@ use super::surface::Surface;
 use crate::part::{MeshPart, PartMorph, PartVertex};
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
-/// Inside of the mouth: a part of its own.
+/// Returns true for the mouth cavity, which is a separate part.
 pub(super) fn is_bag(zone: Zone) -> bool {
     matches!(zone, Zone::Mouth(5..))
 }
@@ -26,8 +26,8 @@ pub(super) fn skin_cut(vertices: &[PartVertex]) -> PartCut<'_> {
     }
 }
 
-/// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
-/// a place twice where its texture has a seam.
+/// Returns the surface vertex of each vertex of a part cut from it, by position: a part may contain
+/// a position twice at a texture seam.
 pub(super) fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
     let key = |p: DVec3| p.to_array().map(f64::to_bits);
     let by_place: BTreeMap<[u64; 3], u32> = positions
@@ -48,7 +48,7 @@ pub(super) struct PartCut<'a> {
     pub(super) roughness: f32,
     /// Vertices of the whole surface.
     pub(super) vertices: &'a [PartVertex],
-    /// Whether faces of a zone belong to it.
+    /// Predicate that selects the zones of the part.
     pub(super) keep: fn(Zone) -> bool,
 }
 

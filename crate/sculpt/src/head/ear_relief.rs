@@ -10,10 +10,10 @@ use super::cage::{Key, Points};
 use super::registration::ear::NORMAL;
 use super::rig::smooth;
 
-/// Height of an adult's ear from the rim's top to its lowest place, mm; relief grows with it.
+/// Height of an adult's ear from the rim's top to its lowest point, mm; the relief scales with it.
 const HEIGHT_MM: f64 = 62.0;
 
-/// What is moved: rings, positions, how far outwards, backwards and up, mm.
+/// Displaced area: rings, positions, and displacement outwards, backwards and up, mm.
 type Part = ([u8; 2], [u8; 2], [f64; 3]);
 
 /// Rings from the rim (4) inwards; positions from the root of the helix (2) over its top (5) and
@@ -48,8 +48,8 @@ const PARTS: [Part; 20] = [
     ([6, 7], [13, 15], [0.9, 0.0, -0.5]),
 ];
 
-/// How far the rim comes in to the head at its positions about the top, mm, so that seen from the
-/// front the ear is round above.
+/// Displacement of the rim towards the head at its positions around the top, mm, so that the top of
+/// the ear is round in frontal view.
 const TOP_MM: [(u8, f64); 5] = [(3, 0.8), (4, 2.2), (5, 3.0), (6, 2.2), (7, 0.8)];
 
 /// Shapes the left ear of a cage.

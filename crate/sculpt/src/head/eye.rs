@@ -11,8 +11,8 @@ use raconteur_body::skeleton::{Bone, Drive};
 
 /// Radius of the cornea's sphere, mm (7.8; Gray's Anatomy; *paper*).
 const CORNEA_RADIUS_MM: f64 = 7.8;
-/// How far the corneal apex stands in front of the globe's own sphere, mm. Chosen by eye
-/// a little below anatomy, so that the closed lid clears it.
+/// Distance of the corneal apex in front of the globe's own sphere, mm. Chosen by eye slightly
+/// below anatomy, so that the closed lid clears it.
 const BULGE_MM: f64 = 0.9;
 const SEGMENTS: usize = 24;
 
@@ -60,7 +60,7 @@ fn cornea_radius(angle: f64) -> f64 {
     }
 }
 
-/// What a part of the eye is made of.
+/// Material parameters of a part of the eye.
 struct Look {
     kind: MaterialKind,
     roughness: f32,

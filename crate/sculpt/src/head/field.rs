@@ -7,14 +7,14 @@ use raconteur_base::{DVec3, Side, mirror_vector, ops};
 use super::binding::{Mark, ModelHeadShape};
 use super::cage::Key;
 
-/// A soft pull: what lies about a place goes with it, less and less with the distance.
+/// Soft deformation: the surroundings of a point follow it with a falloff by distance.
 #[derive(Clone, Copy, Debug)]
 struct SoftPull {
-    /// The place, on the left.
+    /// Point on the left.
     at: Mark,
     /// Standard deviation of the bell, mm.
     radius_mm: f64,
-    /// Where the place goes at the amount 1: outwards, up, to the front; mm.
+    /// Displacement of the point at amount 1: outwards, up, to the front; mm.
     shift_mm: [f64; 3],
     /// The only side that it is on.
     side: Option<Side>,
@@ -25,8 +25,8 @@ struct SoftPull {
 pub struct Field {
     /// Its name.
     pub name: &'static str,
-    /// Standard deviation of its amount from face to face. Designed: within what is seen on
-    /// unposed faces; rests of an expression are slight.
+    /// Standard deviation of its amount between faces. Designed: within the range seen on unposed
+    /// faces; residual expressions are slight.
     pub deviation: f64,
     pulls: &'static [SoftPull],
 }
@@ -205,7 +205,7 @@ struct Bell {
 }
 
 impl Bell {
-    /// By how much a place goes with it.
+    /// Returns the displacement of a position.
     fn displacement(&self, place: DVec3) -> DVec3 {
         let far = (place - self.centre).length_squared() / (self.radius_mm * self.radius_mm);
         if far > 16.0 {

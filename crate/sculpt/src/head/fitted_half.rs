@@ -11,29 +11,30 @@ use super::lining::{
 };
 use super::rig::smooth;
 
-/// Where the lashes root: the thickness of the lid outside the eyeball.
+/// Radius at which the lashes root: the thickness of the lid outside the eyeball.
 const LASH_RADIUS_MM: f64 = GLOBE_RADIUS_MM + 1.5;
-/// The lid plate stands at least this far outside the lashes' sphere, mm.
+/// Minimum distance of the lid plate outside the lashes' sphere, mm.
 const PLATE_MM: f64 = 0.45;
-/// How far the upper lid comes down: the model's eyes are wide open. From 1.1 mm on they are dull.
+/// Lowering of the upper lid at rest, mm: the model's eyes are wide open. From 1.1 mm on they look
+/// dull.
 const LID_REST_MM: f64 = 1.0;
 /// Height of the pupil between the middles of the lower and the upper lid: margin reflex
 /// distances of 5.5 and 4.3 mm (Murchison, Sires and Jian-Amadi 2009,
 /// doi:10.1001/archfacial.2009.23).
 const PUPIL_HEIGHT: f64 = 0.56;
-/// Share of the way from the model's place to the middle between the eye's corners that the
-/// eyeball goes across; pupils stand near that middle. Designed.
+/// Share of the lateral distance from the model's position to the midpoint between the eye's
+/// corners by which the eyeball is moved; pupils are near that midpoint. Designed.
 pub(crate) const CENTRED: f64 = 0.8;
-/// Largest height of the open eye at positions 6 and 7, as a share of that in the middle: the
-/// outer corner is sharp, and the lids can meet there. Designed.
+/// Maximum height of the open eye at positions 6 and 7, as a share of that in the middle: the outer
+/// corner is sharp, and the lids can meet there. Designed.
 const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
-/// How far rings 2 to 5 go with it.
+/// Weights with which rings 2 to 5 follow the lid.
 const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
 
 /// The left half of a head that is fit to move.
 #[derive(Clone, Debug)]
 pub(crate) struct FittedHalf {
-    /// Where the cage's vertices lie, mm; the others are free.
+    /// Positions of the cage's vertices, mm; vertices not listed are free.
     pub(crate) points: Points,
     /// Centre of the eyeball, mm.
     pub(crate) globe: DVec3,
@@ -41,7 +42,7 @@ pub(crate) struct FittedHalf {
     pub(crate) brow: Vec<DVec3>,
 }
 
-/// Fits a bound head; `neck` says where the cage's lowest rows lie.
+/// Fits a bound head; `neck` gives the positions of the cage's lowest rows.
 pub(crate) fn fit(bound: &ModelHeadShape, neck: impl Fn(Key) -> Option<DVec3>) -> FittedHalf {
     let mut points = bound.symmetric();
     smooth_helix(&mut points);
@@ -59,13 +60,13 @@ pub(crate) fn fit(bound: &ModelHeadShape, neck: impl Fn(Key) -> Option<DVec3>) -
     }
 }
 
-/// How far the left eye of a head lies from the middle, mm.
+/// Returns the distance of the left eye of a head from the midline, mm.
 pub(crate) fn eye_mm(bound: &ModelHeadShape) -> f64 {
     fit(bound, |_| None).globe.x
 }
 
-/// Lays the root of the helix between the lines beside it: where an ear stands off it would fold
-/// over.
+/// Smooths the root of the helix between its neighbouring lines: it would fold over where an ear
+/// stands off.
 fn smooth_helix(points: &mut Points) {
     if let (Some(&front), Some(&rear)) = (points.get(&Key::ear(1, 2)), points.get(&Key::ear(3, 2)))
     {
@@ -77,7 +78,7 @@ fn smooth_helix(points: &mut Points) {
 /// collar, and between them the surface is fair.
 const MODEL_NECK_ROW: u8 = 29;
 
-/// The model's neck goes over into ours.
+/// Blends the model's neck into that of this crate.
 fn join_neck(points: &mut Points, neck: impl Fn(Key) -> Option<DVec3>) {
     for row in MODEL_NECK_ROW + 1..=LAST_ROW {
         for column in 0..=LAST_COLUMN {
@@ -164,10 +165,11 @@ fn lids(points: &mut Points, model: DVec3) -> DVec3 {
     globe
 }
 
-/// How far the line where the lips meet lies above the gap before it, mm, so that nothing is seen between them.
+/// Height of the line where the lips meet above the gap in front of it, mm, so that nothing is
+/// visible between them.
 const LIP_ROLL_MM: f64 = 1.7;
 
-/// Lays the lips' inner line beside the corners as on both sides of it: full lips of the model
+/// Smooths the lips' inner line near the corners between its neighbours: full lips of the model
 /// fold over there.
 fn smooth_corners(points: &mut Points) {
     let [outer, inner]: [[DVec3; 13]; 2] = [4, 5].map(|r| ring(points, |k| Key::mouth(r, k)));
@@ -178,13 +180,13 @@ fn smooth_corners(points: &mut Points) {
     }
 }
 
-/// How far a ring of one lip keeps from the other's, mm, for each ring between it and the line
+/// Distance of a ring of one lip from that of the other, mm, for each ring between it and the line
 /// where they meet.
 const LIP_FRONT_MM: f64 = 1.0;
-/// How far they stand apart a ring before that line at most, or teeth would show.
+/// Maximum gap one ring before that line, mm; with more, teeth would be visible.
 const LIP_OPENS_MM: f64 = 1.5;
 
-/// Brings the lips together: the model's stand open by up to 2.4 mm.
+/// Closes the lips: the model's are open by up to 2.4 mm.
 fn lips(points: &mut Points) {
     smooth_corners(points);
     let line: [DVec3; 13] = ring(points, |k| Key::mouth(5, k));
@@ -219,16 +221,18 @@ fn lips(points: &mut Points) {
     }
 }
 
-/// How far the rings of an eye from 0 follow its side of the head: lids keep to their eyeball.
+/// Weights with which the rings of an eye, from 0, follow the asymmetry of its side of the head:
+/// lids stay on their eyeball.
 const EYE_SWAYS: [f64; 9] = [1.0, 0.8, 0.55, 0.3, 0.1, 0.0, 0.0, 0.0, 0.0];
 
-/// A nose stands aslant as a whole, or the thin walls of its nostrils would cross.
+/// Returns the lateral shift of the nose, which is moved as a whole; otherwise the thin walls of
+/// the nostrils would cross.
 fn nose_sway(bound: &ModelHeadShape) -> DVec3 {
     let rim = |side| (0..8).map(move |k| bound.asymmetry(Key::nostril(0, k), side));
     Side::BOTH.into_iter().flat_map(rim).sum::<DVec3>() / 16.0
 }
 
-/// How far a vertex of the grid goes with the tip of the nose.
+/// Returns the weight with which a vertex of the grid follows the tip of the nose.
 fn nose_share(column: u8, row: u8) -> f64 {
     match (column, row) {
         (0..=4, 10..=14) => 1.0,

@@ -15,25 +15,25 @@ use crate::statistics::Row;
 
 /// Within it faces stay usual.
 const MAX_DETAIL: f64 = 0.6;
-/// Weight of a change of a detail by its whole usual range against one standard deviation of a
-/// measure. Designed: most faces come within 0.2 deviations and no detail to its end.
+/// Weight of a change of a detail by its whole usual range, relative to one standard deviation of a
+/// measure. Designed: most faces come within 0.2 deviations and no detail reaches its limit.
 const STAY: f64 = 0.5;
 /// Step by which a detail's effect is found. Effects are straight on either side of zero.
 const STEP: f64 = 0.1;
 /// Rounds; the second knows on which side of zero each detail ends.
 const ROUNDS: usize = 3;
 
-/// Where a measure stands on a head, and what was wanted, in standard deviations from the mean
-/// for its sex and age.
+/// Current and wanted value of a measure of a head, in standard deviations from the mean for its
+/// sex and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasureGoal {
-    /// Which.
+    /// Measure.
     pub measure: Measure,
     /// Before fitting.
     pub before: f64,
     /// After it.
     pub after: f64,
-    /// Wanted.
+    /// Wanted value.
     pub wanted: f64,
 }
 
@@ -97,7 +97,7 @@ impl Fitting<'_> {
         self.details.iter().map(of).collect()
     }
 
-    /// The person with each detail moved; what its halves differ by stays.
+    /// Returns the person with each detail changed; the difference between the halves stays.
     fn moved(&self, traits: &Traits, by: &[f64]) -> Traits {
         let mut all = traits.clone();
         for (detail, by) in self.details.iter().zip(by) {
@@ -145,8 +145,8 @@ impl Fitting<'_> {
     }
 }
 
-/// Moves the details of a person's face, as little as it can and within ±0.6, until its measures
-/// come to wanted ones: standard deviations from the mean for sex and age, by measure.
+/// Adjusts the details of a person's face, as little as possible and within ±0.6, until its
+/// measures reach wanted values: standard deviations from the mean for sex and age, by measure.
 ///
 /// # Errors
 /// When the model lacks what the traits name.

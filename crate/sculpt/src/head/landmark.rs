@@ -100,7 +100,7 @@ const PAIRED: [(&str, Key); 50] = [
     ("atr", Ear(8, 14)),
 ];
 
-/// Whether a vertex of the cage has a name.
+/// Returns true if a vertex of the cage has a name.
 pub(super) fn is_named(key: Key) -> bool {
     MIDDLE.iter().chain(&PAIRED).any(|(_, own)| *own == key)
 }
@@ -118,7 +118,7 @@ fn farthest(shape: &Shape, keep: impl Fn(DVec3, Zone) -> bool, size: impl Fn(DVe
     best.1
 }
 
-/// Name and vertex of the drawn surface.
+/// Returns the landmarks: name and vertex of the rendered surface.
 pub(super) fn landmarks(shape: &Shape) -> Vec<(String, u32)> {
     let vertex = |key, side| shape.surface.vertex_of(shape.cage.vertex(key, side));
     let mut all: Vec<(String, u32)> = Vec::new();

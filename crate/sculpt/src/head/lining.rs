@@ -44,9 +44,9 @@ pub(super) fn line_lids(all: &mut Points, centre: DVec3) {
     }
 }
 
-/// How far the points of each lip keep from the line where lips meet, mm, from the middle to the
-/// corner: the skin bulges by a tenth less between them, so that the lips touch there and do
-/// not pass into each other.
+/// Distance of the points of each lip from the line where the lips meet, mm, from the middle to the
+/// corner: the skin bulges by a tenth less between them, so that the lips touch there without
+/// intersecting.
 pub(super) const LIP_BULGE_MM: [f64; 7] = [0.66, 0.65, 0.62, 0.55, 0.53, 0.40, 0.0];
 
 /// 1 on the upper lip, −1 on the lower, 0 at the corner.
@@ -54,7 +54,7 @@ pub(super) fn upward(k: usize) -> f64 {
     ((6.0 - k as f64) * 0.7).clamp(-1.0, 1.0)
 }
 
-/// The vestibule and the bag behind the line where the lips meet.
+/// Builds the vestibule and the cavity behind the line where the lips meet.
 pub(super) fn line_mouth(all: &mut Points) {
     for k in 0..13 {
         let mut p = all[&Key::mouth(5, k)];

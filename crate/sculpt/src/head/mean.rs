@@ -31,7 +31,8 @@ pub(super) fn solved(cage: &Cage) -> &'static Solved {
     SOLVED.get_or_init(|| solve(cage, &ModelHeadShape::default().symmetric()))
 }
 
-/// Whether a vertex of the cage carries layouts over: every second of the grid, lips and lids.
+/// Returns true if a vertex of the cage is used to transfer layouts: every second one of the grid,
+/// lips and lids.
 fn carries(key: Key) -> bool {
     match key {
         Key::Grid(column, row) => (column + row) % 2 == 0,
@@ -51,7 +52,8 @@ pub(super) fn landmarks(cage: &Cage, person: &Solved) -> Vec<(DVec3, DVec3)> {
         .collect()
 }
 
-/// Carries a place on the left half to a person's by the mean shift of the nearest landmarks.
+/// Returns a map from positions on the left half to those of a person, by the mean shift of the
+/// nearest landmarks.
 pub(super) fn warp(landmarks: &[(DVec3, DVec3)]) -> impl Fn(DVec3) -> DVec3 + use<> {
     let (places, shifts): (Vec<DVec3>, Vec<DVec3>) =
         landmarks.iter().map(|&(at, own)| (at, own - at)).unzip();

@@ -57,8 +57,8 @@ pub enum Measure {
 /// Points by key; the left half, mm.
 pub(crate) type At<'a> = &'a dyn Fn(Key) -> DVec3;
 
-/// How a measure is taken on the left half.
-pub(crate) type Take = fn(At<'_>) -> f64;
+/// Function that takes a measure on the left half.
+pub(crate) type Measurer = fn(At<'_>) -> f64;
 
 /// A measure's definition.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +69,7 @@ pub(crate) struct Definition {
     pub(crate) landmarks: &'static str,
     /// Its statistics.
     pub(crate) row: Row,
-    pub(crate) take: Take,
+    pub(crate) take: Measurer,
 }
 
 fn breadth(p: DVec3) -> f64 {
@@ -114,7 +114,7 @@ macro_rules! row {
 #[rustfmt::skip]
 pub(crate) const DEFINITIONS: [Definition; 22] = {
     use Measure as M;
-    const fn known(measure: M, name: &'static str, landmarks: &'static str, row: Row, take: Take) -> Definition {
+    const fn known(measure: M, name: &'static str, landmarks: &'static str, row: Row, take: Measurer) -> Definition {
         Definition { measure, name, landmarks, row, take }
     }
     [
@@ -166,7 +166,7 @@ pub(crate) const DEFINITIONS: [Definition; 22] = {
 };
 
 impl Measure {
-    /// How many there are.
+    /// Number of measures.
     pub const COUNT: usize = DEFINITIONS.len();
 
     /// All, in the order of the table.
@@ -191,7 +191,7 @@ impl Measure {
     }
 }
 
-/// A measure as it is taken on a finished figure.
+/// Measure that can be taken on a finished figure.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownMeasure {
     /// Its name.
@@ -200,7 +200,7 @@ pub struct KnownMeasure {
     pub landmarks: &'static str,
     /// Its statistics.
     pub row: &'static Row,
-    /// Axis of a distance that is not taken straight, world frame.
+    /// Axis of a projected distance, world frame; `None` for a straight one.
     pub along: Option<DVec3>,
 }
 

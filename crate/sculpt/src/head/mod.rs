@@ -59,7 +59,7 @@ use self::paint::coordinates;
 pub(crate) use self::paint::{Coordinates, MOUTH_DEEP};
 pub use self::registration::{Deviation, Registration, deviations, register};
 pub use self::scalp::{Ear, Proportions, Scalp};
-pub(crate) use self::scalp_binding::{Holds, ScalpBinding};
+pub(crate) use self::scalp_binding::{ScalpBinding, VertexWeights};
 pub use self::segment::HeadSegment;
 pub(crate) use self::sheet::HeadSheet;
 pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
@@ -73,12 +73,13 @@ use crate::subdivide::Stencil;
 use raconteur_base::surface::vertex_normals;
 use raconteur_body::figure::MaterialKind;
 
-/// What tells one head from another of the same sex and age.
+/// Parameters that distinguish heads of the same sex and age.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// The person of the body model whose head it is.
     pub traits: Traits,
-    /// The model's head for these traits. No part of a description: who reads one evaluates the model.
+    /// Model's head for these traits. It is not stored in a description; readers evaluate the model
+    /// instead.
     #[serde(skip)]
     pub bound: ModelHeadShape,
     /// Colour of the iris, linear RGB.
@@ -100,10 +101,10 @@ pub struct Head {
     pub parts: Vec<MeshPart>,
     /// Centres of the left and the right eyeball.
     pub eye_centres: [DVec3; 2],
-    /// Where `bone_chin` belongs. A positive turn about its local z opens the jaw: 0.30 rad
-    /// is fully open.
+    /// Position of `bone_chin`. A positive rotation about its local z opens the jaw: 0.30 rad is
+    /// fully open.
     pub jaw_hinge: DVec3,
-    /// Where `bone_skull` belongs.
+    /// Position of `bone_skull`.
     pub skull_origin: DVec3,
     /// The neck's open rim, counter-clockwise from above, closed implicitly.
     pub neck_rim: Vec<DVec3>,
@@ -119,7 +120,7 @@ pub struct Head {
     pub landmarks: Vec<(String, u32)>,
     /// Segments of the first part, the skin.
     pub segments: Vec<HeadSegment>,
-    /// What moves under the skin.
+    /// Moving soft tissue under the skin.
     pub(crate) soft: Soft,
 }
 
@@ -139,12 +140,12 @@ struct Shape {
     positions: Vec<DVec3>,
     coordinates: Vec<Coordinates>,
     shares: Vec<rig::Shares>,
-    /// What it was solved for.
+    /// Fitted half for which it was solved.
     fitted: FittedHalf,
 }
 
 impl Shape {
-    /// Of a person whose halves differ by a share of what the model's do.
+    /// Builds the head of a person with a share of the model's asymmetry.
     fn build(person: &Person, bound: &ModelHeadShape, asymmetry: f64) -> Self {
         let cage = Cage::new();
         let fitted = fitted_half::fit(bound, |key| neck::rim(person, key));
@@ -176,7 +177,7 @@ impl Shape {
     }
 }
 
-/// What is computed on the surface of a head before parts are cut from it.
+/// Data computed on the surface of a head before parts are cut from it.
 struct Painted {
     proportions: Proportions,
     /// The vertices of the skin, and of the bag of the mouth with the colour of its lining.
@@ -184,11 +185,11 @@ struct Painted {
     lined: Vec<PartVertex>,
     /// Movements of the morphs, millimetres.
     moved: Vec<(&'static str, Vec<DVec3>)>,
-    /// How each vertex follows the nodes of the tissue.
+    /// Weights of the tissue nodes for each vertex.
     rows: Vec<Stencil>,
 }
 
-/// Where the flesh in the inner corner of the eye lies from that corner, left, mm.
+/// Offset of the caruncle from the inner corner of the eye, left, mm.
 const FLESH_FROM_CORNER_MM: DVec3 = DVec3::new(2.0, 0.8, -1.9);
 
 impl Painted {
@@ -245,7 +246,7 @@ impl Painted {
 }
 
 impl Shape {
-    /// What the maps of the skin are baked from.
+    /// Returns the sheet from which the maps of the skin are baked.
     fn sheet(&self, line: &BrowLine, brow_colour: [f64; 3]) -> HeadSheet {
         let chart = chart();
         let (positions, surface) = (&self.positions, &self.surface);
@@ -268,7 +269,7 @@ impl Shape {
         }
     }
 
-    /// A vertex of the skin; `open` is how much of the room it sees.
+    /// Returns a vertex of the skin; `open` is its visible share of the surroundings.
     fn vertex(&self, v: usize, open: f64) -> PartVertex {
         let (c, position) = (&self.coordinates[v], self.positions[v]);
         let side = if position.x < 0.0 {
@@ -294,7 +295,7 @@ impl Shape {
         }
     }
 
-    /// Where the lips meet in the middle, millimetres.
+    /// Returns the midpoint of the line where the lips meet, millimetres.
     fn lips(&self) -> DVec3 {
         let contact = |k| self.limit(Key::mouth(5, k), Side::Left);
         (contact(0) + contact(12)) / 2.0
@@ -390,7 +391,7 @@ pub fn build(person: &Person, params: &HeadParams) -> Head {
     }
 }
 
-/// Named points: name and vertex of what was drawn of the surface.
+/// Returns the named points: name and vertex of the rendered surface.
 fn named(shape: &Shape, drawn: &[u32]) -> Vec<(String, u32)> {
     let drawn_at = |v: u32| drawn.iter().position(|&d| d == v);
     landmark::landmarks(shape)

@@ -11,7 +11,7 @@ use super::rig::{JAW_HINGE_MM, Shares, smooth};
 use super::solve::{Fairness, Solved};
 use crate::least_squares::{Terms, least_squares};
 
-/// Jaw angle at which `mouthClose` at weight 1 keeps the lips just touching, radians.
+/// Jaw angle at which `mouthClose` at weight 1 leaves the lips just touching, radians.
 pub(crate) const CLOSE_JAW_RAD: f64 = 0.2;
 
 /// One morph on the cage.
@@ -22,7 +22,7 @@ pub(crate) struct CageMorph {
     pub(crate) deltas: Vec<DVec3>,
 }
 
-/// How near a mouth position is to the corner, 0..1.
+/// Proximity of each mouth position to the corner, 0..1.
 const CORNER: [f64; 13] = [
     0.0, 0.02, 0.08, 0.22, 0.48, 0.82, 1.0, 0.82, 0.48, 0.22, 0.08, 0.02, 0.0,
 ];
@@ -31,7 +31,7 @@ fn v(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-/// What a morph does to the lips: displacement by ring and position on the left half.
+/// Displacement of the lips by a morph, by ring and position on the left half.
 type Lips = fn(u8, usize, DVec3) -> DVec3;
 
 /// Shift with its falloff about an anchor on the left half: centre, radius, displacement.
@@ -41,7 +41,7 @@ struct Recipe {
     name: &'static str,
     lips: Option<Lips>,
     masses: &'static [Mass],
-    /// Whether the right half moves as well (mirrored).
+    /// True if the right half moves too (mirrored).
     both: bool,
 }
 
@@ -190,7 +190,7 @@ const RECIPES: &[Recipe] = &[
     ] },
 ];
 
-/// How much of a soft mass reaches a vertex: the lids' rings keep to the globe.
+/// Returns the weight of a soft mass at a vertex: the lids' rings stay on the globe.
 fn reach(key: Key) -> f64 {
     match key {
         Key::Eye(1, _) => 0.7,
@@ -219,8 +219,9 @@ struct Spread<'a> {
 }
 
 impl Spread<'_> {
-    /// `lips` gives displacements on the mouth's rings, already on both halves. `None` from
-    /// the solver cannot occur on the built-in cage and leaves the lips' own displacement.
+    /// Solves a morph. `lips` gives displacements on the mouth's rings, already on both halves.
+    /// `None` from the solver cannot occur on the built-in cage and leaves the lips' own
+    /// displacement.
     fn solve(&self, lips: impl Fn(u8, usize, Side, DVec3) -> DVec3) -> Vec<DVec3> {
         let mut rows = Vec::new();
         let mut hard = vec![None; self.cage.len()];
@@ -397,7 +398,7 @@ fn raise_lower_margin(cage: &Cage, solved: &Solved, deltas: &mut [DVec3]) {
     }
 }
 
-/// Lips sealed over an open jaw: the displacement which, skinned at [`CLOSE_JAW_RAD`],
+/// Returns the displacement that seals the lips over an open jaw: skinned at [`CLOSE_JAW_RAD`], it
 /// brings both lips to one line a third of the way down.
 fn mouth_close(cage: &Cage, spread: &Spread, shares: &[Shares]) -> Vec<DVec3> {
     let turn = DQuat::from_rotation_x(CLOSE_JAW_RAD);

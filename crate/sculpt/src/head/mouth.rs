@@ -12,8 +12,8 @@ use crate::part::{GUMS, JointRef, MeshPart, PartMorph, PartVertex, TEETH};
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Crowns from the midline backwards: width, height, thickness at the gum, at the edge
-/// (mm), and how much the edge narrows (1 not at all).
+/// Crowns from the midline backwards: width, height, thickness at the gum, at the edge (mm), and
+/// the narrowing of the edge (1: none).
 type Crown = [f64; 5];
 
 const UPPER: [Crown; 7] = [
@@ -35,21 +35,21 @@ const LOWER: [Crown; 7] = [
     [10.4, 6.8, 9.8, 8.8, 0.92],
 ];
 
-/// How far each crown's edge stands back from the row's level, towards its gums, mm: lateral
-/// incisors are shorter, and behind the canines the upper row rises as the smile does. Designed.
+/// Distance of each crown's edge from the row's level, towards its gums, mm: lateral incisors are
+/// shorter, and behind the canines the upper row rises as the smile does. Designed.
 const EDGES: [f64; 7] = [0.0, 0.8, 0.1, 0.5, 0.7, 1.0, 1.3];
 
-/// One row: where the incisors' front face and edge lie, the ellipse, which way gums lie.
+/// Row of teeth: position of the incisors' front face and edge, the ellipse, direction of the gums.
 struct Arch {
     front: DVec3,
     half_width: f64,
     depth: f64,
-    /// +1 for the upper row, whose gums lie above.
+    /// +1 for the upper row, whose gums are above.
     up: f64,
     joint: Drive,
 }
 
-/// Place on the arch at an arc length from the midline, mm: position, tangent (outwards
+/// Returns a point on the arch at an arc length from the midline, mm: position, tangent (outwards
 /// to the side), outward normal.
 fn station(arch: &Arch, length: f64) -> (DVec3, DVec3, DVec3) {
     let at = |t: f64| {
@@ -99,8 +99,8 @@ fn push(part: &mut MeshPart, p: DVec3, color: [f64; 4], weights: &[(JointRef, f6
     part.vertices.len() as u32 - 1
 }
 
-/// Joins consecutive closed rings of `n` vertices and caps the last with a fan. The rings
-/// must run counter-clockwise as seen from the cap's side.
+/// Joins consecutive closed rings of `n` vertices and caps the last with a fan. The rings must run
+/// counter-clockwise as seen from the cap's side.
 fn tube(part: &mut MeshPart, base: u32, rings: u32, n: u32, cap: u32) {
     for r in 0..rings - 1 {
         for s in 0..n {
@@ -115,25 +115,25 @@ fn tube(part: &mut MeshPart, base: u32, rings: u32, n: u32, cap: u32) {
     }
 }
 
-/// Light that reaches a place in the mouth: less the further behind the lips, where cheeks and
-/// corners keep it out.
+/// Returns the light that reaches a position in the mouth: less the further behind the lips,
+/// because of cheeks and corners.
 fn light(p: DVec3, lips_z: f64) -> f64 {
     0.08 + 0.74 * smooth(27.0, 3.0, lips_z - p.z)
 }
 
-/// Light left at a place of a crown, by its share of the way from gum to edge and by how far it
-/// has turned to the neighbour, 0 in front to 1: lips shade its neck and crowns the gaps
-/// between them. Designed.
+/// Returns the remaining light at a position of a crown, by its share of the distance from gum to
+/// edge and by its turn towards the neighbour, 0 in front to 1: lips shade its neck and crowns the
+/// gaps between them. Designed.
 fn between(rise: f64, aside: f64) -> f64 {
     (0.64 + 0.36 * smooth(0.0, 0.8, rise)) * (1.0 - 0.6 * smooth(0.55, 1.0, aside))
 }
 
-/// Dentine through enamel: linear RGB of a crown's front in its middle, and what the neck and the edge
-/// have of it. Neither is white (shade A2 of the usual guides, measured by eye).
+/// Dentine through enamel: linear RGB of a crown's front in its middle; neck and edge are relative
+/// to it. Neither is white (shade A2 of the usual guides, measured by eye).
 const CROWN: [f64; 3] = [0.70, 0.625, 0.49];
 const NECK: [f64; 3] = [0.82, 0.76, 0.66];
 const EDGE: [f64; 3] = [0.90, 0.95, 1.02];
-/// What the light of the mouth's walls does to teeth behind the front ones.
+/// Tint of teeth behind the front ones by the light of the mouth's walls.
 const FLUSHED: [f64; 3] = [0.95, 0.74, 0.66];
 /// The canine is the darkest of the front.
 const CANINE: [f64; 3] = [0.93, 0.89, 0.82];
@@ -189,8 +189,8 @@ fn tooth(part: &mut MeshPart, arch: &Arch, (crown, back): (Crown, f64), middle: 
     tube(part, base, LEVELS.len() as u32, AROUND, tip);
 }
 
-/// +1 when (along, out, up) is left-handed seen from below, so that rings run the same way
-/// on both halves.
+/// Returns +1 if (along, out, up) is left-handed seen from below, so that rings run the same way on
+/// both halves.
 fn along_sign(along: DVec3, out: DVec3) -> f64 {
     if along.cross(out).y > 0.0 { 1.0 } else { -1.0 }
 }
@@ -247,7 +247,7 @@ fn gums(part: &mut MeshPart, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
     }
 }
 
-/// Teeth, gums and tongue. `contact` is the midpoint where the lips meet, mm.
+/// Builds teeth, gums and tongue. `contact` is the midpoint where the lips meet, mm.
 pub(crate) fn mouth(contact: DVec3) -> Vec<MeshPart> {
     let lips_z = contact.z;
     let rows = [

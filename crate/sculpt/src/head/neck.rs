@@ -5,7 +5,7 @@ use raconteur_base::DVec3;
 use super::cage::{Key, LAST_ROW};
 use crate::person::Person;
 
-/// Column of the cage and place on the mean adult, mm.
+/// Column of the cage and position on the mean adult, mm.
 const RIM_MM: [(u8, DVec3); 6] = [
     (0, DVec3::new(0.0, -150.0, 33.0)),
     (4, DVec3::new(21.0, -150.0, 28.0)),
@@ -16,23 +16,24 @@ const RIM_MM: [(u8, DVec3); 6] = [
 ];
 /// Depth of the neck's axis, about which it is scaled, mm.
 const AXIS_Z_MM: f64 = -16.0;
-/// Breadth and depth of a man's and of a woman's neck against the mean, and what a child of nine's
-/// lacks. Designed: between them and the collar the surface is drawn onto the body's own neck.
+/// Breadth and depth of a man's and of a woman's neck relative to the mean, and the deficit of a
+/// child of nine. Designed: between them and the collar the surface is fitted to the body's own
+/// neck.
 const MAN: [f64; 2] = [0.22, 0.268];
 const WOMAN: [f64; 2] = [-0.17, -0.13];
 const CHILD: [f64; 2] = [-0.287, -0.272];
-/// How much higher and further to the front a child of nine's rim lies, mm.
+/// Upward and forward shift of the rim for a child of nine, mm.
 const CHILD_SHIFT_MM: [f64; 2] = [12.0, 2.1];
 /// Share of the difference between the sexes that a child of nine lacks.
 const ALIKE: f64 = 0.8;
 
-/// How much of a child of nine there is at an age: the face grows until about 18.
+/// Returns the weight of the child of nine at an age: the face grows until about 18.
 fn childhood(age_years: f64) -> f64 {
     ((18.0 - age_years) / 9.0).clamp(0.0, 1.12)
 }
 
-/// Where a vertex of the rim's left half lies in the frame of the head, mm; `None` for those
-/// between the given columns, and of other rows.
+/// Returns the position of a vertex of the rim's left half in the frame of the head, mm; `None` for
+/// those between the given columns, and of other rows.
 pub(super) fn rim(person: &Person, key: Key) -> Option<DVec3> {
     let Key::Grid(column, LAST_ROW) = key else {
         return None;

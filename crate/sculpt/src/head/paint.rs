@@ -25,7 +25,7 @@ pub(crate) struct Coordinates {
     pub(crate) ear: f64,
 }
 
-/// Coordinates of every drawn vertex.
+/// Returns the coordinates of every rendered vertex.
 pub(super) fn coordinates(cage: &Cage, surface: &Surface) -> Vec<Coordinates> {
     let ring = |f: fn(Key) -> Option<u8>| {
         surface.apply_by(cage, |v| f(cage.keys[v].0).map_or(0.0, f64::from))
@@ -77,7 +77,7 @@ pub(super) fn coordinates(cage: &Cage, surface: &Surface) -> Vec<Coordinates> {
 /// The lips' wet inner side, linear RGB.
 const LIP_INSIDE: [f64; 3] = [0.34, 0.115, 0.095];
 
-/// Linear RGB of the mouth's lining from where the lips meet (ring 5) inwards.
+/// Returns the linear RGB of the mouth's lining from where the lips meet (ring 5) inwards.
 pub(super) fn lining(c: &Coordinates, p: DVec3) -> [f64; 3] {
     let share = smooth(4.5, 5.6, c.mouth);
     let wet = 1.0 + 0.04 * crate::texture::space_noise(7, p / 2.1);

@@ -7,10 +7,10 @@ use raconteur_base::DVec3;
 
 use crate::subdivide::{Stencil, Subdivided, subdivide};
 
-/// A place in a face: from its first corner along its first edge and along its last, 0..1.
+/// Position in a face: from its first corner along its first edge and along its last, 0..1.
 pub(super) type InFace = [f64; 2];
 
-/// Child of a quad that a place lies in, and the place in it.
+/// Returns the child of a quad that contains a position, and the position in the child.
 fn child([u, v]: InFace) -> (usize, InFace) {
     match (u > 0.5, v > 0.5) {
         (false, false) => (0, [2.0 * u, 2.0 * v]),
@@ -20,7 +20,7 @@ fn child([u, v]: InFace) -> (usize, InFace) {
     }
 }
 
-/// The place in a quad of one in its child.
+/// Returns the position in a quad of a position in its child.
 fn parent(child: usize, [a, b]: InFace) -> InFace {
     let (a, b) = (a / 2.0, b / 2.0);
     match child {
@@ -33,17 +33,17 @@ fn parent(child: usize, [a, b]: InFace) -> InFace {
 
 /// Some faces of the model and those around them, subdivided twice.
 pub(super) struct Refined {
-    /// The model's vertex behind each of its own.
+    /// Model vertex of each local vertex.
     vertices: Vec<u32>,
-    /// The model's face behind each of its own.
+    /// Model face of each local face.
     faces: Vec<u32>,
-    /// Where a face of the model stands among them.
+    /// Local index of each model face.
     at: BTreeMap<u32, usize>,
     fine: Subdivided,
 }
 
 impl Refined {
-    /// Of the model's faces round the given ones.
+    /// Refines the model's faces around the given ones.
     pub(super) fn new(faces: &[[u32; 4]], wanted: BTreeSet<u32>) -> Self {
         let mut near = wanted;
         // Within two steps a face feels its neighbours' neighbours.
@@ -69,7 +69,7 @@ impl Refined {
         }
     }
 
-    /// A place in one of the given faces as a sum over the model's vertices.
+    /// Returns a position in one of the given faces as a weighted sum over the model's vertices.
     pub(super) fn stencil(&self, face: u32, at: InFace) -> Stencil {
         let (first, at) = child(at);
         let (second, [u, v]) = child(at);
@@ -99,7 +99,8 @@ impl Refined {
             .collect()
     }
 
-    /// The model's face and the place in it of one in a triangle, given by its corners' shares.
+    /// Returns the model's face and the position in it for a position in a triangle, given by its
+    /// barycentric coordinates.
     pub(super) fn place(&self, triangle: u32, shares: [f64; 3]) -> (u32, InFace) {
         let (quad, is_second) = (triangle as usize / 2, triangle % 2 == 1);
         let [_, b, c] = shares;

@@ -11,8 +11,8 @@ use raconteur_body::skeleton::{Bone, Drive};
 /// Axis of the temporomandibular joints, mm: a finger's breadth in front of the ear's
 /// canal. Chosen by eye from the head's anatomy.
 pub(crate) const JAW_HINGE_MM: DVec3 = DVec3::new(0.0, -2.0, 8.0);
-/// Joint between skull and neck, mm: the occipital condyles lie under and a little behind
-/// the ears' canals. Chosen by eye.
+/// Position of the joint between skull and neck, mm: the occipital condyles are below and slightly
+/// behind the ear canals. Chosen by eye.
 pub(crate) const SKULL_ORIGIN_MM: DVec3 = DVec3::new(0.0, -18.0, -8.0);
 
 /// Shares of a cage vertex; the rest belongs to the skull and the neck.
@@ -55,7 +55,7 @@ pub(crate) fn smooth(a: f64, b: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Where the face ends: what the borders between jaw, skull and neck follow.
+/// Boundary of the face, which the borders between jaw, skull and neck follow.
 #[derive(Clone, Copy, Debug)]
 struct Bounds {
     mouth_corner: DVec3,
@@ -94,11 +94,11 @@ fn neck_share(key: Key, p: DVec3, face: &Bounds) -> f64 {
     }
 }
 
-/// How far each eye ring follows its lid; rings 3 to 7.
+/// Weights with which each eye ring follows its lid; rings 3 to 7.
 const UPPER_FOLLOWS: [f64; 5] = [0.14, 0.85, 1.0, 1.0, 0.9];
 const LOWER_FOLLOWS: [f64; 5] = [0.2, 0.6, 1.0, 1.0, 0.9];
 
-/// Shares of all cage vertices, and how far the lids must turn to close.
+/// Weights of all cage vertices, and the rotation that closes the lids.
 #[derive(Clone, Debug)]
 pub(crate) struct Rig {
     pub(crate) shares: Vec<Shares>,
@@ -137,7 +137,7 @@ pub(crate) fn rig(cage: &Cage, solved: &Solved, globe_centre_mm: DVec3) -> Rig {
     }
 }
 
-/// How far the upper lash edge goes beyond the lower one at a position, mm, so that no slit
+/// Returns the overlap of the upper lash edge over the lower one at a position, mm, so that no slit
 /// is left between the cage's positions.
 fn overlap_mm(k: usize) -> f64 {
     0.2 + 1.1 * smooth(5.0, 7.0, k as f64)

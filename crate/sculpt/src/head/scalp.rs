@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 
 use super::paint::Coordinates;
 
-/// Measures of the head, and what a beard must keep clear of.
+/// Measures of the head, and the areas that a beard must avoid.
 #[derive(Clone, Debug, Default)]
 pub struct Scalp {
     /// Measures of the head.
@@ -15,7 +15,7 @@ pub struct Scalp {
     pub lips: Vec<DVec3>,
 }
 
-/// The room an ear takes: an ellipsoid along the axes; metres.
+/// Bounds of an ear: an ellipsoid along the axes; metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ear {
     /// Middle.
@@ -37,8 +37,8 @@ impl Ear {
     }
 }
 
-/// Measures from the middle between the tragions, metres. Hair is described on a common
-/// head; [`Self::common`] finds the place on it.
+/// Measures from the midpoint between the tragions, metres. Hair is described on a common head;
+/// [`Self::common`] maps positions to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proportions {
     /// Half the breadth of the skull.
@@ -90,7 +90,7 @@ impl Proportions {
         }
     }
 
-    /// The place on the common head that answers to a place on this one; metres.
+    /// Returns the position on the common head that corresponds to a position on this one; metres.
     #[must_use]
     pub fn common(&self, p: DVec3) -> DVec3 {
         let y = if p.y > 0.0 {
@@ -116,7 +116,7 @@ impl Proportions {
     }
 }
 
-/// Measures of a head given in mm.
+/// Measures a head given in mm.
 pub(super) fn scalp(
     positions: &[DVec3],
     coordinates: &[Coordinates],

@@ -14,12 +14,12 @@ pub(crate) struct ScalpBinding {
     pub(crate) normals: Vec<DVec3>,
     weights: Vec<Vec<(JointRef, f64)>>,
     morphs: Vec<(String, Vec<DVec3>)>,
-    /// What of the tissue each vertex follows.
+    /// Weights of the tissue nodes for each vertex.
     bound: Vec<Vec<(u32, f64)>>,
 }
 
 /// Vertices of the skin with their shares.
-pub(crate) type Holds = Vec<(u32, f64)>;
+pub(crate) type VertexWeights = Vec<(u32, f64)>;
 
 impl ScalpBinding {
     pub(crate) fn new(skin: &MeshPart) -> Self {
@@ -45,12 +45,12 @@ impl ScalpBinding {
     }
 
     /// The `count` nearest vertices.
-    pub(crate) fn nearest_vertices(&self, root: DVec3, count: usize) -> Holds {
+    pub(crate) fn nearest_vertices(&self, root: DVec3, count: usize) -> VertexWeights {
         nearest(&self.positions, root, count, 1.5e-4)
     }
 
-    /// Joint weights of what these vertices hold.
-    pub(crate) fn weights(&self, holds: &Holds) -> Vec<(JointRef, f64)> {
+    /// Returns the joint weights of the skin that a vertex is attached to.
+    pub(crate) fn weights(&self, holds: &VertexWeights) -> Vec<(JointRef, f64)> {
         let mut weights: Vec<(JointRef, f64)> = Vec::new();
         for &(v, share) in holds {
             for &(joint, w) in &self.weights[v as usize] {
@@ -63,9 +63,9 @@ impl ScalpBinding {
         weights
     }
 
-    /// What of the tissue the vertices of a part follow that are held so.
-    pub(crate) fn bound(&self, holds: &[Holds]) -> Vec<(u32, Vec<(u32, f64)>)> {
-        let row = |h: &Holds| {
+    /// Returns the tissue weights of the vertices of an attached part.
+    pub(crate) fn bound(&self, holds: &[VertexWeights]) -> Vec<(u32, Vec<(u32, f64)>)> {
+        let row = |h: &VertexWeights| {
             let mut sums: BTreeMap<u32, f64> = BTreeMap::new();
             for &(v, share) in h {
                 for &(node, weight) in &self.bound[v as usize] {
@@ -78,9 +78,8 @@ impl ScalpBinding {
         rows.filter(|(_, row)| !row.is_empty()).collect()
     }
 
-    /// Morphs of a part whose vertices are held so; movements below `least` metres are
-    /// left out.
-    pub(crate) fn morphs(&self, holds: &[Holds], least: f64) -> Vec<PartMorph> {
+    /// Returns the morphs of an attached part; movements below `least` metres are omitted.
+    pub(crate) fn morphs(&self, holds: &[VertexWeights], least: f64) -> Vec<PartMorph> {
         let of = |deltas: &[DVec3]| -> Vec<(u32, DVec3)> {
             (0u32..)
                 .zip(holds)

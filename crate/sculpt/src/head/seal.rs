@@ -11,16 +11,16 @@ use super::cage::Cage;
 use super::soft::{LipPlace, lip_places};
 use crate::subdivide::{Stencil, Subdivided, limit_stencils, subdivide};
 
-/// How far apart the lips are at rest, mm. Designed: with less, lips of people at random cross.
+/// Distance between the lips at rest, mm. Designed: with less, lips of random people intersect.
 const TOUCH_MM: f64 = 0.4;
-/// Rings of the cage subdivided once between which lips come nearest.
+/// Rings of the cage subdivided once between which lips are closest.
 const CONTACT_RINGS: core::ops::RangeInclusive<u8> = 8..=10;
 /// Middle of the lower lip, in half steps of the cage from that of the upper one.
 const LAST: u8 = 24;
 /// Rounds; each leaves a small share of the gap, as a vertex of the cage moves its neighbours too.
 const ROUNDS: usize = 5;
 
-/// How far a ring goes with the line where the lips meet.
+/// Returns the weight with which a ring follows the line where the lips meet.
 fn follows(ring: u8) -> f64 {
     match ring {
         0 | 1 => 0.0,
@@ -33,11 +33,11 @@ fn follows(ring: u8) -> f64 {
 /// A column of the lips: half steps from the middle, and side.
 type Column = (u8, Side);
 
-/// What the gap between the lips of a cage is taken with.
+/// Data for measuring the gap between the lips of a cage.
 struct Lips {
     once: Subdivided,
     limit: Vec<Stencil>,
-    /// Vertices of the cage subdivided once, by their place.
+    /// Vertices of the cage subdivided once, by lip position.
     nodes: BTreeMap<LipPlace, usize>,
 }
 
@@ -74,7 +74,7 @@ impl Lips {
     }
 }
 
-/// Brings the lips of a cage's surface together, millimetres.
+/// Closes the lips of a cage's surface, millimetres.
 pub(super) fn seal(cage: &Cage, points: &mut [DVec3]) {
     let lips = Lips::from_cage(cage);
     for _ in 0..ROUNDS {

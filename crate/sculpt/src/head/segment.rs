@@ -62,7 +62,7 @@ const ORAL: usize = 19;
 const CHIN_TIP: usize = 20;
 const JAW: usize = 21;
 
-/// Columns and rows of the grid that belong to a segment; the first that fits holds.
+/// Columns and rows of the grid for each segment; the first match applies.
 const GRID: [(RangeInclusive<u8>, RangeInclusive<u8>, usize); 16] = [
     (0..=1, 3..=3, FOREHEAD),
     (0..=9, 0..=2, FOREHEAD),
@@ -98,7 +98,7 @@ fn leaf(key: Key) -> usize {
     }
 }
 
-/// The tree with each segment's vertices. `drawn` gives the surface's vertex behind each
+/// Returns the segment tree with each segment's vertices. `drawn` gives the surface vertex of each
 /// vertex of the skin's part.
 pub(super) fn segments(shape: &Shape, drawn: &[u32]) -> Vec<HeadSegment> {
     // Each vertex belongs to the segment that has most weight in it.

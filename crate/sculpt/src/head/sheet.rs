@@ -8,9 +8,9 @@ use super::paint::Coordinates;
 /// The head's skin as the baking needs it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HeadSheet {
-    /// Place of each vertex in the atlas, 0..1.
+    /// Texture coordinates of each vertex in the atlas, 0..1.
     pub(crate) uv: Vec<[f64; 2]>,
-    /// Triangles of the skin that is seen.
+    /// Triangles of the visible skin.
     pub(crate) triangles: Vec<[u32; 3]>,
     /// Vertices on this person and on the mean head, mm.
     pub(crate) at: Vec<DVec3>,
@@ -23,6 +23,6 @@ pub(crate) struct HeadSheet {
     pub(crate) brow: Vec<f64>,
     /// Linear RGB of brows.
     pub(crate) brow_colour: [f64; 3],
-    /// Where lines are laid out.
+    /// Positions on which lines are laid out.
     pub(crate) places: Option<&'static Places>,
 }

@@ -14,9 +14,8 @@ use super::rig::Shares;
 use super::solve::Solved;
 use crate::subdivide::{Stencil, edge_faces, limit_stencils, subdivide};
 
-/// A place of the lips: ring from the skin (0) inwards, and position from the middle of the
-/// upper lip (0) over the corner (12) to the middle of the lower (24); both in half steps of
-/// the cage's.
+/// Position on the lips: ring from the skin (0) inwards, and position from the middle of the upper
+/// lip (0) over the corner (12) to the middle of the lower (24); both in half steps of the cage's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct LipPlace {
     pub(crate) ring: u8,
@@ -27,19 +26,19 @@ pub(crate) struct LipPlace {
 /// A node of the skin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SoftNode {
-    /// On the drawn surface, metres, frame of the head.
+    /// Position on the rendered surface, metres, frame of the head.
     pub(crate) place: DVec3,
     /// Share of the lower jaw.
     pub(crate) jaw: f64,
-    /// How far muscles of the face move it: 0 where skin is fixed to the skull, 1.
+    /// Mobility under muscles of the face: 0 where skin is fixed to the skull, 1 for full mobility.
     pub(crate) mobility: f64,
-    /// How far those of temple, ear and jaw's angle do, 0 to 1.
+    /// Mobility under the muscles of temple, ear and jaw angle, 0 to 1.
     pub(crate) mobility_aside: f64,
-    /// How far it goes with the ear that stands on it, 0 to 1.
+    /// Weight with which it follows the ear attached to it, 0 to 1.
     pub(crate) ear_root: f64,
-    /// How firmly it is held sideways, 0 slides to 1.
+    /// Lateral stiffness, 0 (slides) to 1.
     pub(crate) grip: f64,
-    /// Whether it lies inside nose or mouth.
+    /// True if it lies inside nose or mouth.
     pub(crate) is_inside: bool,
     pub(crate) lip: Option<LipPlace>,
 }
@@ -49,13 +48,13 @@ pub(crate) struct SoftNode {
 pub(crate) struct Soft {
     pub(crate) nodes: Vec<SoftNode>,
     pub(crate) quads: Vec<[u32; 4]>,
-    /// Points of the mean head, millimetres, and where they are on this one: what is
-    /// laid out on the mean head is carried over by them.
+    /// Pairs of points on the mean head, millimetres, and on this head, used to transfer layouts
+    /// from the mean head.
     pub(crate) landmarks: Vec<(DVec3, DVec3)>,
 }
 
-/// How far muscles move the skin. Designed: lids are rigid, the scalp and what lies before
-/// the ears hardly move.
+/// Returns the mobility of the skin under muscles. Designed: lids are rigid, the scalp and the area
+/// in front of the ears hardly move.
 fn mobility(key: Key) -> f64 {
     match key {
         Key::Grid(column, row) => {
@@ -87,8 +86,9 @@ fn mobility(key: Key) -> f64 {
     }
 }
 
-/// How far muscles of temple, ear and jaw's angle move the skin at the side of the head, from the
-/// scalp above the temple to behind the ear and down to the jaw's angle. Designed.
+/// Returns the mobility of the skin at the side of the head, from the scalp above the temple to
+/// behind the ear and down to the jaw angle, under the muscles of temple, ear and jaw angle.
+/// Designed.
 fn mobility_aside(key: Key) -> f64 {
     let Key::Grid(column, row) = key else {
         return 0.0;
@@ -115,8 +115,8 @@ fn mobility_aside(key: Key) -> f64 {
     behind * down
 }
 
-/// How far skin goes with the ear: wholly at its root, and less with each line of the grid away
-/// from it.
+/// Returns the weight with which skin follows the ear: full at its root, less with each line of the
+/// grid away from it.
 fn ear_root(key: Key) -> f64 {
     match key {
         Key::Ear(..) => 1.0,
@@ -135,15 +135,15 @@ fn ear_root(key: Key) -> f64 {
     }
 }
 
-/// Columns and rows of the grid between which the ear's root lies.
+/// Range of grid columns of the ear's root; the next constant is the range of rows.
 const EAR_COLUMNS: [u8; 2] = [12, 15];
 const EAR_ROWS: [u8; 2] = [6, 12];
-/// Places of the ear's root, fixed to the skull whatever the jaw does, with which the ear goes:
+/// Vertices of the ear's root, fixed to the skull independently of the jaw, that carry the ear:
 /// above it and behind it.
 const EAR_HOLDS: [(u8, u8); 4] = [(12, 7), (13, 6), (15, 6), (15, 9)];
 
-/// Pretension of what holds the skin. Designed: firm at lips, nose and lids, loose over cheeks
-/// and forehead, where skin slides.
+/// Returns the pretension of the skin's attachment. Designed: firm at lips, nose and lids, loose
+/// over cheeks and forehead, where skin slides.
 fn grip(key: Key) -> f64 {
     match key {
         Key::Mouth(6.., _) => 0.9,
@@ -165,8 +165,8 @@ fn grip(key: Key) -> f64 {
     }
 }
 
-/// Vertices of a mesh that each vertex of its subdivision lies between, in the order that
-/// [`subdivide`] gives them.
+/// Returns, for each vertex of a subdivided mesh, the original vertices that it lies between, in
+/// the order of [`subdivide`].
 fn parents(faces: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
     let own = (0..count as u32).map(|v| vec![v]);
     let edges = edge_faces(faces);
@@ -174,7 +174,7 @@ fn parents(faces: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
     own.chain(middles).chain(faces.iter().cloned()).collect()
 }
 
-/// The place of the lips that a node between vertices of the cage has; `None` elsewhere.
+/// Returns the lip position of a node between vertices of the cage; `None` elsewhere.
 fn lip_place(cage: &Cage, between: &[u32]) -> Option<LipPlace> {
     let (mut rings, mut positions) = (0, 0);
     let mut side = Side::Left;
@@ -197,14 +197,14 @@ fn lip_place(cage: &Cage, between: &[u32]) -> Option<LipPlace> {
     })
 }
 
-/// Vertices of the cage subdivided once that lie on the lips, and where.
+/// Returns the vertices of the cage subdivided once that lie on the lips, with their positions.
 pub(super) fn lip_places(cage: &Cage) -> impl Iterator<Item = (usize, LipPlace)> + '_ {
     let between = parents(&cage.faces, cage.len());
     let place = |(v, between): (usize, Vec<u32>)| Some((v, lip_place(cage, &between)?));
     between.into_iter().enumerate().filter_map(place)
 }
 
-/// Rows of drawn vertices over nodes.
+/// Weights of rendered vertices over nodes.
 pub(super) struct Follow {
     /// The node of each vertex of the cage subdivided once.
     node_of: Vec<Option<u32>>,
@@ -215,8 +215,8 @@ pub(super) struct Follow {
 }
 
 impl Follow {
-    /// What moves a vertex of the cage subdivided twice: nodes and weights. Where part of its
-    /// surroundings is fixed, weights sum to less than 1.
+    /// Returns the nodes and weights that drive a vertex of the cage subdivided twice. Where part
+    /// of its surroundings is fixed, weights sum to less than 1.
     pub(super) fn row(&self, fine: u32) -> Vec<(u32, f64)> {
         let mut row: BTreeMap<u32, f64> = BTreeMap::new();
         for &(v, weight) in &self.finer[fine as usize] {

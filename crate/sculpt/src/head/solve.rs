@@ -41,7 +41,7 @@ fn weight(key: Key) -> f64 {
 /// Neighbourhoods of the cage, built once.
 pub(crate) struct Fairness {
     neighbours: Vec<Vec<u32>>,
-    /// Pairs of opposite neighbours at regular and rim vertices; none at poles.
+    /// Pairs of opposite neighbours at regular and rim vertices; `None` at poles.
     pairs: Vec<Option<Vec<[u32; 2]>>>,
     quads: Vec<[u32; 4]>,
 }

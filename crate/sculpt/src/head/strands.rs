@@ -9,7 +9,7 @@ use raconteur_base::{DVec3, Side, noise};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use self::brow::BrowLine;
-use super::scalp_binding::{Holds, ScalpBinding};
+use super::scalp_binding::{ScalpBinding, VertexWeights};
 use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 
@@ -18,15 +18,15 @@ use raconteur_body::figure::{Material, MaterialKind, TextureMaps};
 pub struct BrowParams {
     /// Colour of the brows, linear RGB; lashes are darker.
     pub colour: [f64; 3],
-    /// How many hairs a brow has against the usual, 0.3..1.6.
+    /// Relative number of hairs in a brow, 0.3..1.6.
     pub density: f64,
     /// Length of its hairs against the usual, 0.5..2.
     pub length: f64,
     /// Height of the brow against the usual, 0.6..1.5.
     pub height: f64,
-    /// How far hairs stray from their direction, 0..1.
+    /// Deviation of hairs from their direction, 0..1.
     pub unruly: f64,
-    /// How far the two brows differ, 0..1.
+    /// Difference between the two brows, 0..1.
     pub asymmetry: f64,
     /// Length of the lashes against the usual, 0.4..1.3.
     pub lash_length: f64,
@@ -59,7 +59,7 @@ struct Strand {
     facing: DVec3,
     /// Factor of the colour.
     shade: f64,
-    /// What share of the light behind it the hair takes away, 0..1.
+    /// Share of the light behind it that the hair blocks, 0..1.
     cover: f64,
 }
 
@@ -96,12 +96,12 @@ impl StrandRandom {
 /// Movements of a hair below this are left out, metres.
 const STILL: f64 = 1.2e-4;
 
-/// How far a texture coordinate of 0 or 1 lies beside the middle of a hair, mm. The shader
-/// that draws hairs takes their width from it.
+/// Distance of texture coordinates 0 and 1 from the middle of a hair, mm. The hair shader derives
+/// the width from it.
 const REACH_MM: f64 = 0.5;
 
-/// A mesh of hairs; what of the skin its vertices follow is that of the `near` nearest vertices
-/// at the root.
+/// Builds a mesh of hairs; each hair follows the skin through the `near` nearest vertices at its
+/// root.
 fn build_mesh(
     name: String,
     strands: &[Strand],
@@ -123,7 +123,7 @@ fn build_mesh(
         morphs: Vec::new(),
         bound: Vec::new(),
     };
-    let mut roots: Vec<Holds> = Vec::new();
+    let mut roots: Vec<VertexWeights> = Vec::new();
     for strand in strands {
         let holds = ride.nearest_vertices(strand.points[0] * 1e-3, near);
         append_ribbon(&mut part, strand, ride, &holds, color);
@@ -139,7 +139,7 @@ fn append_ribbon(
     part: &mut MeshPart,
     strand: &Strand,
     ride: &ScalpBinding,
-    holds: &Holds,
+    holds: &VertexWeights,
     color: [f64; 3],
 ) {
     let base = part.vertices.len() as u32;

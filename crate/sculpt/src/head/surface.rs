@@ -16,11 +16,11 @@ pub(crate) struct Surface {
     /// The cage subdivided twice.
     fine: Subdivided,
     limit: Vec<Stencil>,
-    /// The fine vertex behind each drawn vertex.
+    /// Fine vertex of each rendered vertex.
     used: Vec<u32>,
 }
 
-/// Whether a zone is drawn from two subdivisions; the rest takes one.
+/// Returns true if a zone is rendered from two subdivisions; the rest uses one.
 fn is_detailed(zone: Zone) -> bool {
     match zone {
         Zone::Grid(i, j) => i < 7 && (4..22).contains(&j),
@@ -106,17 +106,18 @@ impl Surface {
         }
     }
 
-    /// The vertex of the cage subdivided twice behind each drawn vertex.
+    /// Returns the vertex of the cage subdivided twice for each rendered vertex.
     pub(crate) fn fine(&self) -> &[u32] {
         &self.used
     }
 
-    /// How many vertices there are.
+    /// Returns the number of vertices.
     pub(crate) fn len(&self) -> usize {
         self.used.len()
     }
 
-    /// The drawn vertex at the limit position of a cage vertex; `None` where none is drawn.
+    /// Returns the rendered vertex at the limit position of a cage vertex; `None` if none is
+    /// rendered.
     pub(crate) fn vertex_of(&self, cage_vertex: usize) -> Option<u32> {
         // Subdivision keeps the vertices it starts from in front.
         let fine = cage_vertex as u32;
@@ -153,8 +154,8 @@ pub(crate) fn triangles(faces: &[Vec<u32>]) -> impl Iterator<Item = [u32; 3]> + 
         .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
 }
 
-/// Mean displacement of the nearest of a cloud of points, for carrying things that sit on
-/// the surface: the `count` nearest with weights 1 / (d + soft)².
+/// Returns the `count` nearest points of a cloud with weights 1 / (d + soft)², for moving objects
+/// attached to the surface by the mean displacement.
 pub(crate) fn nearest(points: &[DVec3], p: DVec3, count: usize, soft: f64) -> Vec<(u32, f64)> {
     let mut best: Vec<(f64, u32)> = Vec::with_capacity(count + 1);
     for (i, &q) in points.iter().enumerate() {

@@ -14,7 +14,7 @@ use crate::people::{NAMES, preset};
 use crate::subdivide::{edge_faces, welded};
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// Whose head a named figure's is.
+/// Returns the person and head parameters of a named figure.
 fn one(name: &str) -> (Person, HeadParams) {
     let p = preset(name).unwrap();
     (p.person, p.head)
@@ -46,7 +46,7 @@ fn symmetric() -> &'static Shape {
     SHAPE.get_or_init(|| symmetric_shape("sofia"))
 }
 
-/// Skins a vertex with the given turns of jaw and left upper lid.
+/// Skins a vertex with the given rotations of jaw and left upper lid.
 fn skinned(head: &Head, v: &PartVertex, offset: DVec3, jaw_rad: f64, lid_rad: f64) -> DVec3 {
     let p = v.position + offset;
     let mut sum = DVec3::ZERO;
@@ -167,8 +167,8 @@ fn contact(name: &str, head: &Head) -> [Vec<usize>; 2] {
     [upper, lower]
 }
 
-/// Widest gap along the lips, metres: in each millimetre of breadth the nearest places of
-/// upper and lower lip.
+/// Returns the widest gap along the lips, metres: in each millimetre of breadth, between the
+/// nearest points of upper and lower lip.
 fn lip_gap(name: &str, head: &Head, jaw_rad: f64, morph: &str, weight: f64) -> f64 {
     let skin = head.skin();
     let mut moved = vec![DVec3::ZERO; skin.vertices.len()];

@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, Side};
 use super::{Affects, Label};
 use crate::examples::{Example, measured_mm};
 
-/// Segments in which a feature lies (F&H Table 5.1).
+/// Segments that contain a feature (F&H Table 5.1).
 const SEGMENTS: [(&str, &[&str]); 27] = [
     ("angles of the face", &["jaw", "cheeks"]),
     ("taper of the face", &["forehead", "jaw"]),
@@ -51,18 +51,18 @@ const SEGMENTS: [(&str, &[&str]); 27] = [
     ("ears", &["ears"]),
 ];
 
-/// Way by which places are moved to see what a measure makes of it, metres.
+/// Displacement for the numerical gradient of a measure, metres.
 const STEP_M: f64 = 1e-5;
 
 impl Label {
-    /// The segments in which the feature lies; none for what a whole face is.
+    /// Returns the segments that contain the feature; `None` for a trait of the whole face.
     #[must_use]
     pub fn segments(&self) -> Option<&'static [&'static str]> {
         let is_own = |(name, _): &&(&str, _)| self.affects == Affects::Shape && *name == self.name;
         SEGMENTS.iter().find(is_own).map(|(_, segments)| *segments)
     }
 
-    /// The half in which the feature lies; none for both.
+    /// Returns the half that contains the feature; `None` for both.
     #[must_use]
     pub fn side(&self) -> Option<Side> {
         let sides = [("left", Side::Left), ("right", Side::Right)];
@@ -70,8 +70,9 @@ impl Label {
         sides.into_iter().find(named).map(|(_, side)| side)
     }
 
-    /// By how much the label changes with each coordinate of the skin, by its index, per metre, at an example;
-    /// `unit` is that of [`Self::unit`]. Empty where it is not read off the skin.
+    /// Returns the change of the label per metre of each coordinate of the skin, by its index, at
+    /// an example; `unit` is that of [`Self::unit`]. Empty if the label is not measured on the
+    /// skin.
     #[must_use]
     pub fn gradient(&self, at: &Example, unit: f64) -> Vec<(u32, f64)> {
         let mut named: Vec<u32> = at.landmarks.iter().map(|(_, v)| *v).collect();
@@ -108,7 +109,7 @@ impl Label {
 }
 
 impl Example {
-    /// Takes the measures of the skin as it is now.
+    /// Updates the measures from the current skin.
     fn measure_again(&mut self) {
         let places = self.skin.as_chunks::<3>().0;
         let place = |name: &str| match name {
@@ -122,7 +123,7 @@ impl Example {
         self.measures = measured_mm(&place);
     }
 
-    /// The vertex of the skin that is nearest to a place, millimetres in the frame of the head.
+    /// Returns the skin vertex nearest to a position, millimetres in the frame of the head.
     fn nearest(&self, place: DVec3) -> u32 {
         let places = (0u32..).zip(self.skin.as_chunks::<3>().0);
         let far = |p: &[f64; 3]| (DVec3::from_array(*p) * 1e3 - place).length_squared();
@@ -130,7 +131,8 @@ impl Example {
         best.map_or(0, |(v, _)| v)
     }
 
-    /// The average of examples: where its places, what lies in it and its brows are. All else is as in the first.
+    /// Returns the average of examples: positions, inner parts of the head and brows. Everything
+    /// else comes from the first.
     #[must_use]
     pub fn average(examples: &[Self]) -> Option<Self> {
         let mut average = examples.first()?.clone();

@@ -10,7 +10,7 @@ use raconteur_body::figure::Mesh;
 /// At each level: share of a card's spans that stay, and most triangles of a mesh.
 const LEVELS: [(f64, usize); 2] = [(0.6, 7_600), (0.3, 2_700)];
 
-/// A card: its vertices lie row by row, two to a row.
+/// Hair card: its vertices lie row by row, two to a row.
 struct Card {
     first: u32,
     rows: u32,
@@ -45,8 +45,8 @@ fn cards(mesh: &Mesh) -> Vec<Card> {
 /// Side of the cells of the scalp that lose cards alike, metres.
 const CELL_M: f64 = 0.025;
 
-/// The cards in the order in which they are kept: of each cell of the scalp the most lit one, then
-/// of each the next, so that none goes bald.
+/// Returns the cards in order of priority: the most lit card of each cell of the scalp, then the
+/// next of each, so that no cell goes bald.
 fn spread(mesh: &Mesh, cards: &[Card]) -> Vec<usize> {
     let cell =
         |c: &Card| mesh.positions[c.first as usize].map(|x| (f64::from(x) / CELL_M).floor() as i32);
@@ -73,7 +73,8 @@ pub(super) fn coarser(mesh: &Mesh) -> Vec<Vec<u32>> {
         .collect()
 }
 
-/// The triangles of fewer cards: this share of a card's spans, and at most so many triangles.
+/// Returns the triangles of a reduced set of cards: this share of a card's spans, and at most
+/// `most` triangles.
 pub(super) fn thinned(mesh: &Mesh, share: f64, most: usize) -> Vec<u32> {
     let cards = cards(mesh);
     let spans = |c: &Card| ((f64::from(c.rows - 1) * share).round() as u32).max(1);

@@ -12,7 +12,7 @@ const AGES: [(&str, f64); 4] = [
     ("old", 1.0),
 ];
 
-/// Place on MakeHuman's axis of age: 1 year is 0, 25 are 0.5, 90 are 1.
+/// Returns the position on MakeHuman's age axis: 1 year is 0, 25 are 0.5, 90 are 1.
 fn age_axis(years: f64) -> f64 {
     let value = if years < 25.0 {
         (years - 1.0) / 48.0
@@ -22,7 +22,7 @@ fn age_axis(years: f64) -> f64 {
     value.clamp(0.0, 1.0)
 }
 
-/// Weights of the two anchors beside an age.
+/// Returns the weights of the two anchors next to an age.
 fn ages(years: f64) -> Vec<(&'static str, f64)> {
     let at = age_axis(years);
     let pair = AGES.windows(2).find(|w| at <= w[1].1).unwrap_or(&AGES[2..]);

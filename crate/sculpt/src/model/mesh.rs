@@ -6,13 +6,13 @@ use raconteur_base::DVec3;
 
 use super::{ModelError, UNIT_MM};
 
-/// The group of faces that is drawn; the others are helpers for clothes, joints and eyes.
+/// Group of rendered faces; the others are helpers for clothes, joints and eyes.
 const BODY: &str = "body";
 
 /// Vertices in millimetres, and the quads of the body.
 pub(super) type Mesh = (Vec<DVec3>, Vec<[u32; 4]>);
 
-/// Exactly `N` numbers; `None` when there are fewer or what is there is none.
+/// Parses exactly `N` numbers; `None` if there are fewer or if one is invalid.
 pub(super) fn numbers<'a, const N: usize>(
     words: impl Iterator<Item = &'a str>,
 ) -> Option<[f64; N]> {

@@ -33,25 +33,25 @@ const FACES: usize = 13_378;
 /// Largest file that is read, bytes once unpacked; the base mesh has 3 MB.
 const MAX_FILE_BYTES: u64 = 16 << 20;
 
-/// Why the model gives no shape.
+/// Error returned when the model cannot produce a shape.
 #[derive(Debug, Error)]
 pub enum ModelError {
     /// A file cannot be read.
     #[error("{path}: {source}; `npm run model` fetches the body model")]
     Read {
-        /// Which.
+        /// File path.
         path: PathBuf,
-        /// Why.
+        /// Cause.
         source: std::io::Error,
     },
-    /// A file is not what it should be.
+    /// Invalid file format.
     #[error("{path}: line {line}: {fault}")]
     Format {
-        /// Which.
+        /// File path.
         path: PathBuf,
         /// Counted from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the fault.
         fault: &'static str,
     },
     /// A detail has no target.
@@ -59,7 +59,7 @@ pub enum ModelError {
     NoDetail(String),
 }
 
-/// Vertices that a target moves, and by how much at weight 1, mm.
+/// Vertices moved by a target, with the displacement at weight 1, mm.
 type Target = Arc<[(u32, DVec3)]>;
 
 /// The base mesh and the folder of its targets.
@@ -102,7 +102,7 @@ impl Model {
         &self.faces
     }
 
-    /// Where the vertices of the base mesh lie in a person, mm.
+    /// Returns the vertex positions of the base mesh for a person, mm.
     ///
     /// # Errors
     /// When a target cannot be read or a detail has none.
@@ -212,5 +212,5 @@ fn text(path: &Path) -> Result<String, ModelError> {
     })
 }
 
-/// Weights by the name of what they weigh.
+/// Weights by name.
 type Weights = BTreeMap<String, f64>;

@@ -6,9 +6,9 @@ use raconteur_base::noise::{signed, unit};
 
 use super::{Ancestry, Detail, Traits};
 
-/// Ages that are drawn, years: those that statistics cover.
+/// Range of random ages, years: the range covered by the statistics.
 const AGES: [f64; 2] = [8.0, 80.0];
-/// How far a detail may go: beyond it faces are unusual.
+/// Limit of a detail: beyond it faces are unusual.
 const MAX_DETAIL: f64 = 0.6;
 
 impl Traits {

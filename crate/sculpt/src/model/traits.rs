@@ -27,7 +27,7 @@ pub struct Traits {
     pub age_years: f64,
     /// 0 male to 1 female.
     pub sex: f64,
-    /// Where the forebears came from.
+    /// Ancestry.
     pub ancestry: Ancestry,
     /// 0 slack to 1 trained, 0.5 average.
     pub muscle: f64,
@@ -37,7 +37,7 @@ pub struct Traits {
     pub height: f64,
     /// 0 uncommon to 1 ideal proportions of the body.
     pub proportions: f64,
-    /// Signed amounts of details by name, such as `nose/nose-hump-decr-incr`: below zero the
-    /// first of the pair at the name's end, above the second. Within ±0.6 faces stay usual.
+    /// Signed amounts of details by name, such as `nose/nose-hump-decr-incr`: below zero the first
+    /// of the pair at the name's end, above the second. Within ±0.6 faces look usual.
     pub details: BTreeMap<String, f64>,
 }

@@ -59,7 +59,8 @@ fn beard(cut: BeardCut, length_m: f64) -> Option<FigureParams> {
     Some(person)
 }
 
-/// Who lends hair or a beard of a name; `None` for an unknown one. Known: [`HAIR`] and [`BEARDS`].
+/// Returns the parameters of a donor of hair or a beard by name; `None` for an unknown one. Known:
+/// [`HAIR`] and [`BEARDS`].
 #[must_use]
 pub fn params(name: &str) -> Option<FigureParams> {
     use HairStyle::{

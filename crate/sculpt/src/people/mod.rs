@@ -19,7 +19,7 @@ use super::person::Person;
 use super::skin::SkinParams;
 use super::torso::BodyParams;
 
-/// Everything that tells one figure from another.
+/// Complete parameters of a figure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FigureParams {
     /// Name, for example `sofia`.
@@ -81,10 +81,10 @@ fn bound(text: &str) -> ModelHeadShape {
 /// Colour of brown eyes, linear RGB.
 const BROWN: [f64; 3] = [0.15, 0.085, 0.042];
 
-/// The figures that come with the project.
+/// Names of the bundled figures.
 pub const NAMES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];
 
-/// The parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].
+/// Returns the parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].
 #[must_use]
 pub fn preset(name: &str) -> Option<FigureParams> {
     match name {

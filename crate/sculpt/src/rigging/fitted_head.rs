@@ -23,19 +23,20 @@ use crate::surface::{Place, Surface};
 use crate::tissue::Warp;
 use raconteur_base::surface::vertex_normals;
 
-/// Least cosine between the normals of places that belong together.
+/// Minimum cosine between the normals of matched positions.
 const FACING: f64 = 0.4;
-/// Rounds in which what found no place follows its neighbours, and in which the others are evened.
+/// Number of rounds in which unmatched vertices follow their neighbours; the next constant is the
+/// number of smoothing rounds for the others.
 const SPREAD: usize = 60;
 const EVEN: usize = 4;
-/// Least distance of lids from the middle of their eye, and how far back it goes for that,
-/// metres.
+/// Minimum distance of lids from the centre of their eye; the next constant is the maximum backward
+/// shift of the eye for it, metres.
 const LID_RADIUS_M: f64 = 0.0130;
 const MAX_BACK_M: f64 = 0.003;
-/// How far behind the borders of the lips the mouth goes with the teeth, metres.
+/// Depth behind the borders of the lips at which the mouth follows the teeth, metres.
 const BEHIND_LIPS_M: f64 = 0.016;
-/// From this distance from our skin a place follows the tissue less, and from the second on not
-/// at all, metres.
+/// Distances from the generated skin at which a position starts to follow the tissue less, and at
+/// which it no longer follows, metres.
 const FOLLOWS_M: [f64; 2] = [0.006, 0.015];
 /// Skin of a head without colours, linear RGB.
 const SKIN: [f64; 3] = [0.50, 0.29, 0.21];
@@ -43,10 +44,10 @@ const SKIN: [f64; 3] = [0.50, 0.29, 0.21];
 /// Our head, bent and laid on the other.
 pub(super) struct FittedHead {
     made: Mannequin,
-    /// Skin and bag of ours, as they were and as they lie now, world, metres.
+    /// Generated skin and mouth cavity before and after fitting, world, metres.
     before: Surface,
     after: Surface,
-    /// What vertex of which part each point is.
+    /// Part and vertex of each point.
     sources: Vec<(usize, usize)>,
     warp: Warp,
 }
@@ -119,7 +120,7 @@ fn lips(made: &Mannequin) -> [DVec3; 2] {
     })
 }
 
-/// Neighbours of each point; places that several vertices share count as one.
+/// Returns the neighbours of each point; coincident vertices count as one.
 fn neighbours(welded: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
     let mut all = vec![Vec::new(); count];
     for face in welded {
@@ -132,7 +133,8 @@ fn neighbours(welded: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
     all
 }
 
-/// Shifts for all: what found none follows its neighbours, and all are evened a little.
+/// Returns displacements for all points: unmatched ones follow their neighbours, and all are
+/// slightly smoothed.
 fn spread(found: &[Option<DVec3>], neighbours: &[Vec<u32>]) -> Vec<DVec3> {
     let mut shifts: Vec<DVec3> = found.iter().map(|f| f.unwrap_or(DVec3::ZERO)).collect();
     let mean = |shifts: &[DVec3], v: usize| {
@@ -153,7 +155,7 @@ fn spread(found: &[Option<DVec3>], neighbours: &[Vec<u32>]) -> Vec<DVec3> {
 }
 
 impl FittedHead {
-    /// How the skin nearest to a place of ours was moved.
+    /// Returns the displacement of the skin nearest to a generated position.
     fn shift(&self, p: DVec3) -> DVec3 {
         let Some(place) = self.before.nearest(p, |_| true) else {
             return self.warp.place(p * 1e3) * 1e-3 - p;
@@ -283,7 +285,7 @@ impl FittedHead {
         &self.made.head_parts[part].vertices[v]
     }
 
-    /// Shares of the joints at a place of ours.
+    /// Returns the joint weights at a generated position.
     fn weights(&self, place: &Place) -> Vec<(JointRef, f64)> {
         let mut all: Vec<(JointRef, f64)> = Vec::new();
         for (&corner, share) in place.corners.iter().zip(place.shares) {
@@ -301,7 +303,8 @@ impl FittedHead {
         all
     }
 
-    /// Nodes that a place follows, less the farther it lies from our skin.
+    /// Returns the nodes that a position follows, with less weight the farther it is from the
+    /// generated skin.
     fn row(&self, p: DVec3, place: &Place) -> Vec<(u32, f64)> {
         let [near, far] = FOLLOWS_M;
         let away = raconteur_base::curve::smooth((place.at.distance(p) - near) / (far - near));
@@ -319,14 +322,14 @@ impl FittedHead {
         all.into_iter().filter(|(_, w)| *w > 1e-4).collect()
     }
 
-    /// How the lips were moved, in the middle.
+    /// Returns the displacement of the lips in the middle.
     fn contact_shift(&self) -> DVec3 {
         let shifts = lips(&self.made).map(|p| self.shift(p));
         (shifts[0] + shifts[1]) / 2.0
     }
 
-    /// How an eye was moved: as the mean of its corners and the middles of its lids, and so far
-    /// back that lids have room to slide over it.
+    /// Returns the displacement of an eye: the mean of its corners and the middles of its lids,
+    /// shifted back so that lids can slide over it.
     fn eye_shift(&self, side: Side, skin: &MeshPart) -> DVec3 {
         let end = if side == Side::Left { "l" } else { "r" };
         let names = ["en", "ex", "ps", "pi"].map(|n| format!("{n}_{end}"));
@@ -351,8 +354,8 @@ impl FittedHead {
         shift + DVec3::Z * back.fold(0.0, f64::min).max(-MAX_BACK_M)
     }
 
-    /// A part of ours on the other head: teeth and tongue go with the lips, eyeballs with their
-    /// corners, lining, lashes and brows with the skin beside them.
+    /// Fits a generated part to the other head: teeth and tongue follow the lips, eyeballs their
+    /// corners, lining, lashes and brows the skin near them.
     fn moved(&self, mut part: MeshPart, middle: DVec3, eyes: [DVec3; 2]) -> MeshPart {
         if part.name == MOUTH_BAG {
             let laid = self.sources.iter().zip(&self.after.points);

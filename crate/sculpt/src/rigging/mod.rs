@@ -29,38 +29,38 @@ pub const NEEDED: [&str; 14] = [
     "n", "prn", "sn", "ls", "li", "gn", "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "zy_l",
     "zy_r",
 ];
-/// How far from the bent head its surface is sought on the other, metres.
+/// Search distance from the deformed head to the surface of the other, metres.
 const REACH_M: f64 = 0.012;
 
-/// Why a head cannot be rigged.
+/// Error returned when a head cannot be rigged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RigError {
     /// Landmarks are missing.
     #[error("these landmarks are wanted too: {0}")]
     Missing(String),
-    /// The mesh is none.
+    /// The mesh is empty.
     #[error("the mesh has no faces")]
     Empty,
-    /// The landmarks do not look like those of a face.
+    /// The landmarks do not match a face.
     #[error("the landmark {name} lies {mm:.0} mm from where the others have it")]
     Astray {
-        /// Which.
+        /// Landmark name.
         name: String,
-        /// How far.
+        /// Distance.
         mm: f64,
     },
 }
 
-/// Farthest that a landmark may lie from our head, laid on the others as it is, millimetres:
-/// left taken for right, or a number of another vertex.
+/// Maximum distance of a landmark from that of the generated head after alignment, millimetres: a
+/// larger one means swapped left and right, or a wrong vertex number.
 const ASTRAY_MM: f64 = 45.0;
 
-/// A head with landmarks: places by name, in the mesh's own units and axes.
+/// Landmarks of a head: positions by name, in the mesh's own units and axes.
 pub type Landmarks = BTreeMap<String, DVec3>;
 
-/// Rigs a head. The figure has the head alone, on the skeleton of `params`, at the size of its
-/// head; of ours it has mouth, teeth, tongue, eyes, lashes and brows.
+/// Rigs a head. The figure contains only the head, on the skeleton of `params`, at the size of its
+/// head; mouth, teeth, tongue, eyes, lashes and brows are generated.
 ///
 /// # Errors
 /// A [`RigError`] that names the fault.

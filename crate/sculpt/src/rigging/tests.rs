@@ -36,7 +36,8 @@ fn scanned(name: &str) -> (Scan, Landmarks) {
     (scan, landmarks)
 }
 
-/// How the drawn skin of a head's mesh moves under some controls, metres, by vertex.
+/// Returns the displacement of the rendered skin of a head's mesh under some controls, metres, by
+/// vertex.
 fn moved(
     figure: &raconteur_body::Figure,
     mesh: &str,

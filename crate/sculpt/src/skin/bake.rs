@@ -20,7 +20,7 @@ pub(super) struct Layer<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     /// Vertices in true size, mm.
     pub(super) at: &'a [DVec3],
-    /// Skin at a place on a triangle.
+    /// Skin at a position on a triangle.
     pub(super) tissue: &'a (dyn Fn([u32; 3], &Hit) -> Tissue + Sync),
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct SkinMaps {
     pub(crate) wrinkles: Image,
 }
 
-/// Slopes are held to this: beyond, a texel's width and the light make artefacts of them.
+/// Maximum slope: steeper ones cause artefacts, because of the texel width and the light.
 const STEEPEST: f64 = 0.9;
 
 /// Quality of the encoder, of 100.
@@ -43,7 +43,8 @@ const COLOUR_QUALITY: u8 = 86;
 const NORMAL_QUALITY: u8 = 66;
 const WRINKLE_QUALITY: u8 = 86;
 
-/// Makes the maps, with the hair that is painted on the scalp. The result does not depend on how many threads take part.
+/// Bakes the maps, including the hair painted on the scalp. The result does not depend on the
+/// number of threads.
 pub(crate) fn bake(
     skin: &SkinParams,
     head: &HeadSheet,
@@ -235,7 +236,7 @@ fn srgb(x: f32) -> u8 {
     (255.0 * linear_to_srgb(f64::from(x.clamp(0.0, 1.0)))).round() as u8
 }
 
-/// Encodes a picture of [`SIZE`] squared.
+/// Encodes an image of [`SIZE`] squared.
 ///
 /// # Panics
 /// Never: writing to memory does not fail and the size fits the format.

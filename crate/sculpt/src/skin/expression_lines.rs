@@ -14,7 +14,7 @@ use super::marks::{Marks, Pen};
 use crate::head::Places;
 use crate::texture::{rise, space_noise};
 
-/// Where the chance of these lines begins, apart from those that stay.
+/// First random stream of these lines, separate from the permanent ones.
 const FIRST: u64 = 100_000;
 
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
@@ -32,7 +32,7 @@ pub(super) struct ExpressionMarks {
     seed: u64,
 }
 
-/// How deep a fold is when its muscle contracts fully, mm.
+/// Returns the depth of a fold at full contraction of its muscle, mm.
 fn depth_mm(skin: &SkinParams) -> f64 {
     0.16 + 0.30 * rise(10.0, 32.0, skin.age_years) + 0.30 * rise(30.0, 75.0, skin.age_years)
 }
@@ -64,7 +64,8 @@ impl ExpressionMarks {
         }
     }
 
-    /// Heights of each kind at a place: on the mean head with its normal, and on this person.
+    /// Returns the heights of each kind at a position: on the mean head with its normal, and on
+    /// this person.
     pub(super) fn heights_mm(&self, q: DVec3, p: DVec3, normal: DVec3) -> [f64; 3] {
         let mut heights = [0, 1, 2].map(|kind: usize| {
             let felt = self.kinds[kind].sample(q, normal);
@@ -158,7 +159,7 @@ fn glabella(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     fold(scribe, side, &through, 0.35 * deep, 0.8);
 }
 
-/// A fan from the outer corner of the eye, and what a squint lays under it.
+/// Draws a fan from the outer corner of the eye, and the lines of a squint below it.
 fn crows_feet(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     for i in 0..5 {
         let fan = (f64::from(i) - 2.0) / 2.0 + scribe.between(-0.1, 0.1);
@@ -190,8 +191,8 @@ fn crows_feet(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     }
 }
 
-/// The furrow from the wing of the nose past the corner of the mouth, its parallels on the
-/// cheek, and what goes on below the corner.
+/// Draws the furrow from the wing of the nose past the corner of the mouth, its parallels on the
+/// cheek, and its continuation below the corner.
 fn cheek(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     let through = [
         scribe.grid(3.8, 13.2),
@@ -251,7 +252,7 @@ fn bunny(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     }
 }
 
-/// Away from the lips, as a drawn purse folds.
+/// Draws folds radiating from the lips, as in a tightened purse.
 fn lips(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     let mut k = 0.25;
     while k < 11.8 {

@@ -15,8 +15,8 @@ use crate::hair::Cap;
 use crate::head::{Coordinates, HeadSheet, MOUTH_DEEP};
 use crate::texture::{cells, mix, rise, space_noise};
 
-/// A soft region of one half: what it adds to the logarithms of blood and melanin and to
-/// the oxygen, and how wide its pores are.
+/// Soft region of one half: its changes to the logarithms of blood and melanin and to the oxygen,
+/// and the width of its pores.
 struct Zone {
     at: [f64; 3],
     radius: [f64; 3],
@@ -62,10 +62,10 @@ const ZONES: [Zone; 18] = [
 
 /// Ends of the sternomastoid on the left, from the skull behind the ear to the breastbone.
 const CORD: [DVec3; 2] = [DVec3::new(66.0, -48.0, 2.0), DVec3::new(14.0, -160.0, 50.0)];
-/// Height and half width of that cord where it stands out most, mm; *designed*.
+/// Height and half width of that cord at its most prominent point, mm; *designed*.
 const CORD_MM: [f64; 2] = [1.5, 8.0];
-/// Places that little light reaches, which the mesh is too coarse to shade: corner of the
-/// mouth, groove behind the ala. Radius in mm and share of light lost; *designed*.
+/// Shaded hollows, for which the mesh is too coarse: corner of the mouth, groove behind the ala.
+/// Radius in mm and share of light lost; *designed*.
 const HOLLOWS: [([f64; 3], [f64; 3], f64); 2] = [
     ([27.0, -48.6, 90.5], [2.2, 1.6, 4.0], 0.16),
     ([21.5, -17.0, 93.0], [2.2, 7.0, 6.0], 0.14),
@@ -81,11 +81,11 @@ pub(super) struct FacePainter<'a> {
     marks: FaceMarks,
     expression: Option<ExpressionMarks>,
     base: Tissue,
-    /// 0 young to 1 old, for what changes slowly.
+    /// Age from 0 young to 1 old, for slow changes.
     old: f64,
     /// Hair painted on the scalp.
     cap: Option<&'a Cap>,
-    /// How dark brows stain what they cover.
+    /// Tint of the skin under dark brows.
     brow_stain: f64,
 }
 
@@ -115,8 +115,8 @@ impl HeadSheet {
     }
 }
 
-/// Where a texel lies, in all its frames.
-struct Spot {
+/// Position of a texel in all frames of reference.
+struct TexelFrames {
     /// On the mean head, millimetres.
     on_mean: DVec3,
     /// On this head, millimetres.
@@ -159,7 +159,7 @@ impl FacePainter<'_> {
         }
         let seed = self.skin.seed << 8;
         self.mottle(&mut tissue, p, seed);
-        let spot = Spot {
+        let spot = TexelFrames {
             on_mean: q,
             on_own: p,
             normal,
@@ -218,7 +218,7 @@ impl FacePainter<'_> {
         tissue
     }
 
-    /// Height of the sternomastoid under the skin, mm; children show none.
+    /// Returns the height of the sternomastoid under the skin, mm; 0 for children.
     fn cord(&self, half: DVec3) -> f64 {
         let [from, to] = CORD;
         let axis = to - from;
@@ -228,7 +228,7 @@ impl FacePainter<'_> {
         CORD_MM[0] * shown * rise(0.05, 0.4, t) * ops::exp(-d * d)
     }
 
-    /// Unevenness without a place of its own; it grows with age and sun.
+    /// Adds irregular mottling; it grows with age and sun.
     fn mottle(&self, tissue: &mut Tissue, p: DVec3, seed: u64) {
         let wide = space_noise(seed + 1, p / 13.0);
         let middle = space_noise(seed + 2, p / 5.0);
@@ -245,7 +245,7 @@ impl FacePainter<'_> {
     }
 
     /// Freckles, moles, age spots and widened vessels.
-    fn scattered(&self, tissue: &mut Tissue, at: &Spot, seed: u64) {
+    fn scattered(&self, tissue: &mut Tissue, at: &TexelFrames, seed: u64) {
         let (q, normal) = (at.on_mean, at.normal);
         let ragged = 1.0 + 0.5 * space_noise(seed + 6, at.on_own / 1.2);
         let freckle = self.marks.freckles.sample(q, normal).core;
@@ -272,7 +272,7 @@ impl FacePainter<'_> {
     }
 
     /// Wrinkles, the fine net of furrows, pores.
-    fn relief(&self, tissue: &mut Tissue, at: &Spot, pores: f64, net: f64, seed: u64) {
+    fn relief(&self, tissue: &mut Tissue, at: &TexelFrames, pores: f64, net: f64, seed: u64) {
         let p = at.on_own;
         let wrinkle = self.marks.wrinkles.sample(at.on_mean, at.normal);
         tissue.height_mm += 0.3 * wrinkle.bank - wrinkle.core;
@@ -295,7 +295,7 @@ impl FacePainter<'_> {
                 + 0.09 * self.old * space_noise(seed + 13, p / 4.3));
     }
 
-    /// Where a beard grows: lip, chin, jaw and below.
+    /// Adds beard stubble: lip, chin, jaw and below.
     fn beard(&self, tissue: &mut Tissue, half: DVec3, p: DVec3, seed: u64, open: f64) {
         let ragged = 3.0 * space_noise(seed + 41, p / 9.0);
         // The upper border runs from the ear's lobe to the corner of the mouth.

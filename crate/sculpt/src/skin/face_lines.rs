@@ -12,7 +12,7 @@ use super::marks::{Marks, Pen};
 use crate::head::{HeadSheet, Places};
 use crate::texture::{rise, space_noise};
 
-/// Everything that is drawn on a face. Strengths: wrinkles in mm of depth, the others 0..1.
+/// Marks painted on a face. Strengths: wrinkles in mm of depth, the others 0..1.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FaceMarks {
     pub(super) wrinkles: Marks,
@@ -31,7 +31,8 @@ pub(super) struct Scribe<'a> {
 }
 
 impl<'a> Scribe<'a> {
-    /// `first` tells the chances of one drawing from those of another.
+    /// Creates the marks; `first` separates the random numbers of one drawing from those of
+    /// another.
     pub(super) fn new(places: &'a Places, skin: &'a SkinParams, first: u64) -> Self {
         Self {
             places,
@@ -41,7 +42,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// What was drawn since the last call.
+    /// Returns the marks drawn since the last call.
     pub(super) fn take_marks(&mut self) -> Marks {
         core::mem::take(&mut self.marks).finish()
     }
@@ -72,7 +73,7 @@ impl<'a> Scribe<'a> {
         );
     }
 
-    /// A line on one side with a pen of any kind; it gets a seed of its own.
+    /// Draws a line on one side with the given pen and its own seed.
     pub(super) fn draw(&mut self, side: Side, through: &[DVec3], pen: Pen) {
         self.drawn += 1;
         let pen = Pen {
@@ -87,7 +88,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// A place by column, also negative (the right half), and row.
+    /// Returns the position at a column, also negative (the right half), and row.
     pub(super) fn grid(&self, column: f64, row: f64) -> DVec3 {
         let p = self.places.grid(column.abs(), row);
         if column < 0.0 { mirror_vector(p) } else { p }
@@ -151,7 +152,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// Crow's feet: a few lines that leave the corner at different places, bend away from
+    /// Draws crow's feet: a few lines that leave the corner at different points, bend away from
     /// each other, fork and fade at different lengths.
     fn crows_feet(&mut self, side: Side) {
         let deep = 0.50 * self.skin.since(29.0);
@@ -263,7 +264,8 @@ impl<'a> Scribe<'a> {
         self.between(1.0, 1.5)
     }
 
-    /// The fine part of the folds beside nose and mouth; the folds themselves are shape.
+    /// Draws the fine part of the folds next to nose and mouth; the folds themselves are part of
+    /// the shape.
     fn mouth_folds(&mut self, side: Side) {
         let deep = 0.42 * self.skin.since(38.0);
         for i in 0..3 {
@@ -373,7 +375,7 @@ impl<'a> Scribe<'a> {
     }
 }
 
-/// Places scattered evenly over the skin, where a share (0..1) says how many stay.
+/// Scatters positions evenly over the skin and keeps each with a given probability (0..1).
 fn scatter(
     sheet: &HeadSheet,
     seed: u64,

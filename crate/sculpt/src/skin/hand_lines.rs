@@ -23,7 +23,7 @@ pub(super) fn draw(lines: &[HandLine], scale: f64, seed: u64) -> Marks {
     marks.finish()
 }
 
-/// Age spots and freckles on the back; places on the palm are left to the painter.
+/// Returns age spots and freckles of the back; positions on the palm are left to the painter.
 pub(super) fn spots(sheet: &HandSheet, skin: &SkinParams) -> Marks {
     let mut marks = Marks::default();
     let aged = skin.sun * skin.since(40.0);

@@ -18,34 +18,34 @@ struct Stroke {
 
 /// Side of a search cell, mm.
 const CELL_MM: f64 = 4.0;
-/// A stroke is felt to this many widths.
+/// Reach of a stroke, in widths.
 const REACH: f64 = 3.2;
 /// Strokes further than this along the surface's normal are on another fold of the skin, mm.
 const DEPTH_MM: f64 = 5.0;
 
-/// What marks do at a place.
+/// Effect of marks at a position.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct MarkCoverage {
     /// The strongest mark, its strength times exp(−(distance / width)²).
     pub(crate) core: f64,
-    /// The bank beside it, by the same strength.
+    /// Strength of the bank next to it, on the same scale.
     pub(crate) bank: f64,
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
     /// Strength in the middle of the line.
     pub(crate) strength: f64,
     /// Width of its strokes, mm.
     pub(crate) width: f64,
-    /// How far it wanders sideways, mm.
+    /// Lateral wander, mm.
     pub(crate) wander: f64,
     /// Share of its length that is lost to gaps, 0..1.
     pub(crate) broken: f64,
-    /// How much its strength differs along it, 0..1.
+    /// Variation of its strength along the line, 0..1.
     pub(crate) unsteady: f64,
-    /// Tells one line from another.
+    /// Seed of the line.
     pub(crate) seed: u64,
 }
 
@@ -71,7 +71,7 @@ impl Marks {
         });
     }
 
-    /// Adds a line through a few places: rounded, thinner to both ends, trembling.
+    /// Adds a line through a few points: rounded, tapered at both ends, trembling.
     pub(crate) fn line(&mut self, through: &[DVec3], pen: Pen) {
         if pen.strength <= 0.0 || through.len() < 2 {
             return;
@@ -153,7 +153,7 @@ impl Marks {
         (x * self.size[1] + y) * self.size[2] + z
     }
 
-    /// The marks at a place of the surface with a unit normal.
+    /// Returns the marks at a position of the surface with a unit normal.
     pub(crate) fn sample(&self, p: DVec3, normal: DVec3) -> MarkCoverage {
         let mut felt = MarkCoverage::default();
         let q = (p - self.low) / CELL_MM;
@@ -188,7 +188,7 @@ impl Marks {
     }
 }
 
-/// A Catmull–Rom line through the places, a step each 0.8 mm.
+/// Returns a Catmull–Rom line through the points, a step every 0.8 mm.
 fn rounded(through: &[DVec3]) -> Vec<DVec3> {
     let n = through.len();
     let mut out = vec![through[0]];

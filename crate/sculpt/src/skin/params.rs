@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pigment::{Pigments, colour};
 
-/// A person's skin. Shares are 0..1 unless said otherwise.
+/// Skin of a person. Shares are 0..1 unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SkinParams {
@@ -13,13 +13,13 @@ pub struct SkinParams {
     pub melanin: f64,
     /// Blood: 0 very pale, 0.5 usual, 1 ruddy.
     pub blood: f64,
-    /// How much blood and pigment differ between the parts of the face; 1 is usual.
+    /// Contrast of blood and pigment between the parts of the face; 1 is usual.
     pub contrast: f64,
     /// Years: lines, spots and loss of evenness follow.
     pub age_years: f64,
     /// Freckles.
     pub freckles: f64,
-    /// How many moles there are on face and neck.
+    /// Number of moles on face and neck.
     pub moles: u32,
     /// Sun in a lifetime: age spots, mottling.
     pub sun: f64,
@@ -27,7 +27,7 @@ pub struct SkinParams {
     pub vessels: f64,
     /// Shadow of a shaven beard.
     pub beard: f64,
-    /// How far short hairs cover the skin where a beard grows.
+    /// Coverage of the skin by short hairs in the beard region.
     pub short_beard: f64,
     /// Linear RGB of stubble and short beard.
     pub beard_colour: [f64; 3],
@@ -74,7 +74,7 @@ impl SkinParams {
         ops::ln(0.003) + ops::ln(10.0) * self.blood.clamp(0.0, 1.0)
     }
 
-    /// How far something that begins at an age has come, 0 then, 1 at 75; *designed*.
+    /// Returns the progress of an age-related change, 0 at its onset, 1 at 75; *designed*.
     pub(crate) fn since(&self, onset_years: f64) -> f64 {
         let t = ((self.age_years - onset_years) / (75.0 - onset_years)).clamp(0.0, 1.2);
         ops::pow(t, 1.15)

@@ -11,7 +11,7 @@
 
 use raconteur_base::ops;
 
-/// What a piece of skin is made of.
+/// Pigment composition of a piece of skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pigments {
     /// Volume fraction of melanosomes in the epidermis; 0.013–0.06 light, 0.11–0.16
@@ -55,9 +55,9 @@ const SPECTRA: [[f64; 3]; 31] = [
 const HAEMOGLOBIN_MOL_PER_L: f64 = 150.0 / 64_500.0;
 /// Thickness of the epidermis that a ray crosses twice, cm (Jacques 1998; *paper*).
 const EPIDERMIS_CM: f64 = 0.006;
-/// Reduced scattering of melanosomes at 500 nm, cm⁻¹, falling with the wavelength squared. *Designed*, so
-/// that the darkest skin reflects what was measured on it (see the tests); without it no blue
-/// would come back, and dark skin would be orange.
+/// Reduced scattering of melanosomes at 500 nm, cm⁻¹, falling with the wavelength squared.
+/// *Designed*, so that the darkest skin matches its measured reflectance (see the tests); without
+/// it no blue would be reflected, and dark skin would be orange.
 const MELANOSOME_SCATTERING: f64 = 57.0;
 
 /// Diffuse reflectance at a wavelength in nm, 0..1. `band` is the index into the spectra.
@@ -132,8 +132,9 @@ const MELANIN_STEPS: usize = 40;
 const BLOOD_STEPS: usize = 40;
 const MELANIN_RANGE: [f64; 2] = [0.004, 0.6];
 const BLOOD_RANGE: [f64; 2] = [0.0006, 0.2];
-/// Shares of oxygen that the table holds. Red rises steeply towards full oxygen in skin rich
-/// in blood (spent haemoglobin absorbs ten times as much at 650 nm), so two would not do.
+/// Number of oxygen saturation steps in the table. Red rises steeply towards full saturation in
+/// skin rich in blood (deoxygenated haemoglobin absorbs ten times as much at 650 nm), so two would
+/// not suffice.
 const OXYGEN_STEPS: usize = 8;
 const OXYGEN_RANGE: [f64; 2] = [0.3, 1.0];
 
@@ -176,8 +177,8 @@ impl Palette {
         }
     }
 
-    /// Linear RGB; `ln_melanosomes` and `ln_blood` are natural logarithms of the fractions,
-    /// held to the table's range.
+    /// Returns linear RGB; `ln_melanosomes` and `ln_blood` are natural logarithms of the fractions,
+    /// clamped to the table's range.
     #[must_use]
     pub fn sample(&self, ln_melanosomes: f64, ln_blood: f64, oxygen: f64) -> [f64; 3] {
         let cell = |r: [f64; 2], x: f64, n: usize| {

@@ -87,7 +87,7 @@ fn rows(uv: &[[f64; 2]], triangles: &[[u32; 3]], at: &[DVec3], normals: &[DVec3]
         .collect()
 }
 
-/// The value below which a share of the area lies.
+/// Returns the value below which a share of the area lies.
 fn quantile(mut values: Vec<(f64, f64)>, share: f64) -> f64 {
     values.sort_by(|a, b| a.0.total_cmp(&b.0));
     let whole: f64 = values.iter().map(|v| v.1).sum();
@@ -213,7 +213,7 @@ fn the_maps_keep_their_budget_and_are_the_same_each_time() {
     assert!(again.wrinkles == maps.wrinkles);
 }
 
-/// The deepest fold of each kind on the seen skin where `wanted`, mm.
+/// Returns the deepest fold of each kind on the visible skin where `wanted`, mm.
 fn deepest(age_years: f64, wanted: impl Fn(DVec3) -> bool) -> [f64; 3] {
     let (head, _) = sheets();
     let skin = SkinParams {

@@ -17,9 +17,9 @@ pub(super) struct Tissue {
     pub(super) height_mm: f64,
     /// Heights of expressive wrinkles of each kind when they are fully there, mm.
     pub(super) folds_mm: [f64; 3],
-    /// What lies over or in the skin (hair's roots, wet margins): linear RGB and share.
+    /// Cover over or in the skin (hair roots, wet margins): linear RGB and share.
     pub(super) cover: ([f64; 3], f64),
-    /// Share of light that reaches the place, 1 in the open.
+    /// Share of light that reaches the position, 1 if unoccluded.
     pub(super) light: f64,
 }
 

@@ -12,18 +12,19 @@ use crate::person::Person;
 pub struct Tones {
     sheet: HeadSheet,
     palette: Palette,
-    /// Vertex of the drawn skin of each of the sheet's, where there is one.
+    /// Vertex of the rendered skin for each of the sheet's vertices, if there is one.
     drawn: Vec<Option<u32>>,
     count: usize,
 }
 
-/// Places on a triangle whose mean stands for it: three corners drawn in by half.
+/// Sample points of a triangle, which is represented by their mean: the three corners moved halfway
+/// in.
 const PLACES: [[f32; 3]; 3] = [
     [0.667, 0.1665, 0.1665],
     [0.1665, 0.667, 0.1665],
     [0.1665, 0.1665, 0.667],
 ];
-/// Nothing is darker, linear.
+/// Minimum brightness, linear.
 const DARKEST: f64 = 1e-3;
 
 impl Tones {
@@ -43,8 +44,8 @@ impl Tones {
         }
     }
 
-    /// Natural logarithms of linear red, green and blue of each vertex: of the skin about it, without
-    /// what is finer than the mesh.
+    /// Returns the natural logarithms of linear red, green and blue of each vertex, averaged over
+    /// the skin around it, without detail finer than the mesh.
     #[must_use]
     pub fn evaluate(&self, skin: &SkinParams, brow_colour: [f64; 3]) -> Vec<f64> {
         let sheet = HeadSheet {

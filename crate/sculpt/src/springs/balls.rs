@@ -8,38 +8,38 @@ use raconteur_body::surface::lies_under;
 
 use crate::posed;
 
-/// Surface within this distance of a chain is to be kept clear of, metres.
+/// Distance from a chain within which the surface must not collide with hair, metres.
 const NEAR_M: f64 = 0.09;
 /// Surface within this distance of a chain bounds the spheres, metres.
 const BOUND_M: f64 = 0.25;
-/// One point of the surface is kept in a cube of this side, metres.
+/// Cell size for sampling the surface, one point per cell, metres.
 const CELL_M: f64 = 0.008;
-/// Spheres of a figure at most, the least of their radii, and how far under the surface a place
-/// counts as kept clear of, metres.
+/// Maximum number of spheres of a figure; the next constants are their minimum radius, and the
+/// depth under the surface to which a position counts as covered, metres.
 const MAX_SPHERES: usize = 96;
 const MIN_RADIUS_M: f64 = 0.012;
 const SLACK_M: f64 = 0.003;
-/// How far a sphere stands out of the surface at most, in any pose, metres.
+/// Maximum protrusion of a sphere from the surface, in any pose, metres.
 const OUT_M: f64 = 0.008;
-/// How far spheres stay from chains at rest: the hair between them and the skin, metres.
+/// Distance of spheres from chains at rest: the hair between them and the skin, metres.
 const CLEAR_M: f64 = 0.012;
 /// Points of the surface that a further sphere must gain.
 const MIN_GAIN: usize = 3;
 /// As made, and with the arms hanging, level and raised.
 const POSES: usize = 4;
-/// Where the left arm points in all poses but the first.
+/// Directions of the left arm in all poses but the first.
 const ARMS: [DVec3; POSES - 1] = [
     DVec3::new(0.25, -0.95, 0.1),
     DVec3::new(0.95, 0.05, 0.3),
     DVec3::new(0.25, 0.95, 0.15),
 ];
-/// Share of a rise above level that the shoulder blade does (Inman, Saunders and Abbott 1944,
-/// Journal of Bone and Joint Surgery 26, 1–30).
+/// Share of an elevation above horizontal contributed by the shoulder blade (Inman, Saunders and
+/// Abbott 1944, Journal of Bone and Joint Surgery 26, 1–30).
 const BLADE_SHARE: f64 = 0.33;
-/// How far the head turns to either side, radians.
+/// Rotation of the head to either side, radians.
 const HEAD_TURN: f64 = 0.9;
 
-/// A point of what chains may meet.
+/// Surface point that chains may touch.
 #[derive(Clone, Copy)]
 struct Point {
     /// In each pose.
@@ -69,7 +69,7 @@ impl Ball {
     }
 }
 
-/// Few spheres that together keep chains clear of as much as they can, the best first.
+/// Returns a few spheres that together cover as much of the surface as possible, the best first.
 pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
     let moved = poses(figure);
     let surface = touchable(surface(figure, chains, &moved));
@@ -172,7 +172,7 @@ fn surface(figure: &Figure, chains: &[DVec3], moved: &[Vec<DAffine3>; POSES]) ->
     out
 }
 
-/// What no other surface covers in the bind pose.
+/// Returns the points not covered by another surface in the bind pose.
 fn touchable(mut all: Vec<Point>) -> Vec<Point> {
     let bound = |p: &Point| [p.at[0], p.normal[0]];
     let covered: Vec<bool> = all
@@ -184,9 +184,9 @@ fn touchable(mut all: Vec<Point>) -> Vec<Point> {
     all
 }
 
-/// The largest sphere inside the surface that touches it at a point in a pose (the shrinking ball
-/// of Ma, Bae and Choi 2012, doi:10.1007/s00371-011-0594-7, in one pass), and that stands out of it
-/// in no other.
+/// Returns the largest sphere inside the surface that touches it at a point in a pose (the
+/// shrinking ball of Ma, Bae and Choi 2012, doi:10.1007/s00371-011-0594-7, in one pass), and that
+/// does not protrude in any other.
 fn ball(
     surface: &[Point],
     p: &Point,

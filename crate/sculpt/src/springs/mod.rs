@@ -13,11 +13,11 @@ use balls::Ball;
 /// Radii of sleeved arms, shares of stature. Designed.
 const UPPER_ARM: f64 = 0.029;
 const FOREARM: f64 = 0.024;
-/// Clearance that ends of chains keep at most, and what is left of it at rest, metres.
+/// Maximum clearance of the ends of chains; the next constant is the remainder at rest, metres.
 const MAX_CLEAR_M: f64 = 0.05;
 const PLAY_M: f64 = 0.0005;
 
-/// How a chain hangs and swings.
+/// Parameters of a hanging, swinging chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HairChain {
     /// Joints from the root, then the end; metres.
@@ -106,7 +106,8 @@ pub(super) fn build_springs(figure: &Figure, chains: &[HairChain]) -> Springs {
     }
 }
 
-/// How late a joint's colliders push: head after neck after all else.
+/// Returns the rank of a joint's colliders in the collision order: head after neck after all
+/// others.
 fn rank(figure: &Figure, joint: usize) -> u8 {
     match figure.skeleton.joints()[joint].drive {
         Drive::Bone(Bone::Skull | Bone::Chin) | Drive::Share(Bone::Skull, _) => 2,
@@ -115,7 +116,7 @@ fn rank(figure: &Figure, joint: usize) -> u8 {
     }
 }
 
-/// Arms, which come to the hair when they are raised.
+/// Returns the colliders of the arms, which touch the hair when raised.
 fn arms(figure: &Figure) -> impl Iterator<Item = Collider> + '_ {
     let links = Side::BOTH.map(|side| {
         let [shoulder, elbow, wrist] =

@@ -23,7 +23,7 @@ use raconteur_body::figure::{Figure, Material, MaterialKind, Mesh, TextureMaps};
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Bone, FaceJoints};
 
-/// Sofia, and the shell of her body under the clothes on a skeleton of its own.
+/// Sofia, and the shell of her body under the clothes on its own skeleton.
 struct Case {
     figure: &'static Figure,
     body: Figure,
@@ -214,7 +214,7 @@ impl<'a> Cut<'a> {
         sides + caps
     }
 
-    /// Crossing pairs among the triangles that `counts` by their place at rest.
+    /// Counts crossing pairs among the triangles accepted by `counts` at their rest position.
     fn crossings(&self, at: &BTreeMap<u32, DVec3>, counts: impl Fn(DVec3) -> bool) -> usize {
         let counted: Vec<[u32; 3]> = self
             .triangles

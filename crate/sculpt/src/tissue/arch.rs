@@ -9,10 +9,10 @@ use raconteur_tissue::tissue::Arch;
 /// Rows this far apart, metres.
 const STEP_M: f64 = 0.0015;
 const COLUMNS: usize = 49;
-/// How finely faces are sampled: pieces along each side.
+/// Number of samples along each side of a face.
 const PIECES: usize = 8;
 
-/// The arch of the teeth and gums whose vertices `own` takes.
+/// Returns the arch of the teeth and gums whose vertices `own` accepts.
 pub(super) fn arch(rigid: &[&MeshPart], own: impl Fn(&PartVertex) -> bool) -> Arch {
     let mut points: Vec<DVec3> = Vec::new();
     for part in rigid {

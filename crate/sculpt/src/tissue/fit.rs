@@ -12,16 +12,16 @@ use raconteur_tissue::tissue::{Attachment, Fibre, FibreCurve, FibrePoint, Link, 
 
 /// Points of a linear fibre.
 const POINTS: usize = 7;
-/// Depth of soft tissue where no bone lies under the skin (cheek, floor of the mouth), metres.
+/// Depth of soft tissue with no bone under the skin (cheek, floor of the mouth), metres.
 const FLESH_M: f64 = 0.011;
-/// Depth of what lies inside mouth and nose, metres.
+/// Depth of the lining inside mouth and nose, metres.
 const LINING_M: f64 = 0.003;
 /// Thickness of a lip to its lining, metres.
 const LIP_M: f64 = 0.005;
-/// Nodes that are farther than the nearest by less than this have a say too, metres. More would
-/// mix what lies on both sides of a fold, as beside the wings of the nose.
+/// Tolerance within which nodes count as near as the nearest one, metres. More would mix both sides
+/// of a fold, such as next to the wings of the nose.
 const ABOUT_AS_NEAR_M: f64 = 1e-4;
-/// Holds weaker than this are left out.
+/// Weight below which attachments are dropped.
 const MIN_HOLD: f64 = 0.02;
 
 /// The skin's nodes in the world, and the bones under them.
@@ -66,8 +66,8 @@ impl Skin {
         }
     }
 
-    /// The skin about a place: of the nearest node that is no lining, mixed with those about
-    /// as near, so that none has to be chosen where halves of the face meet.
+    /// Returns the skin around a position: of the nearest node that is not lining, averaged with
+    /// those about as near, so that the result does not jump where the halves of the face meet.
     fn nearest(&self, soft: &Soft, p: DVec3) -> NearbySkin {
         let outside = || {
             let nodes = (0..self.places.len()).filter(|&i| !soft.nodes[i].is_inside);
@@ -95,7 +95,7 @@ impl Skin {
         near
     }
 
-    /// Puts a place under the skin, at a share of the way to the bone.
+    /// Places a point under the skin, at a share of the depth to the bone.
     fn sunk(&self, soft: &Soft, mut p: DVec3, share: f64) -> FibrePoint {
         let mut near = self.nearest(soft, p);
         // Over a curved skin other nodes become the nearest on the way.
@@ -111,17 +111,17 @@ impl Skin {
     }
 }
 
-/// The skin about a place.
+/// Skin around a position.
 #[derive(Clone, Copy, Debug, Default)]
 struct NearbySkin {
-    /// How far the place is above it, metres.
+    /// Height of the position above the skin, metres.
     height: f64,
     normal: DVec3,
     depth: f64,
     jaw: f64,
 }
 
-/// A line through places, cut into pieces of one length.
+/// Resamples a polyline into segments of equal length.
 fn resample(line: &[DVec3], count: usize) -> Vec<DVec3> {
     let lengths: Vec<f64> = line.windows(2).map(|w| w[0].distance(w[1])).collect();
     let whole: f64 = lengths.iter().sum();
@@ -139,7 +139,8 @@ fn resample(line: &[DVec3], count: usize) -> Vec<DVec3> {
         .collect()
 }
 
-/// The nearest place of a chain of points: the point before it, how far on, and the distance.
+/// Returns the nearest position on a chain of points: the preceding point, the fraction of the
+/// segment, and the distance.
 pub(super) fn nearest_on(points: &[FibrePoint], p: DVec3) -> (usize, f64, f64) {
     let at = |k: usize| DVec3::from_array(points[k].rest.map(f64::from));
     let mut best = (0, 0.0, f64::MAX);
@@ -154,7 +155,7 @@ pub(super) fn nearest_on(points: &[FibrePoint], p: DVec3) -> (usize, f64, f64) {
     best
 }
 
-/// Adds a fibre to the tissue; gives the index of its first point.
+/// Adds a fibre to the tissue; returns the index of its first point.
 pub(super) fn push(
     out: &mut Tissue,
     muscle: Muscle,
@@ -176,7 +177,7 @@ pub(super) fn push(
 pub(super) struct Site<'a> {
     pub(super) soft: &'a Soft,
     pub(super) skin: &'a Skin,
-    /// Where a place of the mean head, millimetres, is in this world.
+    /// Map from the mean head, millimetres, to this world.
     pub(super) carried: &'a dyn Fn([f64; 3]) -> DVec3,
 }
 
@@ -281,7 +282,7 @@ fn attach(
     }
 }
 
-/// How much of a node hangs on the ring of the mouth.
+/// Returns the weight with which a node is attached to the ring of the mouth.
 fn ring_share(out: &Tissue, holds: &[Attachment]) -> f64 {
     let is_ring = |h: &&Attachment| {
         let point = h.point;
@@ -297,7 +298,7 @@ fn ring_share(out: &Tissue, holds: &[Attachment]) -> f64 {
         .sum()
 }
 
-/// Grows the end of a fibre into the ring of the mouth about a place of it.
+/// Attaches the end of a fibre to the ring of the mouth around a position.
 fn link(out: &mut Tissue, side: Side, end: usize, middle: f64, half: f64, weight: f64) {
     let rings: Vec<(usize, usize, bool)> = out
         .fibres

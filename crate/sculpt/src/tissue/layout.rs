@@ -16,48 +16,49 @@ pub(super) const FIBRES: &str = include_str!("fibres.tsv");
 
 type Place = [f64; 3];
 
-/// How the fibres of a sheet run.
+/// Direction of the fibres of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Runs {
     /// Each from its origin over points between to where it ends in the skin.
     Linear,
-    /// Round, and towards a place.
+    /// Along a curve, and towards a point.
     Towards(Place),
 }
 
-/// Which skin a sheet moves.
+/// Skin that a sheet moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Moves {
     /// That of the face.
     Face,
     /// That at the side of the head, from the scalp to the jaw's angle.
     Aside,
-    /// That and the ear, all of which goes with the fibre's end.
+    /// The same and the ear, which follows the fibre's end as a whole.
     Ear,
 }
 
 /// A sheet of fibres of one muscle.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sheet {
-    /// On which sides it lies and whose it is there. In the middle of the face it lies on the
-    /// left alone if all of it is on the midline, else on both.
+    /// Sides of the sheet and its muscle on each. In the middle of the face it has only the left
+    /// side if all of it is on the midline, otherwise both.
     pub(super) muscles: Vec<(Side, Muscle)>,
     pub(super) runs: Runs,
-    /// Left fibres, or those of the middle: each a few places on or over the skin, which are put
-    /// under it.
+    /// Left fibres, or those of the midline: a few points each, on or over the skin, which are
+    /// moved under it.
     pub(super) fibres: Vec<Vec<Place>>,
-    /// How far from a fibre the skin still follows in full, and where it follows no more, mm.
+    /// Distances from a fibre up to which the skin follows fully, and beyond which it does not
+    /// follow, mm.
     pub(super) reach: [f64; 2],
-    /// How much of the fibre's movement the skin over it takes.
+    /// Share of the fibre's movement that the skin over it follows.
     pub(super) pull: f64,
-    /// Whether its ends are grown into the ring of the mouth: middle of the place along it,
-    /// as [`crate::head::LipPlace::position`] counts, half its width there, and how
-    /// much of its movement the ring takes.
+    /// Attachment of its ends to the ring of the mouth: middle of the position along it, as in
+    /// [`crate::head::LipPlace::position`], half its width there, and the share of its movement
+    /// that the ring follows.
     pub(super) ring: Option<[f64; 3]>,
     pub(super) moves: Moves,
 }
 
-/// What the columns of the table are.
+/// Header of the table.
 const COLUMNS: &str = "muscle\tcourse\treach_mm\tpull\tgrown_in\tskin\tplaces_mm";
 
 /// The sheets of the shipped muscles.
@@ -69,8 +70,8 @@ pub(super) fn shipped() -> Vec<Sheet> {
     read(FIBRES, &Anatomy::SHIPPED).expect("a table of fibres")
 }
 
-/// The sheets of a table: rows of one muscle that follow each other and differ in their places
-/// alone are one.
+/// Reads the sheets of a table: consecutive rows of one muscle that differ only in their positions
+/// form one sheet.
 pub(super) fn read(text: &str, anatomy: &Anatomy) -> Result<Vec<Sheet>, String> {
     let mut lines = text.lines().filter(|l| !l.trim().is_empty());
     if lines.next() != Some(COLUMNS) {
@@ -148,8 +149,8 @@ fn numbers<const N: usize>(text: &str, between: char) -> Result<[f64; N], String
     all.ok_or_else(|| format!("{text:?} is not {N} numbers"))
 }
 
-/// Where skin shows its blood: places of the mean head (left half), how far around, mm, and
-/// how much. Cheeks first, then nose, chin and forehead (by eye).
+/// Regions in which blood shows: positions on the mean head (left half), radius, mm, and strength.
+/// Cheeks first, then nose, chin and forehead (by eye).
 pub(super) const FLUSH: [([f64; 3], f64, f64); 6] = [
     ([44.0, -16.0, 84.0], 17.0, 1.0),
     ([28.0, -12.0, 91.0], 13.0, 0.7),

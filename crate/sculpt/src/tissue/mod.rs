@@ -31,8 +31,8 @@ fn ramp(low: f64, high: f64, x: f64) -> f64 {
     raconteur_base::curve::smooth((x - low) / (high - low))
 }
 
-/// How firmly a node is held. Inside the corner of the mouth, where the rings of both lips
-/// crowd, the lining follows its neighbours.
+/// Returns the lateral stiffness of a node. Inside the corner of the mouth, where the rings of both
+/// lips crowd, the lining follows its neighbours.
 fn grip(node: &SoftNode) -> f64 {
     let is_fold = |lip: LipPlace| lip.ring >= 8 && (11..=13).contains(&lip.position);
     if node.lip.is_some_and(is_fold) {
@@ -42,8 +42,8 @@ fn grip(node: &SoftNode) -> f64 {
     }
 }
 
-/// The tissue of a head that stands at `place` (world from head). `bones` are its skull and
-/// lower jaw and `rigid` its teeth and gums, world, bind pose; `hinge` is the jaw's.
+/// Builds the tissue of a head at `place` (world from head). `bones` are its skull and lower jaw
+/// and `rigid` its teeth and gums, world, bind pose; `hinge` is the jaw's.
 pub(crate) fn tissue(
     soft: &Soft,
     place: &DAffine3,

@@ -16,18 +16,18 @@ use raconteur_tissue::tissue::{Attachment, Column, FibreCurve, FibrePoint, LipNo
 /// Position of the corner, and of the middle of the lower lip; see [`LipPlace`].
 const CORNER: u8 = 12;
 const LAST: u8 = 24;
-/// Rings on which fibres lie, from the red of the lips outwards, and how far out they count.
+/// Rings with fibres, from the vermilion of the lips outwards, and their outward coordinate.
 const RINGS: [(u8, f32); 3] = [(6, 0.0), (2, 0.5), (0, 1.0)];
 /// Ring on which the lips touch at rest.
 const CONTACT: u8 = 10;
-/// How far beyond its outermost fibre the ring moves the skin, mm on the reference head.
+/// Distance beyond its outermost fibre to which the ring moves the skin, mm on the reference head.
 const BEYOND_MM: f64 = 14.0;
 /// Share of a gap between the lips that the upper lip closes.
 const UPPER_CLOSES: f64 = 0.36;
-/// How deep under the skin the fibres lie, metres.
+/// Depth of the fibres under the skin, metres.
 const UNDER_M: f64 = 0.0022;
 
-/// Nodes of the lips by their place.
+/// Nodes of the lips by position.
 struct LipNodes(BTreeMap<LipPlace, usize>);
 
 impl LipNodes {
@@ -36,7 +36,7 @@ impl LipNodes {
         Self(nodes.filter_map(|(i, n)| Some((n.lip?, i))).collect())
     }
 
-    /// The node on a ring; those in the middle lie on no side.
+    /// Returns the node on a ring; midline nodes have no side.
     fn node(&self, ring: u8, position: u8, side: Side) -> Option<usize> {
         let side = if position == 0 || position == LAST {
             Side::Left
@@ -113,7 +113,7 @@ fn ring_fibres(soft: &Soft, skin: &Skin, lips: &LipNodes, out: &mut Tissue) -> F
     firsts
 }
 
-/// Hangs the nodes of the lips on the fibres, each on the two between which it lies.
+/// Attaches the nodes of the lips to the fibres, each to the two between which it lies.
 fn hold_lips(lips: &LipNodes, firsts: &FirstPoints, holds: &mut [Vec<Attachment>]) {
     let hold = |lip: LipPlace, r: usize, weight: f64| {
         let is_lower = lip.position > CORNER;
@@ -198,7 +198,7 @@ fn hold_around(
     }
 }
 
-/// Makes the columns and pairs by which the lips meet.
+/// Creates the columns and pairs by which the lips meet.
 fn join_lips(skin: &Skin, lips: &LipNodes, rigid: &[&MeshPart], out: &mut Tissue) -> Columns {
     let mm = f64::from(out.scale) * 1e-3;
     let edge = teeth_edge(rigid);
@@ -234,7 +234,7 @@ fn join_lips(skin: &Skin, lips: &LipNodes, rigid: &[&MeshPart], out: &mut Tissue
     columns
 }
 
-/// How far each node of the lips follows its column when they close.
+/// Sets the weight with which each node of the lips follows its column when they close.
 fn close_lips(lips: &LipNodes, columns: &Columns, out: &mut Tissue) {
     for (&lip, &i) in &lips.0 {
         let ring = f64::from(lip.ring);
@@ -251,10 +251,10 @@ fn close_lips(lips: &LipNodes, columns: &Columns, out: &mut Tissue) {
     }
 }
 
-/// What closes less than this stays where it is.
+/// Minimum closing weight; nodes below it stay.
 const MIN_CLOSING: f64 = 0.01;
 
-/// How a node closes with a place of the lips, by this much of it; none without a column.
+/// Returns a node's closing with a position of the lips, by this weight; `None` without a column.
 fn closing(lip: LipPlace, node: usize, much: f64, columns: &Columns) -> Option<LipNode> {
     let k = lip.position.min(LAST - lip.position);
     let side = if k == 0 { Side::Left } else { lip.side };
@@ -271,7 +271,7 @@ fn closing(lip: LipPlace, node: usize, much: f64, columns: &Columns) -> Option<L
     })
 }
 
-/// Skin about the lips goes with them a part of the way when they close.
+/// Makes the skin around the lips follow them partly when they close.
 fn spread_around_lips(
     soft: &Soft,
     skin: &Skin,
@@ -313,15 +313,14 @@ fn spread_around_lips(
     }
 }
 
-/// How much of what hangs on both halves of the mouth hangs on the left one, from the
-/// distances of the right and of the left one: in the middle both have the same, and none has
-/// to be chosen.
+/// Returns the weight of the left half for a node attached to both halves of the mouth, from its
+/// distances to the right and to the left one: equal in the middle, so the result does not jump.
 fn share_of_left(right: f64, left: f64, mm: f64) -> f64 {
     let apart = 0.5 * mm;
     ramp(-apart, apart, right - left)
 }
 
-/// Where the edge of the upper teeth lies at a distance from the middle, world.
+/// Returns the edge of the upper teeth as a function of the distance from the midline, world.
 fn teeth_edge(rigid: &[&MeshPart]) -> impl Fn(f64) -> DVec3 {
     let upper: Vec<DVec3> = rigid
         .iter()

@@ -11,7 +11,7 @@ const MUSCLES_TABLE: &str = include_str!("../../../tissue/src/muscles.tsv");
 /// A made-up muscle that draws the cheek to the front of the ear, and folds it.
 const ROW: &str = "Wiggler\tpair\tWiggler\t0.4\t1.0\t1:0.5\t-\t-\t0\tEars\tWiggler\twiggles\n";
 const FIBRE: &str = "Wiggler\tline\t6:14\t0.9\t-\tface\t66,-18,52 58,-19,70 50,-20,82 42,-20,86\n";
-/// Where it ends on the mean head, metres.
+/// End of the muscle on the mean head, metres.
 const END: DVec3 = DVec3::new(0.042, -0.020, 0.086);
 
 fn tissue(head: &Head, fibres: &str, anatomy: &Anatomy) -> Tissue {
@@ -20,8 +20,8 @@ fn tissue(head: &Head, fibres: &str, anatomy: &Anatomy) -> Tissue {
     with(&sheets, &head.soft, &place, &[], &[], head.jaw_hinge)
 }
 
-/// How far the skin at the end of the made-up muscle has gone back, left and right, metres, and
-/// how much it folds there.
+/// Returns the backward displacement of the skin at the end of the test muscle, left and right,
+/// metres, and its folding there.
 fn seen(tissue: &Tissue, network: &mut Network) -> [[f32; 2]; 2] {
     let mut nodes = vec![NodeState::default(); tissue.rest.len()];
     network.write(tissue, 1.0, &mut nodes);

@@ -5,8 +5,8 @@ use faer::Mat;
 use faer::linalg::solvers::Solve as _;
 use raconteur_base::DVec3;
 
-/// A map of space that brings landmarks to landmarks: an affine part and a sum of
-/// biharmonic kernels, which in space are plain distances.
+/// Map of space that takes landmarks to landmarks: an affine part and a sum of biharmonic kernels,
+/// which in 3D are plain distances.
 pub(crate) struct Warp {
     at: Vec<DVec3>,
     weights: Vec<DVec3>,
@@ -17,7 +17,8 @@ pub(crate) struct Warp {
 const SAME_MM: f64 = 0.5;
 
 impl Warp {
-    /// From pairs of places on the left halves of the reference and of the other head.
+    /// Builds the map from pairs of positions on the left halves of the reference and of the other
+    /// head.
     pub(super) fn mirrored(pairs: &[(DVec3, DVec3)]) -> Self {
         let flip = DVec3::new(-1.0, 1.0, 1.0);
         let both = pairs
@@ -26,7 +27,7 @@ impl Warp {
         Self::new(&both.collect::<Vec<_>>())
     }
 
-    /// From pairs of places on the reference and on the other head.
+    /// Builds the map from pairs of positions on the reference and on the other head.
     pub(crate) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
         let mut kept: Vec<(DVec3, DVec3)> = Vec::new();
         for &(at, to) in pairs {
@@ -52,7 +53,7 @@ impl Warp {
         }
     }
 
-    /// Where a place of the reference head is on the other.
+    /// Maps a position of the reference head to the other.
     pub(crate) fn place(&self, p: DVec3) -> DVec3 {
         let [base, x, y, z] = self.affine;
         let kernels = self.at.iter().zip(&self.weights);

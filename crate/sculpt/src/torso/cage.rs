@@ -25,11 +25,11 @@ const ROWS: [f64; 25] = [
     0.492, 0.506, 0.521, 0.536, 0.551, 0.566, 0.582, 0.598, 0.614, 0.630, 0.646, 0.662, 0.678,
     0.694, 0.710, 0.726, 0.742, 0.762, 0.78, 0.798, 0.815, 0.828, 0.842, 0.860, 0.885,
 ];
-/// How much lower a child's rows lie, share of stature: the head takes more of it.
+/// Downward shift of a child's rows, share of stature: the head takes a larger share.
 const CHILD_DROP: f64 = 0.0185;
 /// Columns of the trunk; 0 is the front, 6 the left side, 12 the back.
 pub const COLUMNS: usize = 24;
-/// Rows between which the armhole lies.
+/// Rows of the armhole.
 pub const HOLE: (usize, usize) = (16, 20);
 /// Points of a limb's ring.
 pub const RING: usize = 16;
@@ -44,7 +44,7 @@ const LEG_RINGS: [f64; 20] = [
     1.80, 1.88, 1.95, 2.03,
 ];
 
-/// Place of a cage vertex in the rings.
+/// Position of a cage vertex in the rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
     /// Row and column; column 0 is the front, 6 the left side, 12 the back.
@@ -79,7 +79,7 @@ impl Key {
         matches!(self, Self::Trunk(_, 0 | 12) | Self::Crotch(_))
     }
 
-    /// Regions of the field a vertex may lie on: an arm must not snap to a thigh.
+    /// Returns the regions of the field that a vertex may lie on: an arm must not snap to a thigh.
     fn regions(self) -> Regions {
         match self {
             Self::Trunk(..) | Self::Crotch(_) => Regions::ALL,
@@ -88,7 +88,7 @@ impl Key {
         }
     }
 
-    /// Whether relaxing may slide the vertex: only where the template is crude.
+    /// Returns true if relaxation may slide the vertex: only where the template is crude.
     fn slides(self) -> bool {
         match self {
             Self::Trunk(r, _) => (HOLE.0 - 3..ROWS.len() - 1).contains(&r) || r < 4,
@@ -99,7 +99,7 @@ impl Key {
     }
 }
 
-/// Which ring a face belongs to.
+/// Ring of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tag {
     /// Between a trunk row and the next.
@@ -117,7 +117,7 @@ pub struct Cage {
     pub shell: Shell,
     /// One tag for each face.
     pub tags: Vec<Tag>,
-    /// Place of each point.
+    /// Key of each point.
     pub keys: Vec<Key>,
     /// Heights of the trunk's rows, metres.
     heights: Vec<f64>,
@@ -196,7 +196,7 @@ impl Cage {
         }
     }
 
-    /// The faces that `keep` wants, as a shell of their own.
+    /// Returns the faces accepted by `keep` as a separate shell.
     #[must_use]
     pub fn extract(&self, keep: impl Fn(Tag) -> bool) -> Shell {
         self.shell.select(|f| keep(self.tags[f]))
@@ -229,7 +229,7 @@ impl Cage {
         LEG_RINGS.iter().rposition(|s| *s <= t).unwrap_or(0)
     }
 
-    /// Whether a face belongs to the neck and its root, from a share of stature upwards.
+    /// Returns true if a face belongs to the neck and its root, from a share of stature upwards.
     #[must_use]
     pub fn is_above(tag: Tag, share: f64) -> bool {
         matches!(tag, Tag::Trunk(r) if r >= Self::row_at(share))

@@ -10,7 +10,7 @@ use super::section::Sections;
 use super::shape::{BodyParams, CM, Joints};
 use raconteur_body::skeleton::Bone;
 
-/// Which regions take part in an evaluation.
+/// Set of regions included in an evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Regions(u8);
 
@@ -26,9 +26,9 @@ impl Regions {
     /// Trunk and legs.
     pub const LOWER: Self = Self(Self::TRUNK | Self::LEG);
 
-    /// The trunk alone.
+    /// Only the trunk.
     pub const TRUNK_ONLY: Self = Self(Self::TRUNK);
-    /// The legs alone.
+    /// Only the legs.
     pub const LEG_ONLY: Self = Self(Self::LEG);
 
     fn has(self, bit: u8) -> bool {
@@ -43,7 +43,7 @@ struct Pad {
     radii: DVec3,
     /// Width of the blend, metres.
     blend: f64,
-    /// Needed regions, any of them.
+    /// Required regions, any of them.
     regions: u8,
     /// Rotation about z of the pad's frame, as (cos, sin).
     turn: (f64, f64),
@@ -120,7 +120,7 @@ impl Limb {
     }
 }
 
-/// Radius of a superellipse of exponent n towards a direction given over its radii.
+/// Returns the radius of a superellipse of exponent n in a direction scaled by its radii.
 fn superellipse(a: f64, b: f64, n: f64) -> f64 {
     ops::pow(ops::pow(a.abs(), n) + ops::pow(b.abs(), n), -1.0 / n)
 }
@@ -228,7 +228,7 @@ impl Field {
         }
     }
 
-    /// The form on which cloth hangs: the same body with the hollow of the waist partly
+    /// Returns the form on which cloth hangs: the same body with the hollow of the waist partly
     /// filled; `share` 0 leaves it, 1 lets the cloth fall straight from chest to hip.
     #[must_use]
     pub fn dress_form(&self, share: f64) -> Self {

@@ -94,7 +94,7 @@ impl Sections {
         self.last
     }
 
-    /// The five values at a parameter, held at both ends.
+    /// Interpolates the five values at a parameter, clamped at both ends.
     pub(super) fn sample(&self, x: f64) -> [f64; 5] {
         let n = self.rows.len();
         let t = ((x - self.first) / (self.last - self.first) * (n - 1) as f64)

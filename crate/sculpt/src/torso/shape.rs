@@ -12,8 +12,8 @@ use raconteur_body::skeleton::{Bone, zero_frames};
 /// Centimetres to metres: the section tables are in centimetres.
 pub const CM: f64 = 0.01;
 
-/// Angle of the arms below the horizontal in the rest pose, radians (48°): half way
-/// between hanging and raised, so that both stretch the shoulder least.
+/// Angle of the arms below the horizontal in the rest pose, radians (48°): half way between hanging
+/// and raised, so that both stretch the shoulder least.
 pub const ARMS_DOWN_RAD: f64 = 48.0 * core::f64::consts::PI / 180.0;
 
 /// Measures of a body.
@@ -44,15 +44,15 @@ impl BodyParams {
         1.0 - smooth(ramp(9.0, 17.0, self.age_years))
     }
 
-    /// 0 up to fifty, 1 at eighty-five: how far age has bent and thinned the body.
+    /// Returns the effect of age on posture and volume: 0 up to fifty, 1 at eighty-five.
     #[must_use]
     pub fn old(&self) -> f64 {
         smooth(ramp(48.0, 86.0, self.age_years))
     }
 
-    /// How far the spine's curve carries a height of the body forward, metres: with age
-    /// the upper back rounds and the head goes before the trunk. Designed; thoracic
-    /// kyphosis grows from about 25° at thirty to 43° at seventy-five (Fon et al. 1980,
+    /// Returns the forward shift of the body by the spine's curve at a height, metres: with age the
+    /// upper back rounds and the head moves in front of the trunk. Designed; thoracic kyphosis
+    /// grows from about 25° at thirty to 43° at seventy-five (Fon et al. 1980,
     /// doi:10.2214/ajr.134.5.979).
     #[must_use]
     pub fn stoop_m(&self, y_m: f64) -> f64 {
@@ -63,7 +63,7 @@ impl BodyParams {
     }
 }
 
-/// Places and orientations of the bones in the rest pose.
+/// Positions and orientations of the bones in the rest pose.
 #[derive(Clone, Debug)]
 pub struct Joints {
     /// Origins in the world.

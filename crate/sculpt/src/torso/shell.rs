@@ -26,13 +26,13 @@ impl Shell {
         vertex_normals(&self.points, &self.faces)
     }
 
-    /// Only the faces that `keep` wants, without the points that no face uses.
+    /// Returns only the faces accepted by `keep`, without unused points.
     #[must_use]
     pub fn select(&self, keep: impl FnMut(usize) -> bool) -> Self {
         self.select_named(keep).0
     }
 
-    /// As [`Self::select`], with the new index of each point that was kept.
+    /// Returns the result of [`Self::select`], with the new index of each kept point.
     #[must_use]
     pub fn select_named(&self, mut keep: impl FnMut(usize) -> bool) -> (Self, Vec<Option<u32>>) {
         let mut renamed: Vec<Option<u32>> = vec![None; self.points.len()];
@@ -72,7 +72,7 @@ impl Shell {
         (shell, fine.stencils)
     }
 
-    /// Neighbours of each point along edges, and whether the point lies on a boundary.
+    /// Returns the neighbours of each point along edges, and true for each point on a boundary.
     #[must_use]
     pub fn neighbours(&self) -> (Vec<Vec<u32>>, Vec<bool>) {
         let mut around = vec![Vec::new(); self.points.len()];
@@ -88,7 +88,7 @@ impl Shell {
         (around, rim)
     }
 
-    /// Moves every inner point half way to the mean of its neighbours, `rounds` times.
+    /// Moves every inner point half way to the mean of its neighbours, for `rounds` rounds.
     pub fn relax(&mut self, rounds: usize) {
         let (around, rim) = self.neighbours();
         for _ in 0..rounds {
@@ -102,8 +102,9 @@ impl Shell {
         }
     }
 
-    /// Moves every inner point outwards to the mean of its neighbours where that lies farther out, as cloth that is
-    /// taut bridges hollows, `rounds` times, by a share 0..1 of each point; `outward` is a unit vector.
+    /// Moves every inner point outwards to the mean of its neighbours where that lies farther out,
+    /// like taut cloth that spans hollows, for `rounds` rounds, by a share 0..1 of each point;
+    /// `outward` is a unit vector.
     pub fn bridge(&mut self, rounds: usize, shares: &[f64], outward: &[DVec3]) {
         let (around, rim) = self.neighbours();
         for _ in 0..rounds {

@@ -5,7 +5,7 @@ use raconteur_base::Side;
 use crate::part::JointRef;
 use raconteur_body::skeleton::{Bone, Drive};
 
-/// A joint in an order that does not depend on floating-point values.
+/// Joint in an order that does not depend on floating-point values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rig {
     /// A bone of the table.
@@ -88,7 +88,7 @@ impl Weights {
         Self(out)
     }
 
-    /// A blend: `s` = 0 gives self.
+    /// Interpolates linearly: `s` = 0 gives self.
     #[must_use]
     pub fn lerp(&self, other: &Self, s: f64) -> Self {
         Self::mix([(self, 1.0 - s), (other, s)].into_iter())

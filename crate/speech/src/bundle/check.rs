@@ -2,7 +2,7 @@
 
 use super::Utterance;
 
-/// Whether a name is that of a plain file of a bundle.
+/// Returns true if a name is a plain file name in a bundle.
 fn plain(name: &str) -> bool {
     !name.is_empty()
         && !name.starts_with('.')
@@ -12,7 +12,7 @@ fn plain(name: &str) -> bool {
 }
 
 impl Utterance {
-    /// Refuses file names that leave the folder, and a voice that does not exist.
+    /// Rejects file names outside the folder, and unknown voices.
     pub(super) fn check(&self, voices: usize) -> Result<(), String> {
         if let Some(bad) = self.audio.iter().find(|a| !plain(&a.file)) {
             let name: String = bad.file.chars().flat_map(char::escape_default).collect();

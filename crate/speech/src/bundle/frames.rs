@@ -17,20 +17,20 @@ const CODES_AN_OCTAVE: f64 = 60.0;
 /// The intensity of code 0 against full scale, decibels; each code is half a decibel.
 const MIN_DB: f64 = -100.0;
 
-/// The frequency of a code, hertz; `None` where nothing is voiced.
+/// Returns the frequency of a code, hertz; `None` for unvoiced frames.
 #[must_use]
 pub fn hz_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| MIN_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
 }
 
-/// The pitch of a code, semitones above the lowest code; `None` where nothing is
-/// voiced. Differences of it are musical intervals, whatever the voice.
+/// Returns the pitch of a code, semitones above the lowest code; `None` for unvoiced frames. Its
+/// differences are musical intervals, independent of the voice.
 #[must_use]
 pub fn semitones_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| (f64::from(code) - 1.0) * (12.0 / CODES_AN_OCTAVE))
 }
 
-/// The code of a frequency in hertz: 0 for none, else from 40 to 752 Hz.
+/// Returns the code of a frequency in hertz: 0 for unvoiced, else from 40 to 752 Hz.
 #[must_use]
 #[expect(
     clippy::cast_possible_truncation,
@@ -73,7 +73,7 @@ pub fn to_base64(bytes: &[u8]) -> String {
     BASE64.encode(bytes)
 }
 
-/// The bytes of base64 without padding; `None` when it is not base64.
+/// Decodes base64 without padding; `None` for invalid base64.
 #[must_use]
 pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     BASE64.decode(text).ok()

@@ -20,7 +20,7 @@ pub(super) struct Melody {
     pub(super) intensity: Option<String>,
 }
 
-/// Takes the next items of all; the index of the first, if there are as many.
+/// Takes the next `items` of `all`; returns the index of the first, if there are enough.
 fn take_items(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
     let first = *taken;
     *taken = first.saturating_add(items);
@@ -28,7 +28,7 @@ fn take_items(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
 }
 
 impl Utterance {
-    /// Takes the optional members, after phones and words.
+    /// Reads the optional members, after phones and words.
     pub(super) fn read_melody(&mut self, melody: Melody) -> Result<(), String> {
         self.f0 = frames(melody.f0, "f0")?;
         self.intensity = frames(melody.intensity, "intensity")?;

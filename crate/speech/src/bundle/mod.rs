@@ -21,7 +21,7 @@ use crate::phones::PhoneRow;
 /// The version this code reads and writes.
 pub const VERSION: u32 = 2;
 
-/// The symbol of silence, whatever the phone set.
+/// Symbol of silence in every phone set.
 pub const SILENCE: &str = "pau";
 
 /// The symbol of a recording between the words: the mouth is still.
@@ -30,7 +30,7 @@ pub const SOUND: &str = "snd";
 /// The speech of a story, computed ahead.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bundle {
-    /// The voices that speak in it.
+    /// Voices that speak in it.
     pub voices: Vec<Voice>,
     /// Utterances in the order of the story.
     pub utterances: Vec<Arc<Utterance>>,
@@ -47,13 +47,13 @@ pub struct Voice {
     pub language: String,
     /// The phone set, for example `radio` or `espeak-de`.
     pub phone_set: String,
-    /// The rows of [`crate::phones`] whose names differ from the symbols that they stand for:
-    /// symbol and name.
+    /// Symbols of rows of [`crate::phones`] that have another name: symbol and name.
     pub mouth: Vec<(String, String)>,
 }
 
 impl Voice {
-    /// The row of the phone table that moves the lips for a symbol; none for an unknown one.
+    /// Returns the row of the phone table that drives the lips for a symbol; `None` for an unknown
+    /// one.
     #[must_use]
     pub fn row(&self, symbol: &str) -> Option<PhoneRow> {
         if symbol == SOUND {
@@ -69,11 +69,10 @@ impl Voice {
 pub struct Utterance {
     /// The key by which a story finds it: a digest of the text, the voice and the emotion.
     pub key: u64,
-    /// A digest of everything that its sound depends on; by it a baker knows whether the sound
-    /// is up to date.
+    /// Digest of all inputs of its audio, which tells a baker if the audio is up to date.
     pub content: u64,
-    /// The share of the story in [`Utterance::content`]: by this a baker that lacks the engines
-    /// knows whether the text is still the same. `None` in older bundles.
+    /// The story's part of [`Utterance::content`], by which a baker without the engines detects
+    /// changes of the text. `None` in older bundles.
     pub source: Option<u64>,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
@@ -126,7 +125,7 @@ pub struct FileDigest {
     pub sha256: String,
 }
 
-/// One spoken word.
+/// A spoken word.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Word {
     /// As written, punctuation attached.
@@ -135,7 +134,7 @@ pub struct Word {
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
     pub end_secs: f64,
-    /// Whether the script emphasises it; false in a bundle.
+    /// True if the script emphasises it; false in a bundle.
     pub emphasized: bool,
 }
 
@@ -160,9 +159,9 @@ pub struct Phone {
 pub struct Syllable {
     /// Index of its first phone.
     pub first_phone: usize,
-    /// How many phones it has, at least one.
+    /// Number of phones, at least one.
     pub phones: usize,
-    /// 0 none, 1 primary, 2 secondary.
+    /// Stress: 0 none, 1 primary, 2 secondary.
     pub stress: u8,
 }
 
@@ -171,7 +170,7 @@ pub struct Syllable {
 pub struct Accent {
     /// Index of its syllable.
     pub syllable: usize,
-    /// Its name in ToBI, for example `H*`; `*` where the engine gives no name.
+    /// ToBI label, for example `H*`; `*` if the engine gives none.
     pub label: String,
 }
 
@@ -180,7 +179,7 @@ pub struct Accent {
 pub struct Phrase {
     /// Index of its first word.
     pub first_word: usize,
-    /// How many words it has.
+    /// Number of words.
     pub words: usize,
     /// The boundary tone at its end in ToBI, for example `L-L%`.
     pub tone: String,
@@ -205,7 +204,7 @@ pub enum SentenceKind {
 pub struct Sentence {
     /// Index of its first word.
     pub first_word: usize,
-    /// How many words it has.
+    /// Number of words.
     pub words: usize,
     /// Its type.
     pub kind: SentenceKind,
@@ -218,7 +217,7 @@ pub struct Emotion {
     pub name: String,
     /// From when on, seconds from the start of the utterance.
     pub start_secs: f64,
-    /// When it is strongest.
+    /// Time of its apex, seconds.
     pub apex_secs: f64,
     /// Until when.
     pub end_secs: f64,
@@ -254,7 +253,7 @@ impl Bundle {
 }
 
 impl SentenceKind {
-    /// Each kind with the punctuation mark that stands for it.
+    /// Punctuation mark of each kind.
     pub const MARKS: [(Self, &'static str); 4] = [
         (Self::Statement, "."),
         (Self::Question, "?"),
@@ -264,7 +263,7 @@ impl SentenceKind {
 }
 
 impl Utterance {
-    /// Index of the word being spoken `offset_secs` into the utterance: the last one that
+    /// Returns the index of the word spoken at `offset_secs` into the utterance: the last one that
     /// has begun, until it ends. O(log n).
     #[must_use]
     pub fn word_at(&self, offset_secs: f64) -> Option<usize> {
@@ -286,7 +285,7 @@ impl Utterance {
         Some(([first.start_secs, last.end_secs], first.word))
     }
 
-    /// Index of the phone heard `offset_secs` into the utterance. O(log n).
+    /// Returns the index of the phone at `offset_secs` into the utterance. O(log n).
     #[must_use]
     pub fn phone_at(&self, offset_secs: f64) -> Option<usize> {
         let i = self

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use super::melody::{EmotionRow, Melody, SyllableRow, WordsRow};
 use super::{AudioFile, Bundle, Phone, SILENCE, Utterance, VERSION, Voice, Word};
 
-/// Why a bundle was refused.
+/// Error returned when a bundle is rejected.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BundleError {
@@ -36,7 +36,7 @@ pub enum BundleError {
     Invalid {
         /// Index of the utterance.
         utterance: usize,
-        /// What is wrong with it.
+        /// Description of the fault.
         what: String,
     },
 }
@@ -202,7 +202,8 @@ impl super::FileDigest {
     }
 }
 
-/// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
+/// Maximum length of a phone or pause, milliseconds: ten times the longest pause that markup can
+/// request.
 const MAX_PHONE_MSEC: u32 = 600_000;
 /// The longest utterance, milliseconds: a day, the longest that alignments may have.
 const MAX_MSEC: f64 = 86_400_000.0;

@@ -200,7 +200,8 @@ fn a_fault_of_the_json_names_what_is_wrong_and_where() {
 }
 
 proptest::proptest! {
-    /// Whatever a phone's length: it is refused, or the utterance is no longer than a day.
+    /// Checks, for phones of any length, that they are rejected or the utterance is no longer than
+    /// a day.
     #[test]
     fn lengths_are_bounded(
         msec in proptest::prop_oneof![0..1_300_000_u32, proptest::prelude::any::<u32>()],

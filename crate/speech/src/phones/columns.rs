@@ -3,7 +3,7 @@
 
 use super::table::TABLE;
 
-/// Symbols (radio, SAMPA, espeak, MRPA) of the rows, in their order; empty where a set has none.
+/// Symbols (radio, SAMPA, espeak, MRPA) of the rows, in their order; empty if a set has none.
 #[rustfmt::skip]
 pub(super) static COLUMNS: [[&str; 4]; TABLE.len()] = [
     ["aa", "A:", "A:", "aa"],

@@ -6,15 +6,15 @@ use super::columns::COLUMNS;
 use super::table::TABLE;
 use super::{PhoneTargets, names};
 
-/// Names of the phone sets of [`find`]. SAMPA names a phone the same in all three
-/// languages; espeak-ng does not, hence a set for its German and one for its Portuguese.
+/// Names of the phone sets of [`find`]. SAMPA names a phone the same in all three languages;
+/// espeak-ng does not, so its German and its Portuguese have their own sets.
 pub const PHONE_SETS: [&str; 6] = ["radio", "sampa", "espeak", "mrpa", "espeak-de", "espeak-pt"];
 
-/// Targets of a symbol in a phone set (one of [`PHONE_SETS`]; any other name is read as
-/// `radio`). Upper case and stress digits of the CMU dictionary are understood in `radio`;
-/// leading stress marks in espeak-ng's sets. `sampa` and `espeak` have the symbols of
-/// English, then those of German, then of Portuguese; in `espeak-de` and `espeak-pt` their
-/// language comes first. `None` for an unknown symbol.
+/// Returns the targets of a symbol in a phone set (one of [`PHONE_SETS`]; any other name is read as
+/// `radio`). `radio` accepts upper case and stress digits of the CMU dictionary; espeak-ng's sets
+/// accept leading stress marks. `sampa` and `espeak` have the symbols of English, then those of
+/// German, then of Portuguese; in `espeak-de` and `espeak-pt` their language comes first. `None`
+/// for an unknown symbol.
 #[must_use]
 pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
     let set = PHONE_SETS.iter().position(|s| *s == phone_set).unwrap_or(0);
@@ -44,8 +44,8 @@ pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
     row_of_symbol(column, bare)
 }
 
-/// A symbol of a phone set for a phone of another one: one that moves the lips alike. `None`
-/// where there is none.
+/// Translates a symbol of a phone set to one of another set with the same lip movement; `None` if
+/// there is none.
 #[must_use]
 pub fn translate(from: &str, symbol: &str, to: &str) -> Option<&'static str> {
     let row = find(from, symbol)?;
@@ -83,8 +83,8 @@ mod tests {
         assert!(find("radio", "xyzzy").is_none());
     }
 
-    /// What espeak-ng 1.51 wrote (`-x --sep`) for some hundred words of each voice; words of
-    /// other languages among them are pronounced by those languages' rules.
+    /// Symbols written by espeak-ng 1.51 (`-x --sep`) for some hundred words of each voice; foreign
+    /// words among them follow the rules of their languages.
     const EMITTED: [(&str, &str); 5] = [
         (
             "espeak-de",

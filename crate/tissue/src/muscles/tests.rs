@@ -6,7 +6,7 @@ use super::*;
 use crate::FaceControls;
 use crate::tissue::Link;
 
-/// Rounding of sums of a few dozen places of a decimetre at most, in `f32`.
+/// Rounding error of sums of a few dozen positions of at most a decimetre, in `f32`.
 const ROUNDED_M: f32 = 1e-6;
 const MOUTHS: u64 = 40;
 const FACES: i64 = 25;
@@ -149,7 +149,7 @@ fn farthest(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
         .fold(0.0, f32::max)
 }
 
-/// The same mouth with its links in reverse and its linear muscles, which come last, too.
+/// Returns the same mouth with its links and its linear muscles, which come last, in reverse order.
 fn turned_round(tissue: &Tissue) -> (Tissue, Vec<usize>) {
     let mut other = tissue.clone();
     other.fibres.reverse();

@@ -6,13 +6,13 @@ use super::{IPA, Syllable, Tone, Units};
 use crate::ipa;
 use raconteur_speech::phones::{self, PHONE_SETS};
 
-/// Gaps and overlaps up to here come from rounding to whole milliseconds.
+/// Maximum gap or overlap attributed to rounding to whole milliseconds.
 const ROUNDING_SECS: f64 = 0.0015;
 
 /// Warnings beyond these are counted only.
 const MAX_WARNINGS: usize = 100;
 
-/// So many labels tell which phone set they are of.
+/// Number of labels used to detect the phone set.
 const SAMPLE: usize = 2000;
 
 /// An interval as written.
@@ -21,11 +21,11 @@ pub(super) struct Raw {
     pub(super) start: f64,
     pub(super) end: f64,
     pub(super) label: String,
-    /// Where in the text.
+    /// Position in the text.
     pub(super) at: usize,
 }
 
-/// A moment with a label as written.
+/// Point in time with its original label.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) secs: f64,
@@ -33,13 +33,13 @@ pub(super) struct Point {
     pub(super) at: usize,
 }
 
-/// What segments are, as far as the format tells.
+/// Type of the segments, if known from the format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Sounds.
     #[default]
     Phones,
-    /// Sounds or words: the labels tell.
+    /// Phones or words: the labels decide.
     Unsure,
     /// As the file states it.
     Units(Units),
@@ -55,7 +55,7 @@ pub(super) struct Draft {
     pub(super) syllables: Vec<(f64, f64, u8)>,
     pub(super) accents: Vec<Point>,
     pub(super) tones: Vec<(Point, Option<u8>)>,
-    /// Seconds, hertz, place.
+    /// Time in seconds, frequency in hertz, position in the text.
     pub(super) f0: Vec<(f64, f64, usize)>,
     pub(super) emotions: Vec<Point>,
     /// Silence lasts to here at least.
@@ -73,7 +73,7 @@ impl Draft {
         }
     }
 
-    /// To be called for each interval, point or event that is kept.
+    /// Counts a kept interval, point or event; call it for each.
     pub(super) fn count(&mut self, at: usize) -> Result<(), TextError> {
         self.counted += 1;
         if self.counted > MAX_INTERVALS {
@@ -107,8 +107,8 @@ impl Draft {
         Ok(())
     }
 
-    /// Words that have one stretch of time for all of them share it by their letters; how many
-    /// they are.
+    /// Divides a time span shared by several words by the number of their letters; returns the
+    /// number of words.
     pub(super) fn phrase(
         &mut self,
         start: f64,
@@ -138,8 +138,8 @@ impl Draft {
         Ok(())
     }
 
-    /// Segments that each end where the next begins, from their begins. A last one labelled
-    /// `closing` only says where the one before ends; any other lasts `last_secs`.
+    /// Builds contiguous segments from their start times. A last one labelled `closing` only marks
+    /// the end of the one before; any other lasts `last_secs`.
     pub(super) fn segments_by_start(
         &mut self,
         mut starts: Vec<Point>,
@@ -165,7 +165,7 @@ impl Draft {
         }
     }
 
-    /// The alignment, or what no repair can mend.
+    /// Returns the alignment, or an error that cannot be repaired.
     pub(super) fn finish(mut self, text: &str) -> Result<Alignment, TextError> {
         let units = self.units();
         if units == Units::None && self.words.is_empty() {
@@ -284,7 +284,7 @@ impl Draft {
         Units::Phones { set }
     }
 
-    /// In order, from 0, none empty and none over another.
+    /// Sorts the segments, starting at 0, without empty or overlapping ones.
     fn settle(&mut self, mut raws: Vec<Raw>) -> Result<Vec<Raw>, TextError> {
         for raw in &raws {
             check(raw.start, raw.at)?;
@@ -449,8 +449,8 @@ fn check(secs: f64, at: usize) -> Result<(), TextError> {
     Ok(())
 }
 
-/// Names that aligners and engines give to silence and to the edges of an utterance. A
-/// breath has a mouth of its own and stays.
+/// Returns true for labels that aligners and engines use for silence and for the edges of an
+/// utterance. A breath has its own mouth shape and is not silence.
 pub(super) fn is_silence(label: &str) -> bool {
     const NAMES: [&str; 20] = [
         "", "pau", "sil", "sp", "ssil", "silence", "<sil>", "<p:>", "<p>", "<eps>", "<s>", "</s>",
@@ -459,7 +459,7 @@ pub(super) fn is_silence(label: &str) -> bool {
     NAMES.iter().any(|name| name.eq_ignore_ascii_case(label))
 }
 
-/// Syllables by the segments whose middles they hold.
+/// Assigns syllables to the segments whose middles they contain.
 fn syllables(spans: &[(f64, f64, u8)], segments: &[Interval]) -> Vec<Syllable> {
     let middle = |s: &Interval| s.start_secs.midpoint(s.end_secs);
     let mut found: Vec<Syllable> = Vec::with_capacity(spans.len());

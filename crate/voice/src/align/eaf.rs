@@ -17,10 +17,10 @@ struct Annotation {
     at: usize,
 }
 
-/// Slots by their names: places in the order of time, and seconds where they are known.
+/// Time slots by name: their order, and seconds if known.
 type Slots = HashMap<String, (usize, Option<f64>)>;
 
-/// A tier's name, place and annotations.
+/// Name, position and annotations of a tier.
 type Annotated = (String, usize, Vec<Annotation>);
 
 pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {

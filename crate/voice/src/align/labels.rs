@@ -150,7 +150,7 @@ fn close(open: &mut Option<Open>, draft: &mut Draft) {
     }
 }
 
-/// A word lasts until the next begins or a silence does.
+/// Computes word ends: a word lasts until the next word or a silence begins.
 fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), TextError> {
     let mut segments = draft.segments.clone();
     segments.retain(|s| s.end > s.start);
@@ -185,8 +185,8 @@ fn current(name: &str) -> &str {
     }
 }
 
-/// What a full-context name of HTS says of the syllable (English questions: `@p6_p7/A:`,
-/// position in the syllable from its begin; `/B:b1-`, whether it is stressed).
+/// Syllable context from a full-context HTS label (English questions: `@p6_p7/A:`, position in the
+/// syllable from its start; `/B:b1-`, stress).
 struct Context {
     is_first: bool,
     stress: u8,

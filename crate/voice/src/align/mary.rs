@@ -13,10 +13,10 @@ use super::xml::{Element, Xml, XmlEvent};
 /// The default length of a phone: about the mean of read English and German.
 const PHONE_SECS: f64 = 0.08;
 
-/// What a boundary without a duration lasts in a file without times.
+/// Duration of a boundary without one in a file without times.
 const BOUNDARY_SECS: f64 = 0.2;
 
-/// A token's transcription is no longer, in bytes; finding phones in one takes its time.
+/// Maximum length of a token's transcription, in bytes, which limits the time for finding phones.
 const MAX_TRANSCRIPTION: usize = 1000;
 
 /// Two times that differ by less are one: durations are whole milliseconds.

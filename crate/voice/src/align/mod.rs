@@ -49,11 +49,11 @@ pub const MAX_SECS: f64 = 86_400.0;
 /// The set of phones that are named in the International Phonetic Alphabet.
 pub const IPA: &str = "ipa";
 
-/// What is read, for messages.
+/// Supported formats, for messages.
 pub const FORMS: &str = "Praat's TextGrid, ELAN's EAF, WebVTT, SubRip, JSON of words with times (Whisper, Google), \
     Rhubarb's TSV, JSON and XML, arrays of talking heads, MaryXML, Festival's utterances, xlabel, HTK's labels and MBROLA's .pho";
 
-/// What wrote a file.
+/// Alignment file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Praat's TextGrid, long or short text.
@@ -91,30 +91,30 @@ pub enum Format {
     TalkingHead,
 }
 
-/// A label and when it holds, in seconds from the beginning of the recording.
+/// Label with its interval, in seconds from the start of the recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interval {
     /// Begin, at least 0.
     pub start_secs: f64,
     /// End, after the begin.
     pub end_secs: f64,
-    /// What it says; `""` is silence.
+    /// Label text; `""` is silence.
     pub label: String,
 }
 
-/// What labels of segments are.
+/// Type of the segment labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
-    /// Sounds. The set is one of [`raconteur_speech::phones::PHONE_SETS`], or [`IPA`]: the first that
-    /// knows the most labels, if it knows four of five. Who knows the language does better: `espeak` may
-    /// mean `espeak-de`.
+    /// Phones. The set is one of [`raconteur_speech::phones::PHONE_SETS`], or [`IPA`]: the first
+    /// with the most known labels, if it knows at least four of five. A caller that knows the
+    /// language can choose better: `espeak` may mean `espeak-de`.
     Phones {
         /// The set's name.
         set: Option<&'static str>,
     },
     /// Shapes of the mouth.
     Visemes {
-        /// Which shapes.
+        /// Set of mouth shapes.
         set: VisemeSet,
     },
     /// There are no segments, only words.
@@ -128,7 +128,7 @@ pub struct Syllable {
     pub first_segment: usize,
     /// Number of segments, at least 1.
     pub count: usize,
-    /// 0 none, 1 primary, 2 secondary.
+    /// Stress: 0 none, 1 primary, 2 secondary.
     pub stress: u8,
 }
 
@@ -152,14 +152,14 @@ pub struct Tone {
     pub break_index: Option<u8>,
 }
 
-/// What a file says about a recording.
+/// Alignment of a recording, as read from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alignment {
-    /// What the segments' labels are.
+    /// Type of the segment labels.
     pub units: Units,
     /// Phones or visemes. They begin at 0 and leave no gap; silence is `""`.
     pub segments: Vec<Interval>,
-    /// Words in order, none over another; silences are left out.
+    /// Words in order, without overlaps; silences are omitted.
     pub words: Vec<Interval>,
     /// Syllables in order.
     pub syllables: Vec<Syllable>,
@@ -171,12 +171,12 @@ pub struct Alignment {
     pub f0: Vec<(f64, f64)>,
     /// Emotions (seconds of the apex, name), in order of time.
     pub emotions: Vec<(f64, String)>,
-    /// What was repaired. After a hundred, only their number is reported.
+    /// Repaired faults. After a hundred, only their number is reported.
     pub warnings: Vec<Fault>,
 }
 
 impl Alignment {
-    /// The word that the middle of a segment lies in.
+    /// Returns the word that contains the middle of a segment.
     #[must_use]
     pub fn word_of(&self, segment: usize) -> Option<usize> {
         let segment = self.segments.get(segment)?;
@@ -187,7 +187,7 @@ impl Alignment {
     }
 }
 
-/// A fault of a file: why it cannot be read, or what was repaired.
+/// Fault of a file: the reason for rejection, or a repair.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}: {message}")]
 pub struct Fault {
@@ -195,7 +195,7 @@ pub struct Fault {
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,
-    /// What is wrong.
+    /// Description of the fault.
     pub message: String,
 }
 

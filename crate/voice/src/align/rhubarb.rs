@@ -13,10 +13,10 @@ const KIND: Kind = Kind::Units(Units::Visemes {
     set: VisemeSet::Rhubarb,
 });
 
-/// How long a last shape holds of which only the begin is known.
+/// Duration of a final shape without an end time.
 const LAST_SECS: f64 = 0.1;
 
-/// What a file of JSON says.
+/// Contents of a JSON file.
 #[derive(Deserialize)]
 struct File<'a> {
     #[serde(borrow, rename = "mouthCues")]

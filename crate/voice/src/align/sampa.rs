@@ -2,22 +2,22 @@
 
 use raconteur_speech::phones;
 
-/// A phone of a transcription and what its syllable is.
+/// Phone of a transcription with its syllable.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Sounded<'a> {
     pub(super) phone: &'a str,
     /// Number of the syllable, from 0.
     pub(super) syllable: usize,
-    /// 0 none, 1 primary, 2 secondary.
+    /// Stress: 0 none, 1 primary, 2 secondary.
     pub(super) stress: u8,
 }
 
 /// Longest symbol of a phone, in characters: `6~w~`.
 const MAX_SYMBOL_CHARS: usize = 4;
 
-/// Phones of a transcription: the longest known symbol at each place; what is not known is
-/// one character. `-` parts syllables, `'` and `"` stress the syllable that follows, `,` and
-/// `%` weakly; white space parts phones, since MARY's later dialect writes it.
+/// Splits a transcription into phones: the longest known symbol at each position; an unknown one is
+/// a single character. `-` separates syllables, `'` and `"` stress the next syllable, `,` and `%`
+/// weakly; white space separates phones, as in MARY's later dialect.
 pub(super) fn split(transcription: &str) -> Vec<Sounded<'_>> {
     let mut phones: Vec<Sounded<'_>> = Vec::new();
     let (mut rest, mut syllable, mut stress) = (transcription, 0, 0);

@@ -4,14 +4,14 @@ use super::Format;
 use super::text::{decode, fields, lines};
 use super::viseme::rhubarb_viseme;
 
-/// So many bytes are looked at.
+/// Number of bytes examined.
 const LOOK: usize = 1 << 16;
 
-/// So many lines of a table are.
+/// Number of lines of a table examined.
 const MAX_LINES: usize = 50;
 
-/// The format of a file by its content and, where that leaves a choice, by its name (of
-/// which only the end matters). `None` when it is none of those that [`super::read`] reads.
+/// Detects the format of a file by its content and, if that is ambiguous, by its name (of which
+/// only the extension matters). Returns `None` if it is not a format that [`super::read`] supports.
 #[must_use]
 pub fn detect(name: &str, bytes: &[u8]) -> Option<Format> {
     // An even number of bytes keeps UTF-16 whole but for a pair at the end.

@@ -42,7 +42,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     Ok(())
 }
 
-/// What a file says.
+/// Contents of a file.
 #[derive(Deserialize)]
 struct File<'a> {
     #[serde(borrow)]
@@ -63,7 +63,7 @@ struct Arrays<'a> {
 }
 
 impl<'a> Arrays<'a> {
-    /// Of labels, times and durations, which are called alike but for their last part; none
+    /// Checks labels, times and durations, whose names differ only in the last part; returns `None`
     /// without labels.
     fn check(
         text: &'a str,
@@ -100,7 +100,7 @@ impl<'a> Arrays<'a> {
         }))
     }
 
-    /// Label, begin, end in seconds, and place of the label.
+    /// Returns label, start and end in seconds, and position of the label.
     fn interval(&self, i: usize) -> Result<(String, f64, f64, usize), TextError> {
         let secs = |value: &RawValue| {
             let ms: Result<f64, _> = serde_json::from_str(value.get());

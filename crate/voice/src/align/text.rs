@@ -2,7 +2,7 @@
 
 use super::Fault;
 
-/// What is wrong, and at which byte of the decoded text.
+/// Error in a text, with its byte offset in the decoded text.
 #[derive(Debug)]
 pub(super) struct TextError {
     pub(super) at: usize,
@@ -31,8 +31,7 @@ pub(super) fn place(text: &str, at: usize) -> (u32, u32) {
     LineCounter::new(text).to(at)
 }
 
-/// Finds line and column of places that come in order, in one pass. CR, LF and CRLF end a
-/// line.
+/// Finds line and column of ascending positions in one pass. CR, LF and CRLF end a line.
 pub(super) struct LineCounter<'a> {
     rest: std::iter::Peekable<std::str::CharIndices<'a>>,
     line: u32,
@@ -120,7 +119,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// Fields of a line parted by white space, each with the byte that it begins at.
+/// Returns the white-space separated fields of a line, each with its byte offset.
 pub(super) fn fields(at: usize, line: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut begin = 0;
     std::iter::from_fn(move || {

@@ -21,7 +21,7 @@ struct Tokens<'a> {
 }
 
 impl<'a> Tokens<'a> {
-    /// The next thing that counts and its place.
+    /// Returns the next significant token and its position.
     fn next(&mut self) -> Result<(usize, Token<'a>), TextError> {
         loop {
             let rest = &self.text[self.at..];
@@ -85,7 +85,7 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// Length up to the quote that ends a text; two quotes are one that does not.
+/// Returns the length up to the closing quote of a text; two quotes are an escaped one.
 fn quoted(rest: &str) -> Option<usize> {
     let mut at = 0;
     loop {

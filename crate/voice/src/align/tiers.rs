@@ -38,19 +38,19 @@ pub(super) struct Tier {
     pub(super) at: usize,
     pub(super) intervals: Vec<Raw>,
     pub(super) points: Vec<Point>,
-    /// Whether it has moments and not intervals.
+    /// True if the tier has points, not intervals.
     pub(super) is_points: bool,
 }
 
-/// Whether a tier goes by one of the names; aligners put the speaker before it (`anna - words`),
-/// those who annotate behind it (`words@anna`).
+/// Returns true if a tier has one of the names; aligners put the speaker before the name (`anna -
+/// words`), annotators after it (`words@anna`).
 fn named(tier: &Tier, names: &[&str]) -> bool {
     let last = tier.name.rsplit(" - ").next().unwrap_or_default();
     let own = last.split('@').next().unwrap_or_default().trim();
     names.contains(&own)
 }
 
-/// Takes of each kind the first tier of its name.
+/// Selects the first tier of each kind by name.
 pub(super) fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Result<(), TextError> {
     let mut found = [false; 5];
     for tier in &mut tiers {

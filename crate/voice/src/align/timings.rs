@@ -14,15 +14,15 @@ use super::draft::{Draft, Kind};
 use super::rhubarb::read as read_json;
 use super::text::{TextError, clip};
 
-/// What begins are called.
+/// Names of start times.
 const STARTS: [&str; 4] = ["start", "startTime", "startOffset", "start_time"];
-/// What ends are called.
+/// Names of end times.
 const ENDS: [&str; 4] = ["end", "endTime", "endOffset", "end_time"];
-/// What a word is called, the most telling first.
+/// Names of a word's text, most informative first.
 const WORDS: [&str; 2] = ["punctuated_word", "word"];
 /// Lists of other hypotheses: the first is the best.
 const CHOICES: [&str; 2] = ["alternatives", "channels"];
-/// How far after one word the next is looked for to name its line, bytes.
+/// Search distance after one word for the next, to find its line, bytes.
 const NEAR: usize = 2048;
 /// Pieces of words.
 const PIECES: &str = "tokens";
@@ -30,7 +30,7 @@ const PIECES: &str = "tokens";
 /// A word or a phrase.
 struct Timed {
     text: String,
-    /// Begin and end, seconds; none where the program did not find it in the sound.
+    /// Start and end, seconds; `None` if the program did not find the word in the audio.
     span: Option<(f64, f64)>,
     is_word: bool,
 }
@@ -73,15 +73,16 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     Ok(())
 }
 
-/// Where a word is written, not far after another place; that place where it is not.
+/// Returns the position of a word, not far after a given position; that position if it is not
+/// found.
 fn place(text: &str, after: usize, word: &str) -> usize {
     let end = text.floor_char_boundary(after.saturating_add(NEAR));
     let begin = &word[..word.floor_char_boundary(16)];
     text[after..end].find(begin).map_or(after, |i| after + i)
 }
 
-/// The last of the words from `first` that have one stretch of time: words without a time, or
-/// whose time is empty, share that of the one before them, at the begin of the one after.
+/// Returns the last of the words from `first` that share a time span: words without a time, or with
+/// an empty one, share that of the preceding word, up to the start of the following one.
 fn run(found: &[Timed], first: usize) -> usize {
     let timed = |f: &Timed| f.span.is_some_and(|(a, b)| b > a);
     let mut last = first;

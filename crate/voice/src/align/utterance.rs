@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use super::draft::{Draft, Point};
 use super::text::{TextError, clip, fields, lines, number};
 
-/// An item: what of its features matters, and where it stands.
+/// Utterance item: its relevant features and its position.
 #[derive(Clone, Default)]
 struct Item {
     at: usize,
@@ -27,7 +27,7 @@ impl Item {
     }
 }
 
-/// Features that are kept; an utterance holds a score for each of many models beside them.
+/// Retained features; an utterance also has scores for each of many models.
 const KEPT: [&str; 8] = [
     "name", "end", "stress", "pbreak", "pos", "f0", "emotion", "accented",
 ];
@@ -39,7 +39,7 @@ struct Node {
     down: usize,
     next: usize,
     prev: usize,
-    /// Whether a list of daughters begins here, as the file tells.
+    /// Nesting of a list of daughters that begins here, from the file.
     up: usize,
 }
 
@@ -172,8 +172,8 @@ fn item(at: usize, line: &str, id: &str) -> Result<Item, TextError> {
     }
 }
 
-/// A feature's value and the bytes it takes: quoted with `\` as escape, or all up to ` ;`,
-/// which a list in brackets may be.
+/// Returns a feature's value and its length in bytes: quoted with `\` as escape, or everything up
+/// to ` ;`, which may be a list in brackets.
 fn value(rest: &str) -> Option<(String, usize)> {
     if !rest.starts_with('"') {
         let end = rest
@@ -200,7 +200,8 @@ fn value(rest: &str) -> Option<(String, usize)> {
 struct Whole {
     items: BTreeMap<usize, Item>,
     relations: BTreeMap<String, Relation>,
-    /// No relation of an utterance shares nodes; one that does could be walked for ever.
+    /// Step limit: no valid relation of an utterance shares nodes, and one that does could loop
+    /// forever.
     steps_left: Cell<usize>,
 }
 
@@ -268,7 +269,7 @@ impl Whole {
         self.targets(draft)
     }
 
-    /// Words and syllables over segments. Gives which of the tones ends with which syllable.
+    /// Builds words and syllables over segments. Returns the tone that ends with each syllable.
     fn structure(
         &self,
         spans: &mut BTreeMap<usize, (f64, f64)>,

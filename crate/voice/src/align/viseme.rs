@@ -53,9 +53,9 @@ pub fn rhubarb_viseme(shape: &str) -> Option<&'static str> {
     })
 }
 
-/// A phone of the set `radio` that has the shape, so that the mouth of
-/// [`raconteur_speech::phones::find`] can follow visemes. Silence is `""`, `sil` or `X`. `None` for a
-/// shape that the set does not have.
+/// Returns a phone of the set `radio` with the shape, so that [`raconteur_speech::phones::find`]
+/// can drive the mouth by visemes. Silence is `""`, `sil` or `X`. `None` for a shape that the set
+/// does not have.
 #[must_use]
 pub fn phone_of_viseme(set: VisemeSet, shape: &str) -> Option<&'static str> {
     if shape.is_empty() {

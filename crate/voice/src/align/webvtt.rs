@@ -33,8 +33,7 @@ pub(super) fn subrip(text: &str, draft: &mut Draft) -> Result<(), TextError> {
     Ok(())
 }
 
-/// Reads the cues among the lines of a text; `mark` may stand before their milliseconds, as a
-/// point may.
+/// Reads the cues among the lines of a text; `mark`, or a full stop, may precede the milliseconds.
 fn cues<'a>(
     text: &str,
     lines: impl Iterator<Item = (usize, &'a str)>,
@@ -75,7 +74,7 @@ fn cues<'a>(
     finish(cue, draft)
 }
 
-/// A stretch of text and when it begins; it ends where the next does.
+/// Text span with its start time; it ends at the start of the next.
 struct TextSpan {
     start: f64,
     text: String,
@@ -119,7 +118,7 @@ impl Cue {
         }
     }
 
-    /// A line of the cue's text. Tags part no word; the line's end does.
+    /// Adds a line of the cue's text. Tags do not separate words; line ends do.
     fn add(&mut self, at: usize, line: &str) -> Result<(), TextError> {
         let mut rest = line;
         while let Some(tag) = rest.find('<') {

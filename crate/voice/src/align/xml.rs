@@ -48,7 +48,7 @@ impl Element<'_> {
     }
 }
 
-/// What comes next.
+/// XML event.
 pub(super) enum XmlEvent<'a> {
     Start(Element<'a>),
     End(String),
@@ -78,7 +78,7 @@ impl<'a> Xml<'a> {
         usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX)
     }
 
-    /// The next piece; `None` at the end of a whole document.
+    /// Returns the next event; `None` at the end of a complete document.
     pub(super) fn next(&mut self) -> Result<Option<XmlEvent<'a>>, TextError> {
         if let Some(name) = self.ending.take() {
             self.depth -= 1;

@@ -18,8 +18,8 @@ const ALIKE_DB: f64 = 3.0;
 /// Least share of frames that are alike.
 const MIN_ALIKE: f64 = 0.9;
 
-/// Whether a sound is as long and as loud, moment by moment, as its utterance says. One that
-/// cannot be decoded, because a bake was stopped while it wrote it, is not.
+/// Returns true if a sound has the length and intensity contour of its utterance. A file that
+/// cannot be decoded, because a bake was stopped while writing it, does not.
 pub(super) fn is_sound_of(utterance: &Utterance, path: &Path) -> bool {
     sounds::decode(path).is_ok_and(|(samples, rate_hz)| fits(utterance, &samples, rate_hz))
 }

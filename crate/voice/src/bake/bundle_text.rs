@@ -31,7 +31,7 @@ fn voice(voice: &Voice) -> String {
     )
 }
 
-/// The member that tells the mouth's rows, if any has another name.
+/// Returns the JSON member with the mouth's rows, if any has another name.
 fn mouth(voice: &Voice) -> String {
     let pairs: Vec<String> = voice
         .mouth
@@ -162,7 +162,7 @@ mod tests {
         Accent, AudioFile, Emotion, FileDigest, Phone, Phrase, Sentence, Syllable, Word,
     };
 
-    /// An utterance that has something in every field.
+    /// Returns an utterance with a value in every field.
     fn utterance() -> Utterance {
         let word = |text: &str, start_secs, end_secs| Word {
             text: text.to_owned(),

@@ -20,19 +20,19 @@ pub struct Role {
     pub voice: VoiceInfo,
 }
 
-/// Engines are kept after their first use, because starting them takes time. One that is missing
-/// is recorded, so that all that is missing can be reported at once.
+/// Voices of a story and their engines. Engines are cached after their first use, because starting
+/// them takes time. Missing ones are recorded, so that all of them can be reported together.
 pub struct Cast {
     options: EngineOptions,
     known: Mutex<Engines>,
     missing: Mutex<MissingPrograms>,
     /// The story's own voice.
     pub lead: Role,
-    /// The engine that somebody chose, and the voice if they chose one.
+    /// Explicitly chosen engine, and voice if one was chosen.
     pub chosen: Option<Role>,
-    /// What the default engine lacks, where another leads because none was chosen.
+    /// Missing programs of the default engine, if another one leads because none was chosen.
     pub instead_of: Option<MissingPrograms>,
-    /// The story's own language, a tag of BCP 47; none: that of the voice.
+    /// Language of the story, a BCP 47 tag; `None`: that of the voice.
     pub language: Option<String>,
     /// There is one engine, as in a page.
     is_alone: bool,
@@ -53,11 +53,11 @@ fn cache(engines: &mut Engines, name: &str, one: KnownVoice) -> &'static KnownVo
     one
 }
 
-/// What a system brings by itself: meant where no engine is here.
+/// Engine packaged by operating systems: the one suggested if no engine is installed.
 const PACKAGED: &str = "festival";
 
-/// The engine of a story that chooses none, a voice of it if not the first is meant,
-/// and what the engines lack that are better.
+/// Returns the default engine, a voice if it is not the engine's first, and the missing programs of
+/// better engines.
 fn usual(voice: Option<&str>) -> (String, Option<String>, Option<MissingPrograms>) {
     let mut lacks: Option<MissingPrograms> = None;
     for (engine, voices) in engine::local() {
@@ -88,8 +88,8 @@ fn usual(voice: Option<&str>) -> (String, Option<String>, Option<MissingPrograms
     }
 }
 
-/// The voice of an engine that speaks where none is chosen: a text that tells no language is taken
-/// for English, in which the first voice speaks, or else an American one.
+/// Returns the default voice of an engine: a text without a language counts as English, for which
+/// the first voice is used, or else an American one.
 fn usual_of(voices: &[VoiceInfo]) -> Option<&VoiceInfo> {
     let english = |v: &&VoiceInfo| language::primary(&v.language) == "en";
     let american = |v: &&VoiceInfo| v.language.eq_ignore_ascii_case("en-US");
@@ -124,9 +124,9 @@ impl KnownVoice {
 }
 
 impl Cast {
-    /// A cast whose lead speaks with a voice of an engine. Without a voice, with the first that
-    /// the engine has, in English where it has that; without an engine, with Festival or, where that is not installed,
-    /// the first that is.
+    /// Creates a cast whose lead speaks with a voice of an engine. The default voice is the
+    /// engine's first English one, otherwise its first; the default engine is Festival or, if that
+    /// is not installed, the first that is.
     ///
     /// # Errors
     /// When the engine has no such voice, or needs an option.
@@ -175,7 +175,7 @@ impl Cast {
         Ok(cast)
     }
 
-    /// A cast that has one engine, which is called `name`, and whose lead speaks with a voice of it.
+    /// Creates a cast with a single engine named `name`, whose lead speaks with a voice of it.
     ///
     /// # Errors
     /// When the engine is not there or has no such voice.
@@ -210,8 +210,8 @@ impl Cast {
         engines.map_err(|_| anyhow!("another thread failed"))
     }
 
-    /// What names no other language is said in this one, a tag of BCP 47; by another voice
-    /// where the lead's does not speak it: of its engine where nobody chose the voice.
+    /// Sets the default language, a BCP 47 tag. If the lead's voice does not speak it, another
+    /// voice is used: of the same engine if the voice was not chosen explicitly.
     ///
     /// # Errors
     /// When no voice speaks it.
@@ -232,7 +232,7 @@ impl Cast {
         Ok(())
     }
 
-    /// What has been requested so far and is missing.
+    /// Returns the missing programs requested so far.
     pub fn missing(&self) -> MissingPrograms {
         let missing = self.missing.lock();
         missing.unwrap_or_else(PoisonError::into_inner).clone()
@@ -338,8 +338,9 @@ impl Cast {
         })
     }
 
-    /// Who speaks a sentence: the named speaker, else `usual`, unless the sentence is in
-    /// another language than that voice's or asks for another sex; then a voice that fits.
+    /// Returns the role that speaks a sentence: the named speaker, otherwise `usual`, unless the
+    /// sentence has another language than that voice or requests another sex; then a matching
+    /// voice.
     ///
     /// # Errors
     /// When an engine that is needed is not installed.
@@ -376,8 +377,8 @@ impl Cast {
         Ok(role)
     }
 
-    /// Whether a voice that is here speaks a language, a tag of BCP 47: that of `usual`, or one of
-    /// those that [`Cast::role`] looks for.
+    /// Returns true if an available voice speaks a language, a BCP 47 tag: that of `usual`, or one
+    /// of those considered by [`Cast::role`].
     pub fn speaks(&self, usual: &Role, tag: &str) -> bool {
         let primary = language::primary(tag);
         let speaks = |voice: &VoiceInfo| language::primary(&voice.language) == primary;

@@ -8,7 +8,7 @@ use anyhow::{Context as _, Result, ensure};
 
 use super::program::{FFMPEG, OPUSENC, Program};
 
-/// File endings and MIME types of what [`encode`] makes, the preferred first.
+/// File extensions and MIME types of the output of [`encode`], preferred first.
 pub(super) const FORMATS: [(&str, &str); 2] =
     [("opus", "audio/ogg; codecs=opus"), ("mp3", "audio/mpeg")];
 
@@ -83,7 +83,7 @@ pub(super) fn wave_of(samples: &[f64], rate_hz: u32) -> Result<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// What an encoder has written. Some end well on a full disk.
+/// Returns the output of an encoder. Some exit successfully on a full disk.
 fn made_by(program: &Program, path: &Path) -> Result<Vec<u8>> {
     let bytes = fs::read(path).with_context(|| format!("reading what {} made", program.name))?;
     ensure!(!bytes.is_empty(), "{} made an empty sound", program.name);

@@ -9,7 +9,7 @@ use raconteur_speech::{Phone, TimedUtterance, Utterance, Word};
 use super::speech::hour;
 use crate::nonverbal::{Manner, NonVerbal, PlanBasis};
 
-/// Everything that a plan gives at a time.
+/// Returns all outputs of a plan at a time.
 fn all(plan: &NonVerbal, t: f64) -> Vec<f64> {
     let mut face = FaceControls::default();
     plan.face(t, 1.0, &mut face);
@@ -61,7 +61,7 @@ fn nothing_of_a_still_manner_moves_but_the_lips() {
     }
 }
 
-/// Utterances of what no bundle should hold.
+/// Returns utterances with values that no bundle should hold.
 fn impossible() -> Vec<TimedUtterance> {
     let odd = [
         0.0,

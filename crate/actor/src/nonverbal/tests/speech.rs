@@ -12,8 +12,8 @@ use raconteur_speech::{Bundle, Phone, TimedUtterance, Utterance, Word};
 /// One hour, seconds.
 pub(crate) const HOUR_SECS: f64 = 3600.0;
 
-/// An hour of somebody who talks: sentences of phrases with accents, questions, searches for
-/// words, and now and then the turn of another.
+/// Returns an hour of speech: sentences of phrases with accents, questions, searches for words, and
+/// an occasional turn of another speaker.
 pub(crate) fn hour(seed: u64) -> Vec<TimedUtterance> {
     let mut all = Vec::new();
     let mut at_secs = 1.0;

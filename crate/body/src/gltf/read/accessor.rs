@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use super::ReadError;
 use super::document::{Accessor, Component, Document, Sparse};
 
-/// No file may make us hold more numbers than this: a figure has about two million, and
-/// views may be referenced many times.
+/// Maximum number of numbers read from a file: a figure has about two million, and views may be
+/// referenced many times.
 const MAX_NUMBERS: usize = 1 << 26;
 
 /// A document with its binary chunk.
@@ -17,7 +17,7 @@ pub struct Source<'a> {
     numbers_left: usize,
 }
 
-/// Where the elements of an accessor lie.
+/// Memory layout of an accessor's elements.
 struct Layout<'a> {
     bytes: Cow<'a, [u8]>,
     stride: usize,
@@ -30,7 +30,7 @@ fn size(x: u64, what: &'static str) -> Result<usize, ReadError> {
     usize::try_from(x).map_err(|_| ReadError::Truncated { what })
 }
 
-/// One component as a number. `b` holds at least its bytes.
+/// Returns one component as a number. `b` holds at least its bytes.
 fn component(b: &[u8], c: Component, normalized: bool) -> f32 {
     let (value, scale) = match c {
         Component::I8 => (f32::from(b[0] as i8), 127.0),
@@ -73,8 +73,8 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// Bytes of a view from an offset on, and its stride. What is unpacked counts as numbers,
-    /// each time.
+    /// Returns the bytes of a view from an offset on, and its stride. Unpacked data count as
+    /// numbers, each time.
     fn view(
         &mut self,
         index: usize,
@@ -221,7 +221,7 @@ impl<'a> Source<'a> {
         self.sparse_elements(accessor, sparse, expected_count, what)
     }
 
-    /// The elements that a sparse accessor replaces, places ascending and in range.
+    /// Returns the elements that a sparse accessor replaces, indices ascending and in range.
     #[allow(clippy::type_complexity, reason = "two parallel columns")]
     fn sparse_elements<const N: usize>(
         &mut self,
@@ -262,9 +262,9 @@ impl<'a> Source<'a> {
     }
 }
 
-/// What other people's files store in more ways than ours.
+/// Storage variants found in third-party files only.
 impl<'a> Source<'a> {
-    /// Takes no more numbers than this from the document.
+    /// Creates a source that takes at most this many numbers from the document.
     pub fn with_budget(root: &'a Document<'a>, numbers: usize) -> Self {
         Self {
             root,
@@ -277,7 +277,7 @@ impl<'a> Source<'a> {
         Ok(self.accessor(index, what)?.width)
     }
 
-    /// How many elements an accessor claims; nothing is allocated for the claim.
+    /// Returns the number of elements that an accessor declares, without allocating for it.
     pub fn claimed_count(&self, index: usize, what: &'static str) -> Result<u64, ReadError> {
         Ok(self.accessor(index, what)?.count)
     }

@@ -21,7 +21,7 @@ const MAGIC: &[u8; 4] = b"glTF";
 const CHUNK_JSON: u32 = 0x4E4F_534A;
 const CHUNK_BIN: u32 = 0x004E_4942;
 
-/// A node's own placement and what hangs on it.
+/// A node's own transform and its attachments.
 pub struct Node {
     pub name: String,
     pub children: Vec<usize>,
@@ -56,7 +56,7 @@ pub struct Primitive {
     pub targets: Vec<Target>,
 }
 
-/// Where the binding of a mesh lies: accessors.
+/// Accessors of a mesh's binding.
 pub struct Binding {
     pub version: u64,
     pub counts: usize,
@@ -89,7 +89,7 @@ pub struct Material {
     pub wrinkle_texture: Option<usize>,
 }
 
-/// A picture in the binary chunk.
+/// An image in the binary chunk.
 pub struct Image {
     pub mime_type: String,
     pub view: usize,
@@ -161,11 +161,11 @@ pub struct Document<'a> {
     pub extensions_required: Vec<String>,
     pub stature_m: Option<f64>,
     pub lid_closure_rad: Option<[f64; 2]>,
-    /// [`Tissue::lines`](crate::face::Tissue::lines); 0 where the file has none.
+    /// [`Tissue::lines`](crate::face::Tissue::lines); 0 if the file has none.
     pub lines: f64,
     pub sex: Option<f64>,
     pub is_left_handed: bool,
-    /// The view that holds the tissue of the face.
+    /// View that holds the tissue of the face.
     pub tissue: Option<usize>,
     pub nodes: Vec<Node>,
     pub skins: Vec<Skin>,
@@ -174,7 +174,7 @@ pub struct Document<'a> {
     pub images: Vec<Image>,
     /// The image of each texture.
     pub texture_images: Vec<usize>,
-    /// What swings; its joints are nodes.
+    /// Spring chains; their joints are nodes.
     pub springs: Springs,
     pub accessors: Vec<Accessor>,
     pub views: Vec<View>,
@@ -338,7 +338,7 @@ pub fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
 }
 
 impl<'a> Document<'a> {
-    /// Takes a container apart.
+    /// Parses a container.
     pub fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
         let (json, bin) = chunks(glb)?;
         let root = serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;

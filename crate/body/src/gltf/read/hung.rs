@@ -6,7 +6,7 @@ use super::document::Document;
 use crate::skeleton::{Drive, Skeleton};
 use crate::springs::Springs;
 
-/// Hangs the chains that swing on the skeleton, as far as their nodes' names are their own.
+/// Attaches the spring chains to the skeleton, where their nodes' names are unique.
 pub(super) fn hang(root: &Document<'_>, world: &[DAffine3], skeleton: &mut Skeleton) -> Springs {
     let name = |node: usize| root.nodes.get(node).map(|n| n.name.as_str());
     let known = |skeleton: &Skeleton, node: usize| {

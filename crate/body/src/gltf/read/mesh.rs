@@ -8,7 +8,7 @@ use super::{ReadError, document, same_count, soft};
 use crate::figure::{Figure, Mesh, Morph};
 use crate::skeleton::Skeleton;
 
-/// How a skin maps the file's vertices and joints to ours.
+/// Mapping of a skin from the file's vertices and joints to ours.
 pub(super) struct Binding {
     /// Joints of the skin as indices into the skeleton's.
     joints: Vec<u16>,

@@ -13,19 +13,19 @@ use super::ReadError;
 /// The extension's name.
 pub const EXTENSION: &str = "EXT_meshopt_compression";
 
-/// Where the stream of a compressed view lies, and what it holds.
+/// Location and content of a compressed view's stream.
 pub struct CompressedView {
     buffer: usize,
     byte_offset: usize,
     byte_length: usize,
     stride: usize,
     count: usize,
-    /// None if the view is of a kind that is not read.
+    /// Compression mode; `None` for an unsupported kind.
     mode: Option<Mode>,
 }
 
 impl CompressedView {
-    /// What a view's JSON says, if the view is compressed.
+    /// Parses the JSON of a view, if the view is compressed.
     pub(super) fn from_json(view: &Value) -> Option<Self> {
         let stream = view["extensions"].get(EXTENSION)?;
         let number = |key: &str| stream[key].as_u64().and_then(|n| usize::try_from(n).ok());

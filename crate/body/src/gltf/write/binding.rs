@@ -10,7 +10,7 @@ use crate::face::Binding;
 /// The arrangement, as the file states it.
 const VERSION: u32 = 1;
 
-/// Writes a sound binding of a mesh of `count` vertices; returns what its extras hold.
+/// Writes a valid binding of a mesh of `count` vertices; returns the content of its extras.
 pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Value {
     let mut counts = vec![0u8; count];
     let mut nodes = Vec::new();
@@ -56,8 +56,8 @@ pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Val
     })
 }
 
-/// Weights, heaviest first, in 255ths whose sum is the sum's own 255ths: the loss by
-/// rounding down goes to those that lost most (largest remainders), which keeps the order.
+/// Returns weights, heaviest first, in 255ths whose sum is the sum's own 255ths: the loss by
+/// rounding down goes to the largest remainders, which keeps the order.
 fn row_in_255ths(row: &[(u16, f32)]) -> Vec<u8> {
     let exact: Vec<f64> = row.iter().map(|(_, w)| f64::from(*w) * 255.0).collect();
     let total = exact.iter().sum::<f64>().round().min(255.0) as usize;

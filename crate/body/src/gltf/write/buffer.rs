@@ -17,13 +17,13 @@ pub(super) const FLOAT: u32 = 5126;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// How a view is compressed.
+/// Compression of a view.
 #[derive(Clone, Copy)]
 pub(super) enum Packing {
     /// As records of `stride` bytes, a multiple of four, each byte by its difference from the
     /// record before.
     Attributes { stride: usize },
-    /// As triangles, whose corners may come back turned; indices of `width` bytes.
+    /// Triangle packing, whose corners may be rotated; indices of `width` bytes.
     Triangles { width: usize },
     /// As indices in their order, `width` bytes each.
     Indices { width: usize },
@@ -34,7 +34,7 @@ pub(super) enum Packing {
 pub(super) struct Buffer {
     pub(super) bytes: Vec<u8>,
     pub(super) views: Vec<Value>,
-    /// For each view how it is compressed where a file is; the others stay as they are.
+    /// Compression of each view in a compressed file; the others stay unchanged.
     pub(super) packings: Vec<Option<Packing>>,
     pub(super) accessors: Vec<Value>,
 }
@@ -45,7 +45,7 @@ impl Buffer {
         self.view(bytes, None, None, None)
     }
 
-    /// Bytes that follow one another and are compressed as a packing tells.
+    /// Adds contiguous bytes that are compressed with a given packing.
     pub(super) fn packable(&mut self, bytes: &[u8], packing: Packing) -> usize {
         self.view(bytes, None, None, Some(packing))
     }
@@ -79,7 +79,7 @@ impl Buffer {
         self.accessors.len() - 1
     }
 
-    /// A vertex attribute; `stride` is a multiple of four as glTF asks.
+    /// Adds a vertex attribute; `stride` is a multiple of four as glTF requires.
     pub(super) fn attribute(
         &mut self,
         bytes: &[u8],
@@ -270,7 +270,7 @@ fn padded_i16(q: &[[i16; 3]]) -> Vec<u8> {
         .collect()
 }
 
-/// Adds the bounds that glTF asks of positions.
+/// Adds the bounds that glTF requires for positions.
 fn bounds(accessor: &mut Value, q: &[[i16; 3]]) {
     let fold = |start: i16, pick: fn(i16, i16) -> i16| {
         q.iter()

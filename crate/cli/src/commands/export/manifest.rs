@@ -6,7 +6,7 @@ use quick_xml::escape::escape;
 
 use super::{About, Lesson};
 
-/// What takes a package.
+/// Packaging standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Standard {
     /// SCORM 1.2, Content Aggregation Model.
@@ -22,7 +22,7 @@ pub(crate) enum Standard {
 }
 
 impl Standard {
-    /// What the script of the page calls it.
+    /// Returns the standard's name in the page's script.
     pub(super) const fn record(self) -> &'static str {
         match self {
             Self::Scorm12 => "scorm12",
@@ -33,14 +33,14 @@ impl Standard {
         }
     }
 
-    /// Whether the page speaks with a record store, wherever that is.
+    /// Returns true if the page communicates with a record store.
     pub(super) const fn has_store(self) -> bool {
         matches!(self, Self::Cmi5 | Self::Xapi)
     }
 }
 
-/// The manifest of a package with these files, and where a system looks for it; none where its
-/// standard has none.
+/// Returns the manifest of a package with these files, and its path; `None` if the standard has
+/// none.
 pub(super) fn manifest(about: &About, paths: &[String]) -> Option<(&'static str, String)> {
     match about.standard {
         Standard::Scorm12 | Standard::Scorm2004 => Some(("imsmanifest.xml", scorm(about, paths))),
@@ -50,8 +50,8 @@ pub(super) fn manifest(about: &About, paths: &[String]) -> Option<(&'static str,
     }
 }
 
-/// The course structure (cmi5, 13): a unit for each lesson, done when it is completed, and passed
-/// where there is something to pass.
+/// Returns the course structure (cmi5, 13): a unit for each lesson, done when completed, and passed
+/// if it has a pass mark.
 fn cmi5(about: &About) -> String {
     let done = match about.pass {
         Some(share) => format!("moveOn=\"CompletedAndPassed\" masteryScore=\"{share}\""),
@@ -91,7 +91,8 @@ fn cmi5(about: &About) -> String {
     )
 }
 
-/// What is launched with a link that names the store: an activity for each lesson.
+/// Returns the Tin Can manifest, launched with a link that names the store: an activity for each
+/// lesson.
 fn tin_can(about: &About) -> String {
     let kind = if about.lessons.len() == 1 {
         "course"
@@ -122,12 +123,12 @@ fn tin_can(about: &About) -> String {
     )
 }
 
-/// What the manifests of both versions of SCORM write differently.
+/// Differences between the manifests of the two SCORM versions.
 struct Version {
     names: &'static str,
     number: &'static str,
     kind: &'static str,
-    /// Of an item: it is rolled up from what its part tells.
+    /// Rollup elements of an item, from the status of its part.
     item: &'static str,
     /// Of the whole: one may go from item to item, and choose one.
     whole: &'static str,
@@ -149,7 +150,7 @@ const SCORM_2004: Version = Version {
     whole: "      <imsss:sequencing><imsss:controlMode choice=\"true\" flow=\"true\" /></imsss:sequencing>\n",
 };
 
-/// The manifest of a SCORM package: a part for each lesson, and what they have in common.
+/// Returns the manifest of a SCORM package: a part for each lesson, and their common files.
 fn scorm(about: &About, paths: &[String]) -> String {
     let version = match about.standard {
         Standard::Scorm12 => SCORM_12,
@@ -217,7 +218,7 @@ fn scorm(about: &About, paths: &[String]) -> String {
     )
 }
 
-/// Whether a file is of one lesson alone.
+/// Returns true if a file belongs to one lesson only.
 fn belongs(path: &str, lesson: &Lesson) -> bool {
     path == lesson.page
         || path
@@ -234,7 +235,7 @@ fn files(paths: &[String], is_listed: impl Fn(&str) -> bool) -> String {
     text
 }
 
-/// A path as an address: what has a meaning there is written by its number.
+/// Percent-encodes a path as a URL.
 fn address(path: &str) -> String {
     let plain = |b: u8| b.is_ascii_alphanumeric() || b"/-._~!$&'()*+,;=:@".contains(&b);
     path.bytes()

@@ -22,7 +22,7 @@ use parts::Parts;
 #[derive(Args)]
 #[command(group(ArgGroup::new("standard").required(true).args(["scorm12", "scorm2004", "cmi5", "xapi", "html"])))]
 pub(crate) struct Export {
-    /// A script, or a folder that holds a story.eml; several are the lessons of one course.
+    /// Script, or folder that contains a story.eml; several become the lessons of one course.
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// For learning management systems with SCORM 1.2.
@@ -37,39 +37,40 @@ pub(crate) struct Export {
     /// For a record store of xAPI that a launch link names, as Tin Can packages have it.
     #[arg(long)]
     xapi: bool,
-    /// For any server: the browser keeps what the learner did.
+    /// For any web server: the browser stores the learner's progress.
     #[arg(long)]
     html: bool,
-    /// Where to write the zip.
+    /// Output zip file.
     #[arg(short, long)]
     output: PathBuf,
-    /// What the course is called; else as the story is, or its folder. Several lessons need it.
+    /// Title of the course; by default that of the story, or its folder name. Required for several
+    /// lessons.
     #[arg(long)]
     title: Option<String>,
-    /// What records call the course, an address that is the author's own; else one of its title.
+    /// Identifier of the course in records, an address owned by the author; by default derived from
+    /// its title.
     #[arg(long, value_name = "IRI", value_parser = parse_iri)]
     id: Option<String>,
     /// The share of the story that a learner has to see, percent.
     #[arg(long, default_value_t = 90, value_parser = clap::value_parser!(u8).range(0..=100))]
     watched: u8,
-    /// The share of the points of its questions that is enough to pass, percent; without it nobody
-    /// passes or fails.
+    /// Pass mark, percent of the points of the questions; without it there is no pass or fail.
     #[arg(long, value_parser = clap::value_parser!(u8).range(0..=100))]
     pass: Option<u8>,
     /// A figure of the library; without it, the story's choice, else sofia.
     #[arg(long, value_parser = parse_figure)]
     figure: Option<String>,
-    /// The folder that `npm run build` has made; else `dist` beside the folder of the library.
+    /// Output folder of `npm run build`; by default `dist` next to the library folder.
     #[arg(long, value_name = "FOLDER")]
     player: Option<PathBuf>,
 }
 
-/// What a course says of itself.
+/// Metadata of a course.
 pub(crate) struct About {
     pub(crate) title: String,
     /// A name of letters, digits, hyphens and points, for the manifests of SCORM.
     pub(crate) identifier: String,
-    /// What records call it.
+    /// Identifier in records.
     pub(crate) iri: String,
     /// A tag of BCP 47.
     pub(crate) language: String,
@@ -85,7 +86,7 @@ pub(crate) struct About {
 /// A story of a course.
 pub(crate) struct Lesson {
     pub(crate) title: String,
-    /// What records call it: as the course, where that has no other.
+    /// Identifier in records; that of the course if the course has no other lesson.
     pub(crate) iri: String,
     /// A tag of BCP 47.
     pub(crate) language: String,
@@ -95,7 +96,7 @@ pub(crate) struct Lesson {
     pub(crate) folder: String,
     /// The script's address in the package.
     pub(crate) story: String,
-    /// The figure that the page asks for, where it is not the story's choice.
+    /// Figure requested by the page, if it differs from the story's choice.
     pub(crate) figure: Option<String>,
 }
 
@@ -131,7 +132,7 @@ impl Export {
         Ok(outcome)
     }
 
-    /// Adds a story to the package, and tells its problems.
+    /// Adds a story to the package, and reports its problems.
     fn lesson(&self, file: &Path, place: usize, parts: &mut Parts) -> Result<(Lesson, Outcome)> {
         let files = StoryFiles::read(file)?;
         let loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
@@ -202,7 +203,7 @@ impl Export {
     }
 }
 
-/// What a story is called: by its own name, else by its folder's.
+/// Returns the title of a story: its own name, otherwise that of its folder.
 fn story_title(files: &StoryFiles, named: Option<&str>) -> String {
     let folder = || {
         let folder = files.folder().canonicalize().ok()?;
@@ -212,8 +213,8 @@ fn story_title(files: &StoryFiles, named: Option<&str>) -> String {
     named.or_else(folder).unwrap_or_else(|| "Story".into())
 }
 
-/// Gives lessons addresses below that of their course, by their titles: those stay where lessons
-/// change places. The second of one title has its number.
+/// Derives the addresses of lessons from that of their course and their titles, so that they are
+/// stable under reordering. A repeated title gets a number.
 fn name_lessons(lessons: &mut [Lesson], course: &str) {
     let end = course.find(['?', '#']).unwrap_or(course.len());
     let (path, rest) = course.split_at(end);
@@ -234,7 +235,8 @@ fn name_lessons(lessons: &mut [Lesson], course: &str) {
     }
 }
 
-/// Files of other folders are not packed: who has one lays it beside the story, which then names it.
+/// Parses a figure name. Files of other folders are not packed: place the figure next to the story
+/// and name it there.
 fn parse_figure(name: &str) -> Result<String, String> {
     if name.is_empty() || name.contains(['/', '\\', '.']) {
         return Err("the name of a figure of the library, such as sofia".into());
@@ -257,8 +259,8 @@ fn parse_iri(text: &str) -> Result<String, String> {
     Err("an address such as https://example.org/courses/frog".into())
 }
 
-/// A title as a name without spaces: what XML and systems take for an identifier. What letters of
-/// other scripts say is in a number, so that other titles have other names.
+/// Converts a title to a name without spaces, valid as an identifier in XML and learning systems.
+/// Letters of other scripts become a number, so that different titles have different names.
 fn slug(title: &str) -> String {
     let kept = |c: char| {
         if c.is_ascii_alphanumeric() {

@@ -5,16 +5,17 @@ use quick_xml::escape::escape;
 use super::manifest::Standard;
 use super::{About, Lesson};
 
-/// Only what is in the package, or on the server that has it.
+/// Content security policy: only files of the package, or of the server that hosts it.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
     img-src 'self' data:; media-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'; connect-src 'self'";
 
 const STYLE: &str = include_str!("course.css");
 
-/// Shows how far each lesson of a list is.
+/// Script that shows the progress of each lesson of a list.
 const LIST: &str = include_str!("list.js");
 
-/// The pages with their style, by path. Where nobody else lists several lessons, the first page does.
+/// Returns the pages with their style sheets, by path. If several lessons are not listed elsewhere,
+/// the first page lists them.
 pub(super) fn files(about: &About) -> Vec<(String, String)> {
     let pages = about.lessons.iter();
     let mut files: Vec<_> = pages
@@ -88,7 +89,7 @@ fn page(about: &About, lesson: &Lesson) -> String {
     )
 }
 
-/// The page that lists the lessons, with how far each is.
+/// Returns the page that lists the lessons with the progress of each.
 fn list(about: &About) -> String {
     let item = |lesson: &Lesson| {
         let Lesson {

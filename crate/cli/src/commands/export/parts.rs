@@ -27,14 +27,14 @@ const MAX_FILE_BYTES: u64 = 512 << 20;
 struct Built {
     /// The script of the page and all that it fetches.
     player: Vec<String>,
-    /// What only stories fetch that are spoken in the page.
+    /// Files needed only by stories spoken in the page.
     speech: Vec<String>,
 }
 
 /// The files of a package.
 pub(super) struct Parts {
     files: BTreeMap<String, Vec<u8>>,
-    /// What is added where the page has to speak, with the folder that it lies in.
+    /// Files added for speech synthesis in the page, with their folder.
     speech: Vec<String>,
     built: std::path::PathBuf,
 }
@@ -64,8 +64,8 @@ impl Parts {
         Ok(())
     }
 
-    /// A story with its voice, its own animations, its pictures and its music, and what it uses of the library.
-    /// It lies in this folder of the package; the address of the script there.
+    /// Adds a story with its voice, its own animations, pictures and music, and the library files
+    /// that it uses, to this folder of the package. Returns the address of the script there.
     pub(super) fn add_story(
         &mut self,
         files: &StoryFiles,
@@ -133,7 +133,8 @@ impl Parts {
         Ok(())
     }
 
-    /// Who performs: a figure of the library, or a file beside the story, which comes into this folder.
+    /// Adds the performing figure: one of the library, or a file next to the story, which is copied
+    /// to this folder.
     pub(super) fn add_figure(
         &mut self,
         files: &StoryFiles,
@@ -175,8 +176,7 @@ impl Parts {
         self.files.keys().cloned().collect()
     }
 
-    /// Writes the package: the same bytes for the same files. Nothing is left of one that could not
-    /// be written whole.
+    /// Writes the package: the same bytes for the same files. A partial file is removed on failure.
     pub(super) fn write(&self, to: &Path) -> Result<()> {
         let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
         let options = SimpleFileOptions::default()
@@ -190,13 +190,13 @@ impl Parts {
     }
 }
 
-/// A path as addresses come to it: without steps that go nowhere.
+/// Normalises a path as in addresses: without redundant steps.
 fn plain(path: &str) -> String {
     let steps = path.split('/').filter(|step| !matches!(*step, "" | "."));
     steps.collect::<Vec<_>>().join("/")
 }
 
-/// A file in a folder, by its path there; none where there is none.
+/// Reads a file in a folder, by its path there; `None` if it does not exist.
 fn read_from(folder: &Path, path: &str) -> Result<Option<Vec<u8>>> {
     let found = inside::find(folder, path)?;
     found

@@ -20,24 +20,24 @@ use crate::commands::story_check::{self, StoryCheck};
 use crate::story::StoryFiles;
 use crate::{Outcome, assets, parallel, terminal};
 
-/// Compare random faces of a pack with the population, and let some of them tell a story.
+/// Compare random faces of a pack with the population, and let some of them perform a story.
 #[derive(Args)]
 pub(super) struct Check {
     /// A pack that `faces learn` wrote.
     pack: PathBuf,
-    /// How many faces are measured.
+    /// Number of measured faces.
     #[arg(long, default_value_t = 1000)]
     count: u64,
-    /// How many faces are looked at for skin that passes through skin.
+    /// Number of faces checked for self-intersecting skin.
     #[arg(long, default_value_t = 200)]
     look: u64,
-    /// A story that faces tell: a script, or a folder that holds a story.eml.
+    /// Story performed by the faces: a script, or a folder that contains a story.eml.
     #[arg(long)]
     story: Option<PathBuf>,
-    /// How many faces tell it.
+    /// Number of faces that perform it.
     #[arg(long, default_value_t = 200)]
     tell: u64,
-    /// Who wears the faces that tell.
+    /// Figure that wears the performing faces.
     #[arg(long, default_value = "kenji")]
     like: String,
 }
@@ -63,7 +63,7 @@ impl Check {
         })
     }
 
-    /// Whether the random faces are like the population.
+    /// Returns true if the random faces match the population.
     fn measure(&self, editor: &Editor) -> Result<bool> {
         let model = editor.model();
         ensure!(
@@ -137,7 +137,7 @@ impl Check {
         Ok(is_fine)
     }
 
-    /// Whether random faces tell a story without a fault.
+    /// Returns true if random faces perform a story without a fault.
     fn perform_stories(&self, editor: &Editor, files: &StoryFiles) -> Result<bool> {
         let bytes = assets::read(&format!("figures/{}.glb", self.like))?;
         let names = annotations(&bytes)?;
@@ -165,7 +165,7 @@ impl Check {
     }
 }
 
-/// The place of a head's skull above the ears that is farthest to a side.
+/// Returns the point of a head's skull above the ears that is farthest to a side.
 fn broadest<'p>(model: &FaceModel, places: &'p [[f64; 3]], is_left: bool) -> Option<&'p [f64; 3]> {
     let skull = |(v, p): &(u32, &[f64; 3])| {
         p[1] > SKULL_M
@@ -211,8 +211,8 @@ impl MeasureStatistics {
         }
     }
 
-    /// Of the population that people of these sexes and ages are drawn from: what varies within an age
-    /// and a sex, and what varies between them.
+    /// Returns the expected statistics of the population for people of these sexes and ages:
+    /// variation within an age and a sex, and between them.
     fn expected(measures: &[KnownMeasure], people: &[PersonRecord]) -> Self {
         let norms: Vec<Vec<[f64; 2]>> = people
             .iter()

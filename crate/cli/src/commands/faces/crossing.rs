@@ -10,9 +10,9 @@ use raconteur_faces::Editor;
 
 use crate::{parallel, terminal};
 
-/// The skin of a model with vertices at one place made one.
+/// Skin of a model with coincident vertices merged.
 pub(super) struct WeldedSkin {
-    /// The vertex that stands for each vertex.
+    /// Representative vertex of each vertex.
     of: Vec<u32>,
     triangles: Vec<[u32; 3]>,
 }
@@ -32,12 +32,12 @@ impl WeldedSkin {
         Self { of, triangles }
     }
 
-    /// The triangles, over vertices that stand for their place.
+    /// Returns the triangles over representative vertices.
     pub(super) fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// The vertex that stands for the place of a vertex.
+    /// Returns the representative vertex at the position of a vertex.
     pub(super) fn stands_for(&self, vertex: u32) -> u32 {
         self.of[vertex as usize]
     }
@@ -51,7 +51,8 @@ impl WeldedSkin {
     }
 }
 
-/// Whether no skin passes through skin in random faces of so many seeds; prints where it does.
+/// Returns true if random faces of `count` seeds have no self-intersecting skin; prints the
+/// intersections.
 pub(super) fn check(editor: &Editor, count: u64) -> Result<bool> {
     let model = editor.model();
     let skin = WeldedSkin::weld(model.shape.mean(), &model.triangles);

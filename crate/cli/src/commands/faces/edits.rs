@@ -4,8 +4,8 @@ use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use raconteur_faces::{Affine, Constraint, Editor, Face, Half, Part, Region};
 
-/// Which face, and how it is changed. Every change may end in a region: `@nose`, `@eyes+mouth`,
-/// `@cheeks/left`, `@/right`; without one it is of the whole head.
+/// Choice of the face and its changes. Every change may end in a region: `@nose`, `@eyes+mouth`,
+/// `@cheeks/left`, `@/right`; without one it applies to the whole head.
 #[derive(Args)]
 pub(super) struct Edits {
     /// Draw a face at random.
@@ -14,7 +14,7 @@ pub(super) struct Edits {
     /// A face of the database, by its number.
     #[arg(long)]
     face: Option<usize>,
-    /// Take over a region of another face of the database: `--import 17@nose`.
+    /// Copy a region of another face of the database: `--import 17@nose`.
     #[arg(long, value_name = "NUMBER@REGION")]
     import: Vec<String>,
     /// Scale a region about its middle, along x, y and z: `--scale 1.1,1,1@mouth`.
@@ -26,15 +26,16 @@ pub(super) struct Edits {
     /// Move a region, millimetres.
     #[arg(long = "move", value_name = "X,Y,Z@REGION", allow_hyphen_values = true)]
     moves: Vec<String>,
-    /// An attribute and its value, −1 to 1: `--set "width of the mouth=-0.5"`, of `shape:` or `texture:`
-    /// alone where that is said before it. Each is held while the others change.
+    /// Attribute and its value, −1 to 1: `--set "width of the mouth=-0.5"`, limited to `shape:` or
+    /// `texture:` with that prefix. Each value is held while the others change.
     #[arg(
         long = "set",
         value_name = "ATTRIBUTE=VALUE@REGION",
         allow_hyphen_values = true
     )]
     values: Vec<String>,
-    /// Exaggerate what tells the face from the average: 1.5 a caricature, 0.5 nearer to everybody.
+    /// Exaggerate the difference of the face from the average: 1.5 for a caricature, 0.5 for a more
+    /// average face.
     #[arg(long, value_name = "LEVEL@REGION")]
     caricature: Vec<String>,
     /// Strength of detail in the texture that is added to the face's own; 0.7 is usual.
@@ -97,7 +98,7 @@ impl Edits {
         Ok(face)
     }
 
-    /// Changes a face as is asked for.
+    /// Applies the requested changes to a face.
     pub(super) fn change(&self, editor: &Editor, face: &mut Face) -> Result<()> {
         for import in &self.import {
             let (index, region) = split(editor, import)?;
@@ -145,7 +146,7 @@ impl Edits {
         })
     }
 
-    /// Sets values of attributes, all at once.
+    /// Sets all attribute values simultaneously.
     fn constrain(&self, editor: &Editor, face: &mut Face) -> Result<()> {
         let mut held = Vec::new();
         for value in &self.values {

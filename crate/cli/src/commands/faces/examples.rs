@@ -13,10 +13,10 @@ use raconteur_sculpt::{FigureParams, people};
 use crate::commands::figure::bind::MODEL;
 use crate::{Outcome, parallel, terminal};
 
-/// Which heads are drawn.
+/// Selection of random heads.
 #[derive(Args)]
 pub(super) struct Crowd {
-    /// How many heads.
+    /// Number of heads.
     #[arg(long, default_value_t = 1000)]
     count: u64,
     /// Another seed is another crowd.
@@ -28,7 +28,7 @@ pub(super) struct Crowd {
 }
 
 impl Crowd {
-    /// The heads in order, made on all processors, with a bar that shows how far it is.
+    /// Returns the heads in order, generated on all processors, with a progress bar.
     pub(super) fn make(&self) -> Result<Vec<Example>> {
         let model = self.model()?;
         let crowd = Examples::new(&model, Self::like()?, self.seed)?;
@@ -40,7 +40,7 @@ impl Crowd {
         })
     }
 
-    /// What is made of each number, with a bar.
+    /// Maps numbers in parallel with a progress bar.
     fn map_with_progress<T: Send>(
         &self,
         what: &'static str,
@@ -64,7 +64,7 @@ impl Crowd {
         Ok(Model::open(&self.model)?)
     }
 
-    /// Who is started from.
+    /// Returns the base figure.
     pub(super) fn like() -> Result<FigureParams> {
         people::preset("sofia").context("a figure to start from")
     }

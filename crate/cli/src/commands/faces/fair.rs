@@ -9,10 +9,10 @@ use super::crossing::WeldedSkin;
 
 /// Segments in which skin is fair.
 const FAIRED: [&str; 2] = ["nose root", "nose bridge"];
-/// How often the finest detail is taken away there.
+/// Number of times that the finest detail is removed there.
 const TIMES: usize = 4;
 
-/// Takes ridges and nicks from the noses of heads.
+/// Removes ridges and notches from the noses of heads.
 pub(super) fn fair(examples: &mut [Example]) -> Result<()> {
     let first = examples.first().context("a head")?;
     let joined = WeldedSkin::weld(&first.skin, &first.triangles);

@@ -23,8 +23,8 @@ use super::fair::fair;
 use super::pack::texture_beside;
 use crate::{Outcome, terminal};
 
-/// Learn a face space with its attributes from heads drawn at random, and write it as a pack: shapes
-/// into one file, textures into another beside it.
+/// Learn a face space with its attributes from random heads, and write it as a pack: shapes into
+/// one file, textures into another next to it.
 #[derive(Args)]
 pub(super) struct Learn {
     #[command(flatten)]
@@ -32,15 +32,14 @@ pub(super) struct Learn {
     /// The pack's file of shapes; that of textures has the extension `skins`.
     #[arg(short, long)]
     output: PathBuf,
-    /// As many modes are kept as explain this share of the variance of faces that nothing was learned
-    /// from.
+    /// Share of the variance of held-out faces that the kept modes must explain.
     #[arg(long, default_value_t = 0.99)]
     explains: f64,
 }
 
-/// One head of so many is held out.
+/// Hold-out interval: one head of this many is held out.
 const HELD_OUT: usize = 10;
-/// Share of the colours' variance that each number of a look counts for.
+/// Share of the colours' variance assigned to each appearance number.
 const LOOK_SHARE: f64 = 0.02;
 
 impl Learn {
@@ -78,7 +77,7 @@ impl Learn {
         Ok(Outcome::Fine)
     }
 
-    /// The space of faces, with as many modes as are enough for those held out.
+    /// Returns the space of faces, with enough modes for the held-out ones.
     fn space(&self, faces: &[Vec<f64>], name: &str) -> Result<FaceSpace> {
         let (held, kept): (Vec<_>, Vec<_>) = (0..)
             .zip(faces)
@@ -106,8 +105,8 @@ impl Learn {
         Ok(space.truncated(modes))
     }
 
-    /// Takes what is left of expressions from the faces of the database: who is remembered looks neutral until
-    /// somebody asks for more.
+    /// Removes residual expressions from the faces of the database, so that stored people look
+    /// neutral by default.
     fn calm(&self, model: &mut FaceModel, examples: &[Example]) -> Result<()> {
         let body = self.crowd.model()?;
         let crowd = Examples::new(&body, Crowd::like()?, self.crowd.seed)?;
@@ -157,11 +156,12 @@ impl Learn {
     }
 }
 
-/// Attributes of which the principal components tell less get a mode of their own.
+/// Threshold of explained variance below which an attribute gets its own mode in addition to the
+/// principal components.
 const TOLD: f64 = 0.9;
 
-/// The space with local modes: for the fields that vary by themselves, and for attributes that are
-/// smaller than what principal components keep.
+/// Returns the space with local modes: for independently varying fields, and for attributes too
+/// small for the principal components.
 fn with_local(space: &FaceSpace, shapes: &[Vec<f64>], examples: &[Example]) -> Result<FaceSpace> {
     let own = coefficients(space, shapes)?;
     let fields = (0..FIELDS.len()).map(|k| examples.iter().map(|e| e.draft.fields[k]).collect());
@@ -210,14 +210,15 @@ fn explained_variance(
     1.0 - off / all
 }
 
-/// A texture: colours, then the numbers of a look.
+/// Returns a texture: colours, then the appearance numbers.
 fn textured(mut tone: Vec<f64>, look: &Look, weights: &[f64]) -> Vec<f64> {
     let numbers = looks::numbers(look);
     tone.extend(numbers.iter().zip(weights).map(|(x, weight)| x * weight));
     tone
 }
 
-/// What the numbers of looks count for, so that each tells its share of what textures differ by.
+/// Returns the weights of appearance numbers, so that each contributes its share to the variance of
+/// textures.
 fn look_weights(examples: &[Example]) -> Vec<f64> {
     let variance = |numbers: &dyn Fn(&Example) -> f64| {
         let count = examples.len() as f64;
@@ -255,7 +256,7 @@ fn coefficients(space: &FaceSpace, faces: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> 
     Ok(own.collect::<Result<_, _>>()?)
 }
 
-/// The attributes that change one thing, or both.
+/// Returns the attributes that change only one part, or both.
 fn attributes(
     space: &FaceSpace,
     own: &[Vec<f64>],
@@ -337,7 +338,7 @@ fn reference(space: &FaceSpace, shapes: &[Vec<f64>], triangles: &[[u32; 3]]) -> 
         .map_or_else(Vec::new, |shape| shape.to_vec())
 }
 
-/// Who examples are.
+/// Returns the person records of examples.
 fn people(examples: &[Example]) -> Vec<PersonRecord> {
     let person = |e: &Example| PersonRecord {
         sex: e.draft.traits.sex,
@@ -367,7 +368,7 @@ fn measures(examples: &[Example]) -> Result<Vec<FeatureMeasure>> {
     features.map(measure).collect()
 }
 
-/// The model with how its features change alone.
+/// Returns the model with the isolated changes of its features.
 fn with_features(mut model: FaceModel, measures: &[FeatureMeasure]) -> Result<FaceModel> {
     let features = Editor::new(model.clone())?.learn_features(measures)?;
     for (measure, feature) in measures.iter().zip(features) {
@@ -378,7 +379,7 @@ fn with_features(mut model: FaceModel, measures: &[FeatureMeasure]) -> Result<Fa
     Ok(model)
 }
 
-/// How well each attribute tells its labels: the share of their variance that it explains.
+/// Reports the quality of each attribute: the share of its labels' variance that it explains.
 fn report(model: &FaceModel, examples: &[Example]) -> Result<()> {
     let mut out = terminal::out();
     writeln!(out, "attribute\tshape\ttexture")?;

@@ -17,8 +17,8 @@ use super::edits::Edits;
 use super::{pack, put_on};
 use crate::{Outcome, assets};
 
-/// Make a figure of a face: the average one, one of the database or one drawn at random, changed by
-/// edits. It is put on a shipped figure, or built anew.
+/// Make a figure with a face: the average one, one of the database or a random one, changed by
+/// edits. The face is put on a bundled figure, or a new figure is built.
 #[derive(Args)]
 pub(super) struct Make {
     /// A pack that `faces learn` wrote.
@@ -28,11 +28,11 @@ pub(super) struct Make {
     output: PathBuf,
     #[command(flatten)]
     edits: Edits,
-    /// Whose skin, hair and clothes the figure has.
+    /// Figure that provides skin, hair and clothes.
     #[arg(long, default_value = "sofia")]
     like: String,
-    /// Build the whole figure anew, with hair, brows and maps of its own, in some 20 s. The face is the
-    /// nearest of the spaces.
+    /// Build the whole figure from parameters, with its own hair, brows and maps, in about 20 s.
+    /// The face is the nearest one in the spaces.
     #[arg(long)]
     build: bool,
     /// Build only the head, without hair, hands and clothes.
@@ -68,7 +68,7 @@ impl Make {
     }
 }
 
-/// What a figure with a face is built from.
+/// Returns the parameters for building a figure with a face.
 pub(super) fn built_params(editor: &Editor, face: &Face, like: &str) -> Result<FigureParams> {
     let model: &FaceModel = editor.model();
     let own = editor.coefficients(face, Part::Shape)?;

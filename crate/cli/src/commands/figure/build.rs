@@ -26,7 +26,7 @@ pub(super) struct Build {
     /// library.
     #[arg(long, default_value = bind::MODEL)]
     model: PathBuf,
-    /// Where to write it.
+    /// Output file.
     #[arg(short, long)]
     output: PathBuf,
 }

@@ -15,13 +15,12 @@ use crate::commands::story_check::{self, FaceReport, StoryCheck};
 use crate::story::StoryFiles;
 use crate::{Outcome, parallel, terminal};
 
-/// Let people drawn at random from the body model tell a story, and report what a viewer would
-/// notice of their faces.
+/// Let random people from the body model perform a story, and report visible faults of their faces.
 #[derive(Args)]
 pub(super) struct Crowd {
-    /// A script, or a folder that holds a story.eml.
+    /// Script, or folder that contains a story.eml.
     story: PathBuf,
-    /// How many people.
+    /// Number of people.
     #[arg(long, default_value_t = 20)]
     count: u64,
     /// Number of the first of them.
@@ -35,7 +34,7 @@ pub(super) struct Crowd {
     model: PathBuf,
 }
 
-/// What everyone shares.
+/// Data shared by all people.
 struct CrowdStage {
     model: Model,
     details: Vec<Detail>,
@@ -45,7 +44,7 @@ struct CrowdStage {
     seed: u64,
 }
 
-/// What was found of one person.
+/// Findings about one person.
 struct CrowdFinding {
     told: FaceReport,
     evaluation: Duration,

@@ -21,10 +21,10 @@ use raconteur_voice::files::disk::replace;
 pub(super) struct Export {
     /// A figure's name, or the path of a .glb file.
     figure: String,
-    /// Where to write it; the name ends in .glb or .obj.
+    /// Output file; the name ends in .glb or .obj.
     #[arg(short, long)]
     output: PathBuf,
-    /// The pose; a glTF file keeps its skeleton and stands in that pose.
+    /// Pose; a glTF file retains its skeleton, set to that pose.
     #[arg(long, value_enum, default_value = "bind")]
     pose: PoseName,
     /// The format; bones are known for the figures of the library, by their names.
@@ -32,10 +32,10 @@ pub(super) struct Export {
     layer: Layer,
 }
 
-/// What a file holds.
+/// Layers in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Layer {
-    /// The subject of the picture.
+    /// Skin.
     Skin,
     /// Skull, jaw, hands and the rest of the skeleton.
     Bones,
@@ -115,7 +115,7 @@ fn place(node: &mut Value, local: &DAffine3) {
     node["translation"] = json!(narrow(&translation.to_array()));
 }
 
-/// Changes the JSON chunk of a glTF binary, which is its first; the others follow as they are.
+/// Edits the JSON chunk of a glTF binary, which is the first; the other chunks are unchanged.
 fn edit_json(glb: &[u8], edit: impl FnOnce(&mut Value)) -> Result<Vec<u8>> {
     const HEAD: usize = 12;
     const CHUNK_HEAD: usize = 8;

@@ -13,20 +13,20 @@ use raconteur_voice::files::{disk::replace, input};
 use super::bind::{MAX_FILE_BYTES, MODEL};
 use crate::{Outcome, terminal};
 
-/// Bring a person's measures to the population's, or to wanted ones.
+/// Fit a person's measures to the population's, or to given ones.
 #[derive(Args)]
 pub(super) struct Fit {
     /// The person's traits, in JSON.
     traits: PathBuf,
-    /// What is wanted: an object of measures' names (`figure measure` lists them), each with its
-    /// standard deviations from the mean. Without it every measure comes to the mean for sex and
-    /// age.
+    /// Target measures: an object with names of measures (listed by `figure measure`), each with
+    /// its standard deviations from the mean. Without it every measure is set to the mean for sex
+    /// and age.
     #[arg(long)]
     measures: Option<PathBuf>,
     /// The body model's data, where `npm run model` puts it.
     #[arg(long, default_value = MODEL)]
     model: PathBuf,
-    /// Where to write the person.
+    /// Output file for the person.
     #[arg(short, long)]
     output: PathBuf,
 }

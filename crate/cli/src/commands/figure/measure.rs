@@ -21,12 +21,12 @@ use crate::{Format, Outcome, terminal};
 const MAX_FIGURE_BYTES: u64 = 512 << 20;
 const MAX_REFERENCE_BYTES: u64 = 256 << 20;
 
-/// Take a figure's measures and set them beside the population's.
+/// Measure a figure and compare it with the population.
 #[derive(Args)]
 pub(super) struct Measure {
     /// A figure's name, or the path of a .glb file.
     figure: String,
-    /// How to report.
+    /// Output format.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
     /// Sex of the population to compare with, 0 male to 1 female; the figure's own where it
@@ -36,7 +36,7 @@ pub(super) struct Measure {
     /// Age to compare with, years; the figure's own where it is known by name, else 30.
     #[arg(long)]
     age: Option<f64>,
-    /// A face to measure the distance from: an OBJ file with vertex_indices.json beside it.
+    /// Reference face for the distance: an OBJ file with vertex_indices.json next to it.
     #[arg(long)]
     against: Option<PathBuf>,
 }

@@ -18,7 +18,7 @@ use clap::{Args, Subcommand};
 
 use crate::Outcome;
 
-/// Make figures and look at them.
+/// Make and inspect figures.
 #[derive(Args)]
 pub(crate) struct Figure {
     #[command(subcommand)]

@@ -72,14 +72,15 @@ fn parse(text: &str, model: &Path) -> Result<FigureParams> {
     Ok(params)
 }
 
-/// Whether a value is a variant with contents, `{"Bob": …}`; such are replaced as a whole.
+/// Returns true if a value is an enum variant with contents, `{"Bob": …}`; such values are replaced
+/// as a whole.
 fn is_variant(value: &Value) -> bool {
     let only = value.as_object().filter(|o| o.len() == 1);
     only.and_then(|o| o.keys().next())
         .is_some_and(|name| name.starts_with(char::is_uppercase))
 }
 
-/// Replaces present values by given ones; `place` names it, with a dot at its end.
+/// Overrides existing values by given ones; `place` is the path with a trailing dot.
 fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
     let name = place.trim_end_matches('.');
     match (&mut *there, given) {
@@ -129,7 +130,7 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
     Ok(())
 }
 
-/// What the generator's tables cover.
+/// Checks that the parameters are within the generator's tables.
 fn check(params: &FigureParams) -> Result<()> {
     let person = &params.person;
     for (name, value, low, high) in [

@@ -12,13 +12,13 @@ use raconteur_voice::files::disk::replace;
 use super::bind::MODEL;
 use crate::{Outcome, terminal};
 
-/// Find anew where our head lies on the body model's, for the generator to build on.
+/// Register the generated head on the body model's again, as input of the generator.
 #[derive(Args)]
 pub(super) struct Register {
     /// The body model's data, where `npm run model` puts it.
     #[arg(long, default_value = MODEL)]
     model: PathBuf,
-    /// Where to write the table, such as `crate/sculpt/src/head/binding.tsv`.
+    /// Output table, such as `crate/sculpt/src/head/binding.tsv`.
     #[arg(short, long)]
     output: PathBuf,
 }

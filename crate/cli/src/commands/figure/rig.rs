@@ -20,19 +20,19 @@ use crate::{Outcome, terminal};
 /// The largest mesh that is read, bytes.
 const MAX_MESH_BYTES: u64 = 256 << 20;
 
-/// Give a head of your own our muscles, tissue, jaw, mouth and eyes.
+/// Rig your own head with the generated muscles, tissue, jaw, mouth and eyes.
 #[derive(Args)]
 pub(super) struct Rig {
     /// The head: a Wavefront OBJ of its skin, lids and lips open lines, without eyes and teeth.
     mesh: PathBuf,
-    /// Where its landmarks lie: an object of names, each with a vertex, counted from 1 as in the
-    /// mesh, or with a place [x, y, z].
+    /// Landmarks: an object of names, each with a vertex, counted from 1 as in the mesh, or with a
+    /// position [x, y, z].
     #[arg(long)]
     landmarks: PathBuf,
-    /// The figure of the library whose skeleton, mouth and eyes it takes.
+    /// Figure of the library that provides skeleton, mouth and eyes.
     #[arg(long, default_value = crate::story::USUAL_FIGURE)]
     like: String,
-    /// Where to write the figure.
+    /// Output file for the figure.
     #[arg(short, long)]
     output: PathBuf,
 }

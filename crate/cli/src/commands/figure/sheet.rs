@@ -20,16 +20,16 @@ use crate::story::find_figure;
 pub(super) struct Sheet {
     /// A figure's name, or the path of a .glb file.
     figure: String,
-    /// Where to write the picture (PNG).
+    /// Output image (PNG).
     #[arg(short, long)]
     output: PathBuf,
-    /// What to draw; may be given several times.
+    /// Part to render; may be given several times.
     #[arg(long, value_enum, default_value = "all", value_delimiter = ',')]
     part: Vec<SheetPart>,
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 400)]
     size: u32,
-    /// So many tiles to a row, edge to edge and without captions, for programs.
+    /// Number of tiles per row, edge to edge and without captions, for programs.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=64))]
     grid: Option<u32>,
     /// The light of every tile but those that compare lights.

@@ -18,26 +18,26 @@ pub(crate) struct Fields<'t> {
     pub(in crate::schema) attributes: &'t [markup::Attribute<'t>],
     /// For each attribute of the table its index in `attributes`.
     pub(super) slots: [u16; MAX_ATTRIBUTES],
-    /// How many attributes the element has in the table.
+    /// Number of the element's attributes in the table.
     pub(super) count: usize,
-    /// Where in the table to look first for the next attribute.
+    /// Table index at which the search for the next attribute starts.
     pub(super) next: Cell<usize>,
     pub(super) complete: bool,
     pub(super) extended: bool,
 }
 
 impl<'t> Fields<'t> {
-    /// Whether every required attribute is there.
+    /// Returns true if every required attribute is present.
     pub(crate) fn is_complete(&self) -> bool {
         self.complete
     }
 
-    /// Whether any attribute of the extensions is written.
+    /// Returns true if any extension attribute is present.
     pub(crate) fn is_extended(&self) -> bool {
         self.extended
     }
 
-    /// Whether an attribute is written.
+    /// Returns true if an attribute is present.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.get(name).is_some_and(|(_, written)| written.is_some())
     }
@@ -54,9 +54,9 @@ impl<'t> Fields<'t> {
         ))
     }
 
-    /// The attribute with exactly this name and its place among all of the element.
-    /// Scripts and readers mostly go in the order of the table, so the search starts
-    /// behind what was found last.
+    /// Returns the attribute with exactly this name and its index among the element's attributes.
+    /// Scripts and readers mostly follow the order of the table, so the search starts after the
+    /// last hit.
     pub(super) fn slot(&self, name: &str) -> Option<(usize, &'static Attribute)> {
         let own = self.element.attributes;
         let mut slot = self.next.get();
@@ -74,7 +74,7 @@ impl<'t> Fields<'t> {
         None
     }
 
-    /// Where the value of an attribute is, or else the start tag.
+    /// Returns the span of an attribute's value, or else of the start tag.
     pub(crate) fn span_of(&self, name: &str) -> Span {
         self.get(name)
             .and_then(|(_, written)| written)

@@ -3,7 +3,7 @@
 use super::MAX_REQUIRED;
 use crate::schema::Element;
 
-/// What an element has had of its children so far.
+/// Count of an element's children up to now.
 pub(crate) struct Tally {
     pub(super) parent: &'static Element,
     /// The elements whose number is limited: few, so the first ones need no allocation.

@@ -86,7 +86,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
     }
 }
 
-/// Whether a path stays in its folder on every system.
+/// Returns true if a path stays in its folder on every system.
 pub(in crate::schema) fn is_inner_path(text: &str) -> bool {
     !text.is_empty()
         && !text.starts_with('/')
@@ -95,7 +95,7 @@ pub(in crate::schema) fn is_inner_path(text: &str) -> bool {
         && text.split('/').all(|part| part != "..")
 }
 
-/// Whether an address is relative to the page, or is one that a page may fetch.
+/// Returns true if a URL is relative to the page, or may be fetched by a page.
 fn is_safe_url(text: &str) -> bool {
     let before = text.split(['/', '?', '#']).next().unwrap_or("");
     let scheme = before.split_once(':').map(|(scheme, _)| scheme);

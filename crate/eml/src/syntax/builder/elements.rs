@@ -8,8 +8,8 @@ use crate::syntax::attributes::{self, Outcome};
 use crate::{Diagnostic, Span};
 
 impl<'a> Builder<'a, '_, '_> {
-    /// Opens an element whose tag holds `raw` between `<` and `>`. Returns where to
-    /// read on when the tag is broken.
+    /// Opens an element whose tag contains `raw` between `<` and `>`. Returns the restart position
+    /// of a broken tag.
     pub(super) fn open(
         &mut self,
         raw: &'a str,
@@ -103,8 +103,8 @@ impl<'a> Builder<'a, '_, '_> {
         self.limits.attributes.min(usize::from(u16::MAX))
     }
 
-    /// Opens an element whose tag is broken off; `raw` is all there is of it. What
-    /// holds the document together is kept without attributes, the rest is marked.
+    /// Opens an element with a truncated tag; `raw` is its remaining text. Structural elements are
+    /// kept without attributes, others are marked.
     pub(super) fn open_broken(&mut self, name: &'a str, raw: &str, start: usize) {
         let name = name.trim_end_matches(['/', '>']);
         let entry = schema::find(name);
@@ -128,9 +128,8 @@ impl<'a> Builder<'a, '_, '_> {
         }
     }
 
-    /// Remembers the first body in the root, which is about to be opened, when its
-    /// content may be taken at once: when nothing comes before it in the document that
-    /// clauses could stand in.
+    /// Records the first body in the root before it is opened, if its content may be taken
+    /// immediately: if nothing that can contain clauses precedes it.
     fn meet_body(&mut self, index: u32, well_formed: bool) {
         let &[root] = &self.stack[..] else { return };
         if self.met_body || !self.is(index, "body") || !self.is(root, "eml") {
@@ -151,7 +150,7 @@ impl<'a> Builder<'a, '_, '_> {
         matches!(kind, NodeKind::Element(Some(element)) if element.name == name)
     }
 
-    /// Gives an element of the body away that is complete and the last in the tree.
+    /// Passes on a complete element of the body that is the last in the tree.
     fn complete(&mut self, index: u32) {
         let in_body = self.stack.len() == 2 && self.tree.taken_from == Some(self.stack[1]);
         let node = &self.tree.nodes[index as usize];
@@ -201,7 +200,7 @@ impl<'a> Builder<'a, '_, '_> {
         self.complete(open);
     }
 
-    /// Closes an element that has no end tag of its own at byte `end`.
+    /// Closes an element without its own end tag at byte `end`.
     pub(super) fn close(&mut self, open: u32, end: usize, by: Option<Span>) {
         let subtree_end = Span::from_offsets(self.tree.nodes.len(), 0).start;
         let node = &mut self.tree.nodes[open as usize];

@@ -10,9 +10,10 @@ use crate::{
 };
 use raconteur_base::Side;
 
-/// A document of about so many clauses. Same seed, same document.
+/// Returns a random document of about the given number of clauses. The same seed gives the same
+/// document.
 pub(super) fn document(seed: u64, clauses: usize) -> Document {
-    let mut dice = Dice(seed);
+    let mut dice = SeededRandom(seed);
     let mut document = Document {
         name: dice.one_in(2).then(|| dice.text()),
         ..Document::default()
@@ -40,9 +41,9 @@ pub(super) fn document(seed: u64, clauses: usize) -> Document {
 }
 
 /// A source of choices: Sebastiano Vigna's splitmix64.
-struct Dice(u64);
+struct SeededRandom(u64);
 
-impl Dice {
+impl SeededRandom {
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -309,7 +310,7 @@ impl Dice {
         (profile != Profile::default()).then(|| Box::new(profile))
     }
 
-    /// Any element that holds spoken text.
+    /// Returns any element that contains spoken text.
     fn container(&mut self) -> Markup {
         let containers: Vec<fn() -> Markup> = ELEMENTS
             .iter()
@@ -402,7 +403,7 @@ impl Dice {
 
 /// Fills a record with values that its entry in the table allows.
 struct Filler<'g> {
-    dice: &'g mut Dice,
+    dice: &'g mut SeededRandom,
     element: &'static Element,
 }
 

@@ -3,8 +3,8 @@
 use raconteur_actor::EvaluationReport;
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::Bone;
-use raconteur_eml::Scenery;
-use raconteur_stage::{Camera, Frame, FramingMargin, Set, SetKind, aside_in, pupil};
+use raconteur_eml as eml;
+use raconteur_stage::{Camera, Frame, FramingMargin, Set, StageSet, aside_in, pupil};
 
 use super::Player;
 use crate::play::fibres;
@@ -135,18 +135,18 @@ impl Player {
         }
     }
 
-    /// The place in which the story is told.
+    /// Returns the set of the story, or the one that overrides it.
     fn set(&self) -> Set {
-        if let Some(place) = self.place {
-            return Set::from_kind(place);
+        if let Some(set) = self.set_override {
+            return Set::from_kind(set);
         }
         let environment = self.script.document.environment.as_ref();
         Set::from_kind(match environment.map(|e| e.set).unwrap_or_default() {
-            Scenery::Curtain => SetKind::Curtain,
-            Scenery::Fireside => SetKind::Fireside,
-            Scenery::Garden => SetKind::Garden,
-            Scenery::Night => SetKind::Night,
-            Scenery::School => SetKind::School,
+            eml::StageSet::Curtain => StageSet::Curtain,
+            eml::StageSet::Fireside => StageSet::Fireside,
+            eml::StageSet::Garden => StageSet::Garden,
+            eml::StageSet::Night => StageSet::Night,
+            eml::StageSet::School => StageSet::School,
         })
     }
 

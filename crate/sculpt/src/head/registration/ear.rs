@@ -15,12 +15,12 @@ use crate::surface::{Place, Surface};
 pub(in crate::head) const NORMAL: DVec3 = DVec3::new(0.951_06, -0.1, 0.309_02);
 /// Middle of the ear along the plane's first axis, which points back, mm.
 const MIDDLE_MM: f64 = 35.75;
-/// Ring behind the rim, and the positions at which it is seen from the head.
+/// Ring behind the rim, and the positions at which it is visible from the head.
 const BEHIND: (u8, core::ops::RangeInclusive<u8>) = (3, 5..=15);
-/// How near to the head's midline a place cannot be the ear's, along the normal, mm.
+/// Minimum distance of the ear from the head's midline, along the normal, mm.
 const EAR_FROM_MM: [f64; 2] = [50.0, 58.0];
 
-/// Ring and position, and the place in the plane: back and up, mm.
+/// Ring and position, and the point in the plane: back and up, mm.
 #[rustfmt::skip]
 const LINES: [(u8, u8, [f64; 2]); 147] = [
     (3, 5, [6.2, 30.8]), (3, 6, [11.8, 28.0]), (3, 7, [16.2, 21.5]), (3, 8, [17.9, 13.4]),
@@ -65,15 +65,15 @@ const LINES: [(u8, u8, [f64; 2]); 147] = [
     (10, 16, [-4.1, 3.6]), (10, 17, [-4.2, 4.4]),
 ];
 
-/// Places of both ears.
+/// Number of points of both ears.
 pub(super) const COUNT: usize = 2 * LINES.len();
 
-/// Step towards the middle of the ear where a line misses it, as a share of the way.
+/// Step towards the middle of the ear if a line misses it, as a share of the distance.
 const INWARD: f64 = 0.02;
 /// Most steps.
 const STEPS: u32 = 12;
 
-/// The places of the lines on the model's head, of both ears.
+/// Returns the points of the lines on the model's head, of both ears.
 pub(super) fn places(theirs: &Surface) -> BTreeMap<(Key, Side), Place> {
     let mut all = BTreeMap::new();
     for side in Side::BOTH {
@@ -87,8 +87,8 @@ pub(super) fn places(theirs: &Surface) -> BTreeMap<(Key, Side), Place> {
     all
 }
 
-/// The ear's place at a point of its plane: the outermost from outside, or, behind the rim, the
-/// outermost that faces the head.
+/// Returns the point of the ear above a point of its plane: the outermost from outside, or, behind
+/// the rim, the outermost that faces the head.
 fn outermost(
     theirs: &Surface,
     side: Side,

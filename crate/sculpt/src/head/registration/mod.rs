@@ -26,7 +26,7 @@ use crate::model::{Ancestry, Model, ModelError, Traits};
 use crate::surface::{Place, Surface};
 use raconteur_base::surface::vertex_normals;
 
-/// How firmly the bend is kept smooth, and how firmly a vertex keeps to its nearest place, by
+/// Weights of the smoothness of the deformation and of the attraction to the nearest point, by
 /// round. Designed.
 const ROUNDS: [[f64; 2]; 9] = [
     [30.0, 0.3],
@@ -39,24 +39,25 @@ const ROUNDS: [[f64; 2]; 9] = [
     [1.5, 1.0],
     [1.0, 1.0],
 ];
-/// Weight of a place that is given.
+/// Weight of a given position.
 const GIVEN: f64 = 6.0;
-/// Weight of the place of before, which keeps vertices from sliding along flat skin.
+/// Weight of the previous position, which stops vertices from sliding along flat skin.
 const BEFORE: f64 = 1.0;
-/// How far the nearest place is sought, mm, and the least cosine between the normals.
+/// Search radius for the nearest point, mm; the next constant is the minimum cosine between the
+/// normals.
 const REACH_MM: f64 = 12.0;
 const FACING: f64 = 0.35;
 
-/// The binding found anew.
+/// Result of the registration.
 #[derive(Clone, Debug)]
 pub struct Registration {
     /// As `head/binding.tsv` has it.
     pub table: String,
-    /// Vertices of the cage whose places were found, of both halves.
+    /// Number of cage vertices with a match, on both halves.
     pub found: usize,
-    /// Those that found none and keep theirs.
+    /// Number of vertices without a match, which keep their positions.
     pub kept: usize,
-    /// Mean and largest way from the places of before, mm.
+    /// Mean and maximum displacement from the previous positions, mm.
     pub moved_mm: [f64; 2],
 }
 
@@ -99,7 +100,7 @@ impl ModelHead {
     }
 }
 
-/// Whether a vertex of the cage keeps its place in the binding.
+/// Returns true if a vertex of the cage keeps its position in the binding.
 fn is_given(key: Key) -> bool {
     match key {
         Key::Eye(5.., _) | Key::Mouth(1.., _) | Key::Nostril(..) => true,
@@ -166,7 +167,7 @@ fn nearest(theirs: &Surface, p: DVec3, normal: DVec3) -> Option<Place> {
     theirs.nearest(p, |place| place.normal.dot(normal) > FACING)
 }
 
-/// The mean head's limit positions, bent through the given places and drawn onto a surface.
+/// Deforms the mean head's limit positions to the given positions and projects them onto a surface.
 ///
 /// # Panics
 /// When the normal equations are singular, which the fixed topology and the given places rule out.

@@ -24,10 +24,10 @@ pub(crate) struct BrowLine {
     knots: Vec<(DVec3, f64)>,
 }
 
-/// How far above the crest of the brow its hairs have their middle, mm.
+/// Height of the middle of the brow hairs above the crest of the brow, mm.
 const ABOVE_CREST_MM: f64 = 2.0;
 
-/// A place on a polyline by the share of its length.
+/// Returns the point on a polyline at a share of its length.
 fn along(line: &[DVec3], share: f64) -> DVec3 {
     let total: f64 = line.windows(2).map(|w| w[0].distance(w[1])).sum();
     let mut left = share * total;
@@ -42,7 +42,7 @@ fn along(line: &[DVec3], share: f64) -> DVec3 {
 }
 
 impl BrowLine {
-    /// Above a crest, given from its inner end.
+    /// Builds the line above a crest, given from its inner end.
     pub(crate) fn above(crest: &[DVec3]) -> Self {
         let mut line = crest.to_vec();
         if let [inner, next, ..] = &mut line[..] {
@@ -80,7 +80,7 @@ impl BrowLine {
         (p / 2.0, b.1 + (c.1 - b.1) * f)
     }
 
-    /// How much the brow's shadow of short hairs tints the skin at a place, 0..1.
+    /// Returns the tint of the skin by the shadow of short brow hairs at a position, 0..1.
     pub(crate) fn stain(&self, p: DVec3) -> f64 {
         let q = DVec3::new(p.x.abs(), p.y, p.z);
         if q.z < 45.0 || (q.y - self.knots[4].0.y).abs() > 20.0 {
@@ -106,8 +106,8 @@ const SHORT_HAIRS: f64 = 160.0;
 /// The most a brow may have of both against the usual.
 const MAX_DENSITY: f64 = 1.6;
 
-/// By share of the brow's length: how steeply hairs stand over the brow's line, rad; how much
-/// the row that a hair is of turns it to the middle; its length, mm.
+/// Growth by share of the brow's length: angle of hairs to the brow's line, rad; rotation towards
+/// the middle by the hair's row; length, mm.
 const GROWTH: [[f64; 4]; 6] = [
     [0.0, 0.98, 0.10, 4.6],
     [0.10, 0.80, 0.30, 6.4],
@@ -117,11 +117,12 @@ const GROWTH: [[f64; 4]; 6] = [
     [1.0, -0.04, 0.30, 4.0],
 ];
 
-/// Heights of a long hair's points over the skin, mm: the root is sunk, the tip stands off.
+/// Heights of a long hair's points over the skin, mm: the root is below the skin, the tip stands
+/// off.
 const LONG_LIFT_MM: [f64; 3] = [-0.15, 0.45, 0.45];
 const SHORT_LIFT_MM: [f64; 2] = [-0.1, 0.3];
 
-/// What `GROWTH` says at a share of the brow's length.
+/// Interpolates `GROWTH` at a share of the brow's length.
 fn growth(s: f64) -> [f64; 3] {
     let i = GROWTH[1..GROWTH.len() - 1].partition_point(|row| row[0] < s);
     let (a, b) = (GROWTH[i], GROWTH[i + 1]);
@@ -129,7 +130,7 @@ fn growth(s: f64) -> [f64; 3] {
     [1, 2, 3].map(|k| a[k] + (b[k] - a[k]) * f)
 }
 
-/// The skin under a brow, seen from the front.
+/// Skin under a brow, in frontal view.
 struct BrowSkin<'a> {
     ride: &'a ScalpBinding,
     vertices: Vec<u32>,
@@ -152,7 +153,7 @@ impl<'a> BrowSkin<'a> {
         }
     }
 
-    /// The skin before a place, mm, and its normal.
+    /// Returns the skin point in front of a position, mm, and its normal.
     fn below(&self, place: DVec3) -> (DVec3, DVec3) {
         let (mut z, mut normal) = (0.0, DVec3::ZERO);
         for (i, share) in nearest(&self.flat, place.with_z(0.0), 4, 0.1) {
@@ -208,12 +209,12 @@ struct Brow<'a> {
     side: Side,
     seed: u64,
     params: &'a BrowParams,
-    /// How much higher and thicker than the other it is, -1..1.
+    /// Difference in height and thickness from the other brow, -1..1.
     own: f64,
 }
 
 impl Brow<'_> {
-    /// A direction or place on the left brow, on this one.
+    /// Converts a direction or position on the left brow to this one.
     fn turned(&self, v: DVec3) -> DVec3 {
         if self.side == Side::Left {
             v

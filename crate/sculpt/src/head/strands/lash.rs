@@ -33,15 +33,15 @@ struct Edge<'a> {
 }
 
 impl Edge<'_> {
-    /// A place on it by the share of its points.
+    /// Returns the point at a share of its point indices.
     fn sample(&self, s: f64) -> DVec3 {
         let x = s * (self.points.len() - 1) as f64;
         let i = (x.floor() as usize).min(self.points.len() - 2);
         self.points[i].lerp(self.points[i + 1], x - i as f64)
     }
 
-    /// Where a lash of length 1 from there ends without neighbours, and the direction it
-    /// leaves the lid in.
+    /// Returns the end of an isolated lash of length 1 from there, and the direction in which it
+    /// leaves the lid.
     fn growth(&self, s: f64) -> (DVec3, DVec3) {
         let out = (self.sample(s) - self.globe).normalize();
         // The inner ones lean in less than the outer ones lean out.
@@ -58,7 +58,7 @@ impl Edge<'_> {
     }
 }
 
-/// Where the tips of the clump meet that a lash is of, as a share of the lid.
+/// Returns the position at which the tips of the lash's clump meet, as a share of the lid.
 fn clump(s: f64, clumps: f64, seed: u64) -> f64 {
     let number = (s * clumps).floor().clamp(0.0, clumps - 1.0);
     let mut dice = StrandRandom {
@@ -69,7 +69,7 @@ fn clump(s: f64, clumps: f64, seed: u64) -> f64 {
     (number + 0.5 + 0.3 * dice.signed()) / clumps
 }
 
-/// Lashes along a lid's edge, given as points from the inner to the outer corner, mm.
+/// Builds lashes along a lid's edge, given as points from the inner to the outer corner, mm.
 pub(super) fn lashes(
     points: &[DVec3],
     globe: DVec3,
@@ -102,7 +102,7 @@ pub(super) fn lashes(
         .collect()
 }
 
-/// One lash, whose tip is drawn towards those that leave the lid at `meet`.
+/// Builds one lash, with its tip pulled towards those that leave the lid at `meet`.
 fn lash(
     edge: &Edge<'_>,
     s: f64,

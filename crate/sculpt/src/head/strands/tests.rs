@@ -13,8 +13,8 @@ const MAX_TRIANGLES: usize = 3_400;
 /// Their vertices.
 const MAX_VERTICES: usize = 5_500;
 
-/// How far a brow hair may stand off the skin and be sunk in it, mm; those of an old man are
-/// unruly.
+/// Maximum distance of a brow hair above the skin, mm, for an old man's unruly brows; the next
+/// constant is the maximum depth below it.
 const MAX_OFF_SKIN_MM: f64 = 1.3;
 const MAX_SUNK_MM: f64 = 0.45;
 
@@ -33,7 +33,7 @@ fn triangles(head: &Head) -> usize {
     faces.map(|f| f.len() - 2).sum()
 }
 
-/// How far before the skin a place lies, along the skin's normal.
+/// Returns the distance of a position in front of the skin, along the skin's normal.
 fn off_skin_mm(skin: &MeshPart, p: DVec3) -> Option<f64> {
     let corner = |v: u32| skin.vertices[v as usize].position;
     let faces = skin.faces.iter();

@@ -48,9 +48,9 @@ pub(super) fn wrap(shell: &mut Shell, keys: &[Key], index: &BTreeMap<Key, u32>, 
     }
 }
 
-/// Winds the faces outwards. Neighbours run along their edge in opposite directions, so one that
-/// lies folded where the field is creased still faces as those about it do; which way is out, the
-/// field's gradient decides over all.
+/// Orients the faces outwards. Neighbours traverse their shared edge in opposite directions, so a
+/// face folded at a crease of the field still agrees with those around it; the field's gradient
+/// over all faces determines the outward side.
 pub(super) fn wind(shell: &mut Shell, field: &Field) {
     let edges = edge_faces(&shell.faces);
     let runs = |face: &[u32], a: u32, b: u32| {

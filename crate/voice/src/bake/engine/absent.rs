@@ -8,9 +8,9 @@ use super::{Engine, VoiceInfo};
 
 /// An engine that is missing.
 pub struct MissingEngine {
-    /// What is missing.
+    /// Missing programs.
     pub missing: MissingPrograms,
-    /// Whether its voices are called by their language.
+    /// True if its voices are named by language.
     pub by_language: bool,
 }
 

@@ -15,13 +15,12 @@ use super::wave::Wave;
 /// Share of the tokens that must be found.
 const MIN_FOUND: f64 = 0.5;
 
-/// So many unknown phones are named.
+/// Maximum number of unknown phones listed.
 const MAX_UNKNOWN: usize = 12;
 
-/// Brings sound and alignment together. `tokens` are what was to be said; `phone_set` is
-/// what the phones are of where the alignment does not tell. Where there are mouth shapes
-/// instead of phones, each becomes a phone that looks like it; where there are only words,
-/// each is spelled with a phone a letter, of equal lengths.
+/// Combines audio and alignment. `tokens` are the expected words; `phone_set` applies if the
+/// alignment does not specify one. Mouth shapes become phones that look like them; if there are
+/// only words, each is spelled with one phone per letter, of equal lengths.
 ///
 /// # Errors
 /// When fewer than half of the tokens are among the words, or as [`labels::finish`].
@@ -59,7 +58,7 @@ pub(super) fn combine(
     labels::finish(&labels, wave, set, 0.0)
 }
 
-/// Phones of an alignment that the mouth does not know, each once, in order.
+/// Returns the phones of an alignment unknown to the mouth, each once, in order.
 pub(super) fn unknown_phones<'a>(alignment: &'a Alignment, phone_set: &str) -> Vec<&'a str> {
     let Units::Phones { set } = alignment.units else {
         return Vec::new();
@@ -140,7 +139,7 @@ fn folded(text: &str) -> String {
         .collect()
 }
 
-/// Takes the segments as they are; one of several phones is shared by them evenly.
+/// Copies the segments; one with several phones is divided evenly between them.
 fn times<'a>(
     alignment: &'a Alignment,
     token_of: &[Option<usize>],
@@ -177,8 +176,8 @@ fn times<'a>(
         .collect();
 }
 
-/// Spells words, signs as the text reads them. *Designed*: which phone of the radio set a letter
-/// looks most like.
+/// Spells words, and signs as the text reads them. *Designed*: the phone of the radio set that each
+/// letter most resembles visually.
 fn spell(alignment: &Alignment, token_of: &[Option<usize>], tokens: &[&str], labels: &mut Labels) {
     const LETTERS: [&str; 26] = [
         "ae", "b", "k", "d", "eh", "f", "g", "hh", "ih", "jh", "k", "l", "m", "n", "ao", "p", "k",
@@ -225,7 +224,7 @@ fn spell(alignment: &Alignment, token_of: &[Option<usize>], tokens: &[&str], lab
     }
 }
 
-/// Gives syllables their accents and phrases their ends.
+/// Assigns accents to syllables and ends to phrases.
 fn accents(alignment: &Alignment, labels: &mut Labels) {
     for accent in &alignment.accents {
         let at = labels

@@ -19,7 +19,7 @@ const QUIET: u16 = 100;
 /// Longest closure, seconds. *Designed*.
 const MAX_CLOSURE_SECS: f64 = 0.12;
 
-/// Where espeak-ng runs.
+/// Environment that runs espeak-ng.
 pub trait Host: Send + Sync {
     /// Its version.
     ///
@@ -33,14 +33,14 @@ pub trait Host: Send + Sync {
     /// When the data is not there.
     fn files(&self, folder: &str) -> Result<Vec<String>>;
 
-    /// The text of a file of its data; empty where there is none.
+    /// Returns the text of a file of its data; empty if it does not exist.
     ///
     /// # Errors
     /// When the data is not there.
     fn text(&self, path: &str) -> Result<String>;
 
-    /// Says texts in a voice: one [`Synthesis`] for each. None sounds different after another.
-    /// In texts, `[[` and `]]` enclose mnemonics.
+    /// Speaks texts with a voice: one [`Synthesis`] for each. The result does not depend on the
+    /// order of the texts. In texts, `[[` and `]]` enclose mnemonics.
     ///
     /// # Errors
     /// When it has no such voice, or when it fails.
@@ -103,7 +103,7 @@ fn phone_set(set: Set) -> &'static str {
 #[derive(Debug, Default)]
 struct Text {
     written: String,
-    /// For every token that is said: the number of characters before it, and its index.
+    /// For every spoken token: the number of characters before it, and its index.
     starts: Vec<(usize, usize)>,
 }
 
@@ -162,7 +162,7 @@ impl Text {
         labels::finish(&labels, wave, phone_set(set), 0.0)
     }
 
-    /// The phones and where they belong, as far as events tell.
+    /// Returns the phones and their tokens, as far as events specify them.
     fn labels(&self, said: &Synthesis) -> Labels {
         let mut labels = Labels::default();
         let mut starts: Vec<usize> = Vec::new();
@@ -204,8 +204,8 @@ impl Text {
         labels
     }
 
-    /// Gives tokens their phones that the library reads together with the token before
-    /// (*of a*, *on the*): as it says them alone tells where they part.
+    /// Assigns phones to tokens that the library reads together with the preceding token (*of a*,
+    /// *on the*): their isolated pronunciation determines the split.
     fn split_shared_phones(
         &self,
         labels: &mut Labels,
@@ -246,7 +246,7 @@ impl Text {
         Ok(())
     }
 
-    /// What is written of one of [`Text::starts`].
+    /// Returns the written form of one of [`Text::starts`].
     fn word(&self, index: usize) -> String {
         let start = self.starts[index].0;
         let end = self.starts.get(index + 1).map_or(usize::MAX, |s| s.0);
@@ -254,9 +254,9 @@ impl Text {
     }
 }
 
-/// Gives phones time that begin where the next one does: the library lets a vowel end as the
-/// nasal or lateral after it and tells of that only at its end. It gets the last third of
-/// the vowel. *Designed*.
+/// Gives time to phones that start where the next one does: the library lets a vowel end as the
+/// following nasal or lateral and reports it only at the end. It gets the last third of the vowel.
+/// *Designed*.
 fn share(starts: &mut [usize], phones: &[Phone]) {
     for i in 1..starts.len().saturating_sub(1) {
         let sounds = |p: &Phone| !labels::is_silence(&p.symbol);
@@ -271,9 +271,9 @@ fn share(starts: &mut [usize], phones: &[Phone]) {
     }
 }
 
-/// Lets stops begin with their closure. Their events are at the burst, and the silence of
-/// some 40 ms before it (*measured*: vowels sound until 39 ms before the event of a
-/// voiceless stop) would belong to the phone before.
+/// Moves the start of stops to their closure. Their events are at the burst, and the silence of
+/// about 40 ms before it (*measured*: vowels sound until 39 ms before the event of a voiceless
+/// stop) would belong to the preceding phone.
 fn closures(starts: &mut [usize], phones: &[Phone], samples: &[i16], rate_hz: u32) {
     let longest = (MAX_CLOSURE_SECS * f64::from(rate_hz)) as usize;
     for i in 1..starts.len().min(phones.len()) {
@@ -300,7 +300,7 @@ fn bare(name: &str) -> String {
     name.trim_matches(['\'', ',', '%', '=']).to_owned()
 }
 
-/// How much two mnemonics differ.
+/// Returns the difference of two mnemonics.
 fn unlike(a: &str, b: &str, set: Set) -> u32 {
     if a == b {
         0
@@ -358,7 +358,7 @@ fn syllables(labels: &mut Labels, marked: &[String], set: Set) -> Result<()> {
     Ok(())
 }
 
-/// What of a token can be read: letters, digits and what stands in words.
+/// Returns the readable part of a token: letters, digits and characters within words.
 fn readable(text: &str) -> String {
     let kept: String = text
         .chars()

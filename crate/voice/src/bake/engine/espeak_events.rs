@@ -1,6 +1,6 @@
 //! What espeak-ng gives: a sound, and what happens in it.
 
-/// What happens at a moment of the sound.
+/// Type of an event in the audio.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EventKind {
     /// A word begins, at this character of the text, counted from 1.
@@ -11,23 +11,23 @@ pub enum EventKind {
     End,
 }
 
-/// A moment of the sound.
+/// Event in the audio.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Event {
     /// Samples from the start.
     pub sample: usize,
-    /// What happens then.
+    /// Type of the event.
     pub what: EventKind,
 }
 
-/// What was said.
+/// Synthesised speech.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Synthesis {
     /// Mono.
     pub samples: Vec<i16>,
     /// Samples a second.
     pub rate_hz: u32,
-    /// In the order in which the library tells.
+    /// Events in the order of the library.
     pub events: Vec<Event>,
     /// The mnemonics of the phones as they were before they met their neighbours, with
     /// marks of stress, which events do not have.

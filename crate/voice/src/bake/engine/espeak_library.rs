@@ -21,7 +21,7 @@ use libloading::Library;
 use super::super::program::MissingPrograms;
 use super::espeak::{Event, EventKind, Host, Synthesis};
 
-/// What the library may be called.
+/// Possible file names of the library.
 const NAMES: [&str; 5] = [
     "libespeak-ng.so.1",
     "libespeak-ng.so",
@@ -96,19 +96,18 @@ unsafe extern "C" {
     fn srand(seed: c_uint);
 }
 
-/// The library holds its state in global variables: one call at a time.
+/// Lock for the library, which keeps its state in global variables: one call at a time.
 static ALONE: Mutex<()> = Mutex::new(());
 
 thread_local! {
-    /// Where the callback puts what it is given; the library calls it on the thread that
-    /// called the library.
+    /// Output of the callback; the library calls it on the calling thread.
     static SAID: RefCell<Synthesis> = RefCell::new(Synthesis::default());
 }
 
-/// The library once it has begun. It keeps state from text to text (of noise, of flutter, of
-/// where in a buffer it is), so that the same text sounds different the second time. It is
-/// therefore loaded anew for every text, and ended exactly once: if it begins again after
-/// its end, the second end waits for ever for a thread of its own (*seen* with 1.51).
+/// Initialised library. It keeps state between texts (of noise, flutter, buffer position), so the
+/// same text sounds different the second time. It is therefore reloaded for every text, and
+/// terminated exactly once: after a second initialisation, termination waits forever for its own
+/// thread (*seen* with 1.51).
 struct Espeak {
     rate_hz: u32,
     initialize: Initialize,
@@ -118,7 +117,7 @@ struct Espeak {
     to_phonemes: TextToPhonemes,
     terminate: Terminate,
     info: Info,
-    /// Holds the functions; dropped after them.
+    /// Library that owns the functions; dropped after them.
     _library: Library,
 }
 
@@ -201,7 +200,7 @@ unsafe fn text(pointer: *const c_char) -> String {
         .into_owned()
 }
 
-/// Takes sound and events. Returns 1 to stop.
+/// Receives audio and events. Returns 1 to stop.
 extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c_int {
     let stop = 1;
     SAID.with(|said| {
@@ -258,7 +257,7 @@ impl Drop for Espeak {
     }
 }
 
-/// Does something with the library, alone.
+/// Runs an action with exclusive access to the library.
 fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
     let guard = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     let espeak = Espeak::load()?;
@@ -299,7 +298,8 @@ impl Host for Installed {
         Ok(fs::read_to_string(data.join(path)).unwrap_or_default())
     }
 
-    /// The library begins anew for every text, so that none sounds different after another.
+    /// Speaks texts, with a new instance of the library for each, so that the result does not
+    /// depend on their order.
     fn speak(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
         let name = CString::new(voice).context("the name of the voice")?;
         let mut out = Vec::with_capacity(texts.len());
@@ -323,7 +323,7 @@ fn names(folder: &Path) -> Result<Vec<String>> {
     Ok(out)
 }
 
-/// The library's version and where its data lies.
+/// Returns the library's version and its data folder.
 fn about() -> Result<(String, PathBuf)> {
     static ABOUT: OnceLock<(String, PathBuf)> = OnceLock::new();
     if let Some(about) = ABOUT.get() {

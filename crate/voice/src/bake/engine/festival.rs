@@ -16,17 +16,16 @@ const FESTIVAL: Program = Program {
     package: "festival festvox-us-slt-hts",
 };
 
-/// How much later than its labels an HTS voice sounds, seconds. *Measured* on 140 s of
-/// cmu_us_slt_arctic_hts: against the labels, vowels end 13 ms late before stops (90 of
-/// them) and begin 7 ms late after (74), sibilants begin 17 ms late (33) and end on time
-/// (44), each at the middle of the change in level or brightness. Half an analysis window
-/// of 25 ms would explain it.
+/// Delay of an HTS voice's audio relative to its labels, seconds. *Measured* on 140 s of
+/// cmu_us_slt_arctic_hts: against the labels, vowels end 13 ms late before stops (90 of them) and
+/// begin 7 ms late after (74), sibilants begin 17 ms late (33) and end on time (44), each at the
+/// middle of the change in level or brightness. Half an analysis window of 25 ms would explain it.
 const HTS_LAG_SECS: f64 = 0.009;
 
-/// How much later than its labels kal_diphone sounds, seconds. *Measured* on 64 s: vowels end
-/// 22 ms late before voiceless sounds (68 of them, median), and of 135 bursts of stops 125
-/// lie within 20 ms of their labels, 132 if those are 10 ms later. For ked_diphone no shift
-/// is better than none (121 of 137).
+/// Delay of kal_diphone's audio relative to its labels, seconds. *Measured* on 64 s: vowels end 22
+/// ms late before voiceless sounds (68 of them, median), and of 135 bursts of stops 125 lie within
+/// 20 ms of their labels, 132 if those are 10 ms later. For ked_diphone no shift is better than
+/// none (121 of 137).
 const KAL_LAG_SECS: f64 = 0.010;
 
 /// Festival.
@@ -114,7 +113,7 @@ fn run(script: &str, folder: &tempfile::TempDir) -> Result<String> {
     FESTIVAL.run(command)
 }
 
-/// What an error of a script that loads a voice means.
+/// Explains an error of a script that loads a voice.
 fn explained(error: Error, voice: &str) -> Error {
     if format!("{error:#}").contains("unbound variable") {
         error.context(format!(
@@ -125,7 +124,7 @@ fn explained(error: Error, voice: &str) -> Error {
     }
 }
 
-/// Which phones a voice has.
+/// Returns the phone set of a voice.
 fn ipa_set(voice: &str) -> Result<Set> {
     let folder = tempfile::tempdir().context("making a folder for the engine")?;
     let script = format!("(voice_{voice})\n(format t \"phones %l\\n\" (Param.get 'PhoneSet))\n");
@@ -186,7 +185,7 @@ fn speak(voice: &str, sentences: &[Sentence], set: Set) -> Result<Vec<Spoken>> {
         .collect()
 }
 
-/// Reads what the script prints: the phone set and the labels of each sentence.
+/// Parses the script's output: the phone set and the labels of each sentence.
 fn read(said: &str) -> Result<Vec<(&'static str, Labels)>> {
     let mut sentences: Vec<(&'static str, Labels)> = Vec::new();
     for line in said.lines() {
@@ -286,8 +285,7 @@ fn voices(said: &str) -> Vec<VoiceInfo> {
 mod tests {
     use super::*;
 
-    /// What Festival 2.5.0 printed for "Hello" and "It's 25." with the voice
-    /// cmu_us_slt_arctic_hts.
+    /// Output of Festival 2.5.0 for "Hello" and "It's 25." with the voice cmu_us_slt_arctic_hts.
     const SAID: &str = include_str!("festival_sample.txt");
 
     #[test]

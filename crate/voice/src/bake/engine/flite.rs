@@ -20,12 +20,11 @@ const FLITE: Program = Program {
     package: "flite",
 };
 
-/// Its general voices: name, sex, samples a second, how they are made, and by how much their
-/// sound is later than their labels, seconds. *Measured* on 53 to 60 s of each: vowels end
-/// late before voiceless sounds by 5 (awb), 14 (kal16), 10 (rms) and 21 ms (slt; medians of
-/// 68 to 70), and the bursts of stops that lie within 20 ms of their labels rise with these
-/// shifts from 88 to 100 of 128, stay 133 of 136 without one, 125 of 138, and rise from 59
-/// to 65 of 70.
+/// General voices: name, sex, sample rate in hertz, synthesis method, and delay of the audio
+/// relative to the labels, seconds. *Measured* on 53 to 60 s of each: vowels end late before
+/// voiceless sounds by 5 (awb), 14 (kal16), 10 (rms) and 21 ms (slt; medians of 68 to 70), and the
+/// bursts of stops that lie within 20 ms of their labels rise with these shifts from 88 to 100 of
+/// 128, stay 133 of 136 without one, 125 of 138, and rise from 59 to 65 of 70.
 const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
     (
         "awb",
@@ -52,22 +51,22 @@ const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
     ),
 ];
 
-/// Where flite runs.
+/// Environment that runs flite.
 pub trait Host: Send + Sync {
-    /// Runs it with arguments in a folder that holds some files, by name and text, and returns
-    /// what it prints; with `sound`, also the WAV that it writes as [`SOUND`].
+    /// Runs flite with arguments in a folder that contains some files, by name and text, and
+    /// returns its output; with `sound`, also the WAV that it writes as [`SOUND`].
     ///
     /// # Errors
     /// When it is not there or fails.
     fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output>;
 }
 
-/// What a run of flite gives.
+/// Output of a run of flite.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Output {
-    /// What it printed.
+    /// Standard output.
     pub printed: String,
-    /// The bytes of its sound; empty where none was asked for.
+    /// Bytes of the WAV file; empty if not requested.
     pub wave: Vec<u8>,
 }
 
@@ -268,8 +267,8 @@ fn timed_phones(said: &str) -> Result<Vec<(String, f64)>> {
         .collect()
 }
 
-/// The phones of the sentence with the tokens of the words alone. Those that no word has
-/// alone belong to the token before.
+/// Matches the phones of the sentence with the tokens of the isolated words. Phones that no
+/// isolated word has belong to the preceding token.
 fn joined(known: &[(usize, &str)], heard: Vec<(String, f64)>) -> Result<Labels> {
     let sounds: Vec<usize> = (0..heard.len())
         .filter(|i| !labels::is_silence(&heard[*i].0))
@@ -305,8 +304,8 @@ fn joined(known: &[(usize, &str)], heard: Vec<(String, f64)>) -> Result<Labels> 
     Ok(labels)
 }
 
-/// Parts the phones of each token into syllables, and phrases at silences. flite does not
-/// print stress.
+/// Splits the phones of each token into syllables, and phrases at silences. flite does not print
+/// stress.
 fn syllables(labels: &mut Labels) {
     let mut at = 0;
     while at < labels.phones.len() {
@@ -340,7 +339,7 @@ fn syllables(labels: &mut Labels) {
 mod tests {
     use super::*;
 
-    /// What flite 2.2 printed for "Hello, the 25." with the voice slt, and for each token.
+    /// Output of flite 2.2 for "Hello, the 25." with the voice slt, and for each token.
     const SAID: &str = "pau:0.164 hh:0.233 ax:0.282 l:0.381 ow:0.506 pau:0.6 dh:0.65 ax:0.7 \
         t:0.8 w:0.85 eh:0.9 n:1.0 t:1.05 iy:1.1 f:1.2 ay:1.3 v:1.4 pau:1.5\n";
 

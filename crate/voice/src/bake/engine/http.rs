@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result, anyhow};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use ureq::Agent;
 
-/// Longest wait to be let in.
+/// Connection timeout.
 const CONNECT: Duration = Duration::from_secs(5);
 
 /// Longest wait for a reply.
@@ -18,7 +18,8 @@ const MAX_BYTES: u64 = 256 << 20;
 /// Most bytes before its body.
 const MAX_HEADER: usize = 64 << 10;
 
-/// What stands by its code in a value: all but the unreserved characters (RFC 3986, section 2.3).
+/// Characters that are percent-encoded in a value: all but the unreserved characters (RFC 3986,
+/// section 2.3).
 const CODED: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'-')
     .remove(b'.')
@@ -80,7 +81,7 @@ mod tests {
 
     use super::*;
 
-    /// What is read of a server that gives this reply, whatever it is asked.
+    /// Returns the body read from a server that always gives this response.
     fn body(reply: &'static [u8]) -> Result<Vec<u8>> {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = listener.local_addr().unwrap().to_string();

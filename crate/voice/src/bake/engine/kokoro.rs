@@ -22,22 +22,21 @@ use crate::spoken::{Segment, Sentence, Spoken, SpokenSyllable};
 
 /// Samples a second.
 const RATE_HZ: f64 = 24_000.0;
-/// By how much the sound is earlier than the frames tell, seconds. *Measured* on its sound: see
-/// `docs/voices.md`.
+/// Lead of the audio over the frames, seconds. *Measured* on its audio: see `docs/voices.md`.
 const LEAD_SECS: f64 = 0.085;
-/// Its voices speak that much faster than others at a pace of 1. *Measured* on stories: 230 words a
-/// minute instead of some 200 between pauses.
+/// Speech rate factor: its voices are faster than others at a rate of 1. *Measured* on stories: 230
+/// words a minute instead of about 200 between pauses.
 const OWN_PACE: f64 = 0.95;
-/// A person's voice is lively by itself, and sounds the less like one the more it is changed.
-/// *Measured* by DNSMOS P.808 on three sentences: 4.15 plain, 3.9, 3.8 and 3.4 in joy, anger and
-/// surprise as F&H have them.
+/// Strength of emotions in the voice. A recorded voice is already lively, and sounds less natural
+/// the more it is changed. *Measured* by DNSMOS P.808 on three sentences: 4.15 plain, 3.9, 3.8 and
+/// 3.4 in joy, anger and surprise as in F&H.
 const FEELING: f64 = 0.4;
-/// A mark of punctuation that lasts longer is heard as a pause, seconds. *Designed*.
+/// Duration above which a punctuation mark counts as a pause, seconds. *Designed*.
 const PAUSE_SECS: f64 = 0.04;
-/// Most letters that it is given at a time; the network takes 510.
+/// Maximum number of letters per inference; the network accepts 510.
 const MAX_LETTERS: usize = 400;
 
-/// Where it runs.
+/// Environment that runs Kokoro.
 pub trait Host: Send + Sync {
     /// The names of the voices that are there: `af_heart` is an American woman, `bm_george` a
     /// British man.
@@ -52,7 +51,7 @@ pub trait Host: Send + Sync {
     /// [`super::Pending`] while they are fetched.
     fn word(&self, word: &str) -> Result<Option<(String, Option<String>)>>;
 
-    /// The words of a text in the IPA, as espeak-ng reads a language of its own.
+    /// Returns the IPA transcription of the words of a text by espeak-ng, in one of its languages.
     ///
     /// # Errors
     /// When espeak-ng is not there.
@@ -64,19 +63,19 @@ pub trait Host: Send + Sync {
     /// [`super::Pending`] while what guesses is fetched.
     fn guess(&self, word: &str) -> Result<String>;
 
-    /// Speaks letters at a pace, 1 for the voice's own.
+    /// Speaks letters at a speech rate, 1 for the voice's own.
     ///
     /// # Errors
     /// [`super::Pending`] while it is at work.
     fn infer(&self, voice: &str, letters: &str, pace: f64) -> Result<Output>;
 }
 
-/// What the network gives.
+/// Output of the network.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Output {
     /// Mono, −1 to 1, [`RATE_HZ`].
     pub samples: Vec<f32>,
-    /// How long each letter lasts, and the pads before and after them, in any unit.
+    /// Duration of each letter, and of the padding before and after them, in any unit.
     pub frames: Vec<f32>,
 }
 
@@ -134,7 +133,7 @@ impl<H: Host> Kokoro<H> {
     }
 }
 
-/// What a voice speaks.
+/// Language of a voice.
 #[derive(Clone, Copy, Debug)]
 struct SpokenLanguage {
     /// The first letter of the names of its voices.
@@ -143,7 +142,7 @@ struct SpokenLanguage {
     tag: &'static str,
     phone_set: &'static str,
     set: Set,
-    /// Which of espeak-ng's languages writes its words; none: the dictionaries do.
+    /// espeak-ng language that transcribes its words; `None`: the dictionaries are used.
     espeak: Option<&'static str>,
 }
 
@@ -180,13 +179,13 @@ impl SpokenLanguage {
     }
 }
 
-/// Whether a voice of this name would be one of Kokoro's.
+/// Returns true if the name has the format of a Kokoro voice.
 pub(in crate::bake) fn is_name(name: &str) -> bool {
     let is_sign = |at: usize, sign: char| name.chars().nth(at) == Some(sign);
     is_sign(2, '_') && info(name).is_some()
 }
 
-/// What a voice's name tells: language, sex, speaker.
+/// Parses a voice's name: language, sex, speaker.
 fn info(name: &str) -> Option<VoiceInfo> {
     let tongue = SpokenLanguage::from_voice(name).ok()?;
     let gender = match name.chars().nth(1)? {
@@ -204,11 +203,11 @@ fn info(name: &str) -> Option<VoiceInfo> {
     })
 }
 
-/// A letter of what is spoken.
+/// Letter of the spoken text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mark {
     letter: char,
-    /// Index of its token; none of what stands between words.
+    /// Index of its token; `None` between words.
     token: Option<usize>,
 }
 
@@ -253,8 +252,8 @@ impl Text {
         Ok(Self { marks })
     }
 
-    /// What is spoken in one go: as much as the network takes, to the last mark of punctuation in
-    /// it, or else the last space.
+    /// Splits the text for inference: each part is as long as the network allows, up to its last
+    /// punctuation mark, or otherwise its last space.
     fn parts(&self) -> Vec<Range<usize>> {
         let mut out = Vec::new();
         let mut from = 0;
@@ -337,7 +336,8 @@ fn labels_of(marks: &[Mark], tongue: SpokenLanguage, start: f64, ends: &[f64]) -
     labels
 }
 
-/// What stands between words: a pause where it lasts, else more of the phone before.
+/// Handles the time between words: a pause if it is long enough, otherwise an extension of the
+/// preceding phone.
 fn between(labels: &mut Labels, marks: &[Mark], begins: f64, end_secs: f64) {
     let parts = marks.iter().any(|m| m.letter != ' ');
     if parts && let Some(last) = labels.phones.iter().rev().find_map(|p| p.token) {

@@ -294,7 +294,7 @@ mod tests {
         }
     }
 
-    fn said<'a>(words: &[&'a str]) -> Vec<SpokenUnit<'a>> {
+    fn spoken_words<'a>(words: &[&'a str]) -> Vec<SpokenUnit<'a>> {
         let of = |text: &&'a str| SpokenUnit { text, ends: false };
         words.iter().map(of).collect()
     }
@@ -308,7 +308,7 @@ mod tests {
     fn the_jaw_follows_the_loudness_and_quiet_is_silence() {
         let spoken = align_by_loudness(
             hummed(&[0.0, 0.5, 0.2, 0.5, 0.0, 0.0, 0.4, 0.1]),
-            &said(&["a", "b"]),
+            &spoken_words(&["a", "b"]),
         )
         .unwrap();
         let level = |secs: f64| {
@@ -326,8 +326,11 @@ mod tests {
     #[test]
     fn every_word_has_its_share_by_its_letters_and_phrases_end_at_pauses() {
         let tokens = ["one", "two", "sixes", "I", "am"];
-        let spoken =
-            align_by_loudness(hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]), &said(&tokens)).unwrap();
+        let spoken = align_by_loudness(
+            hummed(&[0.5, 0.5, 0.0, 0.0, 0.5, 0.5]),
+            &spoken_words(&tokens),
+        )
+        .unwrap();
         let length = |token: usize| {
             let mut begin_secs = 0.0;
             let mut sum = 0.0;
@@ -352,7 +355,7 @@ mod tests {
     #[test]
     fn many_words_of_a_short_sound_each_have_a_place() {
         let tokens = vec!["word"; 40];
-        let spoken = align_by_loudness(hummed(&[0.5, 0.5]), &said(&tokens)).unwrap();
+        let spoken = align_by_loudness(hummed(&[0.5, 0.5]), &spoken_words(&tokens)).unwrap();
         for token in 0..40 {
             assert!(
                 spoken.segments.iter().any(|s| s.token == Some(token)),
@@ -363,8 +366,8 @@ mod tests {
 
     #[test]
     fn nothing_heard_is_an_error_and_no_words_are_none() {
-        assert!(align_by_loudness(hummed(&[0.0, 0.0]), &said(&["a"])).is_err());
-        assert!(align_by_loudness(Wave::default(), &said(&["a"])).is_err());
+        assert!(align_by_loudness(hummed(&[0.0, 0.0]), &spoken_words(&["a"])).is_err());
+        assert!(align_by_loudness(Wave::default(), &spoken_words(&["a"])).is_err());
         assert!(align_by_loudness(hummed(&[0.5]), &[]).is_ok());
     }
 }

@@ -164,7 +164,7 @@ mod tests {
         }
     }
 
-    fn said(times: &'static str) -> Result<Vec<Spoken>> {
+    fn spoken_words(times: &'static str) -> Result<Vec<Spoken>> {
         let token = |text: &str, punctuation: &str| Token {
             text: text.to_owned(),
             punctuation: punctuation.to_owned(),
@@ -183,7 +183,7 @@ mod tests {
 
     #[test]
     fn a_sentence_gets_its_sound_and_the_times_of_its_words() {
-        let spoken = said(TALKING).unwrap();
+        let spoken = spoken_words(TALKING).unwrap();
         let tokens: Vec<_> = spoken[0].segments.iter().map(|s| s.token).collect();
         assert_eq!(spoken[0].samples.len(), 8_000);
         assert!(
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn times_that_make_no_sense_are_errors() {
         for bad in ["", "no times", "{}", "<maryxml>"] {
-            assert!(said(bad).is_err(), "{bad}");
+            assert!(spoken_words(bad).is_err(), "{bad}");
         }
         assert!(Server(Fake(TALKING)).speak("bob", &[]).is_err());
     }

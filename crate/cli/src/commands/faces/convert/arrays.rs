@@ -15,16 +15,16 @@ use super::{MAX_COORDINATE, MAX_FILE_BYTES, MAX_MODES, MAX_VERTICES, SourceModel
 const MEAN: &str = "mean.npy";
 const MODES: &str = "modes.npy";
 const DEVIATIONS: &str = "deviations.npy";
-/// Its arrays; any of them tells such a folder.
+/// Names of the arrays; any of them identifies such a folder.
 pub(super) const NAMES: [&str; 3] = [MEAN, MODES, DEVIATIONS];
 /// Its triangles.
 const MESH: &str = "mesh.obj";
 
-/// What every array of NumPy begins with.
+/// Magic bytes of every NumPy array.
 const MAGIC: &[u8] = b"\x93NUMPY";
-/// What is said about an array is not longer, bytes: NumPy's own takes 118.
+/// Maximum header length of an array, bytes: NumPy writes 118.
 const MAX_HEADER: usize = 512;
-/// A plain array has no more sizes, and none of more digits.
+/// Maximum number of dimensions of a plain array, and of digits in each.
 const MAX_SIZES: usize = 3;
 const MAX_DIGITS: usize = 6;
 
@@ -65,7 +65,7 @@ pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     })
 }
 
-/// The triangles of a mesh of so many vertices; where they lie does not count.
+/// Reads the triangles of a mesh with this number of vertices; their file position does not matter.
 fn triangles(path: &Path, count: usize) -> Result<Vec<[u32; 3]>> {
     let mesh = obj::read(path)?;
     let own = mesh.numbers.len() / 3;
@@ -77,7 +77,7 @@ fn triangles(path: &Path, count: usize) -> Result<Vec<[u32; 3]>> {
     Ok(mesh.triangles)
 }
 
-/// How many vertices a face of this shape has.
+/// Returns the number of vertices of a face with this array shape.
 fn vertices(shape: &[usize]) -> Option<usize> {
     match shape {
         [count, 3] => Some(*count),
@@ -183,7 +183,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Array> {
     Ok(Array { shape, numbers })
 }
 
-/// What an array says about itself, a Python expression.
+/// Returns the header of an array, a Python expression.
 fn header(bytes: &[u8]) -> Option<&[u8]> {
     // After name and version, the length: two bytes in version 1, four in the later ones.
     let (length, at) = match bytes.get(MAGIC.len()..)? {
@@ -194,8 +194,8 @@ fn header(bytes: &[u8]) -> Option<&[u8]> {
     bytes.get(at..)?.get(..length as usize)
 }
 
-/// Whether an expression is short and flat, with few and small numbers: `npyz` goes down nested
-/// ones by recursion, and multiplies sizes whatever they are.
+/// Returns true if an expression is short and flat, with few and small numbers: `npyz` parses
+/// nested ones recursively, and multiplies sizes without checks.
 fn is_plain(text: &[u8]) -> bool {
     let brackets = text.iter().filter(|b| b"([{".contains(b)).count();
     let words = text.split(|b| !(b.is_ascii_alphanumeric() || *b == b'_'));

@@ -15,11 +15,11 @@ use crate::terminal;
 
 /// The average face.
 const NEUTRAL: &str = "generic_neutral_mesh.obj";
-/// Files that tell such a folder.
+/// Files that identify such a folder.
 pub(super) const NAMES: [&str; 2] = [NEUTRAL, "identity000.obj"];
 /// Its unit is the centimetre.
 const METRES: f64 = 0.01;
-/// How many components the light model has.
+/// Number of components in the light model.
 const USUAL: usize = 100;
 
 /// Reads the folder.
@@ -49,7 +49,7 @@ pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     })
 }
 
-/// The meshes of the components in order, none of them missing between others.
+/// Returns the meshes of the components in order, without gaps.
 fn identities(folder: &Path) -> Result<Vec<PathBuf>> {
     let all = files(folder)?;
     let count = all.iter().filter(|path| is_identity(path)).count();

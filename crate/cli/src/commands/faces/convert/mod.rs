@@ -19,7 +19,7 @@ use raconteur_voice::files::disk::replace;
 
 use crate::{Outcome, terminal};
 
-/// Make a pack of somebody else's morphable model, on that model's own vertices.
+/// Convert a third-party morphable model to a pack, on that model's own vertices.
 #[derive(Args)]
 pub(super) struct Convert {
     /// The model: ICT-FaceKit's folder `FaceXModel`; or a folder with `mean.npy`, `modes.npy` and
@@ -29,7 +29,7 @@ pub(super) struct Convert {
     /// The pack.
     #[arg(short, long)]
     output: PathBuf,
-    /// Keep no more modes than this; all of them without it.
+    /// Maximum number of modes; all by default.
     #[arg(long)]
     modes: Option<NonZeroUsize>,
 }
@@ -40,9 +40,9 @@ const MAX_VERTICES: usize = 200_000;
 const MAX_MODES: usize = 400;
 /// A file of a model is not larger, bytes.
 const MAX_FILE_BYTES: u64 = 512 << 20;
-/// No coordinate is farther from 0, in the units of its file: single precision holds it well.
+/// Maximum absolute coordinate, in the units of the file, for sufficient single precision.
 const MAX_COORDINATE: f64 = 1e6;
-/// Modes that explain less of the variance than this are told of.
+/// Explained share of the variance below which a warning is shown.
 const EXPLAINED: f64 = 0.99;
 
 impl Convert {
@@ -74,21 +74,21 @@ impl Convert {
     }
 }
 
-/// What a folder holds, in metres.
+/// Contents of a model folder, in metres.
 #[derive(Debug)]
 struct SourceModel {
-    /// What kind of model it is.
+    /// Type of the model.
     kind: &'static str,
     /// Its space with all of its modes.
     shape: FaceSpace,
     /// The faces that it was learned from, where it was.
     examples: Vec<Vec<f64>>,
-    /// Its triangles; none where the folder does not tell them.
+    /// Triangles; empty if the folder has none.
     triangles: Vec<[u32; 3]>,
 }
 
 impl SourceModel {
-    /// The model with its first modes, and what share of the variance they explain.
+    /// Returns the model with its first modes, and the share of the variance that they explain.
     fn model(self, most: Option<NonZeroUsize>) -> Result<(FaceModel, f64)> {
         let all = variance(&self.shape);
         // A pack has no more.
@@ -138,7 +138,7 @@ fn read(folder: &Path) -> Result<SourceModel> {
     Ok(found)
 }
 
-/// The pack of a model, which can be read again, and has at most so many bytes.
+/// Returns the pack of a model, verified by reading it back, with at most `most` bytes.
 fn pack(model: &FaceModel, most: usize) -> Result<Vec<u8>> {
     let bytes = model.to_bytes()?;
     ensure!(

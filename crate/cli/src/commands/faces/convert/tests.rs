@@ -107,7 +107,7 @@ fn made(files: &[(&str, Vec<u8>)], modes: usize) -> (FaceModel, f64) {
     found.model(NonZeroUsize::new(modes)).unwrap()
 }
 
-/// What is said about a folder with one file in the place of another; without it where it is empty.
+/// Returns the message for a folder in which one file is replaced by another, or removed if empty.
 fn told(mut files: Vec<(&'static str, Vec<u8>)>, name: &'static str, bytes: Vec<u8>) -> String {
     files.retain(|(other, _)| *other != name);
     if !bytes.is_empty() {

@@ -24,17 +24,17 @@ pub(super) struct Learn {
     /// The new pack.
     #[arg(short, long)]
     output: PathBuf,
-    /// What the ends of an attribute are called: `--terms friendly=cold,warm`.
+    /// Terms for the ends of an attribute: `--terms friendly=cold,warm`.
     #[arg(long, value_name = "NAME=LOW,HIGH")]
     terms: Vec<String>,
-    /// Learn also what the raters do not agree about.
+    /// Also learn attributes on which raters disagree.
     #[arg(long)]
     anyway: bool,
 }
 
 /// The group of attributes that are impressions.
 const GROUP: &str = "impression";
-/// Terms for −1 and for +1 where nothing else is said.
+/// Default terms for −1 and +1.
 const TERMS: [&str; 2] = ["less", "more"];
 /// Raters whose mean can be relied on less agree poorly: Cicchetti 1994
 /// (doi:10.1037/1040-3590.6.4.284) calls an intraclass correlation below 0.40 that.
@@ -79,7 +79,7 @@ impl Learn {
         Ok(Outcome::Errors)
     }
 
-    /// What stands in all the forms, about faces of a pack with so many examples.
+    /// Reads all the forms, about faces of a pack with this number of examples.
     fn read_ratings(&self, examples: usize) -> Result<Ratings> {
         let mut all = Ratings::default();
         for path in &self.ratings {
@@ -98,7 +98,7 @@ impl Learn {
     }
 }
 
-/// What the ends of attributes are called.
+/// Parses the terms for the ends of attributes.
 fn terms(given: &[String]) -> Result<BTreeMap<&str, [&str; 2]>> {
     let mut terms = BTreeMap::new();
     for one in given {
@@ -125,8 +125,8 @@ fn is_poor(agreement: Agreement) -> bool {
     agreement.average.is_none_or(|x| x < MIN_AGREEMENT)
 }
 
-/// Learns an attribute from the faces that have a label, in the place of one of that name. Returns how
-/// many faces there were.
+/// Learns an attribute from the labelled faces, and replaces one of the same name. Returns the
+/// number of faces.
 fn learn(
     model: &mut FaceModel,
     name: &str,
@@ -164,7 +164,8 @@ mod tests {
     use super::super::sample::{pack, visible_value};
     use super::*;
 
-    /// A form as a rater fills it in: a multiple of what is seen, for each attribute.
+    /// Returns a form filled in by a simulated rater: a multiple of the visible value, for each
+    /// attribute.
     fn filled(form: &str, rater: &str, friendly: f64, odd: f64) -> String {
         let line = |line: &str| {
             let columns: Vec<&str> = line.split('\t').collect();
@@ -178,7 +179,7 @@ mod tests {
         form.lines().map(line).collect()
     }
 
-    /// Three raters who agree what is friendly, and not what is odd.
+    /// Writes the forms of three raters who agree on "friendly", but not on "odd".
     fn rated(folder: &Path) -> Vec<PathBuf> {
         let faces: Vec<usize> = (0..36).collect();
         let form = Ratings::form(&faces, &["friendly", "odd"].map(str::to_owned));

@@ -37,7 +37,7 @@ pub(super) fn pack(folder: &Path) -> PathBuf {
     path
 }
 
-/// What raters see: the first number of a face, from −1 to 1.
+/// Returns the value visible to raters: the first number of a face, from −1 to 1.
 pub(super) fn visible_value(face: usize) -> f64 {
     noise::signed(3, face as u64, 0)
 }

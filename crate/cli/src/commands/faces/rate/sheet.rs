@@ -13,12 +13,12 @@ use raconteur_voice::files::disk::replace;
 use super::read;
 use crate::Outcome;
 
-/// Draw examples of a pack at random: their pictures, and a form on which people rate them.
+/// Render random examples of a pack: their images, and a rating form.
 #[derive(Args)]
 pub(super) struct Sheet {
     /// A pack that `faces learn` wrote.
     pack: PathBuf,
-    /// What is rated, separated by commas.
+    /// Rated attributes, separated by commas.
     #[arg(
         long = "attribute",
         value_name = "NAME",
@@ -26,18 +26,18 @@ pub(super) struct Sheet {
         required = true
     )]
     attributes: Vec<String>,
-    /// How many faces.
+    /// Number of faces.
     #[arg(long)]
     faces: usize,
     /// Another seed draws other faces.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// The folder for the pictures, `faces.png`, and the form, `ratings.tsv`.
+    /// Output folder for the images, `faces.png`, and the form, `ratings.tsv`.
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 }
 
-/// Draws pictures of some of a pack's examples, by their indices, into a folder.
+/// Function that renders images of some of a pack's examples, by index, into a folder.
 pub(super) type DrawSheet<'a> = dyn Fn(&FaceModel, &[usize], &Path) -> Result<()> + 'a;
 
 /// The form in its folder.
@@ -76,7 +76,7 @@ impl Sheet {
     }
 }
 
-/// Names of attributes, as they stand in a table.
+/// Validates names of attributes for use in a table.
 fn names(given: &[String]) -> Result<Vec<String>> {
     let mut names: Vec<String> = Vec::new();
     for name in given {

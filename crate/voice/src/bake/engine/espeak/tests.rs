@@ -108,7 +108,7 @@ fn pronunciations_are_mnemonics_with_stress_before_vowels() {
     assert!(mnemonics("]] x", Set::Espeak).is_err());
 }
 
-/// Has one variant, and says nothing.
+/// Host with one variant that produces no audio.
 struct SilentHost;
 
 impl Host for SilentHost {

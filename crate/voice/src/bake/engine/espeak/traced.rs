@@ -7,20 +7,20 @@ use super::super::matching;
 use super::{Event, EventKind, Synthesis, set};
 use crate::ipa::{self, Set};
 
-/// A text as such a build says it.
+/// Text as spoken by such a build.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TracedText {
     /// Mono.
     pub samples: Vec<i16>,
     /// Samples a second.
     pub rate_hz: u32,
-    /// [`What::Phone`] holds letters of the IPA with marks of stress; silence has none.
+    /// Events; [`What::Phone`] contains IPA letters with stress marks; empty for silence.
     pub events: Vec<Event>,
     /// The text's mnemonics, a low line between those of a word, a space between words.
     pub marked: String,
 }
 
-/// Gives the events of a text that a voice said mnemonics.
+/// Renames the events of a text to those of a voice that spoke mnemonics.
 ///
 /// # Errors
 /// When the text is too long.
@@ -51,7 +51,7 @@ pub fn named(said: TracedText, voice: &str) -> Result<Synthesis> {
     })
 }
 
-/// Parts words into mnemonics. What begins with a low line is a pause; a bar alone parts clauses.
+/// Splits words into mnemonics. A leading underscore is a pause; a single bar separates clauses.
 fn mnemonics(marked: &str) -> Vec<String> {
     let mut out = Vec::new();
     for word in marked.split_whitespace().filter(|w| *w != "|") {
@@ -69,7 +69,7 @@ fn mnemonics(marked: &str) -> Vec<String> {
     out
 }
 
-/// How much a mnemonic and letters of the IPA differ.
+/// Returns the difference of a mnemonic and IPA letters.
 fn unlike(mnemonic: &str, letters: &str, set: Set) -> u32 {
     let own = super::bare(mnemonic);
     // A glide that is no more than a colour of its neighbours has no letter either.
@@ -81,7 +81,7 @@ fn unlike(mnemonic: &str, letters: &str, set: Set) -> u32 {
     }
 }
 
-/// The mnemonic of letters as far as they alone tell; none of silence.
+/// Returns the mnemonic for letters without context; `None` for silence.
 fn mnemonic_of(letters: &str, set: Set) -> Option<String> {
     let letters = letters.trim_matches(['ˈ', 'ˌ']);
     if letters.is_empty() {
@@ -97,7 +97,7 @@ fn mnemonic_of(letters: &str, set: Set) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn said(marked: &str, heard: &[&str], voice: &str) -> Vec<String> {
+    fn spoken_words(marked: &str, heard: &[&str], voice: &str) -> Vec<String> {
         let events = heard.iter().enumerate().map(|(sample, symbol)| Event {
             sample,
             what: EventKind::Phone((*symbol).to_owned()),
@@ -125,7 +125,7 @@ mod tests {
             "ə", "", "",
         ];
         assert_eq!(
-            said("m_,aI_n_@_m g_'a_r_t_@_n | z_'A:_g_t_@", &heard, "de").join(" "),
+            spoken_words("m_,aI_n_@_m g_'a_r_t_@_n | z_'A:_g_t_@", &heard, "de").join(" "),
             "m aI n @ m g a r t @ n _: _: z A: g t @ _: _:"
         );
     }
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn pauses_and_glides_without_letters_keep_their_place() {
         assert_eq!(
-            said(
+            spoken_words(
                 "d_E_r _!_'a_l_t",
                 &["d", "ɛ", "ɾ", "", "ˈa", "l", "t"],
                 "de"
@@ -142,14 +142,14 @@ mod tests {
             "d E r _! a l t"
         );
         assert_eq!(
-            said("w_aI_;_A@", &["w", "aɪ", "", "ɑːɹ"], "en-us").join(" "),
+            spoken_words("w_aI_;_A@", &["w", "aɪ", "", "ɑːɹ"], "en-us").join(" "),
             "w aI ; A@"
         );
     }
 
     #[test]
     fn letters_that_no_mnemonic_stands_for_tell_as_much_as_they_can() {
-        let out = said("", &["ˈiː", "☃", "", "(en)"], "de");
+        let out = spoken_words("", &["ˈiː", "☃", "", "(en)"], "de");
         assert_eq!(out[0], "i:");
         assert_eq!(out[2..], ["_:".to_owned(), "(en)".to_owned()]);
     }

@@ -8,7 +8,7 @@ use super::super::VoiceInfo;
 use super::{Host, phone_set, set};
 use crate::content::Gender;
 
-/// Where its data has languages, and where variants.
+/// Folder of languages in its data; the next constant is that of variants.
 const LANGUAGES: &str = "lang";
 const VARIANTS: &str = "voices/!v";
 
@@ -43,8 +43,8 @@ pub(super) fn named(host: &dyn Host, name: &str) -> Result<Option<VoiceInfo>> {
     }))
 }
 
-/// Checks a voice's name (`de`, `en-us+f2`) and gives its language. A name with other
-/// characters than these could be a path, and the library ignores a variant that it lacks.
+/// Validates a voice's name (`de`, `en-us+f2`) and returns its language. A name with other
+/// characters could be a path, and the library ignores a missing variant.
 pub(super) fn known<'a>(voice: &'a str, host: &dyn Host) -> Result<&'a str> {
     let (base, variant) = voice.split_once('+').unwrap_or((voice, ""));
     let plain = |name: &str| {
@@ -68,7 +68,7 @@ pub(super) fn known<'a>(voice: &'a str, host: &dyn Host) -> Result<&'a str> {
     Ok(base)
 }
 
-/// The sex that the file of a variant gives a voice.
+/// Returns the sex of a voice from the file of a variant.
 fn variant_gender(about: &str) -> Option<Gender> {
     let line = about
         .lines()
@@ -91,7 +91,7 @@ pub(super) fn file_of(tag: &str) -> String {
     }
 }
 
-/// What a voice's file says.
+/// Parses a voice's file.
 pub(super) fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
     let value = |key: &str| {
         about.lines().find_map(|line| {

@@ -26,7 +26,7 @@ fn phone(letter: char) -> Option<&'static str> {
     all.find(|(c, _)| *c == letter).map(|(_, phone)| *phone)
 }
 
-/// The letters of phones, as syllables with their stress: 0 none, 1 primary, 2 secondary.
+/// Returns the letters of phones, as syllables with their stress: 0 none, 1 primary, 2 secondary.
 pub(super) fn of_phones<'a>(syllables: impl Iterator<Item = (u8, Vec<&'a str>)>) -> String {
     let mut out = String::new();
     for (stress, phones) in syllables {

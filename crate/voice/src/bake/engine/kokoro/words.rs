@@ -8,8 +8,8 @@ use super::{Host, letters};
 use crate::ipa::{self, Set};
 use crate::spoken::{Sentence, Token};
 
-/// Small words as they are said when nothing stresses them, where the dictionaries have them as
-/// they are said alone (*Cambridge English Pronouncing Dictionary*, "weak forms").
+/// Weak forms of function words, if the dictionaries have only their strong forms (*Cambridge
+/// English Pronouncing Dictionary*, "weak forms").
 const WEAK: [(&str, &str); 14] = [
     ("a", "ɐ"),
     ("an", "ən"),
@@ -27,7 +27,7 @@ const WEAK: [(&str, &str); 14] = [
     ("us", "ʌs"),
 ];
 
-/// SABLE's emphasis from which on a small word is said in full.
+/// SABLE emphasis from which a function word has its strong form.
 const STRESSED: f64 = 1.0;
 
 /// The letters of each token; empty where there is nothing to say.

@@ -135,7 +135,7 @@ impl Words {
 mod tests {
     use super::*;
 
-    fn said(text: &str) -> Vec<SpokenUnit<'_>> {
+    fn spoken_words(text: &str) -> Vec<SpokenUnit<'_>> {
         let words = text.split(' ');
         words
             .map(|text| SpokenUnit {
@@ -153,7 +153,7 @@ mod tests {
                 length_secs,
             })
             .collect();
-        let anchors = Words::from_units(&said(text)).anchors(&pauses, total);
+        let anchors = Words::from_units(&spoken_words(text)).anchors(&pauses, total);
         assert_eq!(anchors[0], (0, 0.0));
         assert!(anchors.is_sorted_by(|a, b| a.0 < b.0 && a.1 <= b.1) || anchors.len() == 2);
         anchors.into_iter().map(|a| a.0).collect()
