@@ -4,26 +4,26 @@ use raconteur_actor::Manner;
 use raconteur_base::Side;
 use raconteur_stage::{FramingMargin, Shot};
 
-/// How a story is performed.
+/// Options of a performance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Seed of blinks, glances and idle motion, and of which pieces of the library are heard.
+    /// Seed of blinks, glances, idle motion, and the choice of library music.
     pub seed: u64,
     /// Idle life, from 0 (still) to 1.
     pub motion_amount: f64,
-    /// How the figure accompanies its speech with face and head.
+    /// Manner in which face and head accompany speech.
     pub manner: Manner,
-    /// The dominant hand; none: as the story says, else as the figure is.
+    /// Dominant hand; `None`: the story's, else the figure's.
     pub handedness: Option<Side>,
-    /// The language of what neither the script nor a bundle tells of: that of the page around it.
+    /// Default language for text without a language in script or bundle: that of the surrounding
+    /// page.
     pub language: Option<LanguageTag>,
-    /// How much of the speaker is in the picture until the script says otherwise.
+    /// Shot size until the script sets another.
     pub shot: Shot,
-    /// Whether the camera moves where an emotion takes it; else it cuts, for those who ask for less
-    /// motion.
+    /// True if emotions move the camera; false to cut instead, for users who prefer reduced motion.
     pub moving_camera: bool,
-    /// No less room than this is kept for gestures, however small the script's own are:
-    /// while one edits a script the picture stands still.
+    /// Minimum framing margin for gestures, even if the script's own are smaller: it keeps the
+    /// framing constant while a script is edited.
     pub room: FramingMargin,
 }
 
@@ -37,7 +37,8 @@ pub struct LanguageTag {
 impl LanguageTag {
     const MAX_TAG_BYTES: usize = 35;
 
-    /// None for what is no tag: empty, longer, or not of letters, digits and hyphens.
+    /// Creates a language tag; `None` if it is empty, too long, or contains other characters than
+    /// letters, digits and hyphens.
     #[must_use]
     pub fn new(tag: &str) -> Option<Self> {
         let is_of_tag = |b: u8| b.is_ascii_alphanumeric() || b == b'-';

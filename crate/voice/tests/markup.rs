@@ -154,13 +154,13 @@ fn documents_say_what_is_expected_and_survive_writing() {
             ("SSML", ssml::read(&ssml::write(&content, "en"))),
         ] {
             let (again, problems) = written.unwrap_or_else(|p| panic!("{name}: {p}"));
-            assert_eq!(self::spoken_words(&again), said, "{name} by {language}");
+            assert_eq!(spoken_words(&again), said, "{name} by {language}");
             assert_eq!(problems, [], "{name} by {language}");
         }
         // Line ends and a byte order mark change nothing.
         let windows = format!("\u{feff}{}", source.replace('\n', "\r\n"));
         assert_eq!(
-            self::spoken_words(&read(&windows).unwrap().0),
+            spoken_words(&read(&windows).unwrap().0),
             said,
             "{name}"
         );

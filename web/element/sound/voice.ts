@@ -100,6 +100,6 @@ export class SilentVoice implements Voice {
 /** Tells that a story has no recorded voice, or not for all that it says, and whose voice speaks instead, if any does. */
 export function voiceMissing(some: boolean, name: string | undefined): Diagnostic {
   const what = some ? 'Some of the speech has no recording' : 'This story has no recorded voice';
-  const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
+  const how = name === undefined ? 'captions show its text' : `the browser's voice “${name}” speaks it, at guessed times`;
   return { code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] };
 }

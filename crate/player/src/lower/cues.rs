@@ -150,8 +150,8 @@ fn marked_language(voice: &VoiceText) -> Option<&str> {
     })
 }
 
-/// Every cue of a script, by time; at the same time ends come before starts, but for
-/// clauses of no length, which start before they end. `first_utterance` is the index of the
+/// Returns every cue of a script, by time; at the same time ends come before starts, except for
+/// clauses of zero length, which start before they end. `first_utterance` is the index of the
 /// script's first utterance.
 #[must_use]
 pub(crate) fn cues(
@@ -188,13 +188,13 @@ pub(crate) fn cues(
     cues.by_time()
 }
 
-/// In which order cues of the same time come.
+/// Order of simultaneous cues.
 #[derive(Clone, Copy)]
 enum Rank {
     End,
     ClauseStart,
     Moment,
-    /// The end of what has no length.
+    /// The end of a clause of zero length.
     EmptyEnd,
 }
 

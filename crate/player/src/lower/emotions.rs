@@ -12,14 +12,14 @@ use crate::lower::cues::UtteranceCue;
 use crate::lower::expressed_emotion::ExpressedEmotion;
 use crate::lower::script::Script;
 
-/// How long an emotion takes to come, seconds. Designed: an onset that is felt, not posed.
+/// Onset time of an emotion, seconds. Designed: a genuine onset, not a posed one.
 const ATTACK_SECS: f64 = 0.6;
-/// How long that of speech takes to go when nothing follows, seconds. Designed.
+/// Decay time of a speech emotion without a successor, seconds. Designed.
 const DECAY_SECS: f64 = 4.0;
-/// How long it takes to go when another one or `neutral` comes, seconds. Designed.
+/// Fade time when another emotion or `neutral` follows, seconds. Designed.
 const CHANGE_SECS: f64 = 0.8;
-/// How long that of an emoticon at the end of a text is kept up in the pause behind it, seconds.
-/// Designed: most expressions last half a second to four (Frank, Ekman & Friesen 1993,
+/// Time for which the emotion of a final emoticon is sustained in the pause after the text,
+/// seconds. Designed: most expressions last half a second to four (Frank, Ekman & Friesen 1993,
 /// doi:10.1037/0022-3514.64.1.83).
 const PAUSE_SECS: f64 = 2.0;
 
@@ -31,11 +31,10 @@ struct ElicitedEmotion<'s> {
     until_secs: f64,
 }
 
-/// Every emotion of a script: those that it elicits, kept up for their duration and while
-/// something is said in them, until another one comes; and those that emoticons and markup
-/// give to speech (F&H section 4.3.5). Emoticons are read from the text, so that they
-/// do the same whether it was baked or not; the markup of files and of SABLE is in their
-/// bundle alone.
+/// Returns every emotion of a script: elicited ones, sustained for their duration and while speech
+/// in them continues, until another one follows; and those of emoticons and markup in speech (F&H
+/// section 4.3.5). Emoticons are read from the text, so their effect does not depend on baking; the
+/// markup of files and of SABLE is only in their bundle.
 pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<ExpressedEmotion> {
     let mut elicited = elicited(script);
     for utterance in utterances {
@@ -90,7 +89,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Express
     spans
 }
 
-/// One of speech: the events are as strong as it is felt.
+/// Returns an emotion of speech, with events as strong as its intensity.
 fn plain(span: EmotionSpan) -> ExpressedEmotion {
     ExpressedEmotion {
         span,
@@ -98,7 +97,7 @@ fn plain(span: EmotionSpan) -> ExpressedEmotion {
     }
 }
 
-/// An emotion of a script; none for neutral.
+/// Returns the affect of a scripted emotion; `None` for neutral.
 fn affect(emotion: &Emotion) -> Option<Affect> {
     Some(Affect {
         place: place_of(emotion)?,
@@ -141,9 +140,9 @@ fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<Emot
     })
 }
 
-/// An emotion that is baked into an utterance. `elicited` is the
-/// word of the one that the script elicits for all of it: that one is baked as there from the
-/// first word on, and is a span of its own already.
+/// Returns an emotion baked into an utterance. `elicited` is the word of the emotion that the
+/// script elicits for all of it: that one is baked from the first word on, and already has its own
+/// span.
 fn utterance_emotion(
     emotion: &Spoken,
     timed: &TimedUtterance,
@@ -189,8 +188,8 @@ fn elicited(script: &Script) -> Vec<ElicitedEmotion<'_>> {
     elicited
 }
 
-/// The emotion in which something is said: as for the voice, the last one before it in the
-/// document, as it came last.
+/// Returns the emotion in force during an utterance: as for the voice, the last one before it in
+/// the document, with its latest occurrence.
 fn spoken_in(elicited: &[ElicitedEmotion<'_>], utterance: &UtteranceCue) -> Option<usize> {
     let before = elicited.partition_point(|one| one.clause < utterance.clause);
     let last = elicited[..before].last()?.clause;
@@ -311,7 +310,7 @@ mod tests {
         bytes.iter().fold(0xcbf2_9ce4_8422_2325, add)
     }
 
-    /// A bundle that says these words, a second each.
+    /// Returns a bundle with these words, one second each.
     fn bundle(text: &str, words: &[String]) -> String {
         let said = words.join(" ");
         let mut at = 0;

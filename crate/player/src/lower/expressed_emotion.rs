@@ -11,19 +11,19 @@ use raconteur_stage::{EmotionEnvelope, EmotionType};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ExpressedEmotion {
     pub(crate) span: EmotionSpan,
-    /// 0 to 10; what of it is felt is the span's intensity.
+    /// Potential, 0 to 10; the span's intensity is the part above the threshold.
     pub(crate) potential: f64,
 }
 
 /// Activation that counts as full: the most of F&H table 4.4.
 const FULL_ACTIVATION: f64 = 60.0;
-/// Control parameters of emotions are looked at so often, seconds, and so many times at most.
+/// Sampling interval of emotion parameters, seconds, and the maximum number of samples.
 const STEP_SECS: f64 = 0.25;
 const MAX_STEPS: f64 = 20_000.0;
-/// A control parameter that leads an emotion less than this leads none.
+/// Smallest value of a control parameter that drives an emotion.
 const MIN_LED: f64 = 0.1;
 
-/// What the environment sees of an emotion; nothing where it knows no such type.
+/// Returns the envelope of an emotion for the environment; `None` if it has no such type.
 pub(crate) fn of_span(felt: &ExpressedEmotion) -> Option<EmotionEnvelope> {
     let span = &felt.span;
     Some(EmotionEnvelope {
@@ -38,7 +38,7 @@ pub(crate) fn of_span(felt: &ExpressedEmotion) -> Option<EmotionEnvelope> {
     })
 }
 
-/// The type of an emotion: that of its word, or of the word that lies in its direction.
+/// Returns the type of an emotion: that of its word, or of the word in its direction.
 fn kind_of(affect: &Affect) -> Option<&'static EmotionType> {
     if let Some(word) = affect.word {
         return EmotionType::named(word);
@@ -56,13 +56,13 @@ fn kind_of(affect: &Affect) -> Option<&'static EmotionType> {
     nearest.map(|(kind, _)| kind)
 }
 
-/// How far a place lies from neutral.
+/// Returns the distance of a place from neutral.
 fn length(place: EmotionPoint) -> f64 {
     let level = ops::hypot(place.activation, place.evaluation);
     ops::hypot(level, place.power)
 }
 
-/// The emotions that control parameters lead, over a performance of a length in seconds.
+/// Returns the emotions driven by control parameters, over a performance of a length in seconds.
 pub(crate) fn of_parameters<'c>(
     commands: impl Iterator<Item = &'c (f64, ParameterCommand)>,
     library: &Library,

@@ -20,7 +20,7 @@ pub(crate) struct FacePlan {
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
     /// Names of the animations of control parameters that it needs.
     pub(crate) parameter_animations: Vec<String>,
-    /// How the character does what accompanies speech.
+    /// Manner in which the character accompanies its speech.
     pub(crate) character: Option<Performer>,
 }
 
@@ -37,7 +37,8 @@ pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
     }
 }
 
-/// How a character accompanies speech: as its script says, and for the rest as `otherwise`.
+/// Returns the manner in which a character accompanies speech: from its script, with `otherwise` as
+/// default.
 pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
     Manner {
         way: match character.expressions {

@@ -4,32 +4,32 @@ use raconteur_eml::{ClauseKind, TimedClause};
 
 use crate::lower::script::Script;
 
-/// Something on the way through a story.
+/// An entry on a path through a story.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WayCue {
-    /// Its place among all that the story comes to, for what lies at one time.
+    /// Position among all entries of the story, which orders simultaneous ones.
     pub order: u32,
-    /// The place of the answer, condition or item of a pool around it.
+    /// Position of the enclosing answer, condition or pool item.
     pub within: Option<u32>,
-    /// Where it begins, seconds.
+    /// Start, seconds.
     pub at_secs: f64,
-    /// Where it ends, seconds; of what takes no time, where it begins.
+    /// End, seconds; equal to the start for entries of zero duration.
     pub end_secs: f64,
-    /// What it is.
+    /// Kind of the entry.
     pub kind: WayKind,
 }
 
-/// What is on the way.
+/// Kind of an entry on a path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WayKind {
     /// A part of the story.
     Part {
-        /// Gotos lead to it by it.
+        /// Name used by gotos.
         name: String,
-        /// What is read.
+        /// Displayed text.
         title: String,
     },
-    /// What is passed over unless all of these hold.
+    /// A section that is skipped unless all of these conditions hold.
     If {
         /// A variable, a question, or `score`.
         name: String,
@@ -42,26 +42,26 @@ pub enum WayKind {
         /// It is smaller.
         below: Option<f64>,
     },
-    /// A variable takes a value.
+    /// Assignment of a variable.
     Set {
         /// The variable.
         name: String,
         /// Its value.
         value: Option<String>,
-        /// What is added to its number.
+        /// Increment of its number.
         by: Option<f64>,
     },
     /// Some of the items in it are performed.
     Pool {
-        /// How many.
+        /// Number to draw.
         count: u32,
     },
-    /// A clause of a pool, before what it is itself, at the same place.
+    /// A clause of a pool, listed before the clause itself, at the same position.
     Item {
-        /// The place of the pool.
+        /// Position of the pool.
         pool: u32,
     },
-    /// The story goes on at a part.
+    /// A jump to another part of the story.
     Goto {
         /// Its name.
         to: String,
@@ -69,7 +69,7 @@ pub enum WayKind {
 }
 
 impl Script {
-    /// What is on the ways through the story, in the order in which it is come to.
+    /// Returns the entries on all paths through the story, in the order of traversal.
     #[must_use]
     pub fn flow_entries(&self) -> Vec<WayCue> {
         let timed = (0_u32..).zip(&self.timeline.clauses);
@@ -118,7 +118,7 @@ impl Script {
         })
     }
 
-    /// What a clause directly in a pool is to that pool.
+    /// Returns the pool item of a clause directly in a pool.
     fn item(&self, order: u32, at: &TimedClause) -> Option<WayCue> {
         let pool = at.container?;
         let around = self.timeline.clauses.get(pool as usize)?;
@@ -135,8 +135,8 @@ impl Script {
         matches!(self.document.clause(timed.clause).kind, ClauseKind::Pool(_))
     }
 
-    /// The place of the innermost answer, condition or item of a pool that a clause at a place
-    /// stands in, or is: what is in it may be passed over.
+    /// Returns the position of the innermost answer, condition or pool item that contains or is a
+    /// clause at a position: its content may be skipped.
     pub(super) fn optional_around(&self, order: u32, timed: &TimedClause) -> Option<u32> {
         let mut inner = order;
         let mut container = timed.container;

@@ -19,8 +19,7 @@ use raconteur_stage::{Gesture, TakenSpace};
 
 use crate::lower::units::Units;
 
-/// Rounds a time to the microsecond, so that keys of different tracks that mean one moment
-/// meet in one key.
+/// Rounds a time to the microsecond, so simultaneous keys of different tracks merge into one key.
 fn moment(offset_secs: f64) -> u64 {
     (offset_secs.max(0.0) * 1e6).round() as u64
 }
@@ -35,7 +34,7 @@ pub(crate) struct Hands {
 }
 
 impl Hands {
-    /// By the choice of who shows the story, else the story's, else the figure's.
+    /// Returns the dominant hand chosen by the page, else the story's, else the figure's.
     pub(crate) fn from_document(document: &Document, shown: Option<Side>, figure: Side) -> Self {
         let performer = document.performer.as_ref();
         let story = performer
@@ -47,7 +46,7 @@ impl Hands {
         }
     }
 
-    /// Whether values of a common track must be mirrored for a hand that takes part.
+    /// Returns true if values of a common track must be mirrored for a participating hand.
     fn mirrors(self, side: Side, handedness: Handedness) -> bool {
         match handedness {
             Handedness::Both => side != self.written_for,
@@ -114,7 +113,7 @@ fn pace(profile: &Profile) -> Option<Pace> {
     })
 }
 
-/// How the hand moves to a key: as it says, else as its track says.
+/// Returns the transition of the hand to a key: the key's own, else the track's.
 fn course<K>(track: &Track<K>, key: &Key<K>) -> Transition {
     let both = || [&key.profile, &track.profile].into_iter().flatten();
     let space = both().find_map(|p| p.space).map(|space| match space {
@@ -127,8 +126,8 @@ fn course<K>(track: &Track<K>, key: &Key<K>) -> Transition {
     }
 }
 
-/// Whether a phase leads to its last key: then a lone key lies at its end, where other lone
-/// keys lie at the beginning.
+/// Returns true if a phase ends at its last key: a single key is then at its end, otherwise at its
+/// beginning.
 fn leads_to_last_key(gesture: &GestureKey) -> bool {
     matches!(
         gesture.phase,
@@ -136,7 +135,7 @@ fn leads_to_last_key(gesture: &GestureKey) -> bool {
     )
 }
 
-/// When a key of a gesture is reached, seconds after its beginning.
+/// Returns the time at which a key of a gesture is reached, seconds after its beginning.
 pub(super) fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
     if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads_to_last_key(gesture) {
         gesture.duration_secs
@@ -145,8 +144,8 @@ pub(super) fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K
     }
 }
 
-/// One hand's keys of one gesture, merged by time; empty when the gesture says nothing
-/// about this hand.
+/// Returns one hand's keys of one gesture, merged by time; empty if the gesture does not use this
+/// hand.
 fn keys(
     gesture: &GestureKey,
     side: Side,
@@ -193,7 +192,7 @@ fn keys(
     by_time.into_values().collect()
 }
 
-/// When a script turns gestures on or off, by time.
+/// Returns the times at which a script turns gestures on or off.
 #[must_use]
 pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<(f64, bool)> {
     let clauses = timeline.clauses.iter();
@@ -205,8 +204,8 @@ pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<(f64, bo
         .collect()
 }
 
-/// Stretches of time in which gestures are on, from switches by time. They are on until one
-/// turns them off.
+/// Returns the intervals in which gestures are on, from switches by time. They are on until they
+/// are turned off.
 #[must_use]
 pub(crate) fn on_spans(switches: &[(f64, bool)]) -> Vec<TimeSpan> {
     let mut spans = Vec::new();
@@ -272,7 +271,7 @@ pub(crate) fn strokes(
         .collect()
 }
 
-/// Strokes that begin no sooner than a time, seconds: what would is as much later, with its keys.
+/// Delays strokes that begin before a time, seconds, together with their keys.
 #[must_use]
 pub(crate) fn not_before(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec<GestureStroke> {
     for stroke in &mut strokes {
@@ -289,15 +288,16 @@ pub(crate) fn not_before(mut strokes: Vec<GestureStroke>, from_secs: f64) -> Vec
     strokes
 }
 
-/// How much of a hand hangs below its wrist in a gesture whose palm is led, fingers forward or up, and
-/// in one whose hand is left alone.
+/// Share of the hand below its wrist in a gesture with scripted palm, fingers forward or up, and in
+/// one without.
 const HANGING: [f64; 2] = [0.4, 0.6];
-/// Where the lens of a storyteller's shot is: height, and distance before the figure, shares of stature.
+/// Position of the lens in a storyteller's shot: height, and distance in front of the figure,
+/// shares of stature.
 const LENS_HEIGHT: f64 = 0.8;
 const LENS_DISTANCE: f64 = 1.85;
 
-/// The space that a stroke's hand takes, if it goes anywhere. What is held towards the lens is seen
-/// lower, so that the space reaches down to where it seems to be at the figure itself.
+/// Returns the space of a stroke's hand, if it moves anywhere. A hand held towards the lens appears
+/// lower, so the space reaches down to its apparent position at the figure itself.
 pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64, stature_m: f64) -> Option<Gesture> {
     let led = stroke.keys.iter().any(|k| k.hand_in_world.is_some());
     let hanging = HANGING[usize::from(!led)] * hand_length_m;

@@ -10,10 +10,10 @@ use raconteur_stage::{EmotionEnvelope, EmotionTimeline, Illumination};
 use crate::lower::control_source::{ControlSource, leaders};
 use crate::lower::script::Script;
 
-/// No change of the light is quicker, seconds. However densely a script writes them, they then
-/// blend into each other below 3 Hz, where nothing flashes (WCAG 2.2, success criterion 2.3.1).
+/// Minimum duration of a light change, seconds. Changes scripted more densely blend into each other
+/// below 3 Hz, where nothing flashes (WCAG 2.2, success criterion 2.3.1).
 pub(crate) const MIN_SECS: f64 = 1.0;
-/// How long the light of an emotion takes to come and to go, seconds. Designed.
+/// Fade time of an emotion's light, seconds. Designed.
 const MOVE_SECS: f64 = 1.4;
 
 /// A light that a script writes.
@@ -22,9 +22,9 @@ pub(crate) struct LampCue {
     pub(crate) start_secs: f64,
     transition_secs: f64,
     by: Lead,
-    /// Linear RGB; none: unchanged.
+    /// Linear RGB; `None`: unchanged.
     color: Option<[f32; 3]>,
-    /// None: unchanged.
+    /// Brightness; `None`: unchanged.
     brightness: Option<f64>,
 }
 
@@ -58,17 +58,17 @@ struct LightState {
     light: Illumination,
 }
 
-/// How the channel of light expresses emotions.
+/// Expression of emotions by light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightChannel {
-    /// Emotions lead where no script does.
+    /// True if emotions control the light unless a script does.
     pub(crate) follows: bool,
     /// The light is that of the thesis, to the letter.
     pub(crate) is_strict: bool,
 }
 
 impl LightChannel {
-    /// The light where nothing is felt.
+    /// Returns the light without emotion.
     fn neutral(self) -> Illumination {
         match self.is_strict {
             true => Illumination::strict_default(),

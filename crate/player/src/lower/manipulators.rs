@@ -21,13 +21,13 @@ use raconteur_stage::{Gesture, TakenSpace};
 use crate::lower::reach::Reach;
 use crate::lower::units::Units;
 
-/// How much farther a hand comes when the spine helps, as a share of the arm; measured on the
-/// example to the side, where it helps least but for straight up.
+/// Extension of the hand's reach by the spine, as a share of the arm; measured on the example
+/// figure to the side, where it is smallest except for straight up.
 const SPINE_HELP: f64 = 0.14;
 
-/// The functions of time: their names, and the arguments that each takes besides the period,
-/// both ends' angles and, where a way leads from place to place, both ends' positions.
-/// A name ending in `*` stands for three, ending in X, Y and Z.
+/// Functions of time: name, and arguments in addition to the period, the angles of both ends and,
+/// for paths between places, the positions of both ends. A name ending in `*` stands for three,
+/// ending in X, Y and Z.
 const FUNCTIONS: [(&str, bool, &[&str]); 8] = [
     ("segment", true, &[]),
     ("sinusoid", true, &["amplitude", "across*", "cycles"]),
@@ -120,7 +120,7 @@ impl Args<'_> {
         })
     }
 
-    /// A direction, not scaled; zero where it is not given.
+    /// Returns a direction, unscaled; zero if absent.
     fn direction(&self, start: &str) -> DVec3 {
         Units::axis(self.three(start, AXES).map(|n| n.unwrap_or(0.0)))
     }
@@ -186,7 +186,7 @@ impl Args<'_> {
     }
 }
 
-/// A function as a path; none for an unknown name.
+/// Converts a function to a path; `None` for an unknown name.
 fn path(function: &str, looping: bool, args: Option<&FunctionArgs>, units: &Units) -> Option<Path> {
     let none = FunctionArgs::default();
     let args = args.unwrap_or(&none);
@@ -251,10 +251,10 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
     })
 }
 
-/// Converts a position of the whole figure from the frame of its root, which is turned by half
-/// a turn in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
-/// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
-/// right angle is counted from there.
+/// Converts a position of the whole figure from the frame of its root. That frame is turned by half
+/// a turn in table A.1 of GEVH (the sacroiliac's first angle is 178.7°); in the example of D.1.6,
+/// whose pitch is 180° throughout, the figure is upright. So a pitch beyond a right angle is
+/// counted from there.
 fn upright(place: &mut Placement) {
     let [_, pitch, roll] = &mut place.angles;
     if let Some(pitch) = pitch
@@ -301,13 +301,13 @@ pub(crate) fn together<'a>(
     all
 }
 
-/// Whether there are no commands and no moves.
+/// Returns true if there are no commands and no moves.
 pub(crate) fn is_empty(script: &ManipulatorScript) -> bool {
     script.commands.is_empty() && script.moves.is_empty()
 }
 
-/// The space in the picture that targets of the arms and motions of the figure need: all the time,
-/// as it takes them one after another; none where nothing is commanded.
+/// Returns the image space that targets of the arms and motions of the figure need: for the whole
+/// time, since they follow one another; `None` without commands.
 pub(crate) fn space(script: &ManipulatorScript, hand_length_m: f64) -> Option<Gesture> {
     if is_empty(script) {
         return None;
@@ -345,8 +345,8 @@ pub(crate) fn space(script: &ManipulatorScript, hand_length_m: f64) -> Option<Ge
     })
 }
 
-/// What is wrong with the clauses of manipulators: targets out of reach, functions and
-/// arguments that do not exist.
+/// Returns the problems of manipulator clauses: targets out of reach, unknown functions and
+/// arguments.
 pub(crate) fn problems(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (_, clause) in document.iter() {
@@ -390,7 +390,7 @@ fn function(name: &str, args: Option<&FunctionArgs>, span: Span, into: &mut Vec<
     }
 }
 
-/// A loop that cannot go on, as nothing says how long one period is.
+/// Reports a loop without a period.
 fn loop_without_period(
     is_looping: bool,
     args: Option<&FunctionArgs>,

@@ -8,18 +8,18 @@ use raconteur_stage::{EmotionTimeline, Mood};
 use crate::lower::music_stem::{MusicClause, MusicStem};
 use crate::lower::repertoire::Repertoire;
 
-/// No piece that a mood asks for is heard shorter, seconds. Designed.
+/// Minimum duration of mood music, seconds. Designed.
 const MIN_SECS: f64 = 8.0;
-/// How long one takes over from another, seconds, on a bar line. Designed.
+/// Cross-fade between pieces, seconds, on a bar line. Designed.
 const FADE_SECS: f64 = 2.0;
-/// How loud such music is against its recording: it stays behind the story. Designed.
+/// Volume of mood music relative to its recording: it stays behind the story. Designed.
 const VOLUME: f64 = 0.8;
-/// The mood is looked at so often, seconds, and so many times at most.
+/// Sampling interval of the mood, seconds, and the maximum number of samples.
 const STEP_SECS: f64 = 0.5;
 const MAX_STEPS: f64 = 20_000.0;
-/// How far a mood has to come back before its music ends, of the bound at which it begins. Designed.
+/// Share of its onset bound to which a mood must fall back before its music ends. Designed.
 const LETS_GO: f64 = 0.7;
-/// Pieces that a script may bring; there are six moods, and it bounds the work.
+/// Maximum number of pieces of a script; there are six moods, and the limit bounds the work.
 const MAX_OWN_PIECES: usize = 12;
 /// A smaller change of a voice's level is not written.
 const MIN_CHANGE: f64 = 0.03;
@@ -37,13 +37,13 @@ pub(crate) fn of_script(valence: raconteur_eml::Valence) -> Valence {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct OwnPiece {
     valence: Valence,
-    /// None: however active.
+    /// Arousal; `None` matches any.
     is_aroused: Option<bool>,
     file: String,
     bar_secs: f64,
 }
 
-/// The pieces that a script brings.
+/// Returns the pieces of a script.
 pub(crate) fn own_pieces(document: &Document) -> Vec<OwnPiece> {
     let pieces = document.environment.iter().flat_map(|e| &e.pieces);
     pieces
@@ -60,7 +60,8 @@ pub(crate) fn own_pieces(document: &Document) -> Vec<OwnPiece> {
 /// The mood that a piece is for.
 type Tone = (Valence, bool);
 
-/// The tone of a mood after another: what is there goes only when the mood has come back some way.
+/// Returns the tone of a mood after another: with hysteresis, so a tone ends only after the mood
+/// has fallen back.
 fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
     let held = |scale: f64| Mood {
         valence: mood.valence / scale,
@@ -78,20 +79,20 @@ fn tone(mood: &Mood, before: Option<Tone>) -> Tone {
     )
 }
 
-/// What is led by moods: the feelings, the library's and the author's pieces, and until when there is
-/// anything.
+/// Music driven by moods: the emotions, the library's and the author's pieces, and the end of the
+/// performance.
 pub(crate) struct MoodMusic<'a> {
     pub(crate) feelings: &'a EmotionTimeline,
     pub(crate) repertoire: Repertoire,
     pub(crate) own: &'a [OwnPiece],
-    /// Whether moods lead at first.
+    /// True if moods control the music initially.
     pub(crate) follows: bool,
     pub(crate) end_secs: f64,
 }
 
 impl MoodMusic<'_> {
-    /// The music of a performance by time: that of the script, and between what of it leads, that of
-    /// the mood. A story in which nothing is felt has none of its own.
+    /// Returns the music of a performance by time: the script's, and the mood's where the script
+    /// does not control it. A story without emotion has no mood music.
     pub(crate) fn music(&self, script: Vec<MusicClause>) -> Vec<MusicClause> {
         if self.feelings.all().is_empty() {
             return script
@@ -153,7 +154,7 @@ impl MoodMusic<'_> {
         self.own.iter().find(fits)
     }
 
-    /// The file of a tone's piece, and how long its bars are, seconds.
+    /// Returns the file of a tone's piece, and the length of its bars, seconds.
     fn bar(&self, tone: Tone) -> (&str, f64) {
         match self.own_piece(tone) {
             Some(own) => (&own.file, own.bar_secs.max(0.05)),
@@ -187,7 +188,7 @@ impl MoodMusic<'_> {
         }
     }
 
-    /// How loud the voices are that arousal adds, from one time to another.
+    /// Returns the level of the additional stems of arousal, from one time to another.
     fn rise(&self, from_secs: f64, to_secs: f64) -> Vec<(f64, f64)> {
         let step_secs = STEP_SECS.max((to_secs - from_secs) / MAX_STEPS);
         let mut line: Vec<(f64, f64)> = Vec::new();

@@ -14,11 +14,11 @@ use crate::lower::script::Script;
 /// Share of the music's level under speech: 8 dB less. Designed: words stay clear
 /// over music that is as loud as they are.
 const UNDER_SPEECH: f64 = 0.4;
-/// How long before a word music begins to step back, and how long after the last one it takes
-/// to return, seconds. Designed.
+/// Lead of the music's ducking before a word, and its recovery after the last word, seconds.
+/// Designed.
 const STEP_BACK_SECS: f64 = 0.3;
 const RETURN_SECS: f64 = 0.9;
-/// Even what begins or ends at once does so in this time, so that it does not click; seconds.
+/// Shortest fade, seconds, which prevents clicks at abrupt starts and ends.
 const CLICK_SECS: f64 = 0.01;
 
 /// A piece of music at its time.
@@ -26,14 +26,14 @@ const CLICK_SECS: f64 = 0.01;
 pub struct MusicCue {
     /// Story time at which the piece begins, seconds.
     pub start_secs: f64,
-    /// Story time at which it has become silent, seconds; infinite when nothing ends it.
+    /// Story time at which it is silent, seconds; infinite if nothing ends it.
     pub end_secs: f64,
-    /// The path of its file, from the story's folder or from the folder `music` of the asset
-    /// library; it does not leave that folder. Beside an `.opus` there may be an `.mp3`.
+    /// Path of its file, relative to the story's folder or to the folder `music` of the asset
+    /// library, and inside that folder. An `.opus` may be accompanied by an `.mp3`.
     pub file: String,
-    /// Whether it is of the library.
+    /// True if it is from the library.
     pub library: bool,
-    /// Whether it begins again when it is over.
+    /// True if it repeats.
     pub loops: bool,
     /// Its level at story times, by time: 1 is as recorded. Straight between them, and
     /// before the first and after the last as there.
@@ -103,7 +103,7 @@ pub(crate) fn cues<'a>(
     cues
 }
 
-/// A voice of a clause that is over from one time to another, under what is spoken.
+/// Returns the cue of a clause's stem between two times, ducked under speech.
 fn cue(
     clause: &MusicClause,
     voice: &MusicStem,
@@ -144,7 +144,7 @@ fn cue(
     }
 }
 
-/// The height of a line of points by time, straight between them; none where there are none.
+/// Interpolates a polyline of points by time; `None` without points.
 fn on_line(line: &[(f64, f64)], time_secs: f64) -> Option<f64> {
     let after = line.partition_point(|(t, _)| *t <= time_secs);
     let before = after.checked_sub(1).and_then(|i| line.get(i));

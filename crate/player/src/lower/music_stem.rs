@@ -7,19 +7,19 @@ use raconteur_eml::Lead;
 pub(crate) struct MusicStem {
     pub(crate) file: String,
     pub(crate) library: bool,
-    /// Whether it begins again when it is over.
+    /// True if it repeats.
     pub(crate) loops: bool,
-    /// Its level against the piece at story times, by time, straight between them; none: 1.
+    /// Level relative to the piece at story times, by time, linear between them; empty: 1.
     pub(crate) share: Vec<(f64, f64)>,
 }
 
-/// What is heard from a time on.
+/// Music from a time on.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MusicClause {
     pub(crate) start_secs: f64,
-    /// Who leads from then on.
+    /// Source of control from then on.
     pub(crate) by: Lead,
-    /// None: silence.
+    /// Stems; empty for silence.
     pub(crate) voices: Vec<MusicStem>,
     pub(crate) volume: f64,
     pub(crate) fade_secs: f64,

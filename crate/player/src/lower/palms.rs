@@ -8,9 +8,8 @@ use raconteur_eml::{ClauseKind, Diagnostic, Document, GestureKey, Handedness, Sp
 use crate::lower::gestures::{Hands, hand_rotation, offset_secs, track_for};
 use crate::lower::units::Units;
 
-/// A palm turned less from what was asked for is told nothing of, degrees. Designed: it still faces
-/// the same side, and gestures that people write are off by up to 50 before anybody sees that
-/// the figure does something else.
+/// Error below which a missed palm is not reported, degrees. Designed: the palm still faces the
+/// same side, and authors' gestures are off by up to 50 before the difference is visible.
 const SAME_DEG: f64 = 60.0;
 
 /// A palm that is not met.
@@ -18,14 +17,14 @@ struct MissedPalm {
     span: Span,
     side: Side,
     off_deg: f64,
-    /// The palm that comes nearest, as the script writes it.
+    /// Nearest palm, in the notation of the script.
     axis: [f64; 3],
     angle_deg: f64,
 }
 
-/// A warning for every gesture whose palm the arm cannot turn as it is written at the place where the
-/// hand is then: by how much it is off, and which palm is the nearest there (GEVH 3.3.2.1: limits of the
-/// joints go before the target's orientation).
+/// Returns a warning for every gesture whose palm the arm cannot turn as scripted at the hand's
+/// position: its error, and the nearest palm there (GEVH 3.3.2.1: limits of the joints have
+/// priority over the target's orientation).
 #[must_use]
 pub(crate) fn missed(
     document: &Document,
@@ -102,8 +101,7 @@ impl Arm<'_> {
         }
     }
 
-    /// The hand rotation that comes nearest where the wrist is at a time, and how far it is off,
-    /// radians.
+    /// Returns the nearest hand rotation at the wrist's position at a time, and its error, radians.
     fn nearest(&self, wanted: DQuat, at_secs: f64) -> (DQuat, f64) {
         let thorax = self.rig.world_from_thorax_zero();
         let wrist_in_world: DVec3 = self.plan.sample(at_secs).wrist;

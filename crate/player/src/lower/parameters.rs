@@ -65,8 +65,8 @@ fn style(style: raconteur_eml::Style) -> PlaybackStyle {
     }
 }
 
-/// A warning for each unknown name of a parameter, at its first clause, and for each
-/// clause whose values are beyond the range of what it names.
+/// Returns a warning for each unknown parameter name, at its first clause, and for each clause with
+/// values out of the parameter's range.
 pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
     let mut told: Vec<&str> = Vec::new();
     let mut problems = Vec::new();
@@ -130,7 +130,7 @@ mod tests {
         library
     }
 
-    /// The course of all that a document asks for, and its diagnostics.
+    /// Returns the tracks of a document's parameters and emotions, and its diagnostics.
     fn perform(body: &str) -> (ParameterTrack, EmotionTrack, Vec<Diagnostic>) {
         let mut script = Script::read(&format!("<eml><body>{body}</body></eml>"), None);
         let library = library();

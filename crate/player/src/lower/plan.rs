@@ -27,11 +27,11 @@ pub(crate) struct ScriptPlan {
     pub(crate) strokes: [Vec<GestureStroke>; 2],
     /// Commands to manipulators, and moves of the whole figure.
     pub(crate) manipulators: ManipulatorScript,
-    /// When gestures are turned on and off, by time.
+    /// Times at which gestures are turned on and off.
     pub(crate) switches: Vec<(f64, bool)>,
     /// Commands to animation players, by time.
     pub(crate) players: Vec<(f64, PlayerCommand)>,
-    /// What of the figure is drawn, by time.
+    /// Switches of the figure's visible parts, by time.
     pub(crate) geometry: Vec<Switch>,
     /// Emotions and control parameters.
     pub(crate) face: FacePlan,

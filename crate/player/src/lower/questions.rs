@@ -4,53 +4,53 @@ use raconteur_eml::{AskKind, AskOption, ClauseKind};
 
 use crate::lower::script::Script;
 
-/// A question, and where in the story what follows from its answers lies.
+/// A question, with the position of its reactions in the story.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuestionCue {
-    /// Its place among all that the story comes to, for what lies at one time.
+    /// Position among all entries of the story, which orders simultaneous ones.
     pub order: u32,
-    /// The place of the answer, condition or item of a pool around it.
+    /// Position of the enclosing answer, condition or pool item.
     pub within: Option<u32>,
-    /// Where the story rests until it is answered, seconds.
+    /// Time at which the story pauses for the answer, seconds.
     pub at_secs: f64,
-    /// Where it goes on after what follows from an answer, seconds.
+    /// Time at which it continues after the reaction, seconds.
     pub end_secs: f64,
-    /// Its name: results are kept by it.
+    /// Name, the key of its results.
     pub name: String,
-    /// How it is answered.
+    /// Answer type.
     pub kind: AskKind,
-    /// What is read.
+    /// Displayed text of the question.
     pub prompt: String,
-    /// What is shown with it.
+    /// Image shown with it.
     pub picture: Option<PictureCue>,
-    /// Whether answers are right or wrong.
+    /// True if answers are graded right or wrong.
     pub is_graded: bool,
-    /// What a right answer counts; 0 where none is right.
+    /// Points for a right answer; 0 if ungraded.
     pub points: f64,
-    /// Whether what is right of an answer counts by itself.
+    /// Enables points for partly right answers.
     pub is_partial: bool,
-    /// Whether its options are shown in an order by chance.
+    /// Enables random order of its options.
     pub is_shuffled: bool,
-    /// How often one may answer.
+    /// Maximum number of tries.
     pub tries: u32,
-    /// What is read after a wrong answer, while there are tries left.
+    /// Text shown after a wrong answer, while tries are left.
     pub hint: Option<String>,
-    /// What is read once it is answered for good.
+    /// Text shown after the final answer.
     pub feedback: FeedbackCue,
-    /// How long one may think about it, seconds.
+    /// Time limit, seconds.
     pub limit_secs: Option<f64>,
-    /// What one may answer, in order.
+    /// Possible answers, in order.
     pub options: Vec<OptionCue>,
-    /// What follows, in order.
+    /// Reactions, in order.
     pub answers: Vec<AnswerCue>,
 }
 
-/// A picture of a question or an option.
+/// An image of a question or an option.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureCue {
-    /// The path of its file, from the story's folder, which it does not leave.
+    /// Path of its file, relative to the story's folder and inside it.
     pub file: String,
-    /// What it shows, for those who do not see it.
+    /// Text alternative.
     pub alt: String,
 }
 
@@ -63,37 +63,37 @@ impl PictureCue {
     }
 }
 
-/// What is read once a question is answered for good, where its author says so.
+/// Texts shown after the final answer, if the author provides them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FeedbackCue {
     /// After any answer.
     pub any: Option<String>,
-    /// In its place after a right one.
+    /// Replacement after a right answer.
     pub right: Option<String>,
-    /// In its place after a wrong one.
+    /// Replacement after a wrong answer.
     pub wrong: Option<String>,
 }
 
-/// What one may answer, or a rule for what one may.
+/// A possible answer, or a rule for accepted answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptionCue {
     /// Its name.
     pub name: String,
-    /// What is read.
+    /// Displayed text.
     pub text: String,
-    /// What is shown with it.
+    /// Image shown with it.
     pub picture: Option<PictureCue>,
-    /// Whether it is right.
+    /// True if it is a right answer.
     pub is_right: bool,
     /// Its right partner, of `match`.
     pub partner: Option<String>,
-    /// What is taken, of `gap` and `text`.
+    /// Accepted texts, for `gap` and `text`.
     pub accepts: Vec<String>,
-    /// What must not be there, of `text`.
+    /// Texts that must not occur, for `text`.
     pub rejects: Vec<String>,
-    /// The least number that is taken.
+    /// Smallest accepted number.
     pub least: Option<f64>,
-    /// The greatest number that is taken.
+    /// Largest accepted number.
     pub most: Option<f64>,
     /// The bone that is pointed at.
     pub at: Option<String>,
@@ -123,16 +123,16 @@ impl OptionCue {
     }
 }
 
-/// What follows from an answer.
+/// Reaction to an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnswerCue {
-    /// Its place among all that the story comes to.
+    /// Position among all entries of the story.
     pub order: u32,
     /// `right`, `wrong`, `answered`, or the name of an option.
     pub to: String,
-    /// Where it begins, seconds.
+    /// Start, seconds.
     pub start_secs: f64,
-    /// Where it ends, seconds.
+    /// End, seconds.
     pub end_secs: f64,
 }
 

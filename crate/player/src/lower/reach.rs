@@ -13,7 +13,7 @@ use raconteur_eml::{
 use crate::lower::gestures::{Hands, offset_secs, position, track_for};
 use crate::lower::units::Units;
 
-/// What arms and legs of a figure can reach.
+/// Reach of a figure's arms and legs.
 pub(crate) struct Reach {
     /// Left and right, world, metres.
     pub(crate) shoulders_in_world: [DVec3; 2],
@@ -41,8 +41,8 @@ impl Reach {
     }
 }
 
-/// A warning for every position that the arm cannot reach; the hand goes as far towards it
-/// as it can (GEVH fig. 3.6).
+/// Returns a warning for every position that the arm cannot reach; the hand moves as far towards it
+/// as possible (GEVH fig. 3.6).
 #[must_use]
 pub(crate) fn out_of_reach(
     document: &Document,
@@ -90,7 +90,7 @@ pub(crate) fn out_of_reach(
     found
 }
 
-/// One warning a clause: at the place that is farthest beyond reach, metres, of all.
+/// Returns one warning per clause: at the position farthest beyond reach, metres.
 fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
     let (beyond, span, side) = far.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
     let arm = if *side == Side::Left { "left" } else { "right" };
@@ -109,10 +109,10 @@ fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
     )
 }
 
-/// Lateness that cannot be seen, seconds (half of what must hold for strokes).
+/// Lateness that is not visible, seconds (half of the tolerance for strokes).
 const UNSEEN_SECS: f64 = 0.01;
 
-/// A warning for every key that comes late because the hand has too far to go in the time.
+/// Returns a warning for every key that is late because the path is too long for the time.
 #[must_use]
 pub(crate) fn late(
     document: &Document,

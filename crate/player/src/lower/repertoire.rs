@@ -6,10 +6,10 @@ use raconteur_stage::emotion::Valence;
 
 use crate::lower::music_stem::MusicStem;
 
-/// What the choice of a piece draws from the seed; others of the performance draw by other numbers.
+/// Random stream of the choice of music; other uses of the seed have other numbers.
 const CHOICE: u64 = 0x6d75_7369;
 
-/// A piece of the library: a loop, and beside it the voices that arousal adds.
+/// A piece of the library: a loop, and the additional stems of arousal.
 #[derive(Debug, PartialEq)]
 pub(crate) struct LibraryPiece {
     pub(crate) name: &'static str,
@@ -65,7 +65,7 @@ impl LibraryPiece {
     }
 }
 
-/// The pieces of the library that a performance plays: one of each valence, drawn by its seed.
+/// Library pieces of a performance: one of each valence, drawn by its seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Repertoire {
     seed: u64,
@@ -76,7 +76,7 @@ impl Repertoire {
         Self { seed }
     }
 
-    /// That of a script, which may have a seed of its own; else by that of whoever shows it.
+    /// Chooses the pieces of a script by its own seed, if any, else by the host's.
     pub(crate) fn choose(document: &Document, otherwise: u64) -> Self {
         let own = document.environment.as_ref().and_then(|e| e.seed);
         Self::new(own.map_or(otherwise, u64::from))
@@ -143,8 +143,8 @@ mod tests {
         }
     }
 
-    /// How long an Ogg Opus file is, samples at 48 kHz (RFC 7845, section 4): the position of the last
-    /// page less what is skipped at first.
+    /// Returns the length of an Ogg Opus file, samples at 48 kHz (RFC 7845, section 4): the
+    /// position of the last page less the initial skip.
     fn opus_samples(path: &std::path::Path) -> u64 {
         let bytes = std::fs::read(path).expect("a file");
         let page = bytes

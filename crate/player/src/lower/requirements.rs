@@ -8,16 +8,16 @@ use raconteur_eml::{
 /// Most animations of control parameters that a script may use; more are left out.
 const MAX_PARAMETER_ANIMATIONS: usize = 100;
 
-/// What a document needs, each name once, with the clause that needs it first.
+/// Resources that a document requires, each name once, with the first clause that requires it.
 #[derive(Default)]
 pub(crate) struct Requirements<'d> {
-    /// Animations of the body: of the library by name, beside the story by path.
+    /// Animations of the body: from the library by name, next to the story by path.
     pub(crate) body_animations: Vec<(&'d str, Span)>,
     /// Animations of control parameters, those that are loaded before those of the library.
     pub(crate) parameter_animations: Vec<(&'d str, Span)>,
 }
 
-/// What one clause needs.
+/// Resource required by one clause.
 enum Requirement<'d> {
     /// All that it needs is here.
     Nothing,
@@ -29,7 +29,7 @@ enum Requirement<'d> {
 }
 
 impl<'d> Requirements<'d> {
-    /// What a document needs.
+    /// Collects the requirements of a document.
     pub(crate) fn from_document(document: &'d Document) -> Self {
         let mut needs = Self::default();
         let mut played = Vec::new();
@@ -62,7 +62,7 @@ impl<'d> Requirements<'d> {
             .map(|(name, _)| *name)
     }
 
-    /// The clause that first needs an animation; the document's start where none does.
+    /// Returns the clause that first requires an animation; the document's start if there is none.
     pub(crate) fn span(&self, name: &str, is_of_parameters: bool) -> Span {
         let needed = if is_of_parameters {
             &self.parameter_animations
@@ -100,7 +100,7 @@ impl<'d> Requirement<'d> {
     }
 }
 
-/// The name of the text of a loaded animation: of the library that of its file alone, beside the
+/// Returns the name of a loaded animation's text: in the library the file name only, next to the
 /// story its path.
 fn source(load: &LoadControlParameterAnimation) -> &str {
     if load.is_resources_relative {

@@ -18,27 +18,27 @@ use crate::options::{LanguageTag, Options};
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
 pub struct Script {
-    /// What the text says.
+    /// Parsed document.
     pub document: Document,
-    /// When it happens.
+    /// Timeline.
     pub timeline: Timeline,
-    /// What is wrong with it.
+    /// Problems.
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
-    /// Hands are at the first place of a stroke no sooner than this, story time, seconds.
+    /// Earliest time at which hands are at the first place of a stroke, story time, seconds.
     pub(crate) hands_from_secs: f64,
-    /// How much later than it is written all of it begins, because hands have to get there, seconds.
+    /// Delay of the whole script because hands must reach their start, seconds.
     pub waits_secs: f64,
-    /// Which utterance belongs to which clause.
+    /// Utterances of the clauses.
     voices: Voices,
-    /// The language of what nothing else tells of.
+    /// Default language.
     pub(crate) page_language: Option<LanguageTag>,
     /// The library's pieces of music that are played.
     pub(crate) repertoire: Repertoire,
 }
 
-/// The stage that loading a story has come to, so that a page can report at which one it failed.
+/// Stage of loading a story, so a page can report the stage that failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadStage {
     /// The script's text.
@@ -49,15 +49,15 @@ pub enum LoadStage {
     Performance,
 }
 
-/// What the times of a script depend on besides its text.
+/// Sources of a script's times in addition to its text.
 pub(crate) struct TimingSources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
     pub(crate) library: &'a Library,
 }
 
 impl Script {
-    /// Reads a script and, if there is one, the JSON of its speech bundle. Never fails:
-    /// what is wrong is in [`Script::diagnostics`], and the rest plays.
+    /// Reads a script and, if given, the JSON of its speech bundle. Never fails: problems are in
+    /// [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
         Self::read_with_progress(eml, bundle_json, &mut |_| ())
@@ -100,8 +100,8 @@ impl Script {
         script
     }
 
-    /// Gives every clause of a text its time. `voice_was_given` is also true for a
-    /// bundle that could not be read.
+    /// Assigns a time to every clause of a text. `voice_was_given` is also true for an unreadable
+    /// bundle.
     pub(crate) fn resolve(
         parsed: Parsed,
         TimingSources { bundle, library }: TimingSources<'_>,
@@ -139,7 +139,7 @@ impl Script {
         }
     }
 
-    /// Gives every clause its time anew, now that the lengths of these animations are known.
+    /// Recomputes the time of every clause with the lengths of these animations.
     pub fn retime(&mut self, library: &Library) {
         let durations = KnownDurations {
             bundle: self.bundle.as_deref(),
@@ -150,8 +150,8 @@ impl Script {
         self.yield_to();
     }
 
-    /// Lets the script wait for the preparation of its first gesture, or the gesture come late, or
-    /// neither, as it says itself.
+    /// Delays the script for the preparation of its first gesture, or the gesture itself, or
+    /// neither, as the script specifies.
     fn yield_to(&mut self) {
         match self.document.run_up.unwrap_or_default() {
             RunUp::Delay => {
@@ -163,8 +163,8 @@ impl Script {
         }
     }
 
-    /// The gestures whose strokes come late because hands have to get there first: their clauses, and
-    /// by how much, seconds.
+    /// Returns the gestures whose strokes are delayed because the hands must reach their start:
+    /// their clauses, and the delays, seconds.
     #[must_use]
     pub fn late_strokes(&self) -> Vec<(ClauseId, f64)> {
         let clauses = self.timeline.clauses.iter();
@@ -175,7 +175,7 @@ impl Script {
             .collect()
     }
 
-    /// What is told where hands come otherwise than it is written.
+    /// Returns diagnostics for hands that arrive at other times than scripted.
     pub(crate) fn report_progress(&self) -> Vec<Diagnostic> {
         let tag = |id: ClauseId| self.document.clause(id).tag_span;
         let mut told: Vec<_> = self
@@ -207,8 +207,8 @@ impl Script {
         told
     }
 
-    /// How much later a script begins whose first gesture would come before the arm can be
-    /// there, seconds, so that the storyteller raises a hand instead of starting with it raised.
+    /// Returns the delay of a script whose first gesture would begin before the arm can reach it,
+    /// seconds, so the storyteller raises a hand instead of starting with it raised.
     fn run_up_secs(&self) -> f64 {
         let mut clauses = self.timeline.clauses.iter();
         let first = clauses.find(|c| is_gesture(&self.document, c.clause));
@@ -227,8 +227,8 @@ impl Script {
         timeline.duration_secs += delay_secs;
     }
 
-    /// The names of the animations that the story plays, each once: what [`Script::retime`]
-    /// and the player need the texts of.
+    /// Returns the names of the animations that the story plays, each once; [`Script::retime`] and
+    /// the player need their texts.
     #[must_use]
     pub fn needed_animations(&self) -> Vec<String> {
         let needs = Requirements::from_document(&self.document);
@@ -240,18 +240,18 @@ impl Script {
         self.voices.match_clauses(clause, self.bundle.as_deref())
     }
 
-    /// The phone set of what a clause says; Festival's where it was not baked.
+    /// Returns the phone set of a clause's speech; Festival's if it was not baked.
     pub(crate) fn phone_set(&self, clause: ClauseId) -> &str {
         self.voice(clause).map_or("radio", |voice| &voice.phone_set)
     }
 
-    /// The language of what a clause says, where it was baked.
+    /// Returns the language of a clause's speech, if it was baked.
     pub(crate) fn language(&self, clause: ClauseId) -> Option<&str> {
         self.voice(clause).map(|voice| &*voice.language)
     }
 
-    /// The language of what says nothing of it: the performer's, else that of the bundle's
-    /// first voice, else that of the page around the story.
+    /// Returns the default language: the performer's, else that of the bundle's first voice, else
+    /// that of the surrounding page.
     pub(crate) fn usual_language(&self) -> Option<&str> {
         let performer = self.document.performer.as_ref();
         let voices = self.bundle.iter().flat_map(|bundle| &bundle.voices);
@@ -267,31 +267,31 @@ impl Script {
         self.voices.named(clause)
     }
 
-    /// Who says a clause, where it was baked.
+    /// Returns the voice of a clause, if it was baked.
     pub(crate) fn voice(&self, clause: ClauseId) -> Option<&Voice> {
         let voice = self.utterance(clause)?.voice;
         self.bundle.as_ref()?.voices.get(voice)
     }
 }
 
-/// The performer that a text chooses, with voice and language; empty where it does not choose.
+/// Returns the performer chosen by a text, with voice and language; empty if it chooses none.
 #[must_use]
 pub fn performer_of(eml: &str) -> Performer {
     parse(eml).document.performer.unwrap_or_default()
 }
 
-/// The time that an arm needs to come from rest to any first stroke, seconds. Longest
-/// preparation of the gesture planner, rounded up.
+/// Time that an arm needs from rest to any first stroke, seconds. Longest preparation of the
+/// gesture planner, rounded up.
 const RUN_UP_SECS: f64 = 0.9;
 
-/// Waiting and lateness that cannot be seen, seconds.
+/// Delay and lateness that are not visible, seconds.
 const UNSEEN_SECS: f64 = 0.01;
 
 fn is_gesture(document: &Document, id: ClauseId) -> bool {
     matches!(document.clause(id).kind, ClauseKind::GestureKey(_))
 }
 
-/// Every clause that speaks, with its tag.
+/// Returns every clause that speaks, with its tag.
 fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {
     document.iter().filter_map(|(id, c)| match &c.kind {
         ClauseKind::VoiceText(v) => v.has_words().then_some((id, c.tag_span)),
@@ -306,7 +306,7 @@ fn first_voice(document: &Document) -> Span {
         .map_or(Span::new(0, 0), |(_, span)| span)
 }
 
-/// One warning when nothing was baked, else one for each utterance that is not.
+/// Returns one warning if nothing was baked, else one for each missing utterance.
 fn missing_speech(
     document: &Document,
     bundle: Option<&Bundle>,

@@ -9,25 +9,25 @@ use raconteur_stage::{Angle, Camera, EmotionEnvelope, EmotionTimeline, EmotionTy
 use crate::lower::control_source::{ControlSource, leaders};
 use crate::lower::script::Script;
 
-/// No shot that an emotion asks for is shorter, seconds. Designed: a picture is read in three to
-/// four seconds.
+/// Minimum duration of an emotion's shot, seconds. Designed: an image is read in three to four
+/// seconds.
 pub(crate) const MIN_SECS: f64 = 4.0;
-/// How long the camera takes from one such shot to the next, seconds. Designed.
+/// Duration of a camera move between such shots, seconds. Designed.
 const MOVE_SECS: f64 = 2.0;
-/// All such shots look at the figure from the front, so that the line of action is never crossed
-/// (180° rule), and less than 30° apart: a cut between two of them has to change the distance by
-/// so many steps, else it would be a jump (30° rule) and the camera moves instead.
+/// Minimum distance change of a cut, in steps. All such shots face the figure from the front, so
+/// the line of action is never crossed (180° rule), and they are less than 30° apart: a cut with a
+/// smaller change would be a jump cut (30° rule), so the camera moves instead.
 const CUT_STEPS: i32 = 2;
 
-/// A shot that a script takes.
+/// A shot set by a script.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShotCue {
     pub(crate) start_secs: f64,
     transition_secs: f64,
     by: Lead,
-    /// None: unchanged.
+    /// Shot size; `None`: unchanged.
     shot: Option<Shot>,
-    /// None: unchanged.
+    /// Angle; `None`: unchanged.
     angle: Option<Angle>,
 }
 
@@ -63,27 +63,27 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CameraShot {
     pub(crate) start_secs: f64,
-    /// When the transition to it ends.
+    /// End of the transition to it.
     settled_secs: f64,
     pub(crate) shot: Shot,
     pub(crate) angle: Angle,
-    /// Whether an emotion asks for it: hands stay in it, however near it is.
+    /// True if an emotion requests it: it keeps hands in frame, however close it is.
     pub(crate) is_felt: bool,
-    /// Whether the script says so.
+    /// True if the script sets it.
     pub(crate) is_written: bool,
 }
 
-/// What the shots of a performance are made from.
+/// Inputs of a performance's shot plan.
 pub(crate) struct ShotPlanInput<'a> {
-    /// The shot until something is said or felt, at eye height.
+    /// Default shot, at eye height.
     pub(crate) usual: Shot,
-    /// What scripts say.
+    /// Scripted shots.
     pub(crate) cues: Vec<ShotCue>,
-    /// What is felt.
+    /// Emotions.
     pub(crate) feelings: &'a EmotionTimeline,
-    /// Whether emotions lead the camera where no script does.
+    /// True if emotions control the camera unless a script does.
     pub(crate) follows: bool,
-    /// Whether the camera moves, or cuts only.
+    /// True if the camera moves; false if it only cuts.
     pub(crate) moves: bool,
 }
 
@@ -157,7 +157,7 @@ impl ShotSequence {
         }
     }
 
-    /// The shot that is taken, or moved to, at a time.
+    /// Returns the current or destination shot at a time.
     pub(crate) fn sample(&self, time_secs: f64) -> &CameraShot {
         let (base, moving) = self.transition_at(time_secs);
         moving.last().unwrap_or(base)
@@ -168,20 +168,20 @@ impl ShotSequence {
         &self.later
     }
 
-    /// Whether the camera goes from one shot to another at a time.
+    /// Returns true if the camera is between two shots at a time.
     pub(crate) fn moves(&self, time_secs: f64) -> bool {
         !self.transition_at(time_secs).1.is_empty()
     }
 
-    /// Whether the shots of a time make room for hands.
+    /// Returns true if the shots at a time make room for hands.
     pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
         let (base, moving) = self.transition_at(time_secs);
         let is_close = |v: &CameraShot| nearness(v.shot) > nearness(Shot::Medium) && !v.is_felt;
         !is_close(base) && !moving.iter().any(is_close)
     }
 
-    /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
-    /// shots than are in transition.
+    /// Returns the camera at a time; `frame` gives that of a shot at eye height. Only shots in
+    /// transition are evaluated.
     pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(&CameraShot) -> Camera) -> Camera {
         let (base, moving) = self.transition_at(time_secs);
         let shown = |take: &CameraShot| frame(take).raised(take.angle.elevation_rad());
@@ -193,12 +193,12 @@ impl ShotSequence {
     }
 }
 
-/// The shot that an emotion asks for: distance by its potential, angle by its type.
+/// Returns the shot that an emotion requests: distance by its potential, angle by its type.
 fn shot_for(felt: Option<&EmotionEnvelope>) -> Option<(Shot, Angle)> {
     felt.map(|f| (EmotionType::distance(f.potential), f.kind.angle))
 }
 
-/// How near a shot is, in steps.
+/// Returns the closeness of a shot, in steps.
 fn nearness(shot: Shot) -> i32 {
     match shot {
         Shot::Long => 0,

@@ -12,7 +12,7 @@ use raconteur_body::{Bone, Skeleton};
 const SHOULDERS_ABOVE_ORIGIN: f64 = 24.70;
 const SHOULDERS_BEHIND_ORIGIN: f64 = 1.46;
 
-/// Where EML's coordinates lie for one figure in its place.
+/// Mapping of EML's coordinates for one figure at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     metres_per_unit: f64,
@@ -20,7 +20,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units of a figure that stands at the world's origin.
+    /// Returns the units of a figure at the world's origin.
     ///
     /// The speaker's origin is hung from the shoulders rather than read from the pelvis:
     /// the example skeleton's hips are higher than anatomy's, and what a script means by a
@@ -51,10 +51,10 @@ impl Units {
         self.metres_per_unit
     }
 
-    /// Yaw, pitch and roll in degrees as the engine counts them (radians; see
-    /// `raconteur_actor::manipulator::path`): turns about axes that lie in the mirror of the
-    /// two frames go the other way. EML turns by roll first, then pitch, then yaw, as
-    /// DirectX does, whose conventions GEVH's figures share.
+    /// Converts yaw, pitch and roll in degrees to the engine's convention (radians; see
+    /// `raconteur_actor::manipulator::path`): turns about axes in the mirror plane of the two
+    /// frames change sign. EML turns by roll first, then pitch, then yaw, like DirectX, whose
+    /// conventions GEVH's figures share.
     #[must_use]
     pub fn angles(eml_deg: [f64; 3]) -> [f64; 3] {
         let [yaw, pitch, roll] = eml_deg.map(f64::to_radians);

@@ -8,8 +8,8 @@ use raconteur_speech::{Phone, Utterance, Word};
 
 use crate::lower::spelling::Speller;
 
-/// What a clause says: what was baked for it, with words as the script writes them; without
-/// that, the words at their estimated times, mimed in a language (a BCP 47 tag).
+/// Returns the utterance of a clause: the baked one, with words as written in the script; else the
+/// words at their estimated times, with estimated lip animation for a language (a BCP 47 tag).
 pub(crate) fn utterance_of(
     text: &VoiceText,
     timing: &VoiceTiming,
@@ -61,7 +61,7 @@ fn estimated(text: &VoiceText, timing: &VoiceTiming, language: Option<&str>) -> 
     }
 }
 
-/// Phones for a text that was not baked, so that lips mime it: each word by its spelling, its
+/// Returns estimated phones for the lip animation of unbaked text: each word by its spelling, its
 /// phones at their share of its time.
 fn estimated_phones(words: &[Word], duration_secs: f64, language: Option<&str>) -> Vec<Phone> {
     let speller = Speller::from_language_tag(language);
@@ -91,7 +91,7 @@ fn estimated_phones(words: &[Word], duration_secs: f64, language: Option<&str>) 
     phones
 }
 
-/// How long a phone is beside others: vowels are longer. *Designed*.
+/// Returns the relative duration of a phone: vowels are longer. *Designed*.
 fn weight(symbol: &str) -> f64 {
     match find("radio", symbol).map(|phone| phone.class) {
         Some(Class::Vowel | Class::Diphthong) => 1.6,
@@ -105,7 +105,7 @@ mod tests {
     use crate::lower::cues::{UtteranceCue, utterances};
     use raconteur_speech::Bundle;
 
-    /// What a script says.
+    /// Returns the utterances of a script.
     fn spoken_words(eml: &str, bundle: Option<&str>) -> Vec<UtteranceCue> {
         utterances(&Script::read(eml, bundle.map(str::as_bytes)))
     }
@@ -138,7 +138,7 @@ mod tests {
         assert!((last.end_secs - said.duration_secs).abs() < 1e-9);
     }
 
-    /// The symbols of what is said, word by word.
+    /// Returns the phone symbols of an utterance, word by word.
     fn mimed(said: &UtteranceCue) -> Vec<String> {
         let utterance = &said.timed.utterance;
         let word = |i| {

@@ -4,23 +4,23 @@ use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, ConfigureGeometry, Document, FillMode, Timeline, VisibleMeshes};
 use raconteur_stage::{Fill, Visibility};
 
-/// Switches that are remembered one by one; of a live performance that sends more, the
-/// earliest become where the others start from.
+/// Maximum number of stored switches; in a live performance with more, the earliest are merged into
+/// the initial state.
 const MAX_SWITCHES: usize = 256;
 
 /// A switch and its time, story seconds.
 pub(crate) type Switch = (f64, ConfigureGeometry);
 
-/// The switches of a performance, and what they come to at any time.
+/// Visibility switches of a performance, and the resulting state at any time.
 #[derive(Default)]
 pub(crate) struct VisibilityTrack {
     /// The drawing before the first switch.
     before: Visibility,
-    /// Whether it came while the story played, when, and what; by time.
+    /// True for a live switch, its time, and the switch; by time.
     switches: Vec<(bool, f64, ConfigureGeometry)>,
 }
 
-/// What a script switches, by time.
+/// Returns the visibility switches of a script, by time.
 pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<Switch> {
     let clauses = timeline.clauses.iter();
     clauses
@@ -32,18 +32,18 @@ pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<Switch> 
 }
 
 impl VisibilityTrack {
-    /// Takes what the story switches, in place of what it switched before.
+    /// Replaces the story's switches.
     pub(crate) fn retell(&mut self, story: &[Switch]) {
         self.switches.retain(|(live, ..)| *live);
         self.add(false, story);
     }
 
-    /// Takes what a fragment of the live performance switches, for good.
+    /// Adds the switches of a live fragment permanently.
     pub(crate) fn join(&mut self, fragment: &[Switch]) {
         self.add(true, fragment);
     }
 
-    /// Leaves out what the live performance would switch after a time.
+    /// Removes the live switches after a time.
     pub(crate) fn interrupt(&mut self, at_secs: f64) {
         self.switches
             .retain(|(live, secs, _)| !live || *secs < at_secs);
@@ -71,7 +71,7 @@ impl VisibilityTrack {
     }
 }
 
-/// Sets what a switch names.
+/// Applies a switch.
 fn turn(shown: &mut Visibility, switch: &ConfigureGeometry) {
     if let Some(fill) = switch.fill_mode {
         shown.fill = match fill {

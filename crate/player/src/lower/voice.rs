@@ -13,14 +13,14 @@ use raconteur_spoken::spoken_clauses;
 /// The utterances of a bundle that belong to the clauses of a document.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Voices {
-    /// By clause; only what was baked.
+    /// Baked utterances, by clause.
     found: Vec<(ClauseId, usize)>,
     /// The voices that the script names, by clause.
     named: Vec<(ClauseId, String)>,
 }
 
 impl Voices {
-    /// Finds what was baked for a document.
+    /// Finds the baked speech of a document.
     pub(crate) fn find(document: &Document, bundle: Option<&Bundle>) -> Self {
         let (mut found, mut named) = (Vec::new(), Vec::new());
         for spoken in spoken_clauses(document) {

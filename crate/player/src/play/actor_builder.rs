@@ -14,28 +14,28 @@ use crate::options::Options;
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
 
-/// What a performance needs of the picture.
+/// Framing requirements of a performance.
 #[derive(Clone, Debug)]
 pub(crate) struct FramingNeeds {
     /// Room for everything that the hands do.
     pub(crate) room: FramingMargin,
-    /// What they do, and when.
+    /// Gestures, with their times.
     pub(crate) gestures: Vec<Gesture>,
 }
 
-/// What an actor is prepared for.
+/// Inputs for building an actor.
 pub(crate) struct ActorBuilder<'a> {
     pub(crate) cast: &'a Cast,
     pub(crate) options: &'a Options,
     pub(crate) library: &'a Library,
-    /// What forgotten fragments have left behind.
+    /// Persistent state of removed fragments.
     pub(crate) carried: &'a CarriedCommands,
-    /// The least room in the picture, so that the picture does not breathe with every gesture.
+    /// Minimum framing margin, so the framing does not change with every gesture.
     pub(crate) least_room: FramingMargin,
 }
 
 impl ActorBuilder<'_> {
-    /// The actor of all plans together, and what they need of the picture.
+    /// Returns the actor of all plans together, and their framing requirements.
     pub(crate) fn actor<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
@@ -49,7 +49,7 @@ impl ActorBuilder<'_> {
         (Actor::new(&performance, skeleton), needs)
     }
 
-    /// What gestures, manipulators and animations of all plans need of the picture.
+    /// Returns the framing requirements of the gestures, manipulators and animations of all plans.
     fn needs<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
@@ -96,7 +96,7 @@ impl ActorBuilder<'_> {
         FramingNeeds { room, gestures }
     }
 
-    /// What all plans ask of animation players.
+    /// Returns the commands of all plans to animation players.
     fn player_commands<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan>,
@@ -110,7 +110,7 @@ impl ActorBuilder<'_> {
             .collect()
     }
 
-    /// What the figure does when all plans are performed together.
+    /// Returns the figure's performance of all plans together.
     fn performance<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,

@@ -1,6 +1,6 @@
 //! How far a performance has come, and which cues have been delivered.
 
-/// How far a performance has come. Times are story time, seconds.
+/// Progress of a performance. Times are story time, seconds.
 pub(crate) struct Clock {
     /// Cues up to this time have passed.
     passed_secs: f64,
@@ -8,12 +8,12 @@ pub(crate) struct Clock {
     delivered_until_secs: f64,
     /// The clock may pass the end.
     open_ended: bool,
-    /// The latest time that an open-ended clock has come to.
+    /// Latest time that an open-ended clock has reached.
     open_until_secs: f64,
 }
 
 impl Clock {
-    /// A clock before the first moment.
+    /// Creates a clock before the start.
     pub(crate) fn new() -> Self {
         Self {
             passed_secs: -1.0,
@@ -23,7 +23,7 @@ impl Clock {
         }
     }
 
-    /// The time that has passed; negative before the first moment.
+    /// Returns the elapsed time; negative before the start.
     pub(crate) fn passed_secs(&self) -> f64 {
         self.passed_secs
     }
@@ -33,17 +33,17 @@ impl Clock {
         self.delivered_until_secs
     }
 
-    /// The latest time that an open-ended performance has come to.
+    /// Returns the latest time that an open-ended performance has reached.
     pub(crate) fn open_until_secs(&self) -> f64 {
         self.open_until_secs
     }
 
-    /// Whether the clock may pass the end.
+    /// Sets whether the clock may pass the end.
     pub(crate) fn set_open_ended(&mut self, open_ended: bool) {
         self.open_ended = open_ended;
     }
 
-    /// Lets time pass; time that runs backwards passes nothing.
+    /// Advances the clock; a time in the past has no effect.
     pub(crate) fn advance(&mut self, time_secs: f64) {
         if time_secs > self.passed_secs {
             self.passed_secs = time_secs;
@@ -66,15 +66,15 @@ impl Clock {
         (from_secs, to_secs)
     }
 
-    /// The interval whose cues are to be delivered now, from after its first time up to and
-    /// including its second.
+    /// Returns the interval of the cues to deliver, from after its first time up to and including
+    /// its second.
     pub(crate) fn deliver(&mut self) -> (f64, f64) {
         let from_secs = std::mem::replace(&mut self.delivered_until_secs, self.passed_secs);
         (from_secs, self.passed_secs)
     }
 
-    /// The moment of the performance that is shown at a time: the first or last one outside of
-    /// it, unless it is open-ended; the first for a time that is not a number.
+    /// Returns the displayed time: clamped to the performance unless it is open-ended; its start
+    /// for a time that is not a number.
     pub(crate) fn shown_secs(&self, time_secs: f64, end_secs: f64) -> f64 {
         if time_secs.is_nan() {
             return 0.0;

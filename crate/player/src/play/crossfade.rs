@@ -18,10 +18,10 @@ use super::actor_builder::FramingNeeds;
 const BODY_SECS: f64 = 0.4;
 /// The same for eyes, lids and mouth, seconds: the silence that begins every baked utterance.
 const FACE_SECS: f64 = 0.12;
-/// The same for the picture's frame, seconds. Designed: a calm zoom.
+/// Cross-fade of the framing, seconds. Designed: a calm zoom.
 const ROOM_SECS: f64 = 1.2;
-/// Actors that are kept: as many as can be on at once at [`Layers::APART_SECS`], and one for
-/// a seek back to before them.
+/// Maximum number of stored actors: as many as can be active together at [`Layers::APART_SECS`],
+/// and one for a seek back to before them.
 const MAX_ACTORS: usize = 4;
 
 struct FadingActor {
@@ -38,14 +38,14 @@ pub(crate) struct ActorCrossfade {
     room: EvaluatedPose,
 }
 
-/// What an actor is evaluated into.
+/// Output of an actor's evaluation.
 pub(crate) struct EvaluatedPose {
     pub(crate) pose: Pose,
     pub(crate) morph_weights: Vec<f32>,
 }
 
 impl EvaluatedPose {
-    /// Room for a figure of so many morph targets.
+    /// Allocates the output for a figure with a number of morph targets.
     pub(crate) fn new(morphs: usize) -> Self {
         Self {
             pose: Pose::zero(),
@@ -72,13 +72,13 @@ impl ActorCrossfade {
         }
     }
 
-    /// When the last actor takes over; minus infinity while the first one acts.
+    /// Returns the time at which the last actor takes over; minus infinity for the first one.
     pub(crate) fn last_change_secs(&self) -> f64 {
         self.last().from_secs
     }
 
-    /// When a change that is requested now takes place: those within one change share it, one
-    /// soon after waits for the next, and after a seek to earlier times it takes place at once.
+    /// Returns the time of a change that is requested now: requests within one change share it, one
+    /// soon after follows it, and after a seek to earlier times it is immediate.
     pub(crate) fn next_change_secs(&self, now_secs: f64) -> f64 {
         let last_secs = self.last_change_secs();
         if last_secs - now_secs > Self::APART_SECS {
@@ -95,7 +95,7 @@ impl ActorCrossfade {
         &self.last().actor
     }
 
-    /// The picture's frame that the last actor needs.
+    /// Returns the framing that the last actor needs.
     pub(crate) fn last_margin(&self) -> FramingMargin {
         self.last().needs.room
     }
@@ -104,8 +104,8 @@ impl ActorCrossfade {
         self.later.last().unwrap_or(&self.first)
     }
 
-    /// Lets `actor` take over at a time; one that takes over at the same time or later is
-    /// replaced.
+    /// Schedules `actor` to take over at a time; replaces any that takes over at the same time or
+    /// later.
     pub(crate) fn change(&mut self, from_secs: f64, actor: Actor, needs: FramingNeeds) {
         let layer = FadingActor {
             from_secs,
@@ -119,8 +119,8 @@ impl ActorCrossfade {
         }
     }
 
-    /// The picture's frame at a time, for a figure of a stature in a picture of `aspect`; it shows
-    /// `rest` while no gesture needs more, and zooms as fast as `zoom` for one.
+    /// Returns the framing at a time, for a figure of a stature in an image of `aspect`; it shows
+    /// `rest` while no gesture needs more, and zooms at speed `zoom` for each gesture.
     pub(crate) fn margin_at(
         &self,
         time_secs: f64,
@@ -144,7 +144,7 @@ impl ActorCrossfade {
         })
     }
 
-    /// Controls of the face at a time; allocates nothing.
+    /// Returns the face controls at a time; allocates nothing.
     pub(crate) fn controls(&self, time_secs: f64) -> FaceControls {
         let begun = self.later.partition_point(|l| l.from_secs < time_secs);
         let done = self
@@ -163,7 +163,7 @@ impl ActorCrossfade {
             })
     }
 
-    /// As [`Actor::evaluate`]; allocates nothing.
+    /// Evaluates like [`Actor::evaluate`]; allocates nothing.
     pub(crate) fn evaluate(
         &mut self,
         skeleton: &Skeleton,
@@ -203,7 +203,7 @@ impl ActorCrossfade {
     }
 }
 
-/// Takes a pose a share of the way to another.
+/// Blends a pose towards another by a share.
 pub(crate) fn ease(pose: &mut Pose, to: &Pose, body: f64, face: f64) {
     pose.root_offset_in_world = pose
         .root_offset_in_world

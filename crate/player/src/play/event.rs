@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::live::{FragmentOutcome, LiveClause};
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 
-/// Something that happens while a story plays.
+/// Event during the playback of a story.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(
     tag = "kind",
@@ -19,7 +19,7 @@ pub enum Event {
     Word {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// Index of the utterance.
@@ -28,14 +28,14 @@ pub enum Event {
         word: usize,
         /// As written, punctuation attached.
         text: String,
-        /// When it ends, story time, seconds.
+        /// End, story time, seconds.
         end_secs: f64,
     },
     /// A phone begins.
     Phone {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// Index of the utterance.
@@ -44,14 +44,14 @@ pub enum Event {
         symbol: String,
         /// The name of that set.
         phone_set: String,
-        /// When it ends, story time, seconds.
+        /// End, story time, seconds.
         end_secs: f64,
     },
     /// An utterance begins or ends.
     Utterance {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// `start` or `end`.
@@ -60,16 +60,16 @@ pub enum Event {
         utterance: usize,
         /// The text, as written.
         text: String,
-        /// When it starts, story time, seconds.
+        /// Start, story time, seconds.
         start_secs: f64,
-        /// When it ends, story time, seconds.
+        /// End, story time, seconds.
         end_secs: f64,
     },
-    /// A named moment comes.
+    /// A marker is reached.
     Mark {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// Its name.
@@ -79,7 +79,7 @@ pub enum Event {
     Clause {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// `start` or `end`.
@@ -96,7 +96,7 @@ pub enum Event {
     StoryEvent {
         /// Story time, seconds.
         time_secs: f64,
-        /// The live fragment that it belongs to; none: the story's own.
+        /// Live fragment that it belongs to; `None`: the story's own.
         #[serde(skip_serializing_if = "Option::is_none")]
         fragment: Option<u32>,
         /// Its type.
@@ -114,7 +114,7 @@ pub enum Event {
         /// The `name` of its `eml` element.
         #[serde(skip_serializing_if = "Option::is_none")]
         name: Option<String>,
-        /// What will be performed, by start.
+        /// Accepted clauses, by start.
         clauses: Vec<AcceptedClause>,
     },
     /// A clause or a whole fragment will not be performed.
@@ -123,11 +123,11 @@ pub enum Event {
         time_secs: f64,
         /// Number of the fragment.
         fragment: u32,
-        /// What kind of problem: `eml::unknown-name`, `live::busy` and so on.
+        /// Diagnostic code: `eml::unknown-name`, `live::busy` and so on.
         code: &'static str,
         /// One sentence for people.
         message: String,
-        /// What to do about it.
+        /// Hints for a fix.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         hints: Vec<String>,
         /// Line in the fragment, from 1; absent when it has no location.
@@ -140,17 +140,17 @@ pub enum Event {
         #[serde(skip_serializing_if = "Option::is_none")]
         clause: Option<u32>,
     },
-    /// Something in a fragment is performed otherwise than meant, perhaps.
+    /// Part of a fragment may be performed otherwise than intended.
     Warning {
         /// Story time, seconds.
         time_secs: f64,
         /// Number of the fragment.
         fragment: u32,
-        /// What kind of problem.
+        /// Diagnostic code.
         code: &'static str,
         /// One sentence for people.
         message: String,
-        /// What to do about it.
+        /// Hints for a fix.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         hints: Vec<String>,
         /// Line in the fragment, from 1.
@@ -178,8 +178,8 @@ pub struct AcceptedClause {
 }
 
 impl Event {
-    /// The event of a cue; none when its utterance is forgotten.
-    /// `utterance_at` finds utterances by their indices.
+    /// Returns the event of a cue; `None` if its utterance was removed. `utterance_at` finds
+    /// utterances by their indices.
     pub(crate) fn new<'u>(
         cue: &Cue,
         utterance_at: impl Fn(usize) -> Option<&'u UtteranceCue>,
@@ -261,8 +261,8 @@ impl Event {
 }
 
 impl FragmentOutcome {
-    /// The events that a fragment causes at once, for its sender. `text` is the fragment, `now_secs` the
-    /// story time.
+    /// Returns the immediate events of a fragment, for its sender. `text` is the fragment,
+    /// `now_secs` the story time.
     #[must_use]
     pub fn events(&self, text: &str, now_secs: f64) -> Vec<Event> {
         let lines = LineIndex::new(text);

@@ -5,7 +5,7 @@ use raconteur_base::{DAffine3, DVec3, NodeState};
 use raconteur_body::face::{Network, Tissue};
 use raconteur_stage::{Line, Visibility};
 
-/// Of the springs: cool and thin, so that muscles stand out before them.
+/// Colour of the springs: cool and faint, so muscles stand out against them.
 const SPRING: [u8; 4] = [20, 90, 130, 150];
 const SPRING_PX: f32 = 1.0;
 /// Of the bone.
@@ -17,9 +17,9 @@ const SLACK: [u8; 4] = [110, 14, 10, 210];
 const TENSE: [u8; 4] = [255, 70, 20, 255];
 const MUSCLE_PX: f32 = 2.0;
 
-/// Fills `lines` with the visible parts of a tissue; empty where there are none. Of the springs are
-/// drawn the edges of the skin, each once or, at a border, not at all: diagonals and what ties
-/// the skin to what lies under it would hide them.
+/// Fills `lines` with the visible parts of a tissue; empty if there are none. Of the springs only
+/// the edges of the skin are drawn, each once or, at a border, not at all: diagonals and the ties
+/// of the skin to deeper layers would hide them.
 pub(crate) fn draw(
     shown: Visibility,
     (tissue, network): (&Tissue, &Network),

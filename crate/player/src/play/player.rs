@@ -47,11 +47,11 @@ pub struct StoryInput<'a> {
     pub bundle: Option<&'a [u8]>,
     /// The figure that performs.
     pub figure: Arc<Figure>,
-    /// How it performs.
+    /// Options.
     pub options: Options,
 }
 
-/// A player, and what was wrong with its story.
+/// A player with the problems of its story.
 pub struct LoadedPlayer {
     /// Ready to evaluate frames.
     pub player: Player,
@@ -59,19 +59,19 @@ pub struct LoadedPlayer {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Where a hand was sent and how near it came.
+/// Target of a hand, and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manipulator {
     /// `leftArm` or `rightArm`.
     pub name: &'static str,
-    /// Where the wrist was to be, world, metres.
+    /// Target of the wrist, world, metres.
     pub target_in_world: DVec3,
     /// Distance of the wrist from there, metres.
     pub error_m: f64,
 }
 
-/// Evaluates any moment of a story, and of what joins it while it plays. Frames depend on the
-/// time alone, so seeking costs no more than playing.
+/// Evaluates any time of a story, and of live additions. Frames depend only on the time, so seeking
+/// costs no more than playing.
 pub struct Player {
     cast: Cast,
     options: Options,
@@ -79,11 +79,11 @@ pub struct Player {
     animations: Animations,
     score: ScriptSet,
     clock: Clock,
-    /// What is felt in all of it.
+    /// All emotions.
     feelings: EmotionTimeline,
-    /// The lamps that the page chooses; none: those of the story's set.
+    /// Lamps chosen by the page; `None`: those of the story's set.
     lighting: Option<Lighting>,
-    /// The place that the page chooses; none: the story's.
+    /// Set chosen by the page; `None`: the story's.
     set_override: Option<StageSet>,
     picture: ShotDirector,
     layers: ActorCrossfade,
@@ -167,8 +167,8 @@ impl Player {
         self.script.timeline.duration_secs
     }
 
-    /// When everything that is known is over: the script, live clauses, and the time that an
-    /// open-ended performance has come to; seconds.
+    /// Returns the end of everything known: the script, live clauses, and the time that an
+    /// open-ended performance has reached; seconds.
     #[must_use]
     pub fn end_secs(&self) -> f64 {
         self.duration_secs()
@@ -176,7 +176,7 @@ impl Player {
             .max(self.clock.open_until_secs())
     }
 
-    /// Whether the clock may pass the end, because more may come: while a mind listens.
+    /// Sets whether the clock may pass the end, because more may arrive: while a mind is connected.
     pub fn set_open_ended(&mut self, open_ended: bool) {
         self.clock.set_open_ended(open_ended);
     }
@@ -187,9 +187,9 @@ impl Player {
         &self.cast.figure
     }
 
-    /// Gives the figure another face: `figure` is the one that performs as
-    /// [`Reshaper::with_face`](raconteur_reshape::Reshaper::with_face) made it, whose bones are the
-    /// same. What is played goes on.
+    /// Replaces the figure's face: `figure` is the performing figure changed by
+    /// [`Reshaper::with_face`](raconteur_reshape::Reshaper::with_face), with the same bones.
+    /// Playback continues.
     pub fn set_face(&mut self, figure: Arc<Figure>) {
         self.cast.face = FaceRig::new(&figure);
         self.soft = figure.tissue.as_ref().map(SoftFace::new);
@@ -198,8 +198,9 @@ impl Player {
         self.welcome = None;
     }
 
-    /// As [`Player::set_face`], of a face that is on its way to another and differs little from the one before: what is soft in it
-    /// moves as it did in that one, which takes no time.
+    /// Replaces the face like [`Player::set_face`], for an intermediate face that differs little
+    /// from the previous one: its soft tissue keeps the motion of the previous one, which takes no
+    /// time.
     pub fn move_face(&mut self, figure: Arc<Figure>) {
         let soft = self.soft.take();
         let nodes = |figure: &Figure| figure.tissue.as_ref().map(|tissue| tissue.rest.len());
@@ -213,7 +214,7 @@ impl Player {
         self.soft = soft;
     }
 
-    /// Where EML's coordinates lie for this figure.
+    /// Returns the mapping of EML's coordinates for this figure.
     #[must_use]
     pub fn units(&self) -> &Units {
         &self.cast.units
@@ -225,8 +226,8 @@ impl Player {
         &self.frame
     }
 
-    /// The performer that the script chooses, with voice and language; the figure that does
-    /// perform is [`Player::figure`].
+    /// Returns the performer chosen by the script, with voice and language; the actual figure is
+    /// [`Player::figure`].
     #[must_use]
     pub fn choice(&self) -> Option<&Performer> {
         self.script.document.performer.as_ref()
@@ -238,26 +239,26 @@ impl Player {
         self.script.questions()
     }
 
-    /// What is on the ways through the script, in the order in which it is come to.
+    /// Returns the entries on all paths through the script, in the order of traversal.
     #[must_use]
     pub fn flow(&self) -> Vec<WayCue> {
         self.script.flow_entries()
     }
 
-    /// When everything in the script happens.
+    /// Returns the timeline of the script.
     #[must_use]
     pub fn timeline(&self) -> &Timeline {
         &self.script.timeline
     }
 
-    /// What the script says, in order of time.
+    /// Returns the script's utterances, in order of time.
     #[must_use]
     pub fn utterances(&self) -> &[UtteranceCue] {
         &self.score.story.utterances
     }
 
-    /// An utterance by the index that cues give: of the script, or of the remembered part of
-    /// the live performance.
+    /// Returns an utterance by the index in cues: of the script, or of the stored part of the live
+    /// performance.
     #[must_use]
     pub fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
         self.score.utterance(index)
@@ -269,14 +270,14 @@ impl Player {
         &self.score.story.cues
     }
 
-    /// The music under the story and under what joined it, by time.
+    /// Returns the music of the story and of live additions, by time.
     #[must_use]
     pub fn music(&self) -> Vec<MusicCue> {
         self.score.music(&self.feelings, self.end_secs())
     }
 
-    /// Takes the speech of fragments that will come: a bundle that begins with the utterances that
-    /// are known. Whether it does; otherwise nothing changes.
+    /// Takes the speech of coming fragments: a bundle that begins with the known utterances.
+    /// Returns false, and changes nothing, if it does not.
     pub fn update_bundle(&mut self, bundle_json: &[u8]) -> bool {
         let Ok(bundle) = Bundle::from_json(bundle_json) else {
             return false;
@@ -309,8 +310,8 @@ impl Player {
         .actor(self.score.plans())
     }
 
-    /// The tissue of the face and its network as they were for the last frame; none where the
-    /// figure has none.
+    /// Returns the tissue of the face and its network as of the last frame; `None` if the figure
+    /// has none.
     pub(crate) fn face(&self) -> Option<(&Tissue, &Network)> {
         Some((
             self.cast.figure.tissue.as_ref()?,
@@ -336,7 +337,7 @@ impl Player {
         (self.pose.upper_lid_rad, self.cast.figure.lid_closure_rad)
     }
 
-    /// Lets tissue and hair begin anew: what moves them has changed.
+    /// Resets the simulation of tissue and hair, because their drivers have changed.
     fn forget_motion(&mut self) {
         if let Some(soft) = &mut self.soft {
             soft.forget();
@@ -346,22 +347,21 @@ impl Player {
         }
     }
 
-    /// Lets time pass: the cues up to `time_secs` are there for [`Player::drain_events`].
-    /// Time that runs backwards passes nothing; see [`Player::seek`].
+    /// Advances the time: the cues up to `time_secs` become available to [`Player::drain_events`].
+    /// A time in the past has no effect; see [`Player::seek`].
     pub fn advance(&mut self, time_secs: f64) {
         self.clock.advance(time_secs);
     }
 
-    /// Moves without passing the cues between; those at `time_secs` itself are still to come.
-    /// Live clauses keep their times; those that a move forwards passes over are reported as
-    /// skipped.
+    /// Seeks without delivering the cues between; those at `time_secs` itself are still to come.
+    /// Live clauses keep their times; those skipped by a forward seek are reported as skipped.
     pub fn seek(&mut self, time_secs: f64) {
         let (from_secs, to_secs) = self.clock.seek(time_secs);
         self.score.live.skip(from_secs, to_secs);
         self.forget_welcome();
     }
 
-    /// What has happened since the last call, by time.
+    /// Returns the events since the last call, by time.
     pub fn drain_events(&mut self) -> Vec<Event> {
         let cues = self.score.take_cues(self.clock.deliver());
         let utterance = |index| self.utterance(index);
@@ -370,23 +370,23 @@ impl Player {
             .collect()
     }
 
-    /// Shows the whole figure from another side, whatever the shot; the shot again by none.
-    /// The figure still speaks to the camera of the shot.
+    /// Shows the whole figure from another direction, whatever the shot; `None` returns to the
+    /// shot. The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {
         self.picture.set_view(view);
     }
 
-    /// What lights the stage where nothing is felt; by none, the lamps of the story's set.
+    /// Sets the light of the stage without emotion; `None` uses the lamps of the story's set.
     pub fn set_lighting(&mut self, lighting: Option<Lighting>) {
         self.lighting = lighting;
     }
 
-    /// Where the story is told; by none, where it says.
+    /// Sets the stage's set; `None` uses the story's.
     pub fn override_set(&mut self, set: Option<StageSet>) {
         self.set_override = set;
     }
 
-    /// Keeps hands and feet above captions that take this share of the picture's height at its lower
+    /// Keeps hands and feet above captions that take this share of the image height at its lower
     /// edge, 0 to [`raconteur_stage::MAX_CAPTIONS`].
     pub fn set_captions(&mut self, share: f64) {
         self.picture.set_captions(share);

@@ -26,7 +26,7 @@ impl ScriptSet {
         }
     }
 
-    /// The story and the live fragments, in the order in which they came.
+    /// Returns the story and the live fragments, in order of arrival.
     pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
         [&self.story].into_iter().chain(self.live.plans())
     }
@@ -41,7 +41,7 @@ impl ScriptSet {
             .or_else(|| live().map(|(_, u)| u))
     }
 
-    /// The utterance that is heard at a time, with its index; of several, the last to begin.
+    /// Returns the utterance audible at a time, with its index; of several, the last to begin.
     pub(crate) fn utterance_at(&self, time_secs: f64) -> Option<(usize, &UtteranceCue)> {
         let story = &self.story.utterances;
         let begun = story.partition_point(|u| u.timed.start_secs <= time_secs);
@@ -56,8 +56,8 @@ impl ScriptSet {
             .max_by(|(_, a), (_, b)| a.timed.start_secs.total_cmp(&b.timed.start_secs))
     }
 
-    /// All that is felt in a performance that goes on until a time; `library` has the animations of
-    /// control parameters.
+    /// Returns all emotions of a performance up to a time; `library` has the animations of control
+    /// parameters.
     pub(crate) fn feelings(&self, library: &Library, end_secs: f64) -> EmotionTimeline {
         let parameters = self.live.carried().parameters.iter();
         let parameters = parameters.chain(self.plans().flat_map(|p| &p.face.parameters));

@@ -8,35 +8,35 @@
 
 use core::mem::swap;
 
-/// How time is cut, in a simulation's own steps.
+/// Segmentation of time, in a simulation's own steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SegmentGrid {
     /// Steps of a segment.
     pub(crate) segment: i64,
     /// Steps of the warm-up before it.
     pub(crate) warm_up: i64,
-    /// When the warm-up is made.
+    /// Scheduling of the warm-up.
     pub(crate) pace: WarmUpPolicy,
 }
 
-/// When the warm-up of the next segment is made.
+/// Scheduling of the next segment's warm-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum WarmUpPolicy {
     /// Evenly over this one.
     Even,
-    /// When its own time comes, so that both stand at one step.
+    /// At its own time, so both are at one step.
     Together,
 }
 
-/// What a simulation does with its state.
+/// A simulation with its state.
 pub(crate) trait Simulation<S> {
-    /// Lets it rest at a step.
+    /// Initialises it at rest at a step.
     fn rest(&mut self, state: &mut S, step: i64);
-    /// Brings it to a step from the one before.
+    /// Advances it by one step, to `step`.
     fn step(&mut self, state: &mut S, step: i64);
 }
 
-/// A state that has come to a step of a segment.
+/// A state at a step of a segment.
 struct SegmentState<S> {
     state: S,
     segment: i64,
@@ -82,7 +82,7 @@ impl<S: Clone> Segments<S> {
         }
     }
 
-    /// Forgets what was simulated: what drives it has changed.
+    /// Clears the simulated states, because their drivers have changed.
     pub(crate) fn forget(&mut self) {
         self.now.segment = NEVER;
         self.next.segment = NEVER;
@@ -98,7 +98,7 @@ impl<S: Clone> Segments<S> {
         (&mut self.now.state, &self.next.state)
     }
 
-    /// Brings the state to a step.
+    /// Advances the state to a step.
     pub(crate) fn advance_to(&mut self, step: i64, simulation: &mut dyn Simulation<S>) {
         let cut = self.cut;
         let segment = step.div_euclid(cut.segment);

@@ -14,24 +14,24 @@ use crate::lower::shots::{CameraShot, ShotPlanInput, ShotSequence};
 use crate::lower::visibility::{Switch, VisibilityTrack};
 use crate::options::Options;
 
-/// How the figure is shown at any time.
+/// Framing of the figure over time.
 pub(crate) struct ShotDirector {
-    /// The shot until something is said or felt.
+    /// Default shot.
     shot: Shot,
-    /// Whether emotions move the camera, or let it cut.
+    /// True if emotions move the camera; false if it cuts.
     moves: bool,
     /// The channels that express emotions.
     channels: Channels,
     shots: ShotSequence,
     lamps: LampSequence,
-    /// The page's own view, in place of the shot.
+    /// The page's own view, which replaces the shot.
     view: Option<View>,
-    /// Share of the picture's height that captions take at its lower edge.
+    /// Share of the image height that captions take at its lower edge.
     captions: f64,
     geometry: VisibilityTrack,
 }
 
-/// Position and size of the figure in a picture.
+/// Position and size of the figure in an image.
 pub(crate) struct FramedFigure {
     /// The floor under the figure, world, metres.
     pub(crate) floor_in_world: DVec3,
@@ -39,7 +39,7 @@ pub(crate) struct FramedFigure {
 }
 
 impl ShotDirector {
-    /// The picture of a story.
+    /// Creates the framing of a story.
     pub(crate) fn new(options: &Options, story: &ScriptPlan, feelings: &EmotionTimeline) -> Self {
         let mut geometry = VisibilityTrack::default();
         geometry.retell(&story.geometry);
@@ -64,7 +64,7 @@ impl ShotDirector {
         picture
     }
 
-    /// Takes the shots and lights of all plans anew, and those of what is felt.
+    /// Rebuilds the shots and lights of all plans and of the emotions.
     pub(crate) fn rebuild<'p>(
         &mut self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
@@ -85,18 +85,18 @@ impl ShotDirector {
         self.lamps = LampSequence::new(lamps, feelings, light);
     }
 
-    /// Takes what the story says of channels and switches, in place of what it said before.
+    /// Replaces the story's channels and switches.
     pub(crate) fn retell(&mut self, story: &ScriptPlan) {
         self.channels = story.channels;
         self.geometry.retell(&story.geometry);
     }
 
-    /// Takes what a live fragment switches.
+    /// Adds the switches of a live fragment.
     pub(crate) fn join(&mut self, fragment: &[Switch]) {
         self.geometry.join(fragment);
     }
 
-    /// Leaves out what live fragments would switch after a time.
+    /// Removes the switches of live fragments after a time.
     pub(crate) fn interrupt(&mut self, at_secs: f64) {
         self.geometry.interrupt(at_secs);
     }

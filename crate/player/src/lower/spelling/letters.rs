@@ -1,7 +1,7 @@
 //! Letters of other languages, each by its own value, and letters with marks.
 
-/// Letters of the Latin, the Greek and the Cyrillic alphabet, for languages without rules and
-/// for what the rules of a language do not have. Digits are said in English.
+/// Letters of the Latin, the Greek and the Cyrillic alphabet, for languages without rules and for
+/// letters without a rule in their language. Digits are spoken in English.
 pub(super) const RULES: &str = "
 [a] aa|[b] b|[ch] ch|[c]F s|[c] k|[d] d|[e] eh|[f] f|[g] g|[h] hh|[i] iy|[j] y|[k] k|[l] l|[m] m|[n] n|[o] ao|[ou] uw|[ph] f|[p] p|[qu] k w|[q] k
 [r] r|[sh] sh|[s] s|[t] t|[u] uw|[v] v|[w] v|[x] k s|[y] iy|[z] z|[ä] eh|[ö] uw|[ü] uw|[ã] ah|[õ] ao|[ç] s|[ß] s

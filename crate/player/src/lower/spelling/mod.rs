@@ -22,7 +22,7 @@ pub(crate) const MAX_PHONES: usize = 64;
 /// Endings that leave the vowel before them long.
 const ENDINGS: [&str; 8] = ["e", "es", "ed", "er", "ers", "ing", "ings", "ely"];
 
-/// What letters stand for, and where.
+/// Phones of a letter sequence in a context.
 struct Rule {
     before: &'static str,
     letters: &'static str,
@@ -86,8 +86,8 @@ impl Speller {
         phones
     }
 
-    /// How many letters from here on stand for which phones. Of an unknown script a letter is
-    /// taken for a syllable.
+    /// Returns the number of letters matched at a position and their phones. A letter of an unknown
+    /// script counts as a syllable.
     fn rule_at(&self, word: &[char], at: usize) -> (usize, &'static str) {
         let letter = word[at];
         let from = self.rules.partition_point(|r| first(r) < Some(letter));
@@ -100,8 +100,8 @@ impl Speller {
         }
     }
 
-    /// A word in lower case, with the marks of letters that the rules know. What would
-    /// come behind [`MAX_PHONES`] is left out.
+    /// Returns a word in lower case, with the diacritics that the rules know, truncated after
+    /// [`MAX_PHONES`].
     fn letters(&self, word: &str) -> Vec<char> {
         let mut letters: Vec<char> = Vec::new();
         for c in word.chars().flat_map(char::to_lowercase) {
@@ -173,7 +173,7 @@ fn is_vowel(letter: char) -> bool {
     matches!(bare(letter), 'a' | 'e' | 'i' | 'o' | 'u' | 'y')
 }
 
-/// Whether a class or a letter of a context is what stands there; at the word's edge nothing.
+/// Returns true if a context class or letter matches a letter; at the word's edge nothing matches.
 fn is_of(class: char, letter: Option<char>) -> bool {
     let inside = letter.is_some_and(char::is_alphanumeric);
     match (class, letter) {
@@ -187,7 +187,7 @@ fn is_of(class: char, letter: Option<char>) -> bool {
     }
 }
 
-/// Whether a context is what ends here.
+/// Returns true if a context matches the letters before a position.
 fn fits_before(context: &str, word: &[char]) -> bool {
     let mut rest = word;
     for class in context.chars().rev() {
@@ -208,7 +208,7 @@ fn stem(word: &[char]) -> impl Iterator<Item = char> {
     letters.take_while(|c| c.is_alphabetic())
 }
 
-/// Whether a context is what begins here.
+/// Returns true if a context matches the letters after a position.
 fn fits_behind(context: &str, word: &[char]) -> bool {
     let mut rest = word;
     for class in context.chars() {
@@ -222,14 +222,14 @@ fn fits_behind(context: &str, word: &[char]) -> bool {
     true
 }
 
-/// Whether this ending is all of the word that is left.
+/// Returns true if this ending is the whole rest of the word.
 fn is_rest(ending: &str, word: &[char]) -> bool {
     let letters = ending.chars().chain(['_']);
     let mut places = letters.enumerate();
     places.all(|(i, class)| is_of(class, word.get(i).copied()))
 }
 
-/// How many groups of vowels the rest of a word has, two at most.
+/// Returns the number of vowel groups in the rest of a word, two at most.
 fn syllables(word: &[char]) -> usize {
     let mut before = false;
     let letters = word.iter().take_while(|c| c.is_alphabetic());

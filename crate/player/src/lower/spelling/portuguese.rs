@@ -23,7 +23,7 @@ V[m]_|[m] m|[nh] n|V[n]C ng|V[n]_|[n] n
 [&] iy|[%] p uh dx s eh t uh|[+] m ay sh|[=] iy g w aa l|[@] ah dx ao b ah|[$] d ao l ah dx|[€] eh w dx uh|[£] l iy b dx ah|[°] g dx aw sh
 ";
 
-/// What is said otherwise in Brazil.
+/// Brazilian exceptions to the rules.
 pub(super) const BRAZIL: &str = "
 [s]_ s|[s]C s|[es]_ iy s|_[es]C iy s|[os]_ uh s|[z]_ s|[e]_ iy|[ens]_ ey s|[éns]_ ey s|[te]_ ch iy|[de]_ jh iy|[ti] ch iy|[di] jh iy|V[l]C w|V[l]_ w|[r]_ hh
 [e]T eh|[o]T ao

@@ -27,7 +27,7 @@ guitarra g iy t aa k aa|palavra p aa l aa v dx aa|mundo m uw ng d uh|sempre s eh
 coração k uh dx aa s aw|corac\u{327}a\u{303}o k uh dx aa s aw|limões l iy m oy sh|obrigado uh b dx iy g aa d uh
 história iy sh t ao dx y aa|e iy|muito m uw iy t uh|7 s eh t ix|casa k aa z aa|verde v eh dx ax d ix";
 
-/// Words of several languages, and what has no word in any.
+/// Words of several languages, and text without any word.
 const OTHERS: [(&str, &str); 7] = [
     (
         "pt-BR",

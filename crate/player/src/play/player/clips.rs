@@ -19,8 +19,8 @@ pub(super) struct Animations {
 }
 
 impl Animations {
-    /// Takes the text of an animation of the body, or of control parameters. Returns why it
-    /// cannot be played, as a diagnostic's code and message.
+    /// Takes the text of an animation of the body, or of control parameters. Returns the code and
+    /// message of a diagnostic if it cannot be played.
     fn provide(
         &mut self,
         name: &str,
@@ -55,7 +55,7 @@ impl Animations {
     }
 }
 
-/// Whether a text is XML, as the animations of GEVH are.
+/// Returns true if a text is XML, like the animations of GEVH.
 fn is_xml(text: &str) -> bool {
     let text = text.trim_start_matches('\u{feff}');
     text.trim_start().starts_with('<')
@@ -70,9 +70,9 @@ fn with_ending(name: &str, ending: &str) -> String {
 }
 
 impl Player {
-    /// The names of the animations that the story and live clauses play and that the player
-    /// does not have yet, each once: a name of the library, or a path in the story's folder.
-    /// Their texts are for [`Player::provide_animations`].
+    /// Returns the names of missing animations that the story and live clauses play, each once: a
+    /// name in the library, or a path in the story's folder. Pass their texts to
+    /// [`Player::provide_animations`].
     #[must_use]
     pub fn needed_animations(&self) -> Vec<String> {
         let library = &self.animations.library;
@@ -101,10 +101,9 @@ impl Player {
 
     /// Takes animations by name with their text (JSON of `docs/animation.md`, or that of
     /// [`ParameterClip`](raconteur_actor::parameters::ParameterClip) for those of control
-    /// parameters), or none where it was not found; the story's times follow their lengths.
-    /// The text of an XML file of that name, which is not read, is told as such.
-    /// Returns which are missing or broken; the rest plays. What comes while the story plays
-    /// eases in.
+    /// parameters), or `None` if not found; the story's times follow their lengths. An XML file,
+    /// which is not supported, is reported. Returns diagnostics for missing and broken animations;
+    /// the rest plays. Animations that arrive during playback ease in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let plans = self.score.plans();

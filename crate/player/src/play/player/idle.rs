@@ -17,38 +17,39 @@ use crate::play::crossfade::{EvaluatedPose, ease};
 use crate::play::soft::SoftFace;
 use crate::play::swinging_parts::SwingingParts;
 
-/// How long the figure takes from its welcome into the story, seconds. Designed: before the
-/// first word of most stories.
+/// Duration of the transition from the welcome into the story, seconds. Designed: before the first
+/// word of most stories.
 const LEAVE_SECS: f64 = 0.3;
-/// When the tissue of the face has forgotten it, too, seconds: the way into a segment of
-/// [`SoftFace`] is as long.
+/// Time at which the tissue of the face is free of the welcome, too, seconds: the lead-in of a
+/// [`SoftFace`] segment has this length.
 const GONE_SECS: f64 = LEAVE_SECS + 0.2;
-/// How long it takes from the story into waiting for an answer, and from one thing that it looks
-/// at to another, seconds. Designed: slower than it leaves, as nobody waits for it.
+/// Duration of the transition from the story into waiting for an answer, and between two gaze
+/// targets, seconds. Designed: slower than leaving, since nobody waits for it.
 const TURN_SECS: f64 = 0.6;
-/// Waiting longer than this begins anew, seconds: a day.
+/// Waiting time after which it restarts, seconds: a day.
 const MAX_SECS: f64 = 86_400.0;
 
-/// How the figure waits.
+/// Behaviour of the waiting figure.
 pub(super) struct IdleBehaviour {
     actor: Actor,
-    /// As it looked elsewhere, and since when it does not, seconds of waiting.
+    /// Previous actor with another gaze target, and the waiting time at which it was replaced,
+    /// seconds.
     before: Option<(Actor, f64)>,
-    /// What it looks at; none: the viewer.
+    /// Gaze target; `None`: the viewer.
     looked_at: Option<Bone>,
-    /// Where in the story it waits, story time, seconds; none before the story has begun.
+    /// Story time at which it waits, seconds; `None` before the story has begun.
     asked_secs: Option<f64>,
-    /// Where its face has tissue.
+    /// Soft face, if it has tissue.
     soft: Option<SoftFace>,
     /// World from the figure: where the story begins.
     moved: Option<DAffine3>,
-    /// How long it has waited, seconds.
+    /// Waiting time up to now, seconds.
     waited_secs: f64,
-    /// When the story began to play, story time, seconds; none while the figure waits.
+    /// Story time at which playback began, seconds; `None` while the figure waits.
     left_secs: Option<f64>,
     /// Room to evaluate it in.
     room: EvaluatedPose,
-    /// And what it was before.
+    /// Buffer for the previous pose.
     spare: EvaluatedPose,
     /// Its hair, if that swings.
     sway: Option<SwingingParts>,
@@ -81,16 +82,15 @@ impl IdleBehaviour {
         }
     }
 
-    /// How much of the story there is at a story time, and how long the figure would have
-    /// waited; none while it waits.
+    /// Returns the share of the story at a story time, and the hypothetical waiting time; `None`
+    /// while it waits.
     fn share(&self, time_secs: f64) -> Option<(f64, f64)> {
         let since_secs = time_secs - self.left_secs?;
         let share = minimum_jerk(since_secs / LEAVE_SECS);
         Some((share, self.waited_secs + since_secs))
     }
 
-    /// Takes a pose and morph weights of the story back to the welcome as far as it has not
-    /// faded.
+    /// Blends a pose and morph weights of the story back to the welcome while that fades.
     pub(super) fn blend(
         &mut self,
         skeleton: &Skeleton,
@@ -121,14 +121,15 @@ impl IdleBehaviour {
     }
 }
 
-/// The actor before a turn that is not over, and how much of the turn is.
+/// Returns the actor before an unfinished turn, and the progress of the turn.
 fn turning(before: &Option<(Actor, f64)>, waited_secs: f64) -> Option<(&Actor, f64)> {
     let (actor, since_secs) = before.as_ref()?;
     let share = minimum_jerk((waited_secs - since_secs) / TURN_SECS);
     (share < 1.0).then_some((actor, share))
 }
 
-/// Takes what comes back towards what was, of which there is 1 − `share`; what was is lost.
+/// Blends the output towards the previous one, which has the weight 1 − `share`; the previous one
+/// is overwritten.
 fn mix(was: &mut Pose, were: &[f32], pose: &mut Pose, weights: &mut [f32], share: f64) {
     ease(was, pose, share, share);
     core::mem::swap(was, pose);
@@ -138,17 +139,17 @@ fn mix(was: &mut Pose, were: &[f32], pose: &mut Pose, weights: &mut [f32], share
 }
 
 impl Player {
-    /// The frame of a figure that has waited so many seconds for the story to be played, for a
-    /// picture of `aspect` (width over height), where the story's first moment has it.
+    /// Evaluates the frame of a figure that has waited a number of seconds for playback, for an
+    /// image of `aspect` (width over height), at the place of the story's start.
     ///
     /// The next [`Player::frame`] begins to leave it; [`Player::seek`] leaves it at once.
     pub fn evaluate_idle(&mut self, waited_secs: f64, aspect: f64) -> &Frame {
         self.evaluate_at_rest(None, waited_secs, None, aspect)
     }
 
-    /// The frame of a figure that waits for an answer where the story rests at `time_secs`, so
-    /// many seconds already, and looks at one of its bones, or at the viewer. It comes to wait from
-    /// what the story shows then.
+    /// Evaluates the frame of a figure that has waited a number of seconds for an answer at
+    /// `time_secs`, and looks at one of its bones, or at the viewer. It eases from the story's
+    /// frame into waiting.
     ///
     /// After a [`Player::leap`] the next [`Player::frame`] begins to leave it.
     pub fn evaluate_waiting(
@@ -162,7 +163,7 @@ impl Player {
         self.evaluate_at_rest(Some(t), waited_secs, looked_at, aspect)
     }
 
-    /// As [`Player::seek`], but what the figure does as it waits fades into what follows.
+    /// Seeks like [`Player::seek`], but fades from the waiting behaviour into the story.
     pub fn seek_with_fade(&mut self, time_secs: f64) {
         let welcome = self.welcome.take();
         self.seek(time_secs);
@@ -259,7 +260,7 @@ impl Player {
         welcome.soft = Some(soft);
     }
 
-    /// An actor that waits and looks at a place, or at the viewer.
+    /// Returns an actor that waits and looks at a position, or at the viewer.
     fn waiting_actor(&self, looked_at: Option<DVec3>) -> Actor {
         let stature_m = self.cast.figure.skeleton.stature_m();
         let room = self.layers.last_margin();
@@ -317,7 +318,7 @@ impl Player {
         }
     }
 
-    /// Nothing of the welcome is left.
+    /// Removes the welcome.
     pub(super) fn forget_welcome(&mut self) {
         if self.welcome.take().is_some() {
             self.forget_motion();

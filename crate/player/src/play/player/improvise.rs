@@ -5,11 +5,11 @@ use crate::live::cut::is_interrupt;
 use crate::live::{FragmentOutcome, FragmentText, LiveContext};
 
 impl Player {
-    /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
-    /// script. Plain times count from `now_secs` (story time), names are those of the
-    /// fragment, of earlier ones and of the script. It waits until its hands are in place and until
-    /// nobody else speaks. The message `<interrupt/>` is [`Player::interrupt`]. `mind` identifies the sender, each of which
-    /// has an allowance; see [`live::limits`](crate::live::limits).
+    /// Performs EML that arrives during playback (GEVH 3.6): a list of clauses or a whole script.
+    /// Plain times count from `now_secs` (story time), names are those of the fragment, of earlier
+    /// ones and of the script. It waits until its hands are in place and until nobody else speaks.
+    /// The message `<interrupt/>` is [`Player::interrupt`]. `mind` identifies the sender; each has
+    /// a send budget; see [`live::limits`](crate::live::limits).
     ///
     /// The same fragments at the same times give the same frames, whatever frames are
     /// evaluated between.
@@ -46,10 +46,10 @@ impl Player {
         performed
     }
 
-    /// Ends what live fragments say and do, from now on; what of them has not begun never comes. The
-    /// story goes on, and so does what was switched: shots, music, parameters. What was cut ends in
-    /// the next [`Player::drain_events`]. Gives the story time of the end, which is soon after
-    /// `now_secs` where a fragment has just joined; none when there is nothing to end.
+    /// Ends the actions of live fragments from now on; parts that have not begun are dropped. The
+    /// story continues, and so do switched states: shots, music, parameters. The ends are reported
+    /// in the next [`Player::drain_events`]. Returns the story time of the end, which is shortly
+    /// after `now_secs` if a fragment has just joined; `None` if there is nothing to end.
     ///
     /// Frames up to that time stay as they were.
     pub fn interrupt(&mut self, now_secs: f64) -> Option<f64> {
@@ -66,7 +66,7 @@ impl Player {
         Some(at_secs)
     }
 
-    /// Lets the figure ease to what is known now.
+    /// Eases the figure into the updated performance.
     fn change_over(&mut self, from_secs: f64) {
         self.direct();
         let (actor, needs) = self.rehearse();
@@ -74,7 +74,7 @@ impl Player {
         self.forget_motion();
     }
 
-    /// Whether a mind may send a fragment at a story time without being refused for its pace.
+    /// Returns true if a mind may send a fragment at a story time without exceeding its rate limit.
     #[must_use]
     pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
         self.score.live.has_room(mind, now_secs)

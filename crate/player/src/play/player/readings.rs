@@ -6,29 +6,29 @@ use raconteur_stage::{Angle, CurrentSpeech, EmotionType, Illumination, Mood, Sho
 
 use super::{Manipulator, Player};
 
-/// How the environment expresses what is felt at a time (GEVH 3.5.4).
+/// Expression of emotions by the environment at a time (GEVH 3.5.4).
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentExpression {
-    /// The strongest emotion, where something is felt.
+    /// Strongest emotion, if any.
     pub emotion: Option<&'static EmotionType>,
     /// Its potential, 0 to 10.
     pub potential: f64,
-    /// How strong it is just now, 0 to 10.
+    /// Current intensity, 0 to 10.
     pub intensity: f64,
-    /// The shot that is taken, or moved to.
+    /// Current or destination shot.
     pub shot: Shot,
     /// From where.
     pub angle: Angle,
-    /// What is done to the light.
+    /// Change of the light.
     pub light: Illumination,
     /// The mood.
     pub mood: Mood,
-    /// The files of the music that is heard.
+    /// Files of the audible music.
     pub music: Vec<String>,
 }
 
 impl Player {
-    /// How the environment expresses what is felt at a time.
+    /// Returns the environment's expression of emotions at a time.
     #[must_use]
     pub fn environment_expression(&self, time_secs: f64) -> EnvironmentExpression {
         let felt = self.feelings.strongest(time_secs, None);
@@ -47,8 +47,8 @@ impl Player {
         }
     }
 
-    /// Lengths of the shots that emotions ask for, story seconds: when each begins and how long it
-    /// stays until what is felt changes it.
+    /// Returns the start and length of each shot requested by an emotion, story seconds; the length
+    /// lasts until emotions change it.
     pub(crate) fn emotion_shots(&self) -> Vec<(f64, f64)> {
         let takes = self.picture.shots().later().windows(2);
         let lengths = takes.filter_map(|pair| {
@@ -60,8 +60,8 @@ impl Player {
         lengths.collect()
     }
 
-    /// Whether an emotion has taken the shot that is kept from one time to another; none where the camera
-    /// goes to another one.
+    /// Returns true if an emotion has set the shot held from one time to another; `None` if the
+    /// camera changes shots.
     pub(crate) fn sustained_shot(&self, from_secs: f64, to_secs: f64) -> Option<bool> {
         let shots = self.picture.shots();
         let take = shots.sample(to_secs);
@@ -69,7 +69,7 @@ impl Player {
         is_kept.then_some(take.is_felt)
     }
 
-    /// The utterance and word that are heard at a time; of several, the last to begin.
+    /// Returns the utterance and word audible at a time; of several, the last to begin.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<CurrentSpeech> {
         let (index, cue) = self.score.utterance_at(time_secs)?;
@@ -86,7 +86,7 @@ impl Player {
         })
     }
 
-    /// Where the hands are sent at a time, and how near they come.
+    /// Returns the targets of the hands at a time, and their errors.
     pub fn manipulators(&mut self, time_secs: f64) -> [Manipulator; 2] {
         // A figure that waits is shown elsewhere than the story has it.
         let shown = self.frame.clone();
@@ -102,20 +102,21 @@ impl Player {
         })
     }
 
-    /// Where the script has moved the figure at a time: world from figure axes.
+    /// Returns world from figure axes at a time, following the moves in the script.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> DAffine3 {
         let moved = self.layers.actor().world_from_figure(time_secs);
         moved.unwrap_or(DAffine3::IDENTITY)
     }
 
-    /// Whether the script cuts a limb to other joints after a time, up to another one, story time.
+    /// Returns true if the script cuts a limb to other joints after one time and up to another,
+    /// story time.
     pub(crate) fn cuts_between(&self, after_secs: f64, to_secs: f64) -> bool {
         self.layers.actor().cuts_between(after_secs, to_secs)
     }
 
-    /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
-    /// far as it can be reached, in the axes of the figure ([`Player::world_from_figure`]), metres.
+    /// Returns the starts of a hand's strokes, story time, and the first wrist position of each,
+    /// limited to reach, in the axes of the figure ([`Player::world_from_figure`]), metres.
     pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
         let keys = self.layers.actor().plan(side).keys().iter();
         keys.filter(|k| k.begins_stroke)
@@ -123,7 +124,7 @@ impl Player {
             .collect()
     }
 
-    /// Whether the script has a hand somewhere at a time, story time, while its shots make room
+    /// Returns true if the script positions a hand at a time, story time, while its shots make room
     /// for hands.
     pub(crate) fn is_in_seen_stroke(&self, side: Side, time_secs: f64) -> bool {
         if !self.picture.shots().makes_room(time_secs) {

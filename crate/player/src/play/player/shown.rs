@@ -11,9 +11,9 @@ use crate::play::fibres;
 use crate::play::shot_director::FramedFigure;
 
 impl Player {
-    /// The frame of a time, for a picture of `aspect` (width over height). Times outside
-    /// the story show its first or last moment, unless it is open-ended; a time that is not a
-    /// number, the first.
+    /// Returns the frame of a time, for an image of `aspect` (width over height). Times outside the
+    /// story show its start or end, unless it is open-ended; a time that is not a number shows the
+    /// start.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
         self.leave_welcome(self.clock.shown_secs(time_secs, self.end_secs()));
         self.evaluate(time_secs);
@@ -21,7 +21,7 @@ impl Player {
         &self.frame
     }
 
-    /// The camera of the frame that is shown, for a picture of `aspect` (width over height).
+    /// Returns the camera of the current frame, for an image of `aspect` (width over height).
     pub(crate) fn camera(&self, aspect: f64) -> Camera {
         let time_secs = self.frame.time_secs;
         // Where the script has moved the figure; the camera does not follow its sway.
@@ -41,7 +41,7 @@ impl Player {
         self.picture.camera(time_secs, aspect, &subject, room)
     }
 
-    /// The order of evaluation: time, body and face, joints, sound, picture.
+    /// Evaluates in order: time, body and face, joints, audio, image.
     pub(super) fn evaluate(&mut self, time_secs: f64) -> EvaluationReport {
         let t = self.clock.shown_secs(time_secs, self.end_secs());
         self.frame.time_secs = t;
@@ -86,7 +86,7 @@ impl Player {
         report
     }
 
-    /// Lets the hair of the frame's joints swing.
+    /// Simulates the hair for the frame's joints.
     fn swing(&mut self, time_secs: f64) {
         let Some(sway) = &mut self.sway else {
             return;
@@ -110,7 +110,7 @@ impl Player {
         );
     }
 
-    /// Lines of the face's tissue, where they are shown.
+    /// Updates the lines of the face's tissue, if they are visible.
     pub(super) fn draw_tissue(&mut self) {
         self.frame.lines.clear();
         let shown = self.frame.shown;
@@ -150,7 +150,7 @@ impl Player {
         })
     }
 
-    /// Takes what is felt, and the shots and lights that come of it, anew.
+    /// Recomputes the emotions, with their shots and lights.
     pub(super) fn direct(&mut self) {
         let library = &self.animations.library;
         self.feelings = self.score.feelings(library, self.end_secs());
