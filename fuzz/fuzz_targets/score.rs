@@ -1,8 +1,8 @@
 //! Text as a score of music: notes, without the sound of them.
 #![no_main]
 
-/// The library of the command line would bring a renderer, instrumented, so the modules are taken as
-/// they lie there.
+/// Modules of the composer, included directly: the command-line library would also bring in an
+/// instrumented renderer.
 #[allow(dead_code, reason = "the sound of notes is not made here")]
 #[path = "../../crate/cli/src/compose"]
 mod compose {

@@ -6,7 +6,7 @@ use raconteur_voice::content::{Content, Division};
 use raconteur_voice::markup::{plain, sable, ssml};
 use raconteur_voice::resolve::{Item, resolve};
 
-/// What is heard, with each word's style. Divisions one behind the other are one.
+/// Returns the spoken text with each word's style. Consecutive divisions count as one.
 fn heard(content: &Content) -> Vec<String> {
     let resolved = resolve(content, "festival");
     let mut heard: Vec<String> = Vec::new();

@@ -64,7 +64,7 @@ export function needed() {
   const rust = all ? [...crates.keys()] : affected(files, crates);
   const web = files.filter((file) => WEB.test(file));
   const checks = files.length > 0 ? ['spelling'] : [];
-  if (rust.length > 0) checks.push('format', 'clippy', 'rust');
+  if (rust.length > 0) checks.push('format', 'clippy', 'doctest', 'rust');
   if (web.length > 0) checks.push('lint', 'types');
   // The unit tests of the web compare the wasm builds with the program, and read files of crates and of the library.
   if (web.length > 0 || rust.length > 0) checks.push('wasm', 'unit');

@@ -78,6 +78,8 @@ const checks = {
     wasSpared ||= spared.length > 0;
     tests.push(...done);
   },
+  // The examples of the documentation compile and run.
+  doctest: () => cargo(['test', '--locked', '--workspace', '--doc', '--quiet']),
   // Benches want crates of their own to be read first.
   clippy: () => cargo(['clippy', '--locked', '--workspace', ...(isLong ? [] : ['--exclude', 'raconteur-bench']), '--all-targets', '--', '--deny', 'warnings']),
   'clippy-wasm': async () => {
@@ -133,7 +135,7 @@ const checks = {
 /** Checks of the long tier alone. */
 const LONG = ['doc', 'fresh', 'fuzz', 'witness', 'people', 'size'];
 /** Checks after which there is more to keep, and no compiler is at work. */
-const COMPILES = ['compile', 'clippy', 'clippy-wasm', 'wasm'];
+const COMPILES = ['compile', 'doctest', 'clippy', 'clippy-wasm', 'wasm'];
 /** Checks that run what `built` makes. */
 const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'package', 'size', 'browser'];
 

@@ -46,6 +46,24 @@ pub struct EvaluationReport {
 
 /// A performance prepared for one figure. Evaluation is a pure function of time: it stores no state
 /// and allocates nothing.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_actor::face::FaceRig;
+/// use raconteur_actor::{Actor, Performance};
+/// use raconteur_body::Pose;
+/// use raconteur_body::read::read_figure;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let figure = read_figure("nuno", &std::fs::read("../../assets/figures/nuno.glb")?)?;
+/// let actor = Actor::new(&Performance::default(), &figure.skeleton);
+/// let mut pose = Pose::zero();
+/// let mut weights = vec![0.0; figure.morph_names.len()];
+/// actor.evaluate(&figure.skeleton, &FaceRig::new(&figure), 1.0, &mut pose, &mut weights);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Actor {
     plans: [ArmPlan; 2],

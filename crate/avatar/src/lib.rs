@@ -44,6 +44,21 @@ use raconteur_body::write::to_glb;
 const MAX_NUMBERS: usize = 1 << 25;
 
 /// Imported figure and the diagnostics of the import.
+///
+/// # Examples
+///
+/// ```no_run
+/// use raconteur_avatar::open_figure;
+///
+/// # fn example() -> Result<(), Box<dyn std::error::Error>> {
+/// let imported = open_figure("robot", &std::fs::read("robot.vrm")?)?;
+/// for diagnostic in &imported.diagnostics {
+///     println!("{diagnostic:?}");
+/// }
+/// println!("{} meshes", imported.figure.meshes.len());
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Imported {
     /// The figure.

@@ -9,6 +9,16 @@ use crate::curve::{hermite, minimum_jerk};
 use crate::ops;
 
 /// The course of a movement between two keys.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_base::profile::Profile;
+///
+/// let profile = Profile::default();
+/// assert_eq!(profile.sample(0.5), 0.5, "half of the way at half of the time");
+/// assert!(profile.sample(0.1) < 0.1, "the movement starts slowly");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Profile {
     /// As people move their hands: [`minimum_jerk`].

@@ -9,6 +9,18 @@ use crate::skeleton::{Bone, Drive, Skeleton};
 ///
 /// World from joint is parent · translation · `zero_rotation` · rotation; the lower jaw's
 /// translation has its slide added.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_base::DQuat;
+/// use raconteur_body::Pose;
+/// use raconteur_body::skeleton::Bone;
+///
+/// let mut pose = Pose::zero();
+/// pose.set(Bone::LElbow, DQuat::from_rotation_y(-0.5));
+/// assert!(pose.rotation(Bone::LElbow).angle_between(DQuat::IDENTITY) > 0.49);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
     /// Displacement of the whole figure, world, metres.

@@ -57,6 +57,20 @@ pub struct Change {
 }
 
 /// Face model with the precomputed data for editing.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_faces::{Editor, FaceModel};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let pack = std::fs::read("../../assets/faces/people.faces")?;
+/// let editor = Editor::new(FaceModel::from_bytes(&pack)?)?;
+/// let face = editor.average();
+/// assert_eq!(editor.drawn(&face).len(), 3 * editor.model().vertices());
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Editor {
     model: FaceModel,

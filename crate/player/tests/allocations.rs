@@ -9,8 +9,7 @@ use counting::counted;
 use raconteur_player::{Options, Player};
 use raconteur_tier::sized;
 
-/// Gestures with everything that they may have: courses, phases, mixed shapes, hands that
-/// meet.
+/// Gestures with all features: courses, phases, mixed shapes, hands that meet.
 const GESTURES: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
     <gesture-key time='1' duration='1' handedness='both' r:phase='preparation'>
       <hand-shapes><key id='24' r:id2='7'/></hand-shapes>
@@ -37,7 +36,7 @@ const FACE: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
         attackDurationTime='1' releaseDurationTime='1'/>
     <null time='6'/></body></eml>";
 
-/// How much of a story is played in the gate, seconds.
+/// Duration of a story played in the gate, seconds.
 const GATE_SECS: f64 = 20.0;
 
 /// Allocations while a story is played at 60 frames a second, the first frame aside.

@@ -12,7 +12,7 @@ use common::{read, stories, story, turn};
 use raconteur_player::{Options, body::Figure};
 use raconteur_tier::{FIGURES, share};
 
-/// Moments of a story that are compared, evenly from its start to its end.
+/// Number of compared times of a story, evenly from its start to its end.
 const TIMES: usize = 200;
 
 /// Digests on a line of the file.
@@ -56,7 +56,7 @@ fn poses_are_as_written(figure: &str) {
     }
 }
 
-/// The lines of each story: digests have spaces between them, names have none.
+/// Returns the lines of each story: digests contain spaces, names do not.
 fn by_story(text: &str) -> Vec<(&str, Vec<&str>)> {
     let mut stories: Vec<(&str, Vec<&str>)> = Vec::new();
     for line in text.lines() {

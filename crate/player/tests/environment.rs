@@ -123,7 +123,7 @@ fn poses_do_not_depend_on_the_environment() {
     }
 }
 
-/// What the environment shows at a time.
+/// Returns the environment at a time.
 fn shown(player: &mut Player, t: f64) -> (Camera, Lighting, Set, Vec<String>) {
     let music = player.environment_expression(t).music;
     let frame = player.frame(t, 1.6);

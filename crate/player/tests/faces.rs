@@ -40,7 +40,7 @@ fn with_face(figure: &Figure, seed: u64) -> Arc<Figure> {
     Arc::new(made.expect("a face"))
 }
 
-/// Checks of a sweep that look at the face.
+/// Returns true for sweep checks of the face.
 fn of_face(name: &str) -> bool {
     ["lip", "lids", "mouth", "skin"]
         .iter()

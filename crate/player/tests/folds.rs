@@ -13,7 +13,7 @@ use raconteur_player::sweep::{Fold, Folds, MAX_FOLD_DEPTH_MM};
 use raconteur_speech::phones;
 use raconteur_tier::{FIGURES, share, sized};
 
-/// A face and what measures it.
+/// A face with its measuring points.
 struct Face {
     figure: std::sync::Arc<Figure>,
     network: Network,
@@ -52,8 +52,8 @@ fn phone(row: &phones::PhoneTargets) -> FaceControls {
     controls
 }
 
-/// Everything that a figure is looked at with: muscles alone, its turn of the phones in each of
-/// six expressions, and random sums.
+/// Returns all test controls of a figure: single muscles, its share of the phones in each of six
+/// expressions, and random sums.
 fn all(name: &str) -> Vec<(String, FaceControls)> {
     let mut all = Vec::new();
     for muscle in Muscle::all() {

@@ -30,12 +30,11 @@ fn figure(dominant_hand: Side) -> Arc<Figure> {
     })
 }
 
-/// Which gestures a script has.
+/// Handedness of the gestures in a script.
 const ALL: [&str; 5] = ["both", "left", "right", "dominant", "non-dominant"];
 const RELATIVE: [&str; 3] = ["both", "dominant", "non-dominant"];
 
-/// A script of random gestures of some kinds, seen in a mirror or as it is; `head` goes before
-/// its body.
+/// Returns a script of random gestures of some kinds, mirrored or not; `head` precedes its body.
 fn script(seed: u64, kinds: &[&str], head: &str, mirrored: bool) -> String {
     let sign = if mirrored { -1.0 } else { 1.0 };
     let mut body = String::new();

@@ -15,7 +15,7 @@ fn story(lead: &str) -> String {
     )
 }
 
-/// When the event comes, when the stroke does, seconds, and what is told of it.
+/// Returns the times of the event and of the stroke, seconds, and the diagnostics.
 fn times(lead: &str) -> (f64, f64, Vec<&'static str>) {
     let eml = story(lead);
     let event = Script::read(&eml, None).timeline.clauses[0].start_secs;

@@ -13,8 +13,8 @@ use raconteur_player::body::Bone;
 use raconteur_player::sweep::sweep;
 use raconteur_tier::{FIGURES, share};
 
-/// How far wrists may be apart that hold each other, for a stature of 1.7 m, metres: a hand's
-/// breadth and some.
+/// Maximum distance of wrists that hold each other, for a stature of 1.7 m, metres: slightly more
+/// than a hand's breadth.
 const JOINED_M: f64 = 0.12;
 
 /// The names of the shipped animations.
@@ -29,8 +29,8 @@ fn animations() -> Vec<String> {
     names
 }
 
-/// A story that plays one animation for so long, and nothing else: what is pushed at time 0 has
-/// been so before.
+/// Returns a story that only plays one animation for a duration: an animation pushed at time 0
+/// counts as active before.
 fn story(name: &str, secs: f64) -> String {
     format!(
         "<eml><body><body-player-add time='0' name='p' type='multiple' numberOfLayers='1'/>

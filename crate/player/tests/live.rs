@@ -313,8 +313,8 @@ fn clauses_are_bounded_and_finished_ones_are_forgotten() {
     );
 }
 
-/// What gives way in a fragment whose hand cannot be there in time: when it begins, when the hand
-/// is at its place, seconds after it came, and what is told.
+/// Returns the timing of a fragment whose hand cannot be in place in time: its start, the arrival
+/// of the hand, seconds after it was sent, and the diagnostics.
 fn hurried(lead: &str) -> (f64, f64, Vec<&'static str>) {
     let mut player = player(WAITING);
     let _ = play(&mut player, 0.0, 5.0);

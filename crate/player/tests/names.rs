@@ -7,7 +7,7 @@ use common::{figure, perform};
 use raconteur_player::Options;
 use raconteur_player::eml::Diagnostic;
 
-/// All that is wrong with a text, also with the animations that it does not find.
+/// Returns all problems of a text, including missing animations.
 fn problems(head: &str, body: &str) -> Vec<Diagnostic> {
     let eml =
         format!("<eml xmlns:r='urn:raconteur:eml:1'><head>{head}</head><body>{body}</body></eml>");
@@ -20,7 +20,7 @@ fn problems(head: &str, body: &str) -> Vec<Diagnostic> {
 
 const PLAYER: &str = "<body-player-add time='0' name='dancer' type='bodyGroup'/>";
 
-/// A set, an animation and so on, by its kind: what names it wrongly, and what is meant.
+/// Misspelt names by kind (a set, an animation and so on), with the names meant.
 const SLIPS: &[(&str, &str, &str)] = &[
     (
         "eml::unknown-bone",
@@ -116,7 +116,7 @@ fn an_unknown_name_is_told_once_with_what_is_meant() {
     }
 }
 
-/// A story with a player, and a fragment that comes in its first second.
+/// Runs a story with a player, and a fragment sent in its first second.
 fn live(fragment: &str) -> Vec<Diagnostic> {
     let eml = format!("<eml><body>{PLAYER}<null time='30'/></body></eml>");
     let mut player = perform(&eml, None, figure(), Options::default()).player;
@@ -146,7 +146,7 @@ fn a_fragment_knows_the_players_of_the_story_and_no_others() {
     assert_eq!(live(&own), []);
 }
 
-/// A function of a manipulator with an argument besides its period.
+/// Returns the problems of a manipulator function with an argument in addition to its period.
 fn with_argument(function: &str, argument: &str, value: &str) -> Vec<Diagnostic> {
     let clause = format!(
         "<vh-move time='1' functionName='{function}'><function-args>\

@@ -70,7 +70,7 @@ const SHOWN: &[&str] = &[
     "key",
 ];
 
-/// Times a second at which stretches are looked at.
+/// Sampling rate of intervals, hertz.
 const RATE: f64 = 120.0;
 
 fn folder() -> PathBuf {
@@ -176,7 +176,7 @@ impl Case {
         self.joint(time_secs, bone).translation
     }
 
-    /// The places of a bone from one time to another.
+    /// Returns the frames of a bone from one time to another.
     fn places(&mut self, from: f64, to: f64, bone: Bone) -> Vec<DAffine3> {
         assert!(to > from, "{}: nothing between {from} and {to}", self.name);
         let steps = ((to - from) * RATE).ceil() as u32;
@@ -186,7 +186,7 @@ impl Case {
             .collect()
     }
 
-    /// What is wrong with one line; nothing when it holds.
+    /// Returns the failure of one line; `None` if it holds.
     fn check(&mut self, words: &[&str]) -> Option<String> {
         match words[0] {
             "figure" | "motion" | "diagnostic" => None,
@@ -235,7 +235,7 @@ impl Case {
         }
     }
 
-    /// Lines about how far a joint moves from one time to another.
+    /// Checks lines about the displacement of a joint from one time to another.
     fn check_distance(&mut self, words: &[&str]) -> Option<String> {
         let [from_secs, to_secs] = [number(words[1]), number(words[2])];
         let joint = bone(words[3]);
@@ -282,7 +282,7 @@ impl Case {
         off(distance, within(words[4]), &format!("{found:.4}"))
     }
 
-    /// Lines that do not hold, and what else is wrong.
+    /// Returns the lines that do not hold, and other failures.
     fn wrong(mut self) -> Vec<String> {
         let mut wrong = Vec::new();
         let lines = std::mem::take(&mut self.lines);
@@ -305,7 +305,7 @@ impl Case {
         wrong
     }
 
-    /// Playing forwards and seeking backwards agree; bones keep their lengths.
+    /// Checks that forward playback and backward seeking agree, and that bones keep their lengths.
     fn sweep(&mut self, wrong: &mut Vec<String>) {
         let steps = (self.player.end_secs() * 15.0).ceil().min(300.0) as u32;
         let time = |i: u32| f64::from(i) / 15.0;
@@ -337,7 +337,7 @@ impl Case {
     }
 }
 
-/// What is wrong with something this far from where it has to be; nothing within the bound.
+/// Returns the failure of a value at a distance from its expectation; `None` within the bound.
 fn off(distance: f64, bound: f64, found: &str) -> Option<String> {
     let inside = distance <= bound;
     (!inside).then(|| format!("found {found}, {distance:.5} off"))
@@ -348,8 +348,8 @@ fn vector(words: &[&str], at: usize) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|i| number(words[at + i])))
 }
 
-/// A player with the animations that it wants: paths lie beside the cases, names in the
-/// library.
+/// Returns a player with the animations that it needs: paths are relative to the cases, names are
+/// in the library.
 fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> LoadedPlayer {
     let mut loaded = Player::load(StoryInput {
         eml,

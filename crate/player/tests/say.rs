@@ -27,7 +27,7 @@ fn file(kind: &str, path: &str) -> u64 {
     .concat())
 }
 
-/// A second of speech, each word as long as the others.
+/// Returns one second of speech with words of equal length.
 fn utterance(key: u64, name: &str, text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let msec = 1_000 / words.len();

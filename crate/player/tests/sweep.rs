@@ -50,7 +50,7 @@ fn a_stretch_shows_what_the_whole_shows_there() {
     assert!(before < 1e-6, "{before}");
 }
 
-/// An arm that is set to angles at 1 s, by what is written beside them.
+/// Returns a script that sets an arm to angles at 1 s, with additional attributes.
 fn set_joints(beside: &str) -> String {
     format!(
         "<eml xmlns:r='urn:raconteur:eml:1'><body>
@@ -148,8 +148,8 @@ fn quick_keys_that_cannot_be_met_snap_no_joint() {
     }
 }
 
-/// Sweeps stories with one figure: its share of them, so that each story has one figure and each
-/// figure at least one, or all of them in the long tier.
+/// Sweeps stories with one figure: its share of them, so each story has one figure and each figure
+/// at least one story, or all of them in the long tier.
 fn nothing_would_make_a_viewer_wince(figure: &str) {
     let stories = stories();
     assert!(stories.len() >= 8, "{stories:?}");

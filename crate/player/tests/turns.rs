@@ -38,7 +38,7 @@ impl SeededRandom {
     }
 }
 
-/// A fragment that says something, not always at once, and perhaps twice and with a hand.
+/// Returns a random speaking fragment, possibly delayed, with repetition or a gesture.
 fn remark(dice: &mut SeededRandom) -> String {
     let words = ["so", "and then he", "nobody knew why the old door was open"];
     let pause = dice.roll(20) as f64 / 10.0;
@@ -134,7 +134,7 @@ fn what_waits_and_what_is_cut_is_sought_as_it_is_played() {
     }
 }
 
-/// What an event tells, and whether it begins or ends.
+/// Returns the name of an event, and its begin or end.
 fn phase(event: &Event) -> Option<(String, &'static str)> {
     match event {
         Event::Clause {

@@ -18,7 +18,7 @@ fn player(name: &str) -> Player {
     story(name, figure(), Options::default()).player
 }
 
-/// Everything of a frame that is seen of the figure.
+/// Returns all visible data of the figure in a frame.
 fn seen(frame: &Frame) -> Vec<f64> {
     let joints = frame
         .world_from_joint
@@ -32,8 +32,7 @@ fn joint(frame: &Frame, bone: Bone) -> DVec3 {
     frame.world_from_joint[bone.index()].translation
 }
 
-/// The farthest that any joint of the body, and any of what swings on it, is from where it was,
-/// metres.
+/// Returns the largest displacement of a joint of the body, and of a swinging part, metres.
 fn moved(figure: &Figure, a: &Frame, b: &Frame) -> [f64; 2] {
     let pairs = a.world_from_joint.iter().zip(&b.world_from_joint);
     let mut most = [0.0_f64; 2];
@@ -160,8 +159,8 @@ fn any_wait_is_a_picture() {
     }
 }
 
-/// The most that joints of the body go in a step of a turn of `secs`, metres: as above, but on an
-/// arc that is up to three tenths longer than the way.
+/// Returns the largest displacement of body joints per step in a turn of `secs`, metres: as above,
+/// but on an arc up to three tenths longer than the straight path.
 fn most_in_a_step(way: f64, secs: f64) -> f64 {
     (1.3 * 1.9 * way / secs + 0.2) * STEP_SECS
 }

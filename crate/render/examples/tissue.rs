@@ -27,14 +27,14 @@ const STEP_M: f32 = 0.006;
 /// Nodes of the grid to the right and upwards.
 const GRID: [i32; 2] = [27, 33];
 
-/// A moment: its name, and what becomes of a node at a place, in distances between the eyes
-/// from their middle.
+/// A test time: its name, and the displacement of a node at a position, in units of the eyes'
+/// distance from their middle.
 struct ExampleState {
     name: &'static str,
     state: fn(Vec3) -> NodeState,
 }
 
-/// 1 at a place, fading over a radius.
+/// Returns 1 at a position, fading to 0 over a radius.
 fn near(q: Vec3, x: f32, y: f32, radius: f32) -> f32 {
     let d = ((q.x.abs() - x).powi(2) + (q.y - y).powi(2)) / (radius * radius);
     ops::exp(-f64::from(d)) as f32
@@ -134,8 +134,8 @@ fn eyes(figure: &Figure) -> (Vec3, f32) {
     ((left + right) * 0.5, left.distance(right))
 }
 
-/// Binds the face to a grid seen from the front, each vertex to its four nearest nodes; the
-/// border of the grid follows in part.
+/// Binds the face to a grid seen from the front, each vertex to its four nearest nodes; the border
+/// of the grid follows partly.
 fn bind(figure: &mut Figure) {
     let (middle, _) = eyes(figure);
     let kinds = [MaterialKind::Skin, MaterialKind::Lash, MaterialKind::Mouth];
@@ -172,7 +172,7 @@ fn bind(figure: &mut Figure) {
     }
 }
 
-/// Where the nodes are: in the middle of what follows them. In distances between the eyes
+/// Returns the positions of the nodes: the mean of their vertices. In units of the eyes' distance
 /// from their middle.
 fn places(figure: &Figure) -> Vec<Vec3> {
     let (middle, distance) = eyes(figure);

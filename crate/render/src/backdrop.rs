@@ -8,29 +8,31 @@ use crate::gpu::{bind_group, binding};
 use crate::layouts::Layouts;
 use crate::uniform::FrameUniform;
 
-/// How much wider a still is than the picture that it is drawn for, so that it serves while the camera goes on.
+/// Width of a still relative to the image that it is rendered for, so it can be reused while the
+/// camera moves.
 const STILL_MARGIN: f32 = 1.15;
-/// How far a still is enlarged at most; what lies behind the speaker is out of focus. Chosen by eye.
+/// Maximum enlargement of a still; the background behind the speaker is out of focus. Chosen by
+/// eye.
 const MAX_ENLARGED: f32 = 1.7;
 
-/// A place of one picture size.
+/// Backdrop textures of one image size.
 pub(crate) struct Backdrop {
     pub(crate) view: TextureView,
-    /// What the pass that lays it down reads.
+    /// Bindings of the pass that composites it.
     pub(crate) group: wgpu::BindGroup,
-    /// What the picture before showed, but for the way that its camera looked.
+    /// State of the previous image, without its camera direction.
     last: Option<FrameUniform>,
-    /// How it looked.
+    /// Camera rays of the previous image.
     last_rays: Option<[Vec3; 3]>,
     still: Option<StillKey>,
-    /// That of pictures.
+    /// Size of the images.
     size: (u32, u32),
 }
 
-/// How the backdrop of a picture comes about.
+/// Rendering mode of an image's backdrop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BackdropMode {
-    /// With the picture: it is another one than before, and may be once more.
+    /// Rendered with the image, since it differs from the previous one and may change again.
     Directly,
     /// As a still, from now on.
     Now,
@@ -83,7 +85,8 @@ impl Backdrop {
         }
     }
 
-    /// How the next picture's comes about; tells the picture where its rays lie in the still.
+    /// Returns the mode of the next image's backdrop, and sets the mapping of the image's rays to
+    /// the still.
     pub(crate) fn next(&mut self, uniform: &mut FrameUniform) -> BackdropMode {
         let shown = uniform.of_backdrop();
         let is_same = self
@@ -113,7 +116,7 @@ impl Backdrop {
         BackdropMode::Now
     }
 
-    /// The part of the still's picture that is drawn to, pixels.
+    /// Returns the rendered part of the still's texture, pixels.
     pub(crate) fn drawn_size(&self) -> (f32, f32) {
         let (width, height) = self.size;
         match self.still {
@@ -123,12 +126,12 @@ impl Backdrop {
     }
 }
 
-/// What a still shows.
+/// Content of a still.
 #[derive(Clone, Copy)]
 struct StillKey {
-    /// As those of a picture.
+    /// Rays, as in an image.
     rays: [Vec3; 3],
-    /// Whether it is the picture's own, pixel by pixel, and no wider.
+    /// True if it matches the image pixel by pixel, without margin.
     is_own: bool,
 }
 
@@ -146,13 +149,13 @@ fn wider(n: u32) -> u32 {
     (n as f32 * STILL_MARGIN).ceil() as u32
 }
 
-/// What a ray is multiplied with for its place in a still.
+/// Returns the matrix that maps a ray to its position in a still.
 fn places([forward, right, up]: [Vec3; 3]) -> [[f32; 4]; 3] {
     let over = |v: Vec3| (v / v.length_squared()).extend(0.0).to_array();
     [over(right), over(up), over(forward)]
 }
 
-/// Whether a still shows all that a picture does, and not too coarsely.
+/// Returns true if a still covers an image, with sufficient resolution.
 fn serves(still: [Vec3; 3], [forward, right, up]: [Vec3; 3]) -> bool {
     let [across, upwards, over] = places(still).map(Vec4::from_array).map(Vec4::truncate);
     let is_in = |(x, y): (f32, f32)| {

@@ -1,6 +1,6 @@
 //! What a picture took to draw.
 
-/// Draw calls and triangles of one picture.
+/// Draw calls and triangles of one image.
 #[derive(Default)]
 pub(crate) struct Counts {
     pub(crate) draw_calls: u32,

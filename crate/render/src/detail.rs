@@ -9,11 +9,12 @@ use crate::figure::Shadow;
 use crate::options::LEVELS;
 use crate::view::View;
 
-/// Pixels a metre from which all of the hair is drawn: a head is 90 pixels high there, and cards
-/// are about as wide as a pixel. Below, their triangles are smaller than pixels and cost the more.
+/// Resolution, pixels per metre, from which all of the hair is rendered: a head is 90 pixels high
+/// there, and cards are about one pixel wide. Below it, triangles smaller than pixels are
+/// disproportionately expensive.
 const ALL_HAIR: f64 = 400.0;
 
-/// The levels at which one picture draws a figure.
+/// Levels of detail of a figure in one image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Detail {
     /// Of everything but hair.
@@ -22,7 +23,8 @@ pub(crate) struct Detail {
 }
 
 impl Detail {
-    /// For a quality, and a head that is as far away as `pixels_per_m` tells, if there is one.
+    /// Chooses the levels for a quality, and for the head's distance as given by `pixels_per_m`, if
+    /// any.
     pub(crate) fn new(quality: Quality, pixels_per_m: Option<f64>) -> Self {
         let figure = quality.level_of_detail();
         let is_far = pixels_per_m.is_some_and(|p| p < ALL_HAIR);
@@ -32,7 +34,7 @@ impl Detail {
         }
     }
 
-    /// The level of what is of a kind.
+    /// Returns the level for a kind of material.
     pub(crate) fn level_for(self, kind: MaterialKind) -> usize {
         match kind {
             MaterialKind::Hair => self.hair,
@@ -40,7 +42,8 @@ impl Detail {
         }
     }
 
-    /// The level of what casts. Hair's shadow is too soft to tell every second card.
+    /// Returns the level of a shadow caster. Hair's shadow is too soft to resolve every second
+    /// card.
     pub(crate) fn of_caster(self, shadow: Shadow) -> usize {
         match shadow {
             Shadow::Strands => (self.hair + 1).min(LEVELS - 1),
@@ -49,8 +52,8 @@ impl Detail {
     }
 }
 
-/// How many pixels a metre at a place, world, takes in a picture of a height in pixels; none where
-/// it lies behind the camera.
+/// Returns the pixels per metre at a position, world, in an image of a height in pixels; `None`
+/// behind the camera.
 pub(crate) fn pixels_per_m(camera: &Camera, view: &View, height: u32, place: DVec3) -> Option<f64> {
     let depth = (place - camera.eye_in_world).dot(view.forward);
     (depth > 0.0).then(|| 0.5 * f64::from(height) / (view.half_height * depth))

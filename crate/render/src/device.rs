@@ -2,7 +2,7 @@
 
 use crate::RenderError;
 
-/// An adapter that answers (one that draws to `surface`, if given) and a device of it.
+/// Opens an available adapter (one that can present to `surface`, if given) and a device of it.
 pub(crate) async fn open(
     instance: &wgpu::Instance,
     surface: Option<&wgpu::Surface<'_>>,
@@ -27,7 +27,7 @@ pub(crate) async fn open(
     Ok((adapter, device, queue))
 }
 
-/// Whether a processor draws. Browsers tell the name alone, and some not even that.
+/// Returns true for a software renderer. Browsers report only the name, and some not even that.
 pub(crate) fn is_software(adapter: &wgpu::AdapterInfo) -> bool {
     const NAMES: [&str; 4] = [
         "llvmpipe",

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 use wasm_bindgen::{JsCast, prelude::*};
 
-/// The first thing that a device has refused since the last call.
+/// First error of a device since the last call.
 #[derive(Clone, Default)]
 pub(crate) struct DeviceErrors(Arc<Mutex<Option<String>>>);
 
@@ -37,7 +37,7 @@ impl DeviceErrors {
         slot.get_or_insert_with(message);
     }
 
-    /// What was refused, if anything; forgets it.
+    /// Takes the error, if any.
     pub(crate) fn take_first(&self) -> Option<String> {
         let mut slot = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         slot.take()

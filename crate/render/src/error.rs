@@ -1,6 +1,6 @@
 //! What can go wrong while drawing.
 
-/// Why a picture cannot be made.
+/// Error returned when an image cannot be rendered.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
@@ -10,7 +10,7 @@ pub enum RenderError {
     /// The adapter refused a device.
     #[error("the graphics adapter gives no device: {0}")]
     NoDevice(String),
-    /// The canvas cannot be drawn to.
+    /// The canvas does not support rendering.
     #[error("the canvas cannot be drawn to: {0}")]
     Surface(String),
     /// More joints than the shader's table holds.
@@ -26,20 +26,20 @@ pub enum RenderError {
     BadMesh {
         /// Name of the mesh.
         mesh: String,
-        /// What is wrong.
+        /// Description of the problem.
         problem: &'static str,
     },
-    /// A material's picture that cannot be used.
+    /// Unusable image of a material.
     #[error("a material's picture of {width}x{height} cannot be used: {problem}")]
     BadImage {
         /// Its width, pixels.
         width: u32,
         /// Its height, pixels.
         height: u32,
-        /// What is wrong.
+        /// Description of the problem.
         problem: &'static str,
     },
-    /// A picture of no size, or larger than the device's textures.
+    /// An empty image, or one larger than the device's textures.
     #[error("a picture of {width}x{height} cannot be drawn; the device's limit is {limit}")]
     BadSize {
         /// Requested width, pixels.
@@ -52,7 +52,7 @@ pub enum RenderError {
     /// The shaders or pipelines were refused; a defect of this crate or of the driver.
     #[error("the driver refused the renderer: {0}")]
     Refused(String),
-    /// The picture could not be read back.
+    /// The image could not be read back.
     #[error("the picture cannot be read back: {0}")]
     ReadBack(String),
     /// The device was lost; a new one must be made.

@@ -5,12 +5,12 @@ use wgpu::{Device, Queue, TextureView};
 use crate::strands;
 use crate::texture::{self, Role};
 
-/// What stands in for pictures, and how they are read.
+/// Substitute textures for missing images, with their samplers.
 pub(crate) struct FallbackTextures {
     pub(crate) white: TextureView,
     pub(crate) flat: TextureView,
     pub(crate) level: TextureView,
-    /// The atlas of strands, which all hair is drawn with.
+    /// The atlas of strands, used for all hair.
     pub(crate) strands: TextureView,
     pub(crate) sampler: wgpu::Sampler,
     pub(crate) strand_sampler: wgpu::Sampler,

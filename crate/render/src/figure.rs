@@ -14,8 +14,8 @@ use crate::options::LEVELS;
 use crate::tissue::{BoundMesh, Nodes};
 use crate::vertices::{FixedVertex, fixed_vertices, shape_vertices};
 
-/// Joints that the shader's table holds: 256 of 48 bytes fit the 16 KiB that every
-/// WebGL2 device has, and joints are numbered by one byte in the vertices.
+/// Number of joints in the shader's table: 256 of 48 bytes fit the 16 KiB that every WebGL2 device
+/// has, and vertices index joints by one byte.
 pub(crate) const MAX_JOINTS: usize = 256;
 
 /// Distance between materials in their buffer, bytes: the alignment of dynamic offsets.
@@ -31,7 +31,7 @@ pub(crate) struct MaterialUniform {
 }
 
 impl MaterialUniform {
-    /// Of a mesh of a figure with or without corneas, whose face lies in `face`.
+    /// Creates the key of a mesh of a figure with or without corneas, with its face in `face`.
     fn from_mesh(mesh: &Mesh, alpha_mode: AlphaMode, has_cornea: bool, face: [f32; 4]) -> Self {
         Self {
             base: mesh.material.base_color,
@@ -50,33 +50,33 @@ impl MaterialUniform {
     }
 }
 
-/// How the alpha of a mesh is used; the terms are glTF's.
+/// Alpha mode of a mesh; the terms are glTF's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AlphaMode {
-    /// Covers what it lies before.
+    /// Covers everything behind it.
     Opaque,
-    /// Covers where its picture or its strands do.
+    /// Covers where its texture or its strands do.
     Mask,
-    /// Lets through what was drawn before it.
+    /// Blends with everything rendered before it.
     Blend,
 }
 
-/// What a mesh's shadow is drawn with.
+/// Shadow mode of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shadow {
     /// All of its triangles.
     Solid,
     /// Cut as strands of hair.
     Strands,
-    /// Cut by the colour picture's alpha.
+    /// Cut out by the colour texture's alpha.
     Picture,
-    /// None: what lies inside the mouth is shaded by its occlusion, lashes are finer than
-    /// the map, and transparent surfaces cast none. Eyes cast: through an open lid the key would
-    /// shine into the head and glow on the far cheek as through thin flesh.
+    /// No shadow: the inside of the mouth is shaded by its occlusion, lashes are finer than the
+    /// map, and transparent surfaces cast none. Eyes cast shadows: otherwise the key light would
+    /// shine through an open lid into the head and glow on the far cheek as through thin flesh.
     Nothing,
 }
 
-/// What a pipeline must be made for.
+/// Parameters of a pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PipelineKey {
     pub(crate) kind: MaterialKind,
@@ -146,7 +146,7 @@ pub(crate) struct FigureData {
     pub(crate) meshes: Vec<DrawnMesh>,
     pub(crate) morphed: Vec<MorphedMesh>,
     pub(crate) bound: Vec<BoundMesh>,
-    /// How many vertices, the first ones, belong to meshes that are bound.
+    /// Number of bound vertices, which precede all others.
     pub(crate) bound_vertices: usize,
     pub(crate) nodes: Nodes,
     /// The first vertex of each of the figure's meshes.
@@ -288,8 +288,7 @@ impl FigureData {
         })
     }
 
-    /// Lays batches one behind the other, level by level: at each level what casts alike lies
-    /// together.
+    /// Arranges batches level by level, with batches of the same shadow mode contiguous.
     fn pack(&mut self, batches: &[Batch]) {
         for batch in batches {
             let material_offset = self.materials.len();
@@ -314,8 +313,8 @@ impl FigureData {
     }
 }
 
-/// Whether figures differ in nothing but where vertices are, which way they look and what colour they have, and in where
-/// joints are: then one can take the place of the other mesh by mesh.
+/// Returns true if figures differ only in vertex positions, normals and colours, and in joint
+/// positions: then one can replace the other mesh by mesh.
 pub(crate) fn is_reshaped(before: &Figure, after: &Figure) -> bool {
     let is_alike = |(a, b): (&Mesh, &Mesh)| {
         let lengths = |m: &Mesh| [m.positions.len(), m.normals.len(), m.colors.len()];
@@ -331,7 +330,7 @@ pub(crate) fn is_reshaped(before: &Figure, after: &Figure) -> bool {
         && before.meshes.iter().zip(&after.meshes).all(is_alike)
 }
 
-/// Tells materials where the face is.
+/// Sets the position of the face in the materials.
 pub(crate) fn place_face(materials: &mut [u8], figure: &Figure) {
     let face = face_place(figure);
     for bytes in materials.chunks_exact_mut(MATERIAL_STRIDE as usize) {
@@ -342,9 +341,9 @@ pub(crate) fn place_face(materials: &mut [u8], figure: &Figure) {
     }
 }
 
-/// Cards are laid from the scalp outwards; drawn from the outside in, the depth test spares the
-/// strands that are covered. Read backwards a triangle turns over, so its corners are swapped
-/// back.
+/// Reverses the order of hair cards. They are listed from the scalp outwards; rendered from the
+/// outside in, the depth test skips covered strands. Reversal flips a triangle, so its corners are
+/// swapped back.
 fn from_outside_in(indices: impl DoubleEndedIterator<Item = u32>) -> Vec<u32> {
     let mut indices: Vec<u32> = indices.rev().collect();
     for t in indices.chunks_exact_mut(3) {
@@ -417,8 +416,8 @@ fn check(mesh: &Mesh, joints: usize) -> Result<(), RenderError> {
     })
 }
 
-/// World from bind of each joint as the shader's rows; `rows` is cleared first. Joints
-/// that the frame does not give stay in the bind pose.
+/// Computes world from bind of each joint as the shader's rows; `rows` is cleared first. Joints
+/// missing in the frame stay in the bind pose.
 pub(crate) fn joint_rows(
     world_from_joint: &[DAffine3],
     joint_from_bind: &[DAffine3],

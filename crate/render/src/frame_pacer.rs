@@ -2,11 +2,11 @@
 
 use crate::{Quality, RenderOptions};
 
-/// A step of the ladder between what a processor draws and what a graphics card does.
+/// A quality step between software rendering and a graphics card.
 #[derive(Clone, Copy)]
 struct QualityStep {
     quality: Quality,
-    /// The most pixels of a picture; one of a larger canvas is enlarged by the browser.
+    /// Maximum number of pixels; the browser enlarges the image for a larger canvas.
     most_pixels: Option<u32>,
 }
 
@@ -27,36 +27,36 @@ const fn step(quality: Quality, most_pixels: Option<u32>) -> QualityStep {
     }
 }
 
-/// Where a graphics card begins.
+/// Initial step with a graphics card.
 const MIDDLE: usize = 3;
 
-/// Frame time above which the picture is made cheaper: under 38 a second.
+/// Frame time above which quality is reduced: under 38 fps.
 const SLOW_MS: f64 = 26.0;
-/// Frame time above which two rungs are left at once.
+/// Frame time above which quality is reduced by two steps.
 const VERY_SLOW_MS: f64 = 50.0;
 /// Frame time that no graphics card needs: only the lowest rung may do.
 const HOPELESS_MS: f64 = 100.0;
-/// Frame time below which a better picture is tried: 50 a second. A screen of 60 Hz
-/// never tells less than 16.7.
+/// Frame time below which a higher quality is tried: 50 fps. A 60 Hz display never reports less
+/// than 16.7.
 const QUICK_MS: f64 = 20.0;
-/// Frames that are looked at before the picture is made cheaper, if they do not take longer than
-/// [`LOOK_MS`].
+/// Number of frames observed before quality is reduced, unless they take longer than [`LOOK_MS`].
 const LOOK_FRAMES: usize = 12;
 /// Time after which fewer frames are enough.
 const LOOK_MS: f64 = 400.0;
-/// Frames after a change that do not count, as the first ones compile, if they do not take
-/// longer than [`SETTLE_MS`].
+/// Number of ignored frames after a change, since the first ones compile, unless they take longer
+/// than [`SETTLE_MS`].
 const SETTLE_FRAMES: u32 = 4;
 /// Time after which the next frame counts.
 const SETTLE_MS: f64 = 150.0;
-/// Time of quick frames before a better picture is tried.
+/// Time of quick frames before a higher quality is tried.
 const PATIENCE_MS: f64 = 4_000.0;
 /// Longest frame that counts; a hidden page sleeps longer.
 const PAUSE_MS: f64 = 4_000.0;
-/// How often a rung is tried that was too slow before; each time waits four times longer.
+/// Maximum number of tries of a quality step that was too slow before; the wait grows fourfold each
+/// time.
 const TRIES: u32 = 3;
 
-/// Watches frame times and says when to draw otherwise.
+/// Adapts the rendering options to frame times.
 ///
 /// It drops fast and climbs slowly, and since a rung that proved too slow is tried again
 /// only twice, the number of changes is bounded whatever the times are. It goes by the median of the
@@ -65,10 +65,10 @@ const TRIES: u32 = 3;
 pub struct FramePacer {
     at: usize,
     automatic: bool,
-    /// Frames since the last change, and what they took together.
+    /// Frames since the last change, and their total time.
     frames: u32,
     settled_ms: f64,
-    /// The last frames that count, as a ring of `seen`.
+    /// Recent counted frame times, a ring buffer indexed by `seen`.
     last_ms: [f64; LOOK_FRAMES],
     seen: usize,
     quick_ms: f64,
@@ -91,7 +91,7 @@ impl FramePacer {
         }
     }
 
-    /// What to draw with now.
+    /// Returns the current rendering options.
     #[must_use]
     pub fn options(&self) -> RenderOptions {
         RenderOptions {
@@ -99,13 +99,13 @@ impl FramePacer {
         }
     }
 
-    /// The most pixels of a picture of a running sequence.
+    /// Returns the maximum number of pixels of an image during playback.
     #[must_use]
     pub fn most_pixels(&self) -> Option<u32> {
         RUNGS[self.at].most_pixels
     }
 
-    /// Holds a quality whatever frames take; with `None`, frame times decide again.
+    /// Fixes a quality whatever the frame times; with `None`, frame times decide again.
     pub fn choose(&mut self, fixed: Option<Quality>) {
         self.automatic = fixed.is_none();
         let Some(quality) = fixed else { return };
@@ -114,7 +114,8 @@ impl FramePacer {
         }
     }
 
-    /// Takes the time between two frames, milliseconds; whether what to draw with changed.
+    /// Takes the time between two frames, milliseconds; returns true if the rendering options
+    /// changed.
     pub fn report(&mut self, frame_ms: f64) -> bool {
         let counts = frame_ms > 0.0 && frame_ms < PAUSE_MS;
         if !self.automatic || !counts {
@@ -180,7 +181,8 @@ fn lower_median(times: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Runs for some seconds on a device that takes these times on the rungs; changes.
+    /// Simulates some seconds on a device with these frame times per quality step; returns the
+    /// changes.
     fn run(pace: &mut FramePacer, secs: f64, rung_ms: [f64; 5]) -> Vec<usize> {
         let (mut now, mut changes) = (0.0, Vec::new());
         while now < secs * 1e3 {
@@ -211,7 +213,8 @@ mod tests {
         assert_eq!(worse.at, 1, "two rungs at once");
     }
 
-    /// A processor that draws takes a third of a second and more above the lowest rung.
+    /// Checks that software rendering is detected within two seconds; it takes a third of a second
+    /// or more above the lowest step.
     #[test]
     fn a_processor_is_found_out_within_two_seconds() {
         for ms in [120.0, 350.0, 600.0] {

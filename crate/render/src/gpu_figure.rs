@@ -35,30 +35,29 @@ pub(crate) struct GpuFigure {
     shape: Buffer,
     fixed: Buffer,
     indices: Buffer,
-    /// The triangles, kept for the edges of a wireframe.
+    /// Triangles, stored for the edges of a wireframe.
     triangles: Vec<u32>,
-    /// Both ends of every edge of the triangles, twice as many; sent when first wanted.
+    /// Both ends of every edge of the triangles, twice as many; uploaded on first use.
     edges: Option<Buffer>,
     joints: Buffer,
     materials: Buffer,
-    /// What lies in `materials`.
+    /// Content of `materials`.
     material_bytes: Vec<u8>,
     /// The first vertex of each of the figure's meshes.
     bases: Vec<usize>,
-    /// Whether what each mesh has besides its shape is that of an earlier one.
+    /// True for each mesh that differs from an earlier one only in its shape.
     is_behind: Vec<bool>,
     group: wgpu::BindGroup,
     meshes: Vec<DrawnMesh>,
     morphed: Vec<MorphedMesh>,
     tissue: Option<GpuTissue>,
-    /// Colour, normals and heights of each of the figure's pictures, as far as they are
-    /// wanted and have come.
+    /// Colour, normals and heights of each of the figure's images, if required and loaded.
     pictures: Vec<[Option<TextureView>; 3]>,
-    /// Groups of the pictures that meshes use together.
+    /// Bind groups of textures that meshes use together.
     maps: Vec<(TextureMaps, wgpu::BindGroup)>,
 }
 
-/// The vertices that follow tissue: those of some meshes, which lie before all others.
+/// Vertices bound to tissue, which precede all others.
 struct GpuTissue {
     vertices: Buffer,
     nodes: Nodes,
@@ -68,8 +67,7 @@ struct GpuTissue {
 }
 
 impl GpuTissue {
-    /// Sends the state of the nodes at a moment to what a level of detail draws, if it has
-    /// changed or the level has.
+    /// Uploads the nodes' state for the rendered level of detail, if it or the level has changed.
     fn follow(&mut self, queue: &Queue, states: &[NodeState], level: usize) {
         let is_as_sent = !self.nodes.update(states) && self.level == level;
         if is_as_sent {
@@ -85,7 +83,7 @@ impl GpuTissue {
 }
 
 impl GpuFigure {
-    /// Sends a figure without its pictures; `None` when nothing of it can be seen.
+    /// Uploads a figure without its images; `None` if nothing of it is visible.
     ///
     /// # Errors
     /// When it has too many joints or a mesh contradicts itself.
@@ -167,8 +165,9 @@ impl GpuFigure {
         Ok(Some(sent))
     }
 
-    /// Sends what another shape of the figure that was sent last changes; nothing, and false, where that takes more. Of one
-    /// that `moves`, no more than where vertices are and their colours.
+    /// Uploads the differences of another shape of the figure that was uploaded last; returns
+    /// false, and does nothing, if that is not possible. With `moves`, only vertex positions and
+    /// colours are updated.
     pub(crate) fn reshape(
         &mut self,
         queue: &Queue,
@@ -223,7 +222,7 @@ impl GpuFigure {
         true
     }
 
-    /// Takes over the pictures of the figure before, where there are as many.
+    /// Takes over the previous figure's images, if their number is equal.
     pub(crate) fn take_pictures(
         &mut self,
         before: Self,
@@ -237,7 +236,7 @@ impl GpuFigure {
         }
     }
 
-    /// Groups the pictures anew, with blanks for those that have not come.
+    /// Rebuilds the texture bind groups, with blanks for missing textures.
     fn group_maps(&mut self, device: &Device, layouts: &Layouts, fallback: &FallbackTextures) {
         self.maps.clear();
         // Without pictures, blanks alone.
@@ -289,7 +288,7 @@ impl GpuFigure {
         self.edges = Some(buffer);
     }
 
-    /// Puts a decoded picture into the materials that show it; one that none shows is let go.
+    /// Sets a decoded image in the materials that use it; discards an unused one.
     ///
     /// # Errors
     /// When its bytes do not fit its size, or it is too large.
@@ -322,29 +321,29 @@ impl GpuFigure {
         Ok(())
     }
 
-    /// What its meshes need of the pipelines.
+    /// Returns the pipeline keys of its meshes.
     pub(crate) fn pipeline_keys(&self) -> impl Iterator<Item = PipelineKey> {
         self.meshes.iter().map(|m| m.key)
     }
 
-    /// Where its face is at a moment, world, metres.
+    /// Returns the present position of its face, world, metres.
     pub(crate) fn face(&self, world_from_joint: &[DAffine3]) -> Option<DVec3> {
         Some(world_from_joint.get(self.face?)?.translation)
     }
 
-    /// Where the edges of the lids are at a moment, as [`LidEdge::plane`] tells.
+    /// Returns the present planes of the lid edges, see [`LidEdge::plane`].
     pub(crate) fn lids(&self, world_from_joint: &[DAffine3]) -> [[f32; 4]; 4] {
         self.lids
             .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
     }
 
-    /// How far its lips are apart at a moment, as [`Lips::apart_mm`] tells.
+    /// Returns the present distance of its lips, see [`Lips::apart_mm`].
     pub(crate) fn lips_apart_mm(&self, nodes: &[NodeState]) -> f32 {
         self.lips.apart_mm(nodes)
     }
 
-    /// Sends joints, morphs and tissue of a moment for a level of detail; `rows` is room to
-    /// work in.
+    /// Uploads the present joints, morphs and tissue for a level of detail; `rows` is a scratch
+    /// buffer.
     pub(crate) fn pose(
         &mut self,
         queue: &Queue,
@@ -365,7 +364,7 @@ impl GpuFigure {
         }
     }
 
-    /// Whether some of its vertices follow tissue.
+    /// Returns true if some of its vertices are bound to tissue.
     pub(crate) fn has_tissue(&self) -> bool {
         self.tissue.is_some()
     }
@@ -385,7 +384,7 @@ impl GpuFigure {
         }
     }
 
-    /// Draws what `shown` says of the meshes that `wanted` names.
+    /// Draws the meshes selected by `wanted`, according to `shown`.
     pub(crate) fn draw<'p>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -417,7 +416,7 @@ impl GpuFigure {
         }
     }
 
-    /// Draws what casts; meshes that lie one behind the other go in one call.
+    /// Draws the shadow casters; contiguous meshes share one draw call.
     pub(crate) fn draw_shadow<'p>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -452,7 +451,7 @@ impl GpuFigure {
     }
 }
 
-/// Whether a shadow is cut by a picture.
+/// Returns true if a shadow is cut out by a texture.
 fn is_cut(shadow: Shadow) -> bool {
     matches!(shadow, Shadow::Strands | Shadow::Picture)
 }

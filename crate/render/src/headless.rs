@@ -6,6 +6,22 @@ use raconteur_stage::Frame;
 use crate::{RenderError, RenderInfo, RenderOptions, Renderer};
 
 /// A device without a window, and a renderer on it.
+///
+/// # Examples
+///
+/// ```no_run
+/// use raconteur_render::{Headless, RenderOptions};
+/// use raconteur_stage::Frame;
+///
+/// # fn example(figure: &raconteur_body::Figure) -> Result<(), Box<dyn std::error::Error>> {
+/// let mut headless = Headless::new_blocking(RenderOptions::default())?;
+/// headless.set_figure(figure)?;
+/// let frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+/// let rgba = headless.render_rgba(&frame, 640, 360)?;
+/// assert_eq!(rgba.len(), 4 * 640 * 360);
+/// # Ok(())
+/// # }
+/// ```
 pub struct Headless {
     device: wgpu::Device,
     queue: wgpu::Queue,
@@ -49,13 +65,13 @@ impl Headless {
         pollster::block_on(Self::new(options))
     }
 
-    /// What was opened, with the counts of the last picture.
+    /// Returns the renderer's properties, with the counts of the last image.
     #[must_use]
     pub fn info(&self) -> &RenderInfo {
         self.renderer.info()
     }
 
-    /// Sends a figure; it is drawn until the next one.
+    /// Uploads a figure; it is rendered until the next one.
     ///
     /// # Errors
     /// As [`Renderer::set_figure`].
@@ -63,7 +79,8 @@ impl Headless {
         self.renderer.set_figure(figure)
     }
 
-    /// Sends the figure in another shape than `before`, which was sent last; it keeps its pictures.
+    /// Uploads another shape of the figure than `before`, which was uploaded last; its images are
+    /// kept.
     ///
     /// # Errors
     /// As [`Renderer::set_shape`].
@@ -76,7 +93,7 @@ impl Headless {
         self.renderer.set_shape(before, figure, moves)
     }
 
-    /// Shows a decoded picture of the figure.
+    /// Sets a decoded image of the figure.
     ///
     /// # Errors
     /// As [`Renderer::set_image`].
@@ -90,12 +107,12 @@ impl Headless {
         self.renderer.set_image(index, width, height, rgba)
     }
 
-    /// Draws as `options` say from the next picture on.
+    /// Sets the options from the next image on.
     pub fn set_options(&mut self, options: RenderOptions) {
         self.renderer.set_options(options);
     }
 
-    /// As [`Self::set_options`], with one program for each picture until all is there.
+    /// Sets the options like [`Self::set_options`], compiling one program per image until complete.
     pub fn set_options_soon(&mut self, options: RenderOptions) {
         self.renderer.set_options_soon(options);
     }

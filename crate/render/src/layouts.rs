@@ -6,18 +6,18 @@ use crate::figure::MAX_JOINTS;
 use crate::figure::MaterialUniform;
 use crate::uniform::FrameUniform;
 
-/// Bind group layouts, named by what they hold.
+/// Bind group layouts, named by their content.
 pub(crate) struct Layouts {
-    /// The frame alone.
+    /// The frame only.
     pub(crate) frame: BindGroupLayout,
     /// The frame, the shadow map and its sampler.
     pub(crate) lit: BindGroupLayout,
     /// Joints and one material.
     pub(crate) figure: BindGroupLayout,
-    /// A material's pictures of colour, normals and wrinkles, their sampler, and the atlas of
+    /// A material's textures of colour, normals and wrinkles, their sampler, and the atlas of
     /// strands with its own.
     pub(crate) maps: BindGroupLayout,
-    /// The frame, the finished picture and its sampler.
+    /// The frame, the finished image and its sampler.
     pub(crate) tone_map: BindGroupLayout,
 }
 

@@ -5,16 +5,16 @@ use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Figure, MaterialKind};
 
-/// What of a lid is nearer to the middle of the eye lines it or lies within the globe: its
-/// radius is 12 mm.
+/// Distance from the middle of the eye within which lid vertices are its lining or inside the
+/// globe, metres: the globe's radius is 12 mm.
 const LINING_M: f64 = 0.0121;
 
-/// The edge of a lid: it lies in a plane through the middle of the eye and the corners.
+/// Edge of a lid, in a plane through the middle of the eye and the corners.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LidEdge {
     /// The lid's joint.
     joint: usize,
-    /// Unit normal of the plane in the bind pose, towards what the lid covers.
+    /// Unit normal of the plane in the bind pose, towards the area covered by the lid.
     covered: DVec3,
 }
 
@@ -29,8 +29,8 @@ impl LidEdge {
         ]
     }
 
-    /// From the skin that hangs on the lid's joint alone and stands before the middle of
-    /// the eye: what comes nearest to the other lid is the edge.
+    /// Finds the edge from the skin that is attached to the lid's joint only and is in front of the
+    /// middle of the eye: the part nearest to the other lid is the edge.
     fn find(figure: &Figure, side: Side, upper: bool) -> Option<Self> {
         let drive = if upper {
             Drive::UpperLid(side)
@@ -69,8 +69,8 @@ impl LidEdge {
         Some(Self { joint, covered })
     }
 
-    /// The plane in the world: its unit normal towards what the lid covers, then its distance
-    /// from the origin, negative, metres. All 0 where there is no such lid.
+    /// Returns the plane in the world: its unit normal towards the area covered by the lid, then
+    /// its distance from the origin, negative, metres. All 0 without such a lid.
     pub(crate) fn plane(
         edge: Option<Self>,
         world_from_joint: &[DAffine3],
@@ -96,8 +96,8 @@ mod tests {
     use raconteur_body::figure::{Material, Mesh, TextureMaps};
     use raconteur_body::{Pose, Skeleton};
 
-    /// A figure of nothing but skin on the left upper lid, at these heights above the middle
-    /// of the eye, radians.
+    /// Returns a figure with only skin on the left upper lid, at these heights above the middle of
+    /// the eye, radians.
     fn lid(angles: &[f64]) -> (Figure, DVec3) {
         let skeleton = Skeleton::example();
         let mut bind = Vec::new();

@@ -8,7 +8,7 @@ use wgpu::{
 
 use crate::gpu::empty_buffer;
 
-/// A line as the shader takes it: one instance.
+/// Instance data of a line for the shader.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct LineInstance {
@@ -19,7 +19,7 @@ pub(crate) struct LineInstance {
 }
 
 impl LineInstance {
-    /// How the vertex shader reads it.
+    /// Vertex buffer layout of the line shader.
     pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: VertexStepMode::Instance,
@@ -27,13 +27,13 @@ impl LineInstance {
     };
 }
 
-/// Lines that are drawn at most: twice the springs of a face. Beyond, they are left out.
+/// Maximum number of lines: twice the springs of a face. More are left out.
 const MAX_LINES: usize = 1 << 16;
 
 /// Lines on the device.
 pub(crate) struct Lines {
     sent: Vec<LineInstance>,
-    /// How many the buffer holds.
+    /// Capacity of the buffer, lines.
     room: usize,
     pub(crate) buffer: Buffer,
 }
@@ -48,12 +48,12 @@ impl Lines {
         }
     }
 
-    /// How many there are to draw.
+    /// Returns the number of lines to draw.
     pub(crate) fn count(&self) -> u32 {
         self.sent.len() as u32
     }
 
-    /// Sends the lines of a moment. Allocates only when there are more than ever before.
+    /// Uploads the current lines. Allocates only when there are more than ever before.
     pub(crate) fn send(&mut self, device: &Device, queue: &Queue, lines: &[Line]) {
         self.sent.clear();
         self.sent

@@ -3,10 +3,10 @@
 use raconteur_body::Figure;
 use raconteur_body::face::NodeState;
 
-/// What is open without lips whose nodes tell, millimetres.
+/// Opening for a figure without lip nodes, millimetres.
 const OPEN_MM: f32 = 100.0;
 
-/// The places along the mouth at which lips meet.
+/// Points along the mouth at which lips meet.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lips {
     /// Nodes of the upper and of the lower lip.
@@ -24,8 +24,8 @@ impl Lips {
         })
     }
 
-    /// How much farther apart than at rest they are where they are farthest, millimetres on the
-    /// reference head; far where nothing tells. Nodes that are not there are at rest.
+    /// Returns the largest increase of the lips' distance over rest, millimetres on the reference
+    /// head; a large value without lip nodes. Missing nodes are at rest.
     pub(crate) fn apart_mm(&self, nodes: &[NodeState]) -> f32 {
         let height = |i: u16| nodes.get(usize::from(i)).map_or(0.0, |n| n.displacement[1]);
         let apart = self.contact.iter().map(|&[a, b]| height(a) - height(b));

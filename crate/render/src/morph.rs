@@ -9,7 +9,7 @@ use wgpu::{VertexBufferLayout, VertexStepMode, vertex_attr_array};
 /// Position and normal of one vertex: the stream that morphs change.
 pub(crate) type ShapeVertex = [f32; 6];
 
-/// How the vertex shader reads [`ShapeVertex`].
+/// Vertex buffer layout of [`ShapeVertex`].
 pub(crate) const SHAPE_LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
     array_stride: size_of::<ShapeVertex>() as u64,
     step_mode: VertexStepMode::Vertex,
@@ -18,11 +18,11 @@ pub(crate) const SHAPE_LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout 
 
 /// The morphs of one mesh.
 pub(crate) struct MorphedMesh {
-    /// First vertex of the touched stretch, in the figure's vertex buffer.
+    /// First vertex of the affected range, in the figure's vertex buffer.
     pub(crate) first_vertex: usize,
-    /// The touched stretch at rest.
+    /// The affected range at rest.
     rest: Vec<ShapeVertex>,
-    /// The touched stretch as drawn.
+    /// The affected range as rendered.
     pub(crate) current: Vec<ShapeVertex>,
     parts: Vec<TargetDeltas>,
     /// Weights that `current` was made with, one a part.
@@ -31,14 +31,14 @@ pub(crate) struct MorphedMesh {
 
 struct TargetDeltas {
     target: usize,
-    /// Vertices within the stretch.
+    /// Vertices within the range.
     vertices: Vec<u32>,
     deltas: Vec<ShapeVertex>,
 }
 
 impl MorphedMesh {
-    /// The morphs of a mesh whose vertices begin at `base` in the figure's buffer; `None`
-    /// when it has none. The mesh's indices and lengths have been checked.
+    /// Returns the morphs of a mesh whose vertices begin at `base` in the figure's buffer; `None`
+    /// if it has none. The mesh's indices and lengths have been checked.
     pub(crate) fn new(mesh: &Mesh, base: usize) -> Option<Self> {
         let touched = || mesh.morphs.iter().flat_map(|m| m.vertices.iter().copied());
         let (low, high) = (touched().min()? as usize, touched().max()? as usize);
@@ -68,8 +68,8 @@ impl MorphedMesh {
         })
     }
 
-    /// Brings `current` to these weights of the figure's targets; missing ones are zero.
-    /// Returns whether anything changed. Allocates nothing.
+    /// Updates `current` to these weights of the figure's targets; missing ones are zero. Returns
+    /// true if anything changed. Allocates nothing.
     pub(crate) fn apply(&mut self, weights: &[f32]) -> bool {
         let mut changed = false;
         for (part, old) in self.parts.iter().zip(&mut self.weights) {

@@ -1,13 +1,13 @@
 //! The options of a renderer, and what the device made of them.
 
-/// Levels of detail that are drawn.
+/// Number of levels of detail.
 pub(crate) const LEVELS: usize = 3;
 
-/// How much work goes into a picture.
+/// Rendering quality.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
-    /// What a processor alone draws: light without shadows, colour maps alone, in one pass of four
-    /// samples a pixel.
+    /// For software rendering: light without shadows, colour textures only, in one pass of four
+    /// samples per pixel.
     Lowest,
     /// One sample a pixel with edge smoothing, a small shadow, no fine bumps.
     Low,
@@ -55,7 +55,8 @@ impl Quality {
         }
     }
 
-    /// Whether the stage is drawn straight to the target, tone curve and encoding included.
+    /// Returns true if the stage is rendered directly to the target, including tone curve and
+    /// encoding.
     pub(crate) fn is_direct(self) -> bool {
         self == Self::Lowest
     }
@@ -73,11 +74,11 @@ impl Quality {
 /// Choices for a renderer; they can be changed while it draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderOptions {
-    /// How much work goes into a picture. Default: high.
+    /// Rendering quality. Default: high.
     pub quality: Quality,
 }
 
-/// What the renderer turned out to be and what the last picture took.
+/// Properties of the renderer and statistics of the last image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RenderInfo {
     /// The choices in force.
@@ -86,20 +87,20 @@ pub struct RenderInfo {
     pub backend: String,
     /// The adapter's own name.
     pub adapter: String,
-    /// Whether a processor draws, as far as the adapter tells.
+    /// True for software rendering, if the adapter reports it.
     pub software: bool,
     /// Samples a pixel.
     pub samples: u32,
-    /// Whether light is kept in a float target; otherwise materials encode at once.
+    /// True if light is stored in a float target; otherwise materials encode it directly.
     pub float_target: bool,
-    /// Whether edges are smoothed in the last pass, because there is one sample a pixel.
+    /// True if edges are smoothed in the last pass, because there is one sample per pixel.
     pub smooths_edges: bool,
     /// Side of a light's shadow map, texels.
     pub shadow_texels: u32,
-    /// Draw calls of the last picture that drew the figure, its shadows included.
+    /// Draw calls of the figure in the last image, including its shadows.
     pub figure_draw_calls: u32,
-    /// Draw calls of the last picture, all passes.
+    /// Draw calls of the last image, all passes.
     pub draw_calls: u32,
-    /// Triangles of the last picture, all passes.
+    /// Triangles of the last image, all passes.
     pub triangles: u32,
 }

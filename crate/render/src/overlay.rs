@@ -21,7 +21,7 @@ pub(crate) struct OverlayVertex {
 }
 
 impl OverlayVertex {
-    /// How the vertex shader reads it.
+    /// Vertex buffer layout of the overlay shader.
     pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: VertexStepMode::Vertex,
@@ -31,8 +31,8 @@ impl OverlayVertex {
 
 /// Corners of the triangles of one spindle.
 const CORNERS: usize = 24;
-/// A bone and one for its free end, three axes and a joint for each of the bones; what is
-/// beyond is left out.
+/// Maximum number of spindles: a bone and one for its free end, three axes and a joint for each of
+/// the bones; more are left out.
 const MAX_SPINDLES: usize = 7 * Bone::COUNT;
 
 /// Colours are linear and before the tone curve, 0..255.
@@ -45,7 +45,7 @@ const AXES: [[f32; 3]; 3] = [
     [20.0, 60.0, 230.0],
 ];
 
-/// Spindles on their way to the device.
+/// Spindles and their buffer.
 pub(crate) struct Overlay {
     corners: Vec<OverlayVertex>,
     pub(crate) buffer: Buffer,
@@ -65,12 +65,12 @@ impl Overlay {
         }
     }
 
-    /// How many corners there are to draw.
+    /// Returns the number of corners to draw.
     pub(crate) fn len(&self) -> u32 {
         self.corners.len() as u32
     }
 
-    /// Builds and sends what a frame shows over a figure of this stature; allocates nothing.
+    /// Builds and uploads a frame's overlay for a figure of this stature; allocates nothing.
     pub(crate) fn send(&mut self, queue: &Queue, frame: &Frame, stature_m: f32) {
         self.corners.clear();
         let joints = &frame.world_from_joint;
@@ -137,8 +137,8 @@ impl Overlay {
         self.spindle(at - up, at + up, Vec3::Z, (0.5, radius), color);
     }
 
-    /// A spindle between two places, thickest at the share `waist` of its length, where it
-    /// has `radius`; one of its edges points towards `hint`.
+    /// Adds a spindle between two points, thickest at the share `waist` of its length, with
+    /// `radius` there; one of its edges points towards `hint`.
     fn spindle(
         &mut self,
         from: Vec3,
@@ -174,7 +174,7 @@ fn place(world: &DAffine3) -> Vec3 {
     world.translation.as_vec3()
 }
 
-/// Whether a bone has none hanging on it but the chin.
+/// Returns true if a bone has no child other than the chin.
 fn is_free(bone: Bone) -> bool {
     bone == Bone::Skull || !Bone::ALL.iter().any(|b| b.parent() == Some(bone))
 }

@@ -24,7 +24,7 @@ use description::{BEHIND, PipelineDescription, full_screen, pipeline_layout};
 use entries::{figure_entry, fragment_entry, material_entry};
 use set_pipelines::SetPipelines;
 
-/// What every tier of quality shares: made once for a device.
+/// Resources shared by all quality tiers of a device.
 pub(crate) struct SharedResources {
     pub(crate) layouts: Layouts,
     stage: ShaderModule,
@@ -50,33 +50,33 @@ impl SharedResources {
     }
 }
 
-/// Every pipeline of one tier of quality, as far as they were needed.
+/// Compiled pipelines of one quality tier.
 pub(crate) struct Pipelines {
-    /// What draws the places that were wanted.
+    /// Pipelines of the requested sets.
     theatres: Vec<SetPipelines>,
-    /// Which of them is the stage now.
+    /// Index of the current set.
     theatre: usize,
-    /// What lays down the backdrop as a still, where that is done.
+    /// Pipeline that composites the backdrop as a still, if used.
     pub(crate) laid: Option<RenderPipeline>,
     pub(crate) tone_map: Option<RenderPipeline>,
     target: TargetKind,
-    /// Surfaces are drawn by the shaders of the lowest quality.
+    /// True if surfaces use the shaders of the lowest quality.
     simple: bool,
     constants: Vec<(&'static str, f64)>,
     /// Those of materials, for the keys that figures have used.
     materials: Vec<(PipelineKey, RenderPipeline)>,
-    /// Those of the shadow map, by the light's number and whether vertices follow tissue.
+    /// Pipelines of the shadow map, by the light's number, with true for vertices bound to tissue.
     shadows: Vec<(u32, Shadow, bool, RenderPipeline)>,
-    /// What draws figures without materials, by fill, whether their paint is used, and
-    /// whether vertices follow tissue.
+    /// Pipelines for figures without materials, by fill, with flags for their paint and for
+    /// vertices bound to tissue.
     bare: Vec<(Fill, bool, bool, RenderPipeline)>,
-    /// What draws over figures, once it was wanted.
+    /// Pipeline of overlays over figures, created on demand.
     pub(crate) overlay: Option<RenderPipeline>,
-    /// What draws lines over figures, once they were wanted: those behind, those before.
+    /// Pipelines of lines over figures, created on demand: behind and in front.
     pub(crate) lines: Option<[RenderPipeline; 2]>,
 }
 
-/// Whether a figure's own materials are not what draws it.
+/// Returns true if a figure is rendered without its own materials.
 pub(crate) fn is_bare(shown: &Visibility) -> bool {
     shown.fill != Fill::Solid || !shown.materials
 }
@@ -95,13 +95,13 @@ fn flag(on: bool) -> f64 {
     f64::from(u8::from(on))
 }
 
-/// How many of the streams there are.
+/// Returns the number of vertex streams.
 fn stream_count(bound: bool) -> usize {
     2 + usize::from(bound)
 }
 
 impl Pipelines {
-    /// None is compiled yet.
+    /// Creates the tier without compiled pipelines.
     pub(crate) fn new(target: TargetKind, quality: Quality) -> Self {
         Self {
             theatres: Vec::new(),
@@ -126,8 +126,9 @@ impl Pipelines {
         }
     }
 
-    /// Compiles the first that is missing of what a place and the `keys` of a figure need, with shadows
-    /// from `lights` lamps; whether one was. One takes tens of milliseconds where a processor draws.
+    /// Compiles the first missing pipeline for a set and the `keys` of a figure, with shadows from
+    /// `lights` lamps; returns true if there was one. Each takes tens of milliseconds with software
+    /// rendering.
     pub(crate) fn make_next(
         &mut self,
         device: &Device,
@@ -232,8 +233,8 @@ impl Pipelines {
         .build(device)
     }
 
-    /// Compiles what `shown` needs beyond materials, if nothing has needed it yet, for a
-    /// figure that `has_tissue` or not.
+    /// Compiles the pipelines that `shown` needs in addition to materials, if missing, for a figure
+    /// that `has_tissue` or not.
     pub(crate) fn prepare_shown(
         &mut self,
         device: &Device,
@@ -254,15 +255,15 @@ impl Pipelines {
         }
     }
 
-    /// Compiles what lines over figures need, if nothing has needed it yet.
+    /// Compiles the pipelines of lines over figures, if missing.
     pub(crate) fn prepare_lines(&mut self, device: &Device, shared: &SharedResources) {
         if self.lines.is_none() {
             self.lines = Some([true, false].map(|behind| self.make_lines(device, shared, behind)));
         }
     }
 
-    /// What draws meshes by edges, by corners or in clay, those that are `bound` to tissue or
-    /// those that are not; `None` before [`Self::prepare_shown`].
+    /// Returns the pipeline for meshes as edges, as vertices or in clay, `bound` to tissue or not;
+    /// `None` before [`Self::prepare_shown`].
     pub(crate) fn bare(&self, shown: &Visibility, bound: bool) -> Option<&RenderPipeline> {
         let mut made = self.bare.iter();
         let found = made.find(|(f, m, b, _)| (*f, *m, *b) == (shown.fill, shown.materials, bound));
@@ -348,7 +349,7 @@ impl Pipelines {
         .build(device)
     }
 
-    /// A recipe for what covers what it lies before and is seen from both sides.
+    /// Returns a description of an opaque, double-sided pipeline.
     fn plainly<'a>(
         &'a self,
         label: &'a str,
@@ -376,13 +377,13 @@ impl Pipelines {
         }
     }
 
-    /// The pipeline of a material's key; `None` before [`Self::prepare`].
+    /// Returns the pipeline of a material's key; `None` before [`Self::prepare`].
     pub(crate) fn material(&self, key: PipelineKey) -> Option<&RenderPipeline> {
         let found = self.materials.iter().find(|(l, _)| *l == key);
         found.map(|(_, pipeline)| pipeline)
     }
 
-    /// The pipeline of a shadow; `None` before [`Self::prepare`].
+    /// Returns the pipeline of a shadow; `None` before [`Self::prepare`].
     pub(crate) fn shadow(
         &self,
         light: u32,

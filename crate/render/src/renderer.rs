@@ -31,23 +31,23 @@ pub struct Renderer {
     queue: Queue,
     shared: SharedResources,
     fallback: FallbackTextures,
-    /// What the adapter draws at each quality.
+    /// Target kind of the adapter at each quality.
     target_kinds: [TargetKind; Quality::NAMES.len()],
     tier: Tier,
     /// The next quality, while its programs are being compiled.
     coming: Option<Tier>,
     targets: Option<Targets>,
-    /// What the tone-map pass reads, where there is one.
+    /// Bindings of the tone-map pass, if there is one.
     tone_map_group: Option<wgpu::BindGroup>,
     /// The stage as a still, at qualities that draw it so.
     backdrop: Option<Backdrop>,
-    /// How that of the picture that is made comes about.
+    /// Backdrop mode of the current image.
     backdrop_drawn: BackdropMode,
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
     figure: Option<GpuFigure>,
-    /// At which it is drawn in the picture that is made.
+    /// Level of detail in the current image.
     detail: Detail,
     rows: Vec<[f32; 4]>,
     /// The overlay, once it was requested.
@@ -55,7 +55,7 @@ pub struct Renderer {
     /// Lines over figures, once there were any.
     lines: Option<Lines>,
     info: RenderInfo,
-    /// What the driver refused, if anything; returned by the next picture.
+    /// Driver error, if any; returned by the next image.
     refused: DeviceErrors,
 }
 
@@ -135,14 +135,14 @@ impl Renderer {
         renderer
     }
 
-    /// What the renderer turned out to be, with the counts of the last picture.
+    /// Returns the renderer's properties, with the counts of the last image.
     #[must_use]
     pub fn info(&self) -> &RenderInfo {
         &self.info
     }
 
-    /// Sends a figure to the device, in place of the one before. Its pictures are white
-    /// and flat until [`Self::set_image`].
+    /// Uploads a figure, replacing the previous one. Its textures are white and flat until
+    /// [`Self::set_image`].
     ///
     /// # Errors
     /// When it has more than 256 joints or a mesh contradicts itself; the figure before stays.
@@ -153,9 +153,10 @@ impl Renderer {
         Ok(())
     }
 
-    /// Sends the figure in another shape, with another face for example; `before` is what was sent last. Pictures that have
-    /// come stay where it has as many as before, and what is alike in both is not sent again. Of one that `moves`, which is on its
-    /// way to another, the curvature of skin and the way of strands stay as they were until one comes that does not.
+    /// Uploads another shape of the figure, for example with another face; `before` was uploaded
+    /// last. Loaded images are kept if their number is equal, and equal parts are not uploaded
+    /// again. With `moves`, for an intermediate shape, the curvature of skin and the direction of
+    /// strands are kept until a final shape.
     ///
     /// # Errors
     /// As [`Renderer::set_figure`].
@@ -180,8 +181,8 @@ impl Renderer {
         Ok(())
     }
 
-    /// Shows a decoded picture of the figure: `index` as in `Figure::images`, RGBA bytes in
-    /// rows from the top. One that the figure does not show is let go.
+    /// Sets a decoded image of the figure: `index` as in `Figure::images`, RGBA bytes in rows from
+    /// the top. An unused one is discarded.
     ///
     /// # Errors
     /// When the bytes are not four a pixel, or a side is zero or longer than
@@ -239,13 +240,13 @@ impl Renderer {
             .map_or(Ok(()), |message| Err(RenderError::Refused(message)))
     }
 
-    /// Shows a drawn texture of a surface.
+    /// Presents a rendered surface texture.
     #[cfg(target_arch = "wasm32")]
     pub(crate) fn present(&self, texture: wgpu::SurfaceTexture) {
         self.queue.present(texture);
     }
 
-    /// Makes the textures of a picture of this size, if they are not there yet.
+    /// Creates the textures for this image size, if missing.
     fn fit(&mut self, size: (u32, u32)) -> Result<(), RenderError> {
         let (width, height) = size;
         let limit = self.device.limits().max_texture_dimension_2d;
@@ -286,7 +287,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Sends what changes from frame to frame.
+    /// Uploads the data that change from frame to frame.
     fn send(&mut self, frame: &Frame, size: (u32, u32)) {
         let stature_m = self.figure.as_ref().map_or(1.7, |f| f.stature_m);
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
@@ -318,7 +319,7 @@ impl Renderer {
         }
     }
 
-    /// Compiles and sends what a look behind the scenes needs.
+    /// Compiles and uploads the overlays and fill modes of a frame.
     fn send_shown(&mut self, frame: &Frame) {
         let (device, queue) = (&self.device, &self.queue);
         let pipelines = &mut self.tier.pipelines;

@@ -12,20 +12,20 @@ pub(crate) struct ShadowView {
     pub(crate) clip_from_world: DMat4,
     /// Distance between taps, in map widths.
     pub(crate) tap_uv: f32,
-    /// How far a surface point is moved along its normal before the look-up, metres.
+    /// Offset of a surface point along its normal before the look-up, metres.
     pub(crate) normal_offset_m: f32,
     /// Subtracted from the depth before comparing.
     pub(crate) depth_bias: f32,
-    /// Depth of the map that a metre takes.
+    /// Depth-map units per metre.
     pub(crate) depth_of_metre: f32,
 }
 
-/// What a shadow map shows: the figure and the part of it that is in the picture.
+/// Subject of a shadow map: the figure and its visible part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowSubject<'a> {
     pub(crate) camera: &'a Camera,
     pub(crate) view: &'a View,
-    /// Where the figure stands.
+    /// Standing position of the figure.
     pub(crate) stand_in_world: DVec3,
     pub(crate) stature_m: f64,
 }
@@ -34,9 +34,9 @@ pub(crate) struct ShadowSubject<'a> {
 const SOFT_TAP_M: f64 = 0.0028;
 
 impl ShadowView {
-    /// Fits the map to the part of the figure that is in the picture, so that a close
-    /// shot has finer shadows. Casters outside still cast: depth covers the whole figure. Edges are
-    /// `softness` times as soft as from a large lamp.
+    /// Fits the map to the visible part of the figure, so a close shot has finer shadows. Casters
+    /// outside still cast: depth covers the whole figure. Edges are `softness` times as soft as
+    /// from a large lamp.
     pub(crate) fn new(
         light: &DirectedLight,
         softness: f64,

@@ -14,22 +14,22 @@ const STRIPS: usize = 16;
 const STRIP: usize = WIDTH / STRIPS;
 const SEED: u64 = 3;
 
-/// How the strands of a strip lie.
+/// Arrangement of the strands in a strip.
 #[derive(Clone, Copy)]
 struct Bundle {
     strands: usize,
     clumps: usize,
-    /// Share by which strands come to the middle of their clump at the tip.
+    /// Share by which strands converge to the middle of their clump at the tip.
     clump: f64,
-    /// How far clumps wander, of the strip's width.
+    /// Deviation of clumps, relative to the strip's width.
     wander: f64,
-    /// How far single strands do.
+    /// Deviation of single strands, relative to the strip's width.
     frizz: f64,
     /// Half width of a strand, texels.
     half: f64,
     /// Share of the strip that is left free at the sides.
     edge: f64,
-    /// How far ends lie apart, of the length.
+    /// Spread of the ends, relative to the length.
     ends: f64,
     /// Share of strands that leave the bundle.
     stray: f64,
@@ -103,12 +103,12 @@ fn bundle(strip: usize) -> Bundle {
 
 /// One strand.
 struct Strand {
-    /// Place across the strip at each row, texels.
+    /// Position across the strip at each row, texels.
     across: Vec<f64>,
     /// Height in the bundle and number, 0..1.
     height: f64,
     number: f64,
-    /// Where it begins and ends, 0..1.
+    /// Start and end, 0..1.
     from: f64,
     to: f64,
     half: f64,
@@ -245,8 +245,9 @@ fn covered(texels: &[Texel], width: usize, strip: usize, gain: f32) -> f64 {
     f64::from(count) / f64::from(all.max(1))
 }
 
-/// Mip levels: boxes, weighted by cover, with cover raised so that far strands do not vanish
-/// (Castaño 2010, "Computing alpha mipmaps"); halfway only, as they also must not thicken.
+/// Computes mip levels: box filter, weighted by coverage, with coverage raised so distant strands
+/// do not vanish (Castaño 2010, "Computing alpha mipmaps"); only halfway, since strands must not
+/// thicken.
 fn levels(finest: Vec<Texel>) -> Vec<Level> {
     const HALFWAY: f32 = 0.6;
     let wanted: Vec<f64> = (0..STRIPS)

@@ -9,7 +9,7 @@ use wgpu::CurrentSurfaceTexture;
 
 use crate::{FramePacer, Quality, RenderError, RenderInfo, Renderer};
 
-/// Which of the browser's interfaces draws.
+/// Browser interface used for rendering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Backend {
     /// WebGPU; needs the feature `webgpu`.
@@ -18,7 +18,7 @@ pub enum Backend {
     WebGl,
 }
 
-/// What became of a frame.
+/// Result of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RenderStatus {
     /// It is on the canvas.
@@ -34,20 +34,20 @@ pub struct CanvasTarget {
     device: wgpu::Device,
     surface: wgpu::Surface<'static>,
     configuration: wgpu::SurfaceConfiguration,
-    /// The size of a picture with every pixel.
+    /// Full image size, pixels.
     size: (u32, u32),
     pace: FramePacer,
-    /// The picture stands still, so it has the time for every pixel.
+    /// True if the image is static, so it is rendered at full size.
     resting: bool,
     renderer: Renderer,
     lost: Arc<AtomicBool>,
-    /// WebGL's context: wgpu does not tell when it is lost.
+    /// WebGL context, used because wgpu does not report its loss.
     #[cfg(feature = "webgl")]
     context: Option<web_sys::WebGl2RenderingContext>,
 }
 
 impl CanvasTarget {
-    /// Opens a device for a canvas; its `width` and `height` in pixels are the size drawn.
+    /// Opens a device for a canvas; its `width` and `height` in pixels are the rendered size.
     ///
     /// # Errors
     /// When the back end is not built in or not there, or the canvas already serves
@@ -116,13 +116,13 @@ impl CanvasTarget {
         })
     }
 
-    /// What was opened, with the counts of the last picture.
+    /// Returns the renderer's properties, with the counts of the last image.
     #[must_use]
     pub fn info(&self) -> &RenderInfo {
         self.renderer.info()
     }
 
-    /// Sends a figure; it is drawn until the next one.
+    /// Uploads a figure; it is rendered until the next one.
     ///
     /// # Errors
     /// As [`Renderer::set_figure`].
@@ -130,7 +130,8 @@ impl CanvasTarget {
         self.renderer.set_figure(figure)
     }
 
-    /// Sends the figure in another shape than `before`, which was sent last; it keeps its pictures.
+    /// Uploads another shape of the figure than `before`, which was uploaded last; its images are
+    /// kept.
     ///
     /// # Errors
     /// As [`Renderer::set_shape`].
@@ -143,7 +144,7 @@ impl CanvasTarget {
         self.renderer.set_shape(before, figure, moves)
     }
 
-    /// Shows a decoded picture of the figure.
+    /// Sets a decoded image of the figure.
     ///
     /// # Errors
     /// As [`Renderer::set_image`].
@@ -157,13 +158,13 @@ impl CanvasTarget {
         self.renderer.set_image(index, width, height, rgba)
     }
 
-    /// Holds a quality from the next picture on; with `None`, it follows the times of frames.
+    /// Fixes a quality from the next image on; with `None`, it follows frame times.
     pub fn choose(&mut self, quality: Option<Quality>) {
         self.pace.choose(quality);
         self.follow_pace();
     }
 
-    /// Takes the time between two shown frames, milliseconds; the quality follows it.
+    /// Takes the time between two displayed frames, milliseconds; the quality follows it.
     pub fn report_frame(&mut self, ms: f64) {
         // What is drawn as before tells nothing of the quality that comes.
         if !self.renderer.is_changing() && self.pace.report(ms) {
@@ -172,7 +173,7 @@ impl CanvasTarget {
         }
     }
 
-    /// Whether pictures do not follow each other: one that stands still is drawn with every pixel.
+    /// Sets whether the image is static; a static image is rendered at full size.
     pub fn set_resting(&mut self, resting: bool) {
         self.resting = resting;
         self.fit();
@@ -183,8 +184,8 @@ impl CanvasTarget {
         self.fit();
     }
 
-    /// Sets the size of a picture with every pixel, within 1 and the device's limit on either
-    /// side. The canvas's own `width` and `height` follow.
+    /// Sets the full image size, clamped to between 1 and the device's limit on either side. The
+    /// canvas's own `width` and `height` follow.
     pub fn resize(&mut self, width: u32, height: u32) {
         let limit = self.device.limits().max_texture_dimension_2d;
         self.size = (width.clamp(1, limit), height.clamp(1, limit));
@@ -249,14 +250,14 @@ impl CanvasTarget {
 }
 
 impl Drop for CanvasTarget {
-    /// Gives the device and all that was made on it back now. wgpu does nothing when a device of
-    /// WebGPU is dropped, and the browser keeps its memory until it collects garbage.
+    /// Releases the device and its resources immediately. wgpu does nothing when a WebGPU device is
+    /// dropped, and the browser keeps its memory until garbage collection.
     fn drop(&mut self) {
         self.device.destroy();
     }
 }
 
-/// A size of the same shape with at most so many pixels.
+/// Returns a size of the same aspect with at most a number of pixels.
 fn within((width, height): (u32, u32), most: Option<u32>) -> (u32, u32) {
     let pixels = f64::from(width) * f64::from(height);
     let scale = most.map_or(1.0, |most| (f64::from(most) / pixels).sqrt().min(1.0));

@@ -56,18 +56,18 @@ impl TargetKind {
             })
     }
 
-    /// Whether light is kept linear in float.
+    /// Returns true if light is stored linearly in float.
     pub(crate) fn is_float(self) -> bool {
         self.format == TextureFormat::Rgba16Float
     }
 }
 
-/// The textures of one picture size.
+/// Textures of one image size.
 pub(crate) struct Targets {
     pub(crate) size: (u32, u32),
-    /// Drawn to; with more than one sample it is resolved into `picture`.
+    /// Render target; with more than one sample it is resolved into `picture`.
     pub(crate) samples: Option<wgpu::TextureView>,
-    /// What the last pass reads; none where the stage is drawn to the target itself.
+    /// Input of the last pass; `None` if the stage is rendered directly to the target.
     pub(crate) picture: Option<wgpu::TextureView>,
     pub(crate) depth: wgpu::TextureView,
 }

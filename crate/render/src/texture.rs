@@ -7,13 +7,13 @@ use wgpu::{Device, Queue, TextureFormat, TextureView};
 
 use crate::RenderError;
 
-/// Largest side that is taken at all, pixels: 8192² of RGBA are 256 MiB.
+/// Largest accepted image side, pixels: 8192² of RGBA are 256 MiB.
 pub const MAX_SIDE_PX: u32 = 8192;
 
-/// Largest side that is kept on the device; a face that fills a 4K screen shows no more.
+/// Largest side stored on the device, pixels; a face that fills a 4K screen shows no more.
 const KEPT_SIDE: u32 = 2048;
 
-/// What a picture tells of a surface.
+/// Role of a texture on a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// sRGB colour and alpha.
@@ -27,7 +27,7 @@ pub(crate) enum Role {
 /// One mip level: width, height and RGBA bytes.
 pub(crate) type Level = (u32, u32, Vec<u8>);
 
-/// Refuses a picture whose size makes no sense or does not fit its bytes.
+/// Rejects an image whose size is invalid or does not match its bytes.
 pub(crate) fn check(width: u32, height: u32, rgba: &[u8]) -> Result<(), RenderError> {
     let problem = if width == 0 || height == 0 {
         "it is empty"
@@ -45,7 +45,7 @@ pub(crate) fn check(width: u32, height: u32, rgba: &[u8]) -> Result<(), RenderEr
     })
 }
 
-/// Sends a checked picture with its mip levels.
+/// Uploads a checked image with its mip levels.
 pub(crate) fn upload(
     device: &Device,
     queue: &Queue,
@@ -81,7 +81,7 @@ pub(crate) fn upload(
     send(device, queue, format, &all)
 }
 
-/// Sends a picture given with all its mip levels, the finest first.
+/// Uploads an image given with all its mip levels, the finest first.
 pub(crate) fn upload_levels(device: &Device, queue: &Queue, levels: &[Level]) -> TextureView {
     let all: Vec<(u32, u32, &[u8])> = levels
         .iter()
@@ -138,8 +138,8 @@ static LINEAR: LazyLock<[f32; 256]> =
 static BETWEEN: LazyLock<[f32; 255]> =
     LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear((i as f64 + 0.5) / 255.0) as f32));
 
-/// A picture of half the size: each pixel the mean of four, colours in linear light and
-/// by their cover, normals made unit again, heights as they are.
+/// Returns an image of half the size: each pixel the mean of four; colours in linear light and
+/// weighted by coverage, normals renormalised, heights averaged directly.
 fn halved(width: u32, height: u32, rgba: &[u8], role: Role) -> Level {
     let (w, h) = ((width / 2).max(1), (height / 2).max(1));
     let mut out = Vec::with_capacity((4 * w * h) as usize);

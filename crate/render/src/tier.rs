@@ -21,7 +21,8 @@ pub(crate) struct Tier {
 }
 
 impl Tier {
-    /// Makes what `options` ask for, as far as the device can; no program is compiled yet.
+    /// Creates the tier that `options` request, within the device's abilities; no program is
+    /// compiled yet.
     pub(crate) fn new(
         device: &Device,
         shared: &SharedResources,

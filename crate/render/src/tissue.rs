@@ -10,26 +10,26 @@ use raconteur_body::Mesh;
 use raconteur_body::face::NodeState;
 use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 
-/// Displacement that the stream can tell, metres: larger ones are clamped. A step is
-/// 4 µm. A jaw opens by 40 mm.
+/// Largest displacement representable in the stream, metres: larger ones are clamped. A step is 4
+/// µm. A jaw opens by 40 mm.
 pub const REACH_M: f32 = 0.125;
 
-/// Change of a unit normal that the stream can tell: it cannot change by more.
+/// Largest change of a unit normal in the stream, its theoretical maximum.
 const TURN: f32 = 2.0;
 
-/// What tissue does to a vertex.
+/// Effect of tissue on a vertex.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 pub struct TissueVertex {
     /// Displacement in 32767ths of [`REACH_M`], then the normal's change, in 32767ths
     /// of 2.
     pub moved: [i16; 6],
-    /// Three strengths of wrinkles, 0..255; blush, 1 to 255 with 128 for none.
+    /// Three wrinkle strengths, 0..255; blush, 1 to 255 with 128 for none.
     pub complexion: [u8; 4],
 }
 
 impl TissueVertex {
-    /// How the vertex shader reads it.
+    /// Vertex buffer layout of the tissue stream.
     pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: VertexStepMode::Vertex,
@@ -88,8 +88,8 @@ impl Nodes {
         }
     }
 
-    /// Takes the state of the nodes at a moment and tells whether anything changed. Those
-    /// that are not given, or hold a number that is not finite, are at rest. Allocates nothing.
+    /// Takes the current state of the nodes and returns true if anything changed. Nodes that are
+    /// missing or not finite are at rest. Allocates nothing.
     pub fn update(&mut self, states: &[NodeState]) -> bool {
         let mut changed = false;
         let mut states = states.iter();
@@ -118,12 +118,12 @@ fn scaled(state: &NodeState) -> Node {
     }
 }
 
-/// What a vertex follows.
+/// Binding of a vertex to nodes.
 #[derive(Clone, Copy, Debug)]
 struct Row {
-    /// Within the touched stretch.
+    /// Index within the affected range.
     vertex: u32,
-    /// Where its nodes end, which begin where those of the row before end.
+    /// End of its nodes, which begin at the end of the previous row's.
     end: u32,
     /// The levels of detail that draw it, a bit each.
     levels: u32,
@@ -132,9 +132,9 @@ struct Row {
 /// The vertices of a mesh that follow nodes.
 #[derive(Clone, Debug)]
 pub struct BoundMesh {
-    /// First vertex of the touched stretch, in the figure's vertex buffer.
+    /// First vertex of the affected range, in the figure's vertex buffer.
     pub first_vertex: usize,
-    /// The touched stretch as drawn.
+    /// The affected range as rendered.
     pub current: Vec<TissueVertex>,
     rows: Vec<Row>,
     nodes: Vec<u16>,
@@ -142,9 +142,9 @@ pub struct BoundMesh {
 }
 
 impl BoundMesh {
-    /// The bound vertices of a mesh whose vertices begin at `base` in the figure's buffer;
-    /// `None` where none is bound, or the binding has a
-    /// [fault](raconteur_body::Mesh::binding_fault), or triangles name other vertices.
+    /// Returns the bound vertices of a mesh whose vertices begin at `base` in the figure's buffer;
+    /// `None` if none is bound, the binding has a [fault](raconteur_body::Mesh::binding_fault), or
+    /// triangles reference other vertices.
     #[must_use]
     pub fn new(mesh: &Mesh, base: usize) -> Option<Self> {
         let b = mesh.binding.as_ref()?;
@@ -177,9 +177,9 @@ impl BoundMesh {
         })
     }
 
-    /// Brings what a level of detail draws of `current` to the nodes, which are
-    /// [those of](Nodes::of) this mesh among others; what only other levels draw stays as it
-    /// is. Allocates nothing.
+    /// Updates the part of `current` rendered at a level of detail to the nodes, which are [those
+    /// of](Nodes::of) this mesh among others; parts of other levels are unchanged. Allocates
+    /// nothing.
     pub fn apply(&mut self, nodes: &Nodes, level: usize) {
         let mut start = 0;
         for own in &self.rows {

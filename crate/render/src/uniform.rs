@@ -42,22 +42,23 @@ pub(crate) struct FrameUniform {
     viewport: [f32; 4],
     ambient: [[f32; 4]; 9],
     head_up: [f32; 4],
-    /// Radius of the pupil over that of the globe, then how far the lips are apart, mm.
+    /// Radius of the pupil over that of the globe, then the distance of the lips, mm.
     pub(crate) eyes: [f32; 4],
-    /// Edges of the lids, as `LidEdge::plane` tells.
+    /// Edges of the lids, see `LidEdge::plane`.
     pub(crate) lids: [[f32; 4]; 4],
-    /// A ray's place in the still of the backdrop: across, upwards, and what both are over.
+    /// Mapping of a ray to the still of the backdrop: horizontal, vertical, and their common
+    /// divisor.
     pub(crate) still: [[f32; 4]; 3],
 }
 
-/// Where the figure stands, from its joints; the stage's middle without joints.
+/// Returns the standing position of the figure, from its joints; the stage's middle without joints.
 pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
     frame.world_from_joint.first().map_or(DVec3::ZERO, |root| {
         DVec3::new(root.translation.x, 0.0, root.translation.z)
     })
 }
 
-/// A place's number in the shaders.
+/// Returns a set's number in the shaders.
 fn number_of(kind: StageSet) -> f32 {
     match kind {
         StageSet::Studio => 0.0,
@@ -70,8 +71,8 @@ fn number_of(kind: StageSet) -> f32 {
 }
 
 impl FrameUniform {
-    /// What of it a place depends on where nothing casts a shadow, but for the way that the camera looks: soles
-    /// and the place under the figure to a centimetre, as it sways.
+    /// Returns the parts on which a set depends without shadows, without the camera direction: the
+    /// soles and the place under the figure are rounded to a centimetre, because it sways.
     pub(crate) fn of_backdrop(&self) -> Self {
         let to_cm = |p: [f32; 4]| p.map(|x| (x * 100.0).round() / 100.0);
         let [x, y, z, _] = self.eye_in_world;
@@ -102,7 +103,7 @@ impl FrameUniform {
         }
     }
 
-    /// `size` is that of the picture, pixels.
+    /// Creates the uniform; `size` is that of the image, pixels.
     pub(crate) fn new(
         frame: &Frame,
         view: &View,
@@ -181,7 +182,7 @@ impl FrameUniform {
         }
     }
 
-    /// Rays through the middle, and half a picture right and up.
+    /// Returns the rays through the centre, and half an image right and up.
     pub(crate) fn rays(&self) -> [Vec3; 3] {
         [self.ray_forward, self.ray_right, self.ray_up].map(|r| Vec3::new(r[0], r[1], r[2]))
     }

@@ -9,7 +9,7 @@ use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 use crate::gpu::attribute;
 use crate::morph::{ShapeVertex, shape_vertex};
 
-/// What never changes in a vertex.
+/// Constant data of a vertex.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FixedVertex {
@@ -23,7 +23,7 @@ pub(crate) struct FixedVertex {
 }
 
 impl FixedVertex {
-    /// How the vertex shader reads it.
+    /// Vertex buffer layout of the constant stream.
     pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
         array_stride: size_of::<Self>() as u64,
         step_mode: VertexStepMode::Vertex,
@@ -37,13 +37,13 @@ impl FixedVertex {
     };
 }
 
-/// Where the vertices of a mesh are.
+/// Returns the shape data of a mesh's vertices.
 pub(crate) fn shape_vertices(mesh: &Mesh) -> Vec<ShapeVertex> {
     let both = mesh.positions.iter().zip(&mesh.normals);
     both.map(|(p, n)| shape_vertex(*p, *n)).collect()
 }
 
-/// What else the vertices of a mesh have, whose lengths have been checked.
+/// Returns the constant data of a mesh's vertices, whose lengths have been checked.
 pub(crate) fn fixed_vertices(mesh: &Mesh) -> Vec<FixedVertex> {
     let curvature = curvature_per_m(mesh);
     let fixed = |(i, along): (usize, Vec3)| {
@@ -69,8 +69,8 @@ pub(crate) fn fixed_vertices(mesh: &Mesh) -> Vec<FixedVertex> {
     fixed
 }
 
-/// Direction in which v grows, for each vertex, averaged over its triangles: the way a
-/// strand runs on a card, wales on cloth, up on an eye. Bind pose, unit length.
+/// Returns the direction of increasing v for each vertex, averaged over its triangles: the
+/// direction of a strand on a card, wales on cloth, up on an eye. Bind pose, unit length.
 fn growing_v(mesh: &Mesh) -> Vec<Vec3> {
     let mut sum = vec![Vec3::ZERO; mesh.positions.len()];
     for t in mesh.indices.chunks_exact(3) {
@@ -104,7 +104,7 @@ fn growing_v(mesh: &Mesh) -> Vec<Vec3> {
         .collect()
 }
 
-/// Curvature that a vertex can tell, 1/m: a bead of 4 mm radius.
+/// Largest curvature representable in a vertex, 1/m: a bead of 4 mm radius.
 const SHARPEST_PER_M: f32 = 250.0;
 
 /// Mean curvature of each vertex, 1/m, positive where the surface bulges: how fast the

@@ -9,18 +9,18 @@ use raconteur_stage::Camera;
 pub(crate) struct View {
     pub(crate) clip_from_world: DMat4,
     pub(crate) forward: DVec3,
-    /// To the right edge of the picture at distance 1.
+    /// Vector to the right edge of the image at distance 1.
     pub(crate) right: DVec3,
-    /// To the upper edge of the picture at distance 1.
+    /// Vector to the upper edge of the image at distance 1.
     pub(crate) up: DVec3,
-    /// Half the height of the picture at distance 1, metres.
+    /// Half the height of the image at distance 1, metres.
     pub(crate) half_height: f64,
 }
 
 impl View {
-    /// The view of a camera in a picture of `aspect` (width over height). A camera that
-    /// looks nowhere looks to the back; one that looks straight up or down keeps the
-    /// picture's top towards the back of the stage.
+    /// Returns the view of a camera in an image of `aspect` (width over height). A camera without
+    /// direction looks to the back; one that looks straight up or down keeps the image's top
+    /// towards the back of the stage.
     pub(crate) fn new(camera: &Camera, aspect: f64) -> Self {
         let forward = (camera.target_in_world - camera.eye_in_world)
             .try_normalize()

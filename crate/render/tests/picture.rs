@@ -61,7 +61,8 @@ fn every_quality_draws_the_figure_on_a_stage() {
     }
 }
 
-/// From one quality to the next, and back, without another device: as a player's pace does it.
+/// Checks changes of quality on one device, forwards and back, like those of a player's frame
+/// pacing.
 #[test]
 fn qualities_change_on_one_device() {
     let figure = common::figure();
@@ -84,7 +85,7 @@ fn qualities_change_on_one_device() {
     }
 }
 
-/// While another quality is on its way pictures are drawn as before; it comes in some pictures' time, whole.
+/// Checks that images are unchanged during a change of quality, which completes within some images.
 #[test]
 fn another_quality_comes_when_it_is_whole() {
     let figure = common::figure();
@@ -139,7 +140,7 @@ fn bent() -> Pose {
     pose
 }
 
-/// Picture coordinates of a world point, pixels from the upper left.
+/// Returns image coordinates of a world point, pixels from the upper left.
 fn project(camera: &Camera, p: DVec3) -> (f64, f64) {
     let forward = (camera.target_in_world - camera.eye_in_world).normalize();
     let right = forward.cross(DVec3::Y).normalize();

@@ -11,12 +11,12 @@ use raconteur_stage::{Camera, Frame, FramingMargin, Set, Shot, Span, StageSet};
 
 const WIDTH: u32 = 128;
 const HEIGHT: u32 = 72;
-/// Pictures a second.
+/// Frames per second.
 const RATE: usize = 25;
-/// Side of the blocks whose light is watched, pixels: a hundredth of the picture's area each.
+/// Side of the blocks with monitored light, pixels: a hundredth of the image's area each.
 const BLOCK: usize = 12;
-/// Opposing changes of relative luminance that make a flash, and how many a second may have (WCAG 2.2, success
-/// criterion 2.3.1).
+/// Opposing changes of relative luminance that count as a flash, and their allowed number per
+/// second (WCAG 2.2, success criterion 2.3.1).
 const FLASH: f64 = 0.1;
 const MAX_FLASHES: usize = 3;
 
@@ -30,7 +30,7 @@ fn camera(set: &Set) -> Camera {
     Shot::Storyteller.frame(raconteur_base::DVec3::ZERO, 1.66, aspect, room)
 }
 
-/// The place as it is after some time, drawn at a quality.
+/// Renders the set at a time, at a quality.
 fn drawn(device: &mut Headless, kind: StageSet, time_secs: f64) -> Vec<u8> {
     let mut frame = Frame::with_capacity(0, 0);
     frame.time_secs = time_secs;
@@ -61,7 +61,7 @@ fn blocks(picture: &[u8]) -> Vec<f64> {
         .collect()
 }
 
-/// When light has turned after a change of [`FLASH`] or more: picture numbers.
+/// Returns the frame numbers at which the light reverses after a change of [`FLASH`] or more.
 fn turns(light: &[f64]) -> Vec<usize> {
     let (mut low, mut high, mut rises, mut out) = (light[0], light[0], None, Vec::new());
     for (i, &l) in light.iter().enumerate() {

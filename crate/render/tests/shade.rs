@@ -29,7 +29,7 @@ fn balls(parts: &[(MaterialKind, Vec3, Vec3)]) -> Figure {
     figure
 }
 
-/// The key alone, from a direction.
+/// Returns lighting with only the key light, from a direction.
 fn key_only(towards: DVec3) -> Lighting {
     let dark = DirectedLight {
         towards_light_in_world: DVec3::Y,
@@ -67,7 +67,8 @@ fn red(device: &mut Headless, frame: &Frame) -> Vec<u8> {
     rgba.chunks_exact(4).map(|p| p[0]).collect()
 }
 
-/// How much brighter or darker each inner pixel is than all that surround it: 0 but for grain.
+/// Returns the brightness difference of each inner pixel from all its neighbours: 0 except for
+/// grain.
 fn grain(picture: &[u8]) -> Vec<u8> {
     let side = SIDE as usize;
     let mut out = Vec::new();

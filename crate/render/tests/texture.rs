@@ -15,8 +15,8 @@ use raconteur_stage::{Camera, Frame, Shot};
 
 const SIDE: u32 = 96;
 
-/// A square of 40 cm before the camera that fills the picture's middle, uv (0, 0) at the
-/// upper left, showing image 0 in colour and image 1 as normals.
+/// Returns a square of 40 cm in front of the camera that fills the image centre, uv (0, 0) at the
+/// upper left, with image 0 as colour and image 1 as normals.
 fn square(kind: MaterialKind) -> Figure {
     let mut figure = common::figure();
     let mut mesh = common::empty(kind);
@@ -49,7 +49,7 @@ fn square(kind: MaterialKind) -> Figure {
     figure
 }
 
-/// A moment with the camera straight before the square, at a distance.
+/// Returns a frame with the camera straight in front of the square, at a distance.
 fn before(figure: &Figure, distance_m: f64) -> Frame {
     let mut frame = common::frame(figure, &Pose::zero(), Shot::Medium, 1.0);
     let middle = DVec3::new(0.0, 1.2, 0.5);
@@ -66,7 +66,7 @@ fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {
     device.render_rgba(frame, SIDE, SIDE).expect("drawn")
 }
 
-/// Mean of a square of 9 pixels around a place given in shares of the picture.
+/// Returns the mean of a square of 9 pixels around a position given in shares of the image.
 fn mean_at(picture: &[u8], x: f64, y: f64) -> [f64; 3] {
     let side = f64::from(SIDE);
     let (cx, cy) = ((x * side) as usize, (y * side) as usize);

@@ -62,7 +62,7 @@ fn states() -> Vec<NodeState> {
         .collect()
 }
 
-/// The vertices of a mesh as plain sums say.
+/// Computes the vertices of a mesh by direct sums, as reference.
 fn plainly(mesh: &Mesh, states: &[NodeState], vertex: u32) -> NodeState {
     let mut sum = NodeState::default();
     let b = mesh.binding.as_ref().expect("bound");
@@ -81,7 +81,8 @@ fn plainly(mesh: &Mesh, states: &[NodeState], vertex: u32) -> NodeState {
     sum
 }
 
-/// Half a step of the stream and what sums in another order differ by.
+/// Returns true if two values agree within half a step of the stream and the rounding of another
+/// summation order.
 fn near(told: f32, whole: f32, step: f32) -> bool {
     (told * step - whole).abs() <= 0.501 * step + 1e-6
 }
@@ -176,7 +177,7 @@ fn differing(a: &[u8], b: &[u8], limit: u8) -> usize {
     pixels.filter(|(p, q)| far(p, q)).count()
 }
 
-/// Mean of red, green and blue over the picture's middle.
+/// Returns the mean of red, green and blue over the image centre.
 fn middle(picture: &[u8]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     let (from, to) = (SIDE / 2 - 6, SIDE / 2 + 6);
@@ -191,7 +192,7 @@ fn middle(picture: &[u8]) -> [f64; 3] {
     sum
 }
 
-/// The test figure's head alone, half of it held by the chin.
+/// Returns the test figure's head only, half of it attached to the chin.
 fn head() -> Figure {
     let mut figure = common::figure();
     figure.meshes.truncate(1);

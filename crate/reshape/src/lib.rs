@@ -129,6 +129,22 @@ pub enum ReshapeError {
 }
 
 /// Figure prepared for new faces: bindings of all parts of its head to its skin.
+///
+/// # Examples
+///
+/// ```no_run
+/// use raconteur_body::read::read_figure;
+/// use raconteur_reshape::{NewFace, NewOrgans, Reshaper};
+///
+/// # fn example(skin: &[f64], organs: &[f64]) -> Result<(), Box<dyn std::error::Error>> {
+/// let figure = read_figure("sofia", &std::fs::read("../../assets/figures/sofia.glb")?)?;
+/// let reshaper = Reshaper::new(figure, skin.len() / 3)?;
+/// let organs = NewOrgans::from_numbers(organs).ok_or("other numbers")?;
+/// let reshaped = reshaper.with_face(&NewFace::from_numbers(skin, &[], organs))?;
+/// assert_eq!(reshaped.skeleton.joints().len(), reshaper.figure().skeleton.joints().len());
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug)]
 pub struct Reshaper {
     figure: Figure,

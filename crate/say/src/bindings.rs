@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::hosts;
 
-/// What was said; `SpokenAudio` in `web/speech/source.ts`.
+/// Spoken audio; `SpokenAudio` in `web/speech/source.ts`.
 #[derive(Serialize)]
 struct SpokenAudio {
     bundle: String,
@@ -25,14 +25,14 @@ impl Serialize for Bytes {
     }
 }
 
-/// Speaks in a page.
+/// Speech synthesiser in a page.
 #[wasm_bindgen]
 pub struct Speaker(crate::Speaker);
 
 #[wasm_bindgen]
 impl Speaker {
-    /// One who speaks with a voice of an engine, which `host` runs. The exception's message names
-    /// the fault.
+    /// Creates a speaker with a voice of an engine, which `host` runs. The exception's message
+    /// describes the fault.
     #[wasm_bindgen(constructor)]
     pub fn new(engine: &str, host: Object, voice: &str) -> Result<Speaker, JsError> {
         let run = hosts::engine(engine, host).map_err(js_error)?;
@@ -41,8 +41,8 @@ impl Speaker {
         ))
     }
 
-    /// Begins to speak what a script or a list of clauses says and `known`, the text of its
-    /// bundle, does not hold. The exception's message names the fault.
+    /// Begins to speak the parts of a script or a list of clauses missing in `known`, the text of
+    /// its bundle. The exception's message describes the fault.
     pub fn begin(
         &self,
         eml: &str,
@@ -53,20 +53,20 @@ impl Speaker {
         Ok(PendingSpeech(saying.map_err(js_error)?))
     }
 
-    /// Speaks the next utterance, or has the host get ready for it; false when there is none. The
-    /// exception's message names the fault.
+    /// Speaks the next utterance, or lets the host prepare for it; returns false if there is none.
+    /// The exception's message describes the fault.
     pub fn step(&self, saying: &mut PendingSpeech) -> Result<bool, JsError> {
         self.0.step(&mut saying.0).map_err(js_error)
     }
 }
 
-/// What is being said.
+/// Speech in progress.
 #[wasm_bindgen]
 pub struct PendingSpeech(page::PageBake);
 
 #[wasm_bindgen]
 impl PendingSpeech {
-    /// What was said so far, with the sounds and problems that are new.
+    /// Returns the speech up to now, with the new audio and problems.
     pub fn take(&mut self) -> Result<JsValue, JsError> {
         let sounds = self.0.take_sounds().into_iter();
         let said = SpokenAudio {
@@ -88,7 +88,7 @@ pub fn start() {
     raconteur_base::panic::keep_messages();
 }
 
-/// What the panic said that ended this instance, and where in the source; none where it was
+/// Returns the message and source location of the panic that ended this instance; `None` for
 /// another trap.
 #[wasm_bindgen(js_name = panicMessage)]
 #[must_use]

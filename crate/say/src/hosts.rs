@@ -124,7 +124,7 @@ impl espeak::Host for Worker {
     }
 }
 
-/// Calls a function of the host that answers nothing while it gets ready.
+/// Calls a function of the host, which returns nothing while it prepares.
 fn answer(name: &str, arguments: &[JsValue]) -> Result<JsValue> {
     let answer = call(name, arguments)?;
     if answer.is_undefined() {
@@ -188,7 +188,7 @@ impl server::Host for Worker {
     }
 }
 
-/// EventKind espeak-ng told of a text.
+/// Converts the events that espeak-ng reported for a text.
 fn traced(said: &JsValue) -> Result<TracedText> {
     let events = Array::from(&member(said, "events")?);
     let number = |value: JsValue| value.as_f64().unwrap_or_default() as usize;

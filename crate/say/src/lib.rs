@@ -19,16 +19,32 @@ use raconteur_voice::bake::{BakeOptions, Cast, STORY_PACE};
 use raconteur_voice::speech_requests;
 use raconteur_voice::text::Lexicon;
 
-/// Longest script that is spoken while somebody waits, bytes.
+/// Maximum length of a script spoken on demand, bytes.
 pub const MAX_BYTES: usize = 1 << 20;
 
-/// Speaks with one voice, and with what a script's markup makes of it.
+/// Speaks with one voice, and with the effects of a script's markup.
+///
+/// # Examples
+///
+/// ```no_run
+/// use raconteur_say::Speaker;
+/// use raconteur_voice::bake::engine::Engine;
+///
+/// # fn example(engine: Box<dyn Engine>) -> anyhow::Result<()> {
+/// let speaker = Speaker::new("flite", engine, "slt")?;
+/// let script = "<eml><body><voice-text time='0'>Hello!</voice-text></body></eml>";
+/// let mut pending = speaker.begin(script, false, None)?;
+/// while speaker.step(&mut pending)? {}
+/// println!("{}", pending.bundle());
+/// # Ok(())
+/// # }
+/// ```
 pub struct Speaker {
     options: BakeOptions,
 }
 
 impl Speaker {
-    /// One who speaks with a voice of an engine that is called `name`.
+    /// Creates a speaker with a voice of the engine called `name`.
     ///
     /// # Errors
     /// When the engine is not there or has no such voice.
@@ -45,8 +61,8 @@ impl Speaker {
         })
     }
 
-    /// Begins to speak what a script, or with `is_fragment` a list of clauses, says and `known`,
-    /// the text of the bundle that it has, does not hold.
+    /// Begins to speak the parts of a script, or with `is_fragment` of a list of clauses, missing
+    /// in `known`, the text of its bundle.
     ///
     /// # Errors
     /// When the script is too long, or `known` is no bundle.
@@ -66,7 +82,7 @@ impl Speaker {
         Ok(PageBake::new(speech_requests(&parsed.document), known))
     }
 
-    /// Speaks the next utterance, as [`Saying::step`] does.
+    /// Speaks the next utterance, like [`Saying::step`].
     ///
     /// # Errors
     /// As [`Saying::step`].

@@ -75,6 +75,16 @@ pub enum Class {
 }
 
 /// Visual targets of one phone.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_speech::phones::{Channel, by_name};
+///
+/// let p = by_name("p").expect("a phone of the table");
+/// assert!(p.channel(Channel::Jaw).is_finite());
+/// assert!(by_name("no phone").is_none());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTargets {
     /// Name of the row: Festival's symbol, or SAMPA's if Festival has none.

@@ -45,6 +45,18 @@ pub fn word_of(emotion: &Emotion) -> Option<&'static str> {
 
 /// A clause that speaks, audibly or prepared, with its speech state: from the last `voice-change`,
 /// the last emotion and the last beat before it, in document order.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_spoken::spoken_clauses;
+///
+/// let script = "<eml><body><voice-text time='0'>Hello!</voice-text></body></eml>";
+/// let parsed = raconteur_eml::parse(script);
+/// let spoken = spoken_clauses(&parsed.document);
+/// assert_eq!(spoken.len(), 1);
+/// assert_eq!(spoken[0].key(), spoken[0].key(), "the same clause has the same key");
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SpokenClause<'d> {
     /// Identifier of the clause in the document.

@@ -6,6 +6,18 @@ use raconteur_base::{DQuat, DVec3, Length, ops};
 use crate::storyteller::{AT_REST, BUST, FACE, HEAD, Span, aside_in};
 
 /// A pinhole camera.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_base::DVec3;
+/// use raconteur_stage::camera::{FramingMargin, Shot};
+///
+/// let margin = FramingMargin::default();
+/// let medium = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, margin);
+/// let full = Shot::Full.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, margin);
+/// assert!(full.eye_in_world.z > medium.eye_in_world.z, "the whole figure needs more distance");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Optical centre, world, metres.

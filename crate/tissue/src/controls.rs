@@ -29,6 +29,18 @@ impl Jaw {
 
 /// Controls of a face at one time: contractions of its muscles, and direct parameters for movements
 /// without a muscle here (F&H section 3.1.2). The caller clamps values to their range.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_tissue::FaceControls;
+///
+/// let rest = FaceControls::default();
+/// let mut open = rest.clone();
+/// open.jaw.pitch_rad = 0.2;
+/// let half = rest.lerp(&open, 0.5);
+/// assert!((half.jaw.pitch_rad - 0.1).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceControls {
     /// Contraction of each [`Muscle`](super::Muscle), 0 relaxed to 1.

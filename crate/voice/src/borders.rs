@@ -14,20 +14,20 @@ use crate::signal::intensity::{Intensity, decibels, intensity};
 use crate::spoken::{Segment, Spoken};
 use raconteur_base::ops;
 
-/// Time between places where a border may be, seconds.
+/// Time step of possible borders, seconds.
 const STEP_SECS: f64 = 0.005;
-/// By how many steps a border moves at most, and how far off an engine's border usually is, seconds:
-/// half a frame of 25 ms and what its network leaves open. Where a pause begins or ends engines
-/// know less.
+/// Maximum displacement of a border, in steps, and typical error of an engine's border, seconds:
+/// half a frame of 25 ms and the uncertainty of its network. Engines are less accurate at the
+/// borders of pauses.
 const REACH: (usize, f64) = (14, 0.03);
 const REACH_OF_PAUSES: (usize, f64) = (80, 0.08);
-/// By which factor the length of a phone usually is another than the engine tells, as a logarithm.
+/// Typical deviation of a phone's length from the engine's, as a factor in logarithms.
 const STRETCH: f64 = 0.3;
 /// The shortest phone, steps.
 const MIN_STEPS: usize = 3;
-/// The same of a vowel that the engine does not tell to be much shorter.
+/// Minimum length of a vowel, in steps, unless the engine reports it as much shorter.
 const MIN_VOWEL: usize = 8;
-/// What is further under the loudest of a sentence is not heard, decibels.
+/// Level below the loudest of a sentence that counts as inaudible, decibels.
 const HEARD_DB: f64 = -45.0;
 /// The shortest phone before a pause, seconds.
 const MIN_LAST_SECS: f64 = 0.04;
@@ -35,14 +35,14 @@ const MIN_LAST_SECS: f64 = 0.04;
 const PAUSE_SECS: f64 = 0.04;
 /// The window of levels, seconds.
 const WINDOW_SECS: f64 = 0.012;
-/// Friction is heard above this frequency.
+/// Frequency above which friction is measured.
 const HISS_HZ: f64 = 2500.0;
 /// Nasals have little above this frequency, vowels that are not closed much.
 const OPEN_HZ: f64 = 600.0;
 /// The price of a plosive without its burst.
 const NO_BURST: f64 = 2.5;
 
-/// What is heard at each step.
+/// Acoustic features at each step.
 struct Frame {
     voiced: bool,
     /// Level under the loudest of the sentence, decibels, at most 0.
@@ -90,8 +90,8 @@ pub(crate) fn refine(spoken: &mut Spoken) {
     drop_short_pauses(spoken);
 }
 
-/// Before a pause and at the end a phone is over when it cannot be heard any more, which closures do
-/// not tell from pauses.
+/// Ends a phone before a pause, or at the end, when it becomes inaudible, because closures cannot
+/// be distinguished from pauses.
 fn trim(spoken: &mut Spoken, frames: &[Frame]) {
     for at in 1..spoken.segments.len() {
         let before = at
@@ -109,7 +109,7 @@ fn trim(spoken: &mut Spoken, frames: &[Frame]) {
     }
 }
 
-/// What is too short to be heard as a pause is part of the phone before it.
+/// Merges pauses that are too short to be perceived into the preceding phone.
 fn drop_short_pauses(spoken: &mut Spoken) {
     for at in (1..spoken.segments.len().saturating_sub(1)).rev() {
         let (begins, end_secs) = (
@@ -155,12 +155,12 @@ fn frames(spoken: &Spoken) -> Vec<Frame> {
         .collect()
 }
 
-/// A share of how far a value is over a bound, 0 to 1.
+/// Returns the degree to which a value exceeds a bound, 0 to 1.
 fn over(value: f64, bound: f64, width: f64) -> f64 {
     ((value - bound) / width).clamp(0.0, 1.0)
 }
 
-/// What a phone is like besides its manner.
+/// Kind of a phone, in addition to its manner.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Nasal,
@@ -179,7 +179,7 @@ impl Kind {
     }
 }
 
-/// What it costs that a step belongs to a phone.
+/// Returns the cost of assigning a step to a phone.
 fn cost(manner: Manner, kind: Kind, frame: &Frame) -> f64 {
     let Frame {
         voiced,
@@ -241,14 +241,14 @@ struct Paths {
     plosive: Vec<bool>,
     vowel: Vec<bool>,
     silent: Vec<bool>,
-    /// Where the engine puts the borders between phones, steps.
+    /// Borders between phones from the engine, in steps.
     places: Vec<usize>,
-    /// Where the last phone ends.
+    /// End of the last phone.
     last: usize,
 }
 
 impl Paths {
-    /// What a phone costs from a step to another.
+    /// Returns the cost of a phone from one step to another.
     fn phone(&self, phone: usize, from: usize, to: usize) -> f64 {
         let own = self.costs[phone][to] - self.costs[phone][from];
         if self.silent[phone] {
@@ -266,7 +266,7 @@ impl Paths {
         own + if bursts { 0.0 } else { NO_BURST }
     }
 
-    /// How long the engine tells a phone to be, steps.
+    /// Returns the length of a phone according to the engine, in steps.
     fn engine_steps(&self, phone: usize) -> usize {
         let start = phone.checked_sub(1).map_or(0, |before| self.places[before]);
         let end = self.places.get(phone).copied().unwrap_or(self.last);
@@ -281,7 +281,7 @@ impl Paths {
         }
     }
 
-    /// How far a border moves, and how far off it usually is.
+    /// Returns the maximum displacement of a border and its typical error.
     fn reach(&self, border: usize) -> (usize, f64) {
         match self.silent[border] || self.silent[border + 1] {
             true => REACH_OF_PAUSES,
@@ -300,7 +300,7 @@ impl Paths {
         )
     }
 
-    /// The ends of all phones but the last; none where no path is long enough.
+    /// Returns the ends of all phones but the last; `None` if no path is long enough.
     fn best(&self) -> Option<Vec<usize>> {
         let moved = |border: usize, at: usize| {
             let (_, spread_secs) = self.reach(border);

@@ -12,8 +12,8 @@ use crate::signal::f0::{self, PitchTrack};
 use crate::signal::intensity::span_db;
 use raconteur_speech::bundle::{FRAME_SECS, Phone, Syllable, Utterance};
 
-/// How a sound differs from the plain one. Only words with an index in the span that was
-/// asked for are compared.
+/// Difference between a sound and the neutral one. Only words with an index in the requested span
+/// are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     /// Factor on the time from the begin of the first word to the end of the last.
@@ -22,58 +22,58 @@ pub struct Difference {
     pub sonorant_duration: f64,
     /// Factor on the length of plosives and fricatives.
     pub obstruent_duration: f64,
-    /// How much higher it is on the mean, semitones.
+    /// Difference of the mean pitch, semitones.
     pub semitones: f64,
-    /// How much louder it is, decibels.
+    /// Difference of the level, decibels.
     pub db: f64,
     /// Factor on the length of pauses between words that are there in both.
     pub pause_duration: f64,
     /// Pauses inside sentences, before and after.
     pub pauses: (usize, usize),
-    /// How its melody differs; `None` where too little is voiced to tell.
+    /// Difference of the intonation; `None` if too little is voiced.
     pub melody: Option<Melody>,
 }
 
-/// How a melody differs from the plain one, each part with the others taken out.
+/// Components of an intonation difference, each adjusted for the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Melody {
-    /// How much higher it is, semitones.
+    /// Difference of pitch, semitones.
     pub semitones: f64,
     /// Factor on the range of the pitch around its mean.
     pub range: f64,
-    /// How much more it rises, from the begin of a phrase to its end, semitones.
+    /// Additional rise from the start of a phrase to its end, semitones.
     pub rise: f64,
     /// Factor by which the range grows from the begin of a phrase to its end.
     pub range_growth: f64,
-    /// How much higher the middles of accented syllables are, semitones.
+    /// Additional pitch in the middle of accented syllables, semitones.
     pub accent: f64,
     /// Factor on the steepness in accented syllables.
     pub accent_slope: f64,
-    /// By how much accented syllables rise more, from end to end of their middle, semitones.
+    /// Additional rise of accented syllables over their middle part, semitones.
     pub accent_tilt: f64,
-    /// By how much every other accented syllable rises more, and those between rise less.
+    /// Additional rise of every other accented syllable, with a reduced rise of those between.
     pub accent_alternation: f64,
-    /// How much higher phrases end, semitones.
+    /// Additional pitch at the end of phrases, semitones.
     pub end: f64,
 }
 
-/// A moment where both are voiced.
+/// Time at which both are voiced.
 struct Point {
     /// Semitones over 100 Hz, plain and changed.
     plain: f64,
     changed: f64,
-    /// Place in its phrase, −0.5 to 0.5.
+    /// Position in its phrase, −0.5 to 0.5.
     along: f64,
-    /// Where it is in an accent.
+    /// Position in an accent, if any.
     accent: Option<InAccent>,
-    /// Place in the last syllable of its phrase, 0 to 1; 0 before it.
+    /// Position in the last syllable of its phrase, 0 to 1; 0 before it.
     ending: f64,
 }
 
-/// A place in the window of an accent.
+/// Position in the window of an accent.
 #[derive(Clone, Copy)]
 struct InAccent {
-    /// Which accent of its sentence.
+    /// Index of the accent in its sentence.
     index: usize,
     /// From 0 to 1.
     place: f64,
@@ -81,8 +81,8 @@ struct InAccent {
     centre: f64,
 }
 
-/// Compares the words from `first` to `last`. `None` when the two do not have the same
-/// phones, or nothing is voiced.
+/// Compares the words from `first` to `last`. Returns `None` if the two do not have the same
+/// phones, or if nothing is voiced.
 #[must_use]
 pub fn compare(
     plain: &Speech,
@@ -140,9 +140,8 @@ pub fn compare(
     })
 }
 
-/// Parts of a melody: a model of the changed pitch, fitted by least squares a few times: how
-/// the range grows bends the rest of it, and what errs by more than three semitones (slips of
-/// an octave) is left out once there is a fit to err from.
+/// Fits a model of the changed pitch by iterated least squares: the range bends the other
+/// components, and errors above three semitones (octave jumps) are excluded after the first fit.
 fn melody(points: &[Point]) -> Option<Melody> {
     const PARTS: usize = 9;
     let mean = points.iter().map(|p| p.plain).sum::<f64>() / points.len().max(1) as f64;
@@ -206,7 +205,7 @@ fn melody(points: &[Point]) -> Option<Melody> {
     })
 }
 
-/// Solves a symmetric system by elimination; parts that nothing tells of are 0.
+/// Solves a symmetric system by elimination; undetermined components are 0.
 fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] {
     let scale: [f64; N] = core::array::from_fn(|i| matrix[i][i].abs());
     for pivot in 0..N {
@@ -344,7 +343,7 @@ fn pauses(u: &Utterance, first: usize, last: usize) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// How many pauses are inside sentences.
+/// Returns the number of pauses inside sentences.
 fn inside(u: &Utterance, pauses: &[(usize, f64)]) -> usize {
     let ends = |word: usize| u.sentences.iter().any(|s| s.first_word == word + 1);
     pauses.iter().filter(|(word, _)| !ends(*word)).count()

@@ -6,20 +6,20 @@ use crate::text::SayAs;
 /// The content, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Content {
-    /// Texts, pauses and what opens and closes around them.
+    /// Texts, pauses, and openings and closings of markup.
     pub segments: Vec<Segment>,
 }
 
-/// A stretch or a point of an utterance.
+/// Span or point of an utterance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Segment {
     /// Characters; words may go on in the next text.
     Text(String),
     /// A pause.
     Break {
-        /// Its length, milliseconds; 0 asks for no pause at all.
+        /// Length, milliseconds; 0 requests no pause at all.
         msec: u32,
-        /// The punctuation mark whose melody goes before it.
+        /// Punctuation mark whose intonation precedes it.
         boundary: Option<Boundary>,
     },
     /// A sentence or a paragraph begins or ends.
@@ -33,9 +33,9 @@ pub enum Segment {
         /// Its amplitude; 1 as recorded.
         level: f64,
     },
-    /// Listeners get an event at this moment.
+    /// Mark that sends an event to listeners.
     Mark(String),
-    /// What follows is spoken so, until the [`Segment::Close`] that belongs to it.
+    /// Start of markup, up to the matching [`Segment::Close`].
     Open(Markup),
     /// The last opened markup ends.
     Close,
@@ -54,7 +54,7 @@ pub enum Boundary {
     Comma,
 }
 
-/// What a division parts.
+/// Unit separated by a division.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Division {
     /// Sentences.
@@ -63,25 +63,25 @@ pub enum Division {
     Paragraph,
 }
 
-/// How a property changes.
+/// Change of a property.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
     /// A factor on the value around it; changes inside each other multiply.
     Factor(f64),
     /// The value itself: hertz, words a minute, or amplitude.
     Value(f64),
-    /// The voice's own value, whatever is around it.
+    /// The voice's own value, regardless of the surroundings.
     Default,
 }
 
-/// How its content is spoken.
+/// Speech markup of its content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Markup {
-    /// Emphasis as SABLE counts it: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+    /// Emphasis on SABLE's scale: 0 reduced, 0.5 none, 1 moderate, 2 strong.
     Emphasis(f64),
     /// Pitch; values are hertz.
     Pitch {
-        /// The base line: what the melody falls to.
+        /// Pitch base line: the value to which the intonation falls.
         base: Option<Setting>,
         /// The middle line: its mean.
         middle: Option<Setting>,
@@ -101,17 +101,17 @@ pub enum Markup {
         /// Language of origin.
         origin: Option<String>,
     },
-    /// What kind of text it is.
+    /// Type of the text.
     SayAs(SayAs),
     /// Language, a BCP 47 tag or a name such as `German`.
     Language(String),
-    /// Who speaks.
+    /// Speaker.
     Speaker(Speaker),
-    /// Something else on one engine.
+    /// Alternative text for one engine.
     Engine {
         /// The engine's name.
         id: String,
-        /// What it says instead.
+        /// Alternative text.
         data: String,
     },
     /// In an emotion (F&H table 4.4), from −100 to 100 each.
@@ -125,11 +125,11 @@ pub enum Markup {
         /// Submissive to dominant.
         power: f64,
     },
-    /// Markup that nothing here understands; kept so that openings and closings match.
+    /// Unsupported markup, retained so that openings and closings match.
     Other,
 }
 
-/// Who speaks, as far as a text says it.
+/// Speaker properties given by a text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Speaker {
     /// Sex.

@@ -21,18 +21,19 @@ use raconteur_speech::bundle::SentenceKind;
 
 /// Standard deviation of the logarithm of a pause.
 const SPREAD: f64 = 0.35;
-/// Pauses that nobody asks for are no shorter and no longer, seconds.
+/// Minimum and maximum of default pauses, seconds.
 const PAUSE_SECS: (f64, f64) = (0.2, 2.5);
 /// After a comma, and after a semicolon, a colon or a dash: medians, seconds.
 const PHRASE_SECS: f64 = 0.24;
 const CLAUSE_SECS: f64 = 0.38;
-/// Before and after what somebody says, a pause between sentences is so much longer.
+/// Factor for the pause between sentences before and after direct speech.
 const TURN: f64 = 1.3;
-/// After a long sentence it is longer as well, after a short one shorter (Kazlauskienė 2020): words
-/// of a sentence that changes nothing, the power of the ratio, and the bounds.
+/// Effect of sentence length on the pause: longer after a long sentence, shorter after a short one
+/// (Kazlauskienė 2020). Number of words of a neutral sentence, the exponent of the ratio, and the
+/// bounds.
 const LENGTH: (f64, f64, f64, f64) = (11.0, 0.25, 0.85, 1.3);
 
-/// The tension of plain narration, and what the text adds to it.
+/// Tension of plain narration; the next constants are added by the text.
 const CALM: f64 = 0.45;
 const EXCLAIMED: f64 = 0.2;
 const ASKED: f64 = 0.05;
@@ -42,15 +43,15 @@ const CLOSING: f64 = -0.12;
 const TRAILING: f64 = -0.2;
 /// A sentence may be so much more or less tense by chance.
 const CHANCE: f64 = 0.12;
-/// What a unit of tension does: to the logarithm of the pace, and of pauses.
+/// Effect of a unit of tension on the logarithm of the speech rate, and of pauses.
 const PACE: f64 = 0.3;
 const PAUSES: f64 = -0.7;
 
-/// What direct speech without a voice of its own does to the narrator's: factors on pitch, range
-/// and pace.
+/// Effect of direct speech without its own voice on the narrator's: factors for pitch, range and
+/// speech rate.
 const SPEECH: (f64, f64, f64) = (1.06, 1.08, 1.03);
 
-/// Delivers a plan. `tension` is 0 to 1 where the author says it.
+/// Applies the delivery to a plan. `tension` is 0 to 1 if set by the author.
 pub(crate) fn deliver(plan: &mut Plan, tension: Option<f64>) {
     let quoted = quoted(plan);
     let of_sentence = |planned: &Planned| -> Vec<bool> {
@@ -77,14 +78,14 @@ pub(crate) fn deliver(plan: &mut Plan, tension: Option<f64>) {
     speak_directly(plan, &quotes);
 }
 
-/// Whether somebody begins to speak with this sentence.
+/// Returns true if direct speech starts with this sentence.
 fn speech_begins(plan: &Plan, at: usize) -> bool {
     let first = plan.sentences[at].sentence.tokens.first();
     let word = first.and_then(|t| plan.words.get(t.word));
     word.is_some_and(|word| word.starts_with(['\u{201c}', '\u{201e}', '\u{ab}', '"']))
 }
 
-/// The tension that a text tells.
+/// Returns the tension of a text.
 fn tension_of(planned: &Planned, quoted: &[bool], opens: bool, closes: bool) -> f64 {
     let sentence = &planned.sentence;
     let kind = match sentence.kind {
@@ -135,7 +136,7 @@ fn rests(planned: &mut Planned, factor: f64, turns: bool) {
     }
 }
 
-/// What draws the pauses of a sentence.
+/// Returns the random seed for the pauses of a sentence.
 fn seed(tokens: &[Token]) -> u64 {
     let letters = tokens.iter().flat_map(|t| t.text.bytes());
     letters.fold(0, |seed, byte| hash(seed, u64::from(byte), 0))
@@ -146,7 +147,7 @@ fn normal(seed: u64, at: i64) -> f64 {
     noise::normal(core::array::from_fn(|i| unit(seed, 2 + i as u64, at)))
 }
 
-/// Which words stand between quotation marks.
+/// Returns, for each word, true if it is between quotation marks.
 fn quoted(plan: &Plan) -> Vec<bool> {
     let mut is_open = false;
     let is_mark = |c: char| {
@@ -171,7 +172,7 @@ fn quoted(plan: &Plan) -> Vec<bool> {
     inside.collect()
 }
 
-/// Gives direct speech that no other voice says a style of its own.
+/// Gives direct speech without another voice its own style.
 fn speak_directly(plan: &mut Plan, quotes: &[Vec<bool>]) {
     let mut made: BTreeMap<usize, usize> = BTreeMap::new();
     let Plan {
@@ -197,7 +198,7 @@ fn speak_directly(plan: &mut Plan, quotes: &[Vec<bool>]) {
     }
 }
 
-/// A style as somebody in the story speaks; what the author sets stays.
+/// Returns a style for direct speech; the author's settings stay.
 fn spoken_by_another(style: &Style) -> Style {
     let (pitch, range, pace) = SPEECH;
     let mut style = style.clone();

@@ -11,7 +11,7 @@ use raconteur_speech::emotion::{self, EmotionPoint};
 pub struct EmotionSpan {
     /// Its word.
     pub name: String,
-    /// Where it is in the space of emotions at its strongest.
+    /// Position in the emotion space at full strength.
     pub place: EmotionPoint,
     /// From the begin of this word …
     pub first_word: usize,
@@ -24,7 +24,7 @@ pub struct EmotionSpan {
 }
 
 impl EmotionSpan {
-    /// How strong it is in a word, 0 to 1.
+    /// Returns the strength at a word, 0 to 1.
     #[must_use]
     pub fn strength(&self, word: usize) -> f64 {
         if !(self.first_word..=self.last_word).contains(&word) {
@@ -44,9 +44,9 @@ impl EmotionSpan {
     }
 }
 
-/// The emotions of an utterance: the one that the script elicits for all of it, where markup
-/// asks for none itself; those of markup; and emoticons, each over its intonational phrase or,
-/// between two, over both (F&H 4.3.5). `phrases` are first and last words.
+/// Returns the emotions of an utterance: the one elicited by the script for all of it, where markup
+/// sets none; those of markup; and emoticons, each over its intonational phrase or, between two,
+/// over both (F&H 4.3.5). `phrases` are first and last words.
 #[must_use]
 pub fn emotion_spans(
     plan: &Plan,
@@ -103,7 +103,7 @@ pub fn emotion_spans(
     out
 }
 
-/// The place of a word: all emotions that are felt in it, together.
+/// Returns the combined position of all emotions at a word.
 #[must_use]
 pub fn place_of(emotions: &[EmotionSpan], word: usize) -> EmotionPoint {
     emotions.iter().fold(EmotionPoint::default(), |sum, one| {
@@ -132,22 +132,22 @@ pub fn word_phrases(sentences: &[Planned], spoken: &[Spoken]) -> Vec<(usize, usi
 
 /// The pause that an emotion adds, seconds: Festival's mean one.
 const ADDED_PAUSE_SECS: f64 = 0.2;
-/// Without pauses, a voice is taken to make one in so many words. *Designed*.
+/// Assumed number of words per pause for a voice without pauses. *Designed*.
 pub const WORDS_A_PAUSE: f64 = 8.0;
-/// Pauses stand no nearer to each other, or to an end, than so many tokens.
+/// Minimum number of tokens between pauses, or between a pause and an end.
 const MIN_TOKENS: usize = 2;
 
-/// A pause inside a sentence that the author did not ask for.
+/// Pause inside a sentence not requested by the author.
 struct InsertedPause {
     sentence: usize,
     token: usize,
     secs: f64,
 }
 
-/// What pauses there are inside the sentences of an utterance, and what emotion says of their number.
+/// Pauses inside the sentences of an utterance, and the emotion's effect on their number.
 struct PauseCount {
     own: Vec<InsertedPause>,
-    /// Those that the author asks for.
+    /// Number of pauses requested by the author.
     asked: usize,
     words: f64,
     /// Mean factor on their number.
@@ -198,7 +198,7 @@ impl PauseCount {
         }
     }
 
-    /// How many pauses the voice is to make of its own; `None` when emotion changes nothing.
+    /// Returns the target number of the voice's own pauses; `None` if emotion changes nothing.
     fn target_pauses(&self) -> Option<usize> {
         if (self.factor - 1.0).abs() < 1e-9 {
             return None;
@@ -209,9 +209,9 @@ impl PauseCount {
     }
 }
 
-/// Pauses that an emotion adds inside the sentences of an utterance or takes away from them
-/// (F&H table 4.5, number of pauses): for each sentence tokens with the silence after them,
-/// seconds. Pauses that the author asks for stay.
+/// Returns the pauses after an emotion has added or removed some inside the sentences of an
+/// utterance (F&H table 4.5, number of pauses): for each sentence, tokens with the silence after
+/// them, seconds. The author's pauses stay.
 #[must_use]
 pub fn moved_pauses(
     sentences: &[Planned],

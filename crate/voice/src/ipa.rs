@@ -11,7 +11,7 @@ use raconteur_speech::phones::{self, Class};
 /// Longest pronunciation that is read, in characters.
 const MAX_CHARACTERS: usize = 200;
 
-/// Who is to pronounce it.
+/// Phone set of an engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Set {
     /// Festival's and flite's American English.
@@ -31,13 +31,13 @@ pub(super) enum Set {
 /// A syllable of a pronunciation.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Syllable {
-    /// 0 none, 1 primary, 2 secondary.
+    /// Stress: 0 none, 1 primary, 2 secondary.
     pub(super) stress: u8,
     /// In the engine's phones.
     pub(super) phones: Vec<&'static str>,
 }
 
-/// How open the mouth is, which is what makes syllables.
+/// Sonority, which determines syllables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sonority {
     Stop,
@@ -53,7 +53,7 @@ use Sonority::{Fricative, Glide, Liquid, Nasal, Stop, Vowel};
 struct Row {
     ipa: &'static str,
     sonority: Sonority,
-    /// One name a [`Set`]; several phones are parted by spaces.
+    /// Name in each [`Set`]; several phones are separated by spaces.
     names: [&'static str; 6],
 }
 
@@ -183,16 +183,17 @@ static TABLE: [Row; 110] = [
 /// Syllabic consonants: a short vowel and the consonant.
 const SYLLABIC: char = '\u{329}';
 
-/// Marks that say more than any engine can use: ties, breath, release, length of half, tones,
-/// where exactly the tongue is, and that a vowel is not a syllable.
+/// Ignored marks, too fine for any engine: ties, breath, release, half length, tones, exact tongue
+/// position, and non-syllabic vowels.
 const IGNORED: &str = "\u{361}\u{35c}ʰʱʲˠˤʷˑˀⁿˡ˥˦˧˨˩˞\u{306}\u{308}\u{30a}\u{318}\u{319}\u{31a}\u{31c}\u{31d}\
     \u{31e}\u{31f}\u{320}\u{324}\u{325}\u{32a}\u{32c}\u{32f}\u{330}\u{339}\u{33a}\u{33b}\u{33c}";
 
-/// What makes a vowel nasal; the table has those that engines have.
+/// Nasalisation mark of vowels; the table contains the nasal vowels that engines have.
 const NASAL: char = '\u{303}';
 
-/// Letters that are written for others, composed ones among them, and the nearest of those that
-/// the table does not have. Which is nearest, by how lips and jaw stand, is *designed*.
+/// Returns replacements for variant letters, including composed ones, and the nearest equivalents
+/// of those not in the table. The choice of the nearest, by position of lips and jaw, is
+/// *designed*.
 fn replaced(c: char) -> &'static [char] {
     match c {
         '\u{30d}' => &[SYLLABIC],
@@ -244,8 +245,8 @@ enum IpaSymbol {
     Dot,
 }
 
-/// Reads a pronunciation. Stress marks, dots and spaces part syllables; where there are
-/// none, a syllable begins with as much as can begin one.
+/// Parses a pronunciation. Stress marks, dots and spaces separate syllables; otherwise each
+/// syllable gets the maximal onset.
 ///
 /// # Errors
 /// When a character is no phone of the table, when there is no vowel, or when it is longer
@@ -293,9 +294,9 @@ pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
     Ok(out)
 }
 
-/// The phones of letters that each last for a while: how many letters each takes, its stress, and
-/// its names in a set. A stress mark counts to the phone behind it, what only colours a phone to
-/// that; letters that are no phone here, and stand first, are a phone without a name.
+/// Returns the phones of letters with durations: the number of letters in each, its stress, and its
+/// names in a set. A stress mark belongs to the following phone, a modifier to the phone that it
+/// modifies; leading letters that are not phones here form a phone without a name.
 pub(super) fn spans(letters: &[char], set: Set) -> Vec<(usize, u8, &'static str)> {
     let mut out: Vec<(usize, u8, &'static str)> = Vec::new();
     let (mut waiting, mut stress) = (0, 0);
@@ -348,9 +349,9 @@ fn written_as_one(letter: char) -> Option<&'static str> {
     })
 }
 
-/// A phone that an aligner names in the alphabet, with whatever marks, as phones of SAMPA, which
-/// has those of all languages here; where the mouth does not know SAMPA's, as English has it.
-/// `None` where it is none of the table.
+/// Converts a phone that an aligner names in IPA, with any marks, to phones of SAMPA, which covers
+/// all languages here; if the mouth does not know them, to the English ones. `None` if it is not in
+/// the table.
 pub(super) fn in_sampa(label: &str) -> Option<Vec<&'static str>> {
     let of = |row: &'static Row, set: Set| row.names[set as usize].split_ascii_whitespace();
     let mut names = Vec::new();
@@ -365,13 +366,13 @@ pub(super) fn in_sampa(label: &str) -> Option<Vec<&'static str>> {
     (!names.is_empty()).then_some(names)
 }
 
-/// Whether a label is one phone of the alphabet. Several letters that are phones each may be a
+/// Returns true if a label is a single IPA phone. Several letters that are phones each may be a
 /// name of another set.
 pub(super) fn is_phone(label: &str) -> bool {
     rows(label).is_some_and(|rows| rows.count() == 1)
 }
 
-/// The rows of a label that has nothing but phones and stress.
+/// Returns the rows of a label that consists only of phones and stress.
 fn rows(label: &str) -> Option<impl Iterator<Item = &'static Row>> {
     let pieces = pieces(label).ok()?;
     let fine = !pieces.iter().any(|p| matches!(p, IpaSymbol::Dot));
@@ -383,8 +384,8 @@ fn rows(label: &str) -> Option<impl Iterator<Item = &'static Row>> {
     })
 }
 
-/// Where syllables of a word begin, for the phones of an engine that does not tell. A phone
-/// that no row has is a consonant like any other.
+/// Returns the starts of a word's syllables, for the phones of an engine that does not report them.
+/// An unknown phone counts as an ordinary consonant.
 pub(super) fn starts<'a>(phones: impl Iterator<Item = &'a str>, set: Set) -> Vec<usize> {
     let unknown = &TABLE[TABLE.len() - 1];
     let rows: Vec<&Row> = phones
@@ -417,8 +418,8 @@ pub(super) fn is_vowel(phone: &str, set: Set) -> bool {
             .is_some_and(|p| matches!(p.class, Class::Vowel | Class::Diphthong))
 }
 
-/// Where syllables begin: each has a vowel, and before it the most consonants that can
-/// begin one, which are those that rise towards it, and s before stops.
+/// Returns the starts of syllables: each has a vowel, preceded by the maximal onset of consonants
+/// with rising sonority, and s before stops.
 fn divide(rows: &[&Row]) -> Vec<usize> {
     let rises = |pair: &[&Row]| {
         pair[0].sonority < pair[1].sonority && pair[1].sonority > Nasal

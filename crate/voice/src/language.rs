@@ -28,8 +28,7 @@ const NAMES: [(&str, &str); 24] = [
     ("catalan", "ca"),
 ];
 
-/// The BCP 47 tag of a language that is given by such a tag or by its name; `None` when it is
-/// neither.
+/// Returns the BCP 47 tag of a language given by its tag or name; `None` if it is neither.
 #[must_use]
 pub fn tag(name: &str) -> Option<String> {
     let name = name.trim().replace('_', "-");

@@ -18,8 +18,8 @@ pub enum Manner {
     Silence,
 }
 
-/// The manner of a phone. What no phone set knows counts as a fricative, which nothing is
-/// expected of.
+/// Returns the manner of a phone. An unknown phone counts as a fricative, which has no expected
+/// features.
 #[must_use]
 pub fn manner(phone_set: &str, symbol: &str) -> Manner {
     if symbol == SILENCE || symbol == raconteur_speech::bundle::SOUND {

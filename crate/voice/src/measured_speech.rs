@@ -7,7 +7,7 @@ use raconteur_speech::bundle::{SILENCE, Utterance};
 
 /// A burst is at its phone when it is no further from it than this, seconds.
 const BURST_SECS: f64 = 0.02;
-/// As far as this from a plosive, a burst may be its own, seconds.
+/// Distance from a plosive within which a burst may be its own, seconds.
 const ASTRAY_SECS: f64 = 0.05;
 /// A pause fades from the speech before it for this long and into the speech after it for
 /// half of it, seconds.
@@ -15,12 +15,12 @@ const FADE_SECS: f64 = 0.06;
 /// Time between frames of the pitch, seconds.
 const STEP_SECS: f64 = 0.005;
 
-/// How often something holds, of how often it was looked at.
+/// Proportion of cases in which a condition holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Proportion {
-    /// How often it holds.
+    /// Number of cases in which it holds.
     pub holds: usize,
-    /// How often it was looked at.
+    /// Number of cases.
     pub of: usize,
 }
 
@@ -36,7 +36,7 @@ impl Proportion {
         self.of += other.of;
     }
 
-    /// How often it holds, of a hundred times; all of nothing.
+    /// Returns the proportion in percent; 100 if there are no cases.
     #[must_use]
     pub fn percent(self) -> f64 {
         if self.of == 0 {
@@ -72,7 +72,7 @@ impl Power {
     }
 }
 
-/// What was heard.
+/// Measurements of spoken audio.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeasuredSpeech {
     /// Plosive bursts that were found, at their phones.
@@ -92,7 +92,7 @@ impl MeasuredSpeech {
         self.pauses.add(other.pauses);
     }
 
-    /// How far pauses lie under speech, decibels.
+    /// Returns the level of pauses below speech, decibels.
     #[must_use]
     pub fn pauses_under_db(&self) -> f64 {
         self.speech.db() - self.pauses.db()
@@ -140,7 +140,7 @@ pub fn measure_speech(
     heard
 }
 
-/// Whether the burst of a plosive is at its phone; `None` where none is clear.
+/// Returns true if the burst of a plosive is at its phone; `None` if there is no clear burst.
 fn burst(
     utterance: &Utterance,
     index: usize,
@@ -184,8 +184,8 @@ mod tests {
 
     const RATE_HZ: f64 = 16_000.0;
 
-    /// Phones of a tenth of a second each, and a sound with a click so many seconds after the
-    /// begin of the plosive.
+    /// Returns phones of a tenth of a second each, and a sound with a click at the given time after
+    /// the start of the plosive.
     fn spoken(click_secs: f64, hz: f64) -> (Utterance, Vec<f64>) {
         let mut utterance = Utterance::default();
         for (i, symbol) in ["pau", "aa", "t", "aa", "pau"].into_iter().enumerate() {

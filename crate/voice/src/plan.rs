@@ -15,8 +15,8 @@ use raconteur_base::text::word::Word;
 use raconteur_base::text::{sentence, signs};
 use raconteur_speech::bundle::SentenceKind;
 
-/// The usual silence between two sentences where the author asks for none in particular, seconds.
-/// *Designed*: read stories pause for 0.5 to 0.9 s between sentences.
+/// Default silence between two sentences, seconds. *Designed*: read stories pause for 0.5 to 0.9 s
+/// between sentences.
 pub const SENTENCE_PAUSE_SECS: f64 = 0.6;
 
 /// The same between two paragraphs. *Designed*: 1 to 1.6 s.
@@ -25,21 +25,33 @@ pub const PARAGRAPH_PAUSE_SECS: f64 = 1.15;
 /// Silence where only the speaker or the language changes. *Designed*.
 const CHANGE_PAUSE_SECS: f64 = 0.22;
 
-/// The longest silence that an utterance may ask for, seconds. Longer ones belong between
-/// clauses, where they cost no sound.
+/// Maximum silence in an utterance, seconds. Longer ones belong between clauses, where they need no
+/// audio.
 const MAX_SILENCE_SECS: f64 = 60.0;
 
-/// An engine's work grows faster than the sentence; a text without full stops is parted
-/// after this many tokens.
+/// Maximum number of tokens in a sentence: an engine's work grows faster than the sentence. Text
+/// without full stops is split after this number.
 const MAX_SENTENCE_TOKENS: usize = 100;
 
 /// The most tokens of an utterance: some hours of speech.
 const MAX_TOKENS: usize = 100_000;
 
 /// An utterance, ready for engines.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_voice::markup::plain;
+/// use raconteur_voice::plan::plan;
+/// use raconteur_voice::text::Lexicon;
+///
+/// let content = plain::read("It is 3 o'clock. Good night!");
+/// let plan = plan(&content, "en", "flite", &Lexicon::default()).expect("a short text");
+/// assert_eq!(plan.sentences.len(), 2);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plan {
-    /// Silence that the author asks for before the first word, seconds.
+    /// Silence before the first word requested by the author, seconds.
     pub lead_pause_secs: f64,
     /// In order.
     pub sentences: Vec<Planned>,
@@ -47,32 +59,32 @@ pub struct Plan {
     pub words: Vec<String>,
     /// The styles that tokens refer to.
     pub styles: Vec<Style>,
-    /// Recordings, by the word before which they come.
+    /// Recordings, by the word that follows them.
     pub sounds: Vec<Sound>,
-    /// Emoticons as emotion's words, by the word before which they stand.
+    /// Emoticons as emotion words, by the word that follows them.
     pub emoticons: Vec<(usize, &'static str)>,
 }
 
-/// A sentence with what the baker alone needs to know of it.
+/// Sentence with additional data for the baker.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Planned {
     /// For the engine.
     pub sentence: Sentence,
-    /// The silence after each token, where the author asks for one, seconds.
+    /// Silence after each token, if requested by the author, seconds.
     pub pauses: Vec<Option<f64>>,
-    /// How long a pause after each token usually is, seconds; 0 or nothing: as the engine makes it.
+    /// Usual length of a pause after each token, seconds; 0 or missing: as made by the engine.
     pub rests: Vec<f64>,
-    /// Who speaks.
+    /// Speaker.
     pub speaker: Speaker,
     /// Silence after it, seconds.
     pub pause_secs: f64,
     /// A paragraph ends with it.
     pub ends_paragraph: bool,
-    /// The same sentence goes on with the next: only the voice changes.
+    /// True if the same sentence continues with the next: only the voice changes.
     pub goes_on: bool,
 }
 
-/// A recording that an utterance asks for.
+/// Recording requested by an utterance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sound {
     /// Index of the word that follows it.
@@ -85,11 +97,11 @@ pub struct Sound {
     pub level: f64,
 }
 
-/// Why an utterance cannot be planned.
+/// Error returned when an utterance cannot be planned.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// It asks for too much silence.
+    /// The utterance requests too much silence.
     #[error("its breaks add up to {0:.1} s; an utterance may hold 60 s of them")]
     TooMuchSilence(f64),
     /// It is too long.
@@ -97,10 +109,10 @@ pub enum PlanError {
     TooLong,
 }
 
-/// Splits content into sentences: at divisions, and after `.`, `!` or `?` when the next word
-/// does not begin small. A break inside a sentence does not split it, so that the melody goes
-/// on across it, unless it asks for the melody of an end. `language` is the voice's, as a BCP
-/// 47 tag; `engine` the name of the engine that will speak.
+/// Splits content into sentences: at divisions, and after `.`, `!` or `?` if the next word does not
+/// start with a lower-case letter. A break inside a sentence does not split it, so the intonation
+/// continues across it, unless it requests final intonation. `language` is the voice's, as a BCP 47
+/// tag; `engine` the name of the engine that will speak.
 ///
 /// # Errors
 /// When the silences add up to more than a minute, or there is too much to say.
@@ -145,9 +157,9 @@ pub fn plan(
     Ok(planner.plan)
 }
 
-/// A written word, or signs on their own, not yet turned into tokens.
+/// Written word, or isolated signs, not yet converted to tokens.
 struct Waiting {
-    /// Whose tokens they are.
+    /// Word to which the tokens belong.
     word: usize,
     is_sign: bool,
     text: String,
@@ -160,7 +172,7 @@ struct Waiting {
 struct Planner<'a> {
     plan: Plan,
     open: Planned,
-    /// Words that are read together, because nothing parts them.
+    /// Words read together, because nothing separates them.
     waiting: Vec<Waiting>,
     /// Signs on their own since the last word.
     signs: Vec<String>,
@@ -227,7 +239,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Something else than words follows.
+    /// Ends the current run of words.
     fn separate(&mut self) {
         if !self.waiting.is_empty() {
             self.settle_signs(None);
@@ -235,7 +247,7 @@ impl Planner<'_> {
         self.flush_pending();
     }
 
-    /// Whether words of two styles may be read as one text.
+    /// Returns true if words of two styles may be read as one text.
     fn alike(&self, a: usize, b: usize) -> bool {
         let (a, b) = (&self.plan.styles[a], &self.plan.styles[b]);
         a.language == b.language && a.say_as == b.say_as && a.speaker == b.speaker
@@ -392,7 +404,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Whether a sentence ends after each of some words.
+    /// Returns, for each of some words, true if a sentence ends after it.
     fn sentence_ends(&self, waiting: &[Waiting], language: &str) -> Vec<bool> {
         let whole: Vec<String> = waiting
             .iter()
@@ -405,7 +417,7 @@ impl Planner<'_> {
             .collect()
     }
 
-    /// Ends the sentence before a word that begins another, or that another says.
+    /// Ends the sentence before a word that starts another, or that has another speaker.
     fn begin_word(&mut self, word: &Waiting, speaker: &Speaker, language: &str) {
         let begins_small = word
             .text

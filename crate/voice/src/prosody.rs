@@ -13,7 +13,7 @@ pub enum AccentShape {
     Alternating,
 }
 
-/// What an emotion does to the voice: factors on what a neutral voice would do, 1 is none.
+/// Effect of an emotion on the voice: factors relative to a neutral voice; 1 is no change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prosody {
     /// On the mean of the fundamental frequency.
@@ -28,9 +28,9 @@ pub struct Prosody {
     pub accent_prominence: f64,
     /// On the steepness of accents.
     pub accent_slope: f64,
-    /// Which shape accents have rather than the engine's; `None` leaves them.
+    /// Preferred accent shape in place of the engine's; `None` leaves it.
     pub accent_shape: Option<AccentShape>,
-    /// Whether phrases end high (`true`) or low; `None` leaves them.
+    /// True if phrases end high, false for low; `None` leaves them.
     pub ends_high: Option<bool>,
     /// On the pace.
     pub rate: f64,
@@ -47,10 +47,10 @@ pub struct Prosody {
 }
 
 impl Prosody {
-    /// F&H table 4.5: each coefficient is the change in percent for one unit of a dimension.
-    /// `pitch` is read as percent too, and `range` as the 0.04 semitones on a neutral 4 that
-    /// MARY's own rules have (the table's 0.4 would close every range at −10). A neutral
-    /// place changes nothing, so the shapes that the table gives to it are left out.
+    /// Computes F&H table 4.5: each coefficient is the change in percent for one unit of a
+    /// dimension. `pitch` is read as percent too, and `range` as the 0.04 semitones on a neutral 4
+    /// of MARY's own rules (the table's 0.4 would close every range at −10). A neutral position
+    /// changes nothing, so the table's shapes for it are omitted.
     #[must_use]
     pub fn from_point(place: EmotionPoint) -> Self {
         let EmotionPoint {

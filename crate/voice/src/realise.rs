@@ -19,17 +19,16 @@ const GLIDE_SECS: f64 = 0.04;
 /// The height of an accent over its surroundings, semitones: *designed*, in the middle of
 /// the two to six that accents of read speech have.
 pub const ACCENT_SEMITONES: f64 = 3.0;
-/// How long an accent begins before its syllable and ends after it, seconds. *Designed*.
+/// Extension of an accent before and after its syllable, seconds. *Designed*.
 const ACCENT_MARGIN_SECS: f64 = 0.04;
-/// Half the way that a preferred shape moves over an accented syllable, semitones. *Designed*.
+/// Half the movement of a preferred shape over an accented syllable, semitones. *Designed*.
 pub const SHAPE_SEMITONES: f64 = 1.0;
-/// By how much a preferred boundary moves the end of a phrase at full power, semitones.
-/// *Designed*.
+/// Shift of the end of a phrase by a preferred boundary at full power, semitones. *Designed*.
 pub const BOUNDARY_SEMITONES: f64 = 6.0;
 
-/// What emphasis does: SABLE's level, factor of duration, semitones, decibels. *Designed*
-/// around what listeners call emphasis: a tenth to a quarter longer, two to four semitones
-/// higher, some decibels louder. Other levels lie between.
+/// Effect of emphasis: SABLE's level, factor of duration, semitones, decibels. *Designed* around
+/// perceived emphasis: a tenth to a quarter longer, two to four semitones higher, some decibels
+/// louder. Other levels are interpolated.
 pub const EMPHASIS: [(f64, f64, f64, f64); 4] = [
     (0.0, 0.85, -1.0, -3.0),
     (NO_EMPHASIS, 1.0, 0.0, 0.0),
@@ -37,7 +36,7 @@ pub const EMPHASIS: [(f64, f64, f64, f64); 4] = [
     (2.0, 1.25, 3.5, 3.0),
 ];
 
-/// What emphasis of a level does: factor of duration, semitones, decibels.
+/// Returns the effect of an emphasis level: factor of duration, semitones, decibels.
 #[must_use]
 pub fn emphasis(level: f64) -> (f64, f64, f64) {
     let level = level.clamp(0.0, 2.0);
@@ -48,7 +47,7 @@ pub fn emphasis(level: f64) -> (f64, f64, f64) {
     (mix(low.1, high.1), mix(low.2, high.2), mix(low.3, high.3))
 }
 
-/// What the voice does by itself in an utterance: what absolute values are measured against.
+/// Neutral values of the voice in an utterance, the reference for absolute values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoiceBaseline {
     /// Mean of the pitch on a musical scale, hertz.
@@ -101,13 +100,13 @@ impl VoiceBaseline {
     }
 }
 
-/// How one token is spoken.
+/// Delivery of one token.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Delivery {
     duration: f64,
     semitones: f64,
     range: f64,
-    /// On what lies below the mean, besides the range.
+    /// Factor for pitch below the mean, in addition to the range.
     lower: f64,
     gain: f64,
     prosody: Prosody,
@@ -158,7 +157,7 @@ struct Grid {
     range: Vec<f64>,
     lower: Vec<f64>,
     semitones: Vec<f64>,
-    /// Around which pitch the melody is made steeper, semitones from the mean, and by what.
+    /// Pitch centres of steepening, semitones from the mean, with the factor.
     slope: Vec<(f64, f64)>,
 }
 
@@ -192,8 +191,8 @@ fn glide(values: &mut Vec<f64>) {
         .collect();
 }
 
-/// A sentence spoken as its styles and emotions ask. `track` is the pitch of its sound,
-/// `styles` holds for each token its style and the emotion's place.
+/// Realises a sentence with its styles and emotions. `track` is the pitch of its audio, `styles`
+/// has for each token its style and the emotion's position.
 #[must_use]
 pub fn realise(
     spoken: &Spoken,
@@ -249,8 +248,8 @@ fn retime(spoken: &mut Spoken, times: &TimeMap) {
 /// Releases of plosives do not grow when a voice slows down; this long before their ends.
 const RELEASE_SECS: f64 = 0.015;
 
-/// The factor on the length of a plosive at a time: all of it is the closure's. `length` is
-/// the plosive's, `left` what of it is still to come, seconds.
+/// Returns the length factor of a plosive at a time: all of it applies to the closure. `length` is
+/// the plosive's, `left` its remainder, seconds.
 fn plosive_factor(factor: f64, length: f64, left: f64) -> f64 {
     let closure = length - RELEASE_SECS;
     if closure < RELEASE_SECS {
@@ -336,7 +335,7 @@ pub fn phrases_of(spoken: &Spoken, tokens: usize) -> Vec<(usize, usize)> {
     phrases
 }
 
-/// When a run of tokens is spoken.
+/// Returns the time span of a run of tokens.
 fn token_span(spoken: &Spoken, first: usize, last: usize) -> Option<(f64, f64)> {
     let of = |s: &crate::spoken::Segment| s.token.is_some_and(|t| (first..=last).contains(&t));
     let from = spoken.segments.iter().position(of)?;
@@ -344,7 +343,7 @@ fn token_span(spoken: &Spoken, first: usize, last: usize) -> Option<(f64, f64)> 
     Some(span(spoken, from, to + 1 - from))
 }
 
-/// What changes along a phrase: the dynamics of pitch and range, and its end.
+/// Applies changes along a phrase: the dynamics of pitch and range, and its end.
 fn phrases(grid: &mut Grid, spoken: &Spoken, deliveries: &[Delivery]) {
     for (first, last) in phrases_of(spoken, deliveries.len()) {
         let Some((start, end)) = token_span(spoken, first, last) else {
@@ -374,15 +373,15 @@ fn phrases(grid: &mut Grid, spoken: &Spoken, deliveries: &[Delivery]) {
     }
 }
 
-/// How much of an accent's steepness holds at a place in it, 0 to 1: all but at its edges,
-/// where the melody is furthest from its middle.
+/// Returns the weight of an accent's steepness at a position in it, 0 to 1: full except at its
+/// edges, where the intonation is farthest from its middle.
 #[must_use]
 pub fn steepened(place: f64) -> f64 {
     (6.0 * place.min(1.0 - place)).clamp(0.0, 1.0)
 }
 
-/// When accents move the melody: from a little before their syllables until a little after
-/// them, half of the way at most towards the next one. `spans` are syllables in order.
+/// Returns the windows in which accents change the intonation: from slightly before their syllables
+/// until slightly after them, at most half way to the next one. `spans` are syllables in order.
 #[must_use]
 pub fn accent_windows(spans: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let gap = |i: usize| (spans[i + 1].0 - spans[i].1).max(0.0);
@@ -400,7 +399,7 @@ pub fn accent_windows(spans: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// What changes at pitch accents: their height, steepness and shape.
+/// Applies changes at pitch accents: their height, steepness and shape.
 fn accents(
     grid: &mut Grid,
     spoken: &Spoken,

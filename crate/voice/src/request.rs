@@ -9,24 +9,24 @@ use raconteur_speech::emotion::EmotionPoint;
 
 use raconteur_spoken::{SpokenClause, spoken_clauses};
 
-/// Something that a script says.
+/// Speech requested by a script.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpeechRequest {
     /// The key of its utterance.
     pub key: u64,
-    /// What it is.
+    /// Source of the words.
     pub source: Source,
     /// The voice that the script names for it.
     pub voice: Option<String>,
     /// The emotion that the script elicits for it, with its word.
     pub emotion: Option<(String, EmotionPoint)>,
-    /// How tense the story is there, 0 to 1, where the script says it.
+    /// Tension of the story there, 0 to 1, if set by the script.
     pub tension: Option<f64>,
-    /// Where it is in the script.
+    /// Position in the script.
     pub span: eml::Span,
 }
 
-/// Where words come from.
+/// Source of spoken words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// The script.
@@ -39,12 +39,12 @@ pub enum Source {
         path: String,
         /// It is a document of SABLE.
         sable: bool,
-        /// It lies in the asset library instead of beside the story.
+        /// True if it is in the asset library instead of next to the story.
         library: bool,
     },
 }
 
-/// What a script says, in document order: what a baker has to make.
+/// Returns all speech of a script in document order, as input of a baker.
 #[must_use]
 pub fn speech_requests(document: &eml::Document) -> Vec<SpeechRequest> {
     let heard = |spoken: SpokenClause<'_>| {
@@ -86,7 +86,7 @@ fn source_of(kind: &ClauseKind) -> Option<Source> {
     })
 }
 
-/// What a text of EML says, free of EML.
+/// Converts an EML voice text to content independent of EML.
 #[must_use]
 pub fn content_of(voice: &VoiceText) -> Content {
     let segments = voice.pieces.iter().filter_map(segment_of).collect();
@@ -165,7 +165,7 @@ fn markup_of(markup: &eml::Markup) -> Markup {
     }
 }
 
-/// A level of EML. What cannot be, such as a pace of nothing, is the voice's own.
+/// Converts an EML level. Invalid values, such as a speech rate of zero, become the voice's own.
 fn setting(level: eml::Level, property: Property) -> Setting {
     let setting = match level {
         eml::Level::Word(word) => property.word(word),

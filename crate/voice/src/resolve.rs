@@ -10,10 +10,10 @@ use crate::content::{Boundary, Content, Division, Markup, Segment, is_space};
 use crate::style::Style;
 use raconteur_eml::emoticon::{self, Spaced};
 
-/// Markup further inside than this changes nothing.
+/// Nesting depth beyond which markup has no effect.
 const MAX_DEPTH: usize = 1000;
 
-/// A content with its markup taken together.
+/// Content with its markup resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
     /// Words and events, in order.
@@ -22,24 +22,22 @@ pub struct Resolved {
     pub styles: Vec<Style>,
 }
 
-/// Something that is said, or happens between words.
+/// Spoken item, or event between words.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// A token between white space that holds a letter or digit.
+    /// Token between white space that contains a letter or digit.
     Word {
         /// With the punctuation that is attached to it.
         text: String,
         /// Index of its style: that of its first letter or digit.
         style: usize,
-        /// Words with the same number are one word to a reader: the markup around them
-        /// says what stands for all of them (pronunciation, engine) or what kind of text
-        /// they are together.
+        /// Group number: words with the same number are read as one, because the surrounding markup
+        /// gives a replacement (pronunciation, engine) or a text type for all of them.
         together: Option<usize>,
-        /// How many bytes at its end, signs all, stand behind the markup that says what kind of
-        /// text it is.
+        /// Number of bytes at its end, all signs, that lie outside the markup with its text type.
         behind: usize,
     },
-    /// A token without a letter or digit, such as a dash, that is no emoticon.
+    /// Token without a letter or digit, such as a dash, that is not an emoticon.
     Punctuation(String),
     /// An emoticon (F&H table 4.1) or an emoji; its word of [`raconteur_speech::emotion::WORDS`].
     Emoticon(&'static str),
@@ -47,7 +45,7 @@ pub enum Item {
     Break {
         /// Milliseconds.
         msec: u32,
-        /// The punctuation mark whose melody goes before it.
+        /// Punctuation mark whose intonation precedes it.
         boundary: Option<Boundary>,
     },
     /// A sentence or a paragraph begins or ends.
@@ -61,7 +59,7 @@ pub enum Item {
         /// Its amplitude; 1 as recorded.
         level: f64,
     },
-    /// Listeners get an event at this moment. Inside a word it comes before that word.
+    /// Mark that sends an event to listeners. Inside a word it precedes that word.
     Mark(String),
 }
 
@@ -87,8 +85,8 @@ impl Resolved {
     }
 }
 
-/// Takes a content's markup together. `engine` is the name of the engine that will speak.
-/// Markup that is closed more often than opened, or never, is tolerated.
+/// Resolves a content's markup. `engine` is the name of the engine that will speak. Unbalanced
+/// markup is tolerated.
 #[must_use]
 pub fn resolve(content: &Content, engine: &str) -> Resolved {
     let mut walk = Resolver {
@@ -115,11 +113,11 @@ pub fn resolve(content: &Content, engine: &str) -> Resolved {
 #[derive(Clone, Default)]
 struct Level {
     style: Style,
-    /// Its index, once a word has needed it.
+    /// Index, assigned at the first word that needs it.
     index: Option<usize>,
-    /// The markup that says what stands for its words.
+    /// Markup with a replacement for its words.
     replaced: Option<usize>,
-    /// The markup that says what kind of text they are.
+    /// Markup with the text type of its words.
     said_as: Option<usize>,
 }
 
@@ -129,24 +127,24 @@ struct Token {
     text: String,
     /// Style and togetherness, from its first letter or digit on.
     word: Option<(usize, Option<usize>)>,
-    /// What was marked after its last letter or digit.
+    /// Marks after its last letter or digit.
     marks: Vec<String>,
-    /// The markup that says what kind of text its word is, and how far that reaches, in bytes.
+    /// Markup with its word's text type, and the end of its range, in bytes.
     said_as: Option<(usize, usize)>,
 }
 
 struct Resolver<'a> {
     engine: &'a str,
     out: Resolved,
-    /// Indices of styles by the hash of what they print as.
+    /// Indices of styles by the hash of their debug output.
     known: BTreeMap<u64, usize>,
     /// Never empty.
     levels: Vec<Level>,
-    /// How many openings beyond the deepest are still open.
+    /// Number of open markups beyond the maximum depth.
     too_deep: usize,
     openings: usize,
     token: Token,
-    /// What before the token may be of an emoticon with it.
+    /// Preceding text that may form an emoticon with the token.
     spaced: Spaced,
 }
 
@@ -245,7 +243,7 @@ impl Resolver<'_> {
         self.out.items.extend(marks.map(Item::Mark));
     }
 
-    /// Index of the style in force, and what its words are together with.
+    /// Returns the index of the current style, and the group of its words.
     fn current(&mut self) -> (usize, Option<usize>) {
         let Some(level) = self.levels.last_mut() else {
             return (0, None);
@@ -323,7 +321,7 @@ impl Resolver<'_> {
         self.out.items.extend(after.into_iter().map(Item::Emoticon));
     }
 
-    /// Takes back the last tokens without a letter or a digit: they are of an emoticon.
+    /// Removes the last tokens without a letter or a digit, which belong to an emoticon.
     fn remove_last(&mut self, parts: usize) {
         for _ in 0..parts {
             let is_sign = |item: &Item| matches!(item, Item::Punctuation(_));
@@ -345,9 +343,9 @@ impl core::fmt::Write for FormatHasher {
 }
 
 impl Content {
-    /// The words in order: tokens between white space that hold a letter or digit;
-    /// punctuation stays attached. Markup does not part words, pauses, divisions and
-    /// recordings do. Emoticons (F&H tables 4.1 and 4.2) are no words.
+    /// Returns the words in order: tokens between white space that contain a letter or digit;
+    /// punctuation stays attached. Markup does not separate words; pauses, divisions and recordings
+    /// do. Emoticons (F&H tables 4.1 and 4.2) are not words.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
         let resolved = resolve(self, "");

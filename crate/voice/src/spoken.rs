@@ -3,16 +3,16 @@
 
 use raconteur_speech::bundle::SentenceKind;
 
-/// Spoken in one go, by one voice.
+/// Sentence, spoken in one pass by one voice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
     /// At least one.
     pub tokens: Vec<Token>,
-    /// What it does.
+    /// Sentence type.
     pub kind: SentenceKind,
     /// BCP 47 tag of its language.
     pub language: String,
-    /// How fast, for engines that keep a pace by themselves; 1 is the voice's own.
+    /// Speech rate, for engines that apply it themselves; 1 is the voice's own.
     pub pace: f64,
 }
 
@@ -27,21 +27,21 @@ impl Default for Sentence {
     }
 }
 
-/// What an engine reads as one word.
+/// Token, read by an engine as one word.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Token {
     /// Index of the written word that it belongs to.
     pub word: usize,
     /// Letters of any alphabet, apostrophes and hyphens; at most 40 characters.
     pub text: String,
-    /// Pronunciation in the International Phonetic Alphabet, where the author gives one.
+    /// Pronunciation in the International Phonetic Alphabet, if given by the author.
     pub ipa: Option<String>,
     /// Punctuation after it, of `,.;:!?`; may be empty.
     pub punctuation: String,
-    /// SABLE's level of emphasis: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+    /// SABLE emphasis level: 0 reduced, 0.5 none, 1 moderate, 2 strong.
     pub emphasis: f64,
-    /// The author asks for a pause after it; the baker sets its length, the engine only has
-    /// to part the phrases there.
+    /// True if the author requests a pause after it; the baker sets its length, the engine only has
+    /// to separate the phrases there.
     pub pause: bool,
     /// Index of its [`crate::style::Style`] in the plan.
     pub style: usize,
@@ -61,8 +61,8 @@ pub struct Spoken {
     pub segments: Vec<Segment>,
     /// In order.
     pub syllables: Vec<SpokenSyllable>,
-    /// Where intonational phrases end: index of the last token and, where the engine tells,
-    /// the boundary tone in ToBI.
+    /// Ends of intonational phrases: index of the last token and, if the engine reports it, the
+    /// boundary tone in ToBI.
     pub breaks: Vec<(usize, String)>,
 }
 
@@ -82,16 +82,16 @@ pub struct Segment {
 pub struct SpokenSyllable {
     /// Index of its first segment.
     pub first: usize,
-    /// How many segments it has.
+    /// Number of segments.
     pub count: usize,
-    /// 0 none, 1 primary, 2 secondary.
+    /// Stress: 0 none, 1 primary, 2 secondary.
     pub stress: u8,
-    /// Its pitch accent in ToBI, `*` where it is not known which, empty where there is none.
+    /// Pitch accent in ToBI, `*` if its type is unknown, empty if there is none.
     pub accent: String,
 }
 
 impl Segment {
-    /// Whether it is silent.
+    /// Returns true if it is silent.
     #[must_use]
     pub fn is_silent(&self) -> bool {
         self.symbol == raconteur_speech::bundle::SILENCE

@@ -7,13 +7,13 @@ use raconteur_speech::emotion::EmotionPoint;
 /// Speech without emphasis, as SABLE counts it.
 pub const NO_EMPHASIS: f64 = 0.5;
 
-/// No setting goes beyond this factor or its inverse: further, a voice is no voice.
+/// Limit of the factor of a setting, or of its inverse; beyond it a voice is unrecognisable.
 pub const MAX_FACTOR: f64 = 4.0;
 
-/// A property with everything around it taken together.
+/// Property value resolved from all surrounding markup.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
-    /// The requested value, in the property's unit; `None`: the voice's own.
+    /// Requested value, in the property's unit; `None`: the voice's own.
     pub value: Option<f64>,
     /// A factor on it.
     pub factor: f64,
@@ -29,8 +29,7 @@ impl Default for Amount {
 }
 
 impl Amount {
-    /// The same with a setting inside it. NaN, or a value not above zero, changes
-    /// nothing.
+    /// Applies a nested setting. NaN, or a value not above zero, changes nothing.
     #[must_use]
     pub fn with(self, setting: Setting) -> Self {
         let fine = |x: f64| x.is_finite() && x > 0.0;
@@ -60,14 +59,14 @@ impl Amount {
         (self.apply(own) / own).clamp(1.0 / MAX_FACTOR, MAX_FACTOR)
     }
 
-    /// Whether it leaves the voice as it is.
+    /// Returns true if it leaves the voice unchanged.
     #[must_use]
     pub fn is_default(self) -> bool {
         self == Self::default()
     }
 }
 
-/// How a word is spoken.
+/// Speech style of a word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// SABLE's level of emphasis: 0 reduced, [`NO_EMPHASIS`], 1 moderate, 2 strong.
@@ -82,17 +81,17 @@ pub struct Style {
     pub rate: Amount,
     /// Amplitude against the voice's own; a value is a factor too. May be 0: silence.
     pub volume: f64,
-    /// What kind of text it is.
+    /// Text type.
     pub say_as: Option<SayAs>,
-    /// How it is pronounced, in the International Phonetic Alphabet.
+    /// Pronunciation in the International Phonetic Alphabet.
     pub ipa: Option<String>,
-    /// What stands for it, from markup of pronunciation or of an engine.
+    /// Replacement text, from markup of pronunciation or of an engine.
     pub instead: Option<String>,
     /// Language, as the author wrote it.
     pub language: Option<String>,
-    /// Who speaks.
+    /// Speaker.
     pub speaker: Speaker,
-    /// The emotion that markup asks for, with its word.
+    /// Emotion requested by markup, with its word.
     pub emotion: Option<(String, EmotionPoint)>,
 }
 
@@ -116,7 +115,7 @@ impl Default for Style {
 }
 
 impl Style {
-    /// The same inside a markup. `engine` is the name of the engine that will speak.
+    /// Applies nested markup. `engine` is the name of the engine that will speak.
     #[must_use]
     pub fn with(&self, markup: &Markup, engine: &str) -> Self {
         let mut inner = self.clone();

@@ -7,7 +7,7 @@ use raconteur_voice::plan::{Plan, plan};
 use raconteur_voice::text::Lexicon;
 use raconteur_voice::{Source, speech_requests};
 
-/// What is heard and shown of a text.
+/// Spoken and displayed form of a text.
 #[derive(Debug, PartialEq)]
 struct SpokenAndShown {
     /// With their signs, as captions show them.
@@ -47,7 +47,7 @@ fn add(heard: &mut SpokenAndShown, plan: &Plan, shown: Vec<String>, is_whole: bo
     );
 }
 
-/// `is_whole` tells that a clause may have several sentences.
+/// Returns the spoken text; `is_whole` means that a clause may have several sentences.
 fn heard_of<'s>(
     scripts: impl IntoIterator<Item = &'s str>,
     language: &str,
@@ -126,8 +126,8 @@ fn in_pieces(text: &str, length: usize, language: &str) -> SpokenAndShown {
     heard_of(told.iter().map(String::as_str), language, false)
 }
 
-/// What texts are made of, of each language: abbreviations with what they stand before, ends of
-/// sentences, capitals, symbols and numbers.
+/// Elements of generated texts in each language: abbreviations with possible following words, ends
+/// of sentences, capitals, symbols and numbers.
 struct Rules {
     language: &'static str,
     abbreviated: &'static [&'static str],

@@ -127,7 +127,7 @@ fn name(path: &Path) -> String {
     path.file_name().unwrap().to_string_lossy().into_owned()
 }
 
-/// What every alignment keeps to.
+/// Checks the invariants of every alignment.
 fn assert_tiles(alignment: &Alignment) {
     let mut end_secs = 0.0;
     for segment in &alignment.segments {
@@ -176,8 +176,8 @@ fn assert_tiles(alignment: &Alignment) {
     }
 }
 
-/// Festival 2.5.0 wrote the same utterance in three ways; `utt.save.segs` and
-/// `utt.save.words` round to four digits.
+/// Festival 2.5.0 wrote the same utterance in three formats; `utt.save.segs` and `utt.save.words`
+/// round to four digits.
 #[test]
 fn an_utterance_of_festival_and_its_label_files_agree() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/align");

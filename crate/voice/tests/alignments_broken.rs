@@ -24,7 +24,7 @@ fn originals() -> Vec<(Format, Vec<u8>)> {
     FORMATS.iter().flat_map(of).collect()
 }
 
-/// Reads and asserts what every alignment keeps to.
+/// Reads a file and checks the invariants of every alignment.
 fn read_holds(format: Format, bytes: &[u8]) {
     let _ = detect("", bytes);
     let alignment = match read(format, bytes) {

@@ -159,11 +159,7 @@ fn documents_say_what_is_expected_and_survive_writing() {
         }
         // Line ends and a byte order mark change nothing.
         let windows = format!("\u{feff}{}", source.replace('\n', "\r\n"));
-        assert_eq!(
-            spoken_words(&read(&windows).unwrap().0),
-            said,
-            "{name}"
-        );
+        assert_eq!(spoken_words(&read(&windows).unwrap().0), said, "{name}");
     }
     assert!(count >= 5, "{count} documents");
 }

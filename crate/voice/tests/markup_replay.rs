@@ -8,7 +8,7 @@ use raconteur_voice::content::Content;
 use raconteur_voice::markup::{plain, sable, ssml};
 use raconteur_voice::resolve::resolve;
 
-/// Every word as it is spoken.
+/// Returns every word as spoken.
 fn words(content: &Content) -> Vec<String> {
     let resolved = resolve(content, "festival");
     let words = resolved.styled_words();

@@ -14,7 +14,7 @@ fn spoken(n: u64, language: &str) -> String {
     words.join(" ")
 }
 
-/// Numerals by what they do to the value so far: add, or multiply.
+/// Numerals by their effect on the current value: addition or multiplication.
 type Numerals = [(&'static str, u64)];
 
 const ENGLISH: &Numerals = &[
@@ -138,8 +138,8 @@ const PORTUGUESE: &Numerals = &[
     ("biliões", 1_000_000_000_000),
 ];
 
-/// The value of number words; `run_together` for German, whose longest numeral that fits
-/// goes first ("zehn" stands after "drei" in "dreizehn" and adds to it).
+/// Returns the value of number words; `run_together` for German, where the longest matching numeral
+/// comes first ("zehn" follows "drei" in "dreizehn" and adds to it).
 fn value(words: &str, numerals: &Numerals, run_together: bool) -> Option<u64> {
     let mut values = Vec::new();
     for word in words.split(' ') {

@@ -13,7 +13,7 @@ fn joined(tokens: &[Token]) -> String {
     words.join(" ")
 }
 
-/// As one line; with `|` between written words where `parted`.
+/// Returns the spoken text as one line; with `|` between written words if `parted`.
 fn spoken(text: &str, language: &str, say_as: Option<&SayAs>, parted: bool) -> String {
     let written: Vec<&str> = text.split_whitespace().collect();
     let spoken = speakable(&written, language, say_as, &Lexicon::default());
@@ -51,8 +51,8 @@ fn mode(name: &str) -> SayAs {
     }
 }
 
-/// Runs the table of a language: `in => out`, or `{mode} in => out`; an `out` with `|`
-/// tells which tokens are of which written word.
+/// Runs the table of a language: `in => out`, or `{mode} in => out`; an `out` with `|` marks the
+/// tokens of each written word.
 fn table(text: &str, language: &str, least: usize) {
     let mut wrong = Vec::new();
     let mut cases = 0;
@@ -185,7 +185,7 @@ fn marks_apart_from_their_letters_are_joined_to_them() {
     );
 }
 
-/// A running number mixed by SplitMix64's finaliser, so that the cases are the same always.
+/// Returns a counter mixed by SplitMix64's finaliser, so that the cases are reproducible.
 fn mixed(index: u64) -> u64 {
     let mut z = index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -198,7 +198,7 @@ const MODES: &[&str] = &[
     "postal", "currency", "math", "fraction", "measure", "ordinal", "cardinal", "name",
 ];
 
-/// What must hold for any input.
+/// Checks the invariants for any input.
 fn check(written: &[&str], language: &str, say_as: Option<&SayAs>) {
     let spoken = speakable(written, language, say_as, &Lexicon::default());
     assert_eq!(spoken.len(), written.len());

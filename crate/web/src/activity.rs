@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Clone, Copy)]
 #[repr(u32)]
 pub(crate) enum Activity {
-    /// None.
+    /// No activity.
     Nothing = 0,
     /// The figure is read or sent to the graphics device.
     Figure = 1,
@@ -22,11 +22,11 @@ pub(crate) enum Activity {
     Performance = 4,
     /// Animations are read.
     Animation = 5,
-    /// A fragment that comes while the story plays.
+    /// Admission of a fragment during playback.
     Fragment = 6,
-    /// The pose of a moment is computed.
+    /// Computation of a pose.
     Pose = 7,
-    /// A picture is drawn.
+    /// Rendering of an image.
     Drawing = 8,
 }
 
@@ -42,7 +42,7 @@ impl From<LoadStage> for Activity {
 
 static ACTIVITY: AtomicU32 = AtomicU32::new(Activity::Nothing as u32);
 
-/// Notes an activity until this is dropped, which a trap never does.
+/// Records an activity until it is dropped, which a trap never does.
 pub(crate) struct ActivityGuard;
 
 impl ActivityGuard {
@@ -63,7 +63,7 @@ pub(crate) fn note(activity: Activity) {
     ACTIVITY.store(activity as u32, Ordering::Relaxed);
 }
 
-/// The activity during which the instance trapped; 0 while nothing runs.
+/// Returns the activity during which the instance trapped; 0 while nothing runs.
 #[wasm_bindgen]
 pub fn doing() -> u32 {
     ACTIVITY.load(Ordering::Relaxed)

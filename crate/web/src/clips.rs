@@ -20,9 +20,8 @@ impl Player {
         performer.map_or_else(Vec::new, Performer::needed_animations)
     }
 
-    /// Takes animations by name with their texts, an empty one for what was not found. The
-    /// answer is the story as `load` gives it, with what is wrong with these animations alone;
-    /// `eml` is its text.
+    /// Takes animations by name with their texts; an empty text means not found. Returns the story
+    /// like `load`, with only the problems of these animations; `eml` is its text.
     #[wasm_bindgen(js_name = provideAnimations)]
     pub fn provide_animations(
         &mut self,

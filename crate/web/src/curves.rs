@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::player::Player;
 
-/// Samples that are taken at once at most.
+/// Maximum number of samples per call.
 const MAX_SAMPLES: usize = 4096;
 
 /// Appends the controls of a face.
@@ -35,10 +35,10 @@ fn push_controls(c: &FaceControls, numbers: &mut Vec<f32>) {
 
 #[wasm_bindgen]
 impl Player {
-    /// Controls of the face at `count` times from `from` to `to`, story seconds; for
-    /// each time contractions of the muscles in their order, then 16 numbers: the jaw's pitch
-    /// and yaw (radians), way forwards and down (metres), upper and lower lids, protrusion,
-    /// seal, bite, tip, back and protrusion of the tongue, blush.
+    /// Returns the face controls at `count` times from `from` to `to`, story seconds; for each time
+    /// contractions of the muscles in their order, then 16 numbers: the jaw's pitch and yaw
+    /// (radians), translation forwards and down (metres), upper and lower lids, protrusion, seal,
+    /// bite, tip, back and protrusion of the tongue, blush.
     #[wasm_bindgen(js_name = faceCurves)]
     pub fn face_curves(&self, from: f64, to: f64, count: usize) -> Vec<f32> {
         let mut numbers = Vec::new();

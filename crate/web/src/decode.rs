@@ -16,7 +16,7 @@ struct DecodedScript {
     problem: Option<Diagnostic>,
 }
 
-/// The text of a script's bytes, and what is wrong with those: `{text, problem}`.
+/// Returns the text of a script's bytes, with their encoding problem: `{text, problem}`.
 #[wasm_bindgen(js_name = decodeScript)]
 pub fn decode_script(bytes: Vec<u8>) -> Result<JsValue, JsError> {
     let decoded = decode(bytes);

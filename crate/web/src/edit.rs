@@ -6,9 +6,9 @@ use wasm_bindgen::prelude::*;
 
 use crate::player::Player;
 
-/// FramingMargin for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
-/// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
-/// still while a hand is dragged about.
+/// Framing margin for every place that a fingertip reaches, as shares of stature: shoulders at 0.82
+/// and 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. It keeps the framing
+/// constant while a hand is dragged.
 const REACH_UP: f64 = 1.23;
 const REACH_OUT: f64 = 0.52;
 
@@ -18,10 +18,10 @@ const REACH_OUT: f64 = 0.52;
     reason = "optional bytes arrive as owned only"
 )]
 impl Player {
-    /// Reads another text for the figure that is on stage, which keeps its pictures; the
-    /// arguments and the answer are those of `load`. Nothing before a `load`. The clock is
-    /// the caller's: seek to go on from somewhere. `roomy`: the picture has room for every place
-    /// that a hand may be brought to, and stands still while one is.
+    /// Reads another text for the figure on stage, which keeps its images; arguments and result are
+    /// those of `load`. Returns nothing before a `load`. The caller controls the clock: seek to
+    /// continue elsewhere. `roomy`: the framing has room for every place to which a hand may be
+    /// dragged, and stays constant meanwhile.
     pub fn rehearse(
         &mut self,
         eml: &str,
@@ -44,9 +44,9 @@ impl Player {
         self.read_again(eml, bundle.as_deref(), motion, room)
     }
 
-    /// Shows the whole figure from another side, in this text and those rehearsed later:
-    /// turned about it (radians, positive to its left) and from above (radians), so many
-    /// times nearer, the middle of the picture moved to the right and up (metres).
+    /// Shows the whole figure from another direction, in this text and later rehearsed ones:
+    /// azimuth (radians, positive to its left), elevation (radians), zoom factor, and offset of the
+    /// image centre to the right and up (metres).
     #[wasm_bindgen(js_name = setView)]
     pub fn set_view(&mut self, turn: f64, tilt: f64, zoom: f64, right: f64, up: f64) {
         self.view = [turn, tilt, zoom, right, up]
@@ -64,8 +64,8 @@ impl Player {
         }
     }
 
-    /// Lights the stage by a light of `Lighting::PRESETS`, turned about the figure, radians; by the
-    /// set's own where there is none of the name.
+    /// Lights the stage by a preset of `Lighting::PRESETS`, turned about the figure, radians; by
+    /// the set's own light for an unknown name.
     #[wasm_bindgen(js_name = setLight)]
     pub fn set_light(&mut self, name: &str, turn: f64) {
         let turn = if turn.is_finite() { turn } else { 0.0 };
@@ -77,8 +77,8 @@ impl Player {
         }
     }
 
-    /// Keeps hands and feet above captions that take this share of the picture's height at its
-    /// lower edge, 0 to 0.4, in this text and those rehearsed later.
+    /// Keeps hands and feet above captions that take this share of the image height at its lower
+    /// edge, 0 to 0.4, in this text and later rehearsed ones.
     #[wasm_bindgen(js_name = setCaptions)]
     pub fn set_captions(&mut self, share: f64) {
         self.captions = if share.is_finite() { share } else { 0.0 };
@@ -87,8 +87,8 @@ impl Player {
         }
     }
 
-    /// The moment shown last as numbers, in this order; `web/element/engine/pose.ts` reads them. World,
-    /// metres and radians; empty before a `load`.
+    /// Returns the last displayed pose as numbers, in the order that `web/element/engine/pose.ts`
+    /// reads. World, metres and radians; empty before a `load`.
     ///
     /// - 10 of the camera: eye, target, vertical field of view, aspect, near and far plane;
     /// - 4 of EML's coordinates: the speaker's origin, metres a unit;

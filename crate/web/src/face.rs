@@ -24,11 +24,11 @@ struct NaturalHair {
 
 #[wasm_bindgen]
 impl Player {
-    /// Gives the figure on stage a face of a face model; what is played goes on. `skin` holds x, y and z of
-    /// each vertex (metres, frame of the head), `organs` what lies in the head, `factors` those of the
-    /// colours of each vertex, of the irises and of the brows, or nothing; `look` is a `FaceLook` of
-    /// `web/element/base/face-types.ts`, or undefined. One that `moves` is on its way to another, which follows: it is
-    /// shown soon rather than finely. Nothing happens before a `load`.
+    /// Sets a face of a face model on the figure on stage; playback continues. `skin` holds x, y
+    /// and z of each vertex (metres, frame of the head), `organs` the parts in the head, `factors`
+    /// those of the colours of each vertex, of the irises and of the brows, or nothing; `look` is a
+    /// `FaceLook` of `web/element/base/face-types.ts`, or undefined. With `moves` it is an
+    /// intermediate face: it is shown fast rather than in full detail. No effect before a `load`.
     #[wasm_bindgen(js_name = setFace)]
     pub fn set_face(
         &mut self,
@@ -83,14 +83,14 @@ impl Player {
         plain(&entries.collect::<Vec<_>>())
     }
 
-    /// Whether a figure lends its hair already.
+    /// Returns true if a hair donor of this name is loaded.
     #[wasm_bindgen(js_name = hasDonor)]
     #[must_use]
     pub fn has_donor(&self, name: &str) -> bool {
         self.donors.contains_key(name)
     }
 
-    /// Takes a figure that lends its hair to faces of so many vertices.
+    /// Adds a figure as hair donor for faces of a number of vertices.
     #[wasm_bindgen(js_name = addDonor)]
     pub fn add_donor(&mut self, name: &str, glb: &[u8], vertices: usize) -> Result<(), JsError> {
         let _activity = ActivityGuard::new(Activity::Figure);
@@ -99,8 +99,9 @@ impl Player {
         Ok(())
     }
 
-    /// The place of the skin that is seen at a place of the picture, −1 to 1 from the left and from below:
-    /// three vertices and their shares; nothing beside the head, and before a face was set.
+    /// Returns the visible point of the skin at an image position, −1 to 1 from the left and from
+    /// the bottom: three vertices and their weights; nothing outside the head, and before a face
+    /// was set.
     #[wasm_bindgen(js_name = pickFace)]
     #[must_use]
     pub fn pick_face(&self, x: f64, y: f64) -> Option<Vec<f64>> {
@@ -117,8 +118,8 @@ impl Player {
         Some(corners.into_iter().chain(spot.shares).collect())
     }
 
-    /// Where a place of the skin, as `pickFace` gives it, lies on its picture: texture coordinates, and their
-    /// change over a metre to the right and upwards.
+    /// Returns the texture coordinates of a point of the skin, as returned by `pickFace`, and their
+    /// change per metre to the right and upwards.
     #[wasm_bindgen(js_name = faceChart)]
     #[must_use]
     pub fn face_chart(&self, spot: &[f64]) -> Option<Vec<f64>> {
@@ -127,9 +128,9 @@ impl Player {
         Some([chart.uv, chart.right, chart.up].concat())
     }
 
-    /// What to paint on that picture for hair that is not the figure's own as it was: linear red, green and
-    /// blue, the place of skin like a bare scalp, how many corners are under hair, then the texture
-    /// coordinates of those, and of corners of what is bare.
+    /// Returns the data for painting hair areas on that texture when the hair has changed: linear
+    /// red, green and blue, the position of skin like a bare scalp, the number of corners under
+    /// hair, then their texture coordinates, and those of bare corners.
     #[must_use]
     pub fn scalp(&self) -> Option<Vec<f32>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
@@ -144,8 +145,9 @@ impl Player {
         Some(head.chain([count as f32]).chain(places).collect())
     }
 
-    /// Spots of a kind, `freckles`, `stubble`, `ageSpots` or `moles`, at the places of a seed, in an order by
-    /// chance: of each what `faceChart` tells of its place, then its strength, 0..1.
+    /// Returns spots of a kind, `freckles`, `stubble`, `ageSpots` or `moles`, at the positions of a
+    /// seed, in random order: for each the result of `faceChart` for its position, then its
+    /// strength, 0..1.
     #[must_use]
     pub fn speckles(&self, kind: &str, seed: u32) -> Option<Vec<f32>> {
         let (reshaper, performer) = (self.reshaper.as_ref()?, self.performer.as_ref()?);
@@ -164,7 +166,7 @@ impl Player {
         Some(numbers.map(|x| x as f32).collect())
     }
 
-    /// Which picture of the figure has the colour of its skin.
+    /// Returns the index of the figure's image with the colour of its skin.
     #[wasm_bindgen(js_name = skinImage)]
     #[must_use]
     pub fn skin_image(&self) -> Option<usize> {

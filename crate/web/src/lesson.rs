@@ -5,7 +5,7 @@ use raconteur_player::{
 };
 use serde::Serialize;
 
-/// The questions of a story and the ways through it.
+/// Questions of a story and the paths through it.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Lesson {
@@ -14,7 +14,7 @@ pub struct Lesson {
 }
 
 impl Lesson {
-    /// From what a script tells of them.
+    /// Creates it from the cues of a script.
     #[must_use]
     pub fn new(questions: Vec<QuestionCue>, ways: Vec<WayCue>) -> Self {
         Self {
@@ -55,7 +55,7 @@ struct Question {
     answers: Vec<Answer>,
 }
 
-/// A picture of a question or an option.
+/// An image of a question or an option.
 #[derive(Debug, Serialize)]
 struct Picture {
     file: String,
@@ -68,7 +68,7 @@ impl From<PictureCue> for Picture {
     }
 }
 
-/// What is read once it is answered for good.
+/// Texts shown after the final answer.
 #[derive(Debug, Serialize)]
 struct Feedback {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -85,7 +85,7 @@ impl From<FeedbackCue> for Feedback {
     }
 }
 
-/// What one may answer.
+/// A possible answer.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Choice {
@@ -125,7 +125,7 @@ impl From<OptionCue> for Choice {
     }
 }
 
-/// What follows from an answer.
+/// Reaction to an answer.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Answer {
@@ -171,7 +171,7 @@ impl From<QuestionCue> for Question {
     }
 }
 
-/// Something on the way through a story.
+/// An entry on a path through a story.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct FlowEntry {
@@ -184,7 +184,7 @@ struct FlowEntry {
     what: FlowEntryKind,
 }
 
-/// What is on the way.
+/// Kind of an entry.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "camelCase")]
 enum FlowEntryKind {

@@ -18,7 +18,7 @@ struct Statistics<'a> {
 
 #[wasm_bindgen]
 impl Player {
-    /// Measures of the last picture; nothing without a canvas.
+    /// Returns statistics of the last image; nothing without a canvas.
     pub fn statistics(&self) -> Result<JsValue, JsError> {
         let Some(info) = self.picture_info() else {
             return Ok(JsValue::UNDEFINED);

@@ -17,7 +17,7 @@ pub struct Story {
     pub utterances: Vec<Utterance>,
     /// The performer that it chooses.
     pub performer: Performer,
-    /// Its questions and the ways through it.
+    /// Its questions and the paths through it.
     #[serde(flatten)]
     pub lesson: Lesson,
     /// Problems of the text, by position.
@@ -124,7 +124,7 @@ impl From<MusicCue> for MusicPiece {
     }
 }
 
-/// How the environment expresses what is felt.
+/// Expression of emotions by the environment.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct EnvironmentExpression {
@@ -182,23 +182,23 @@ pub struct Performance {
     pub utterances: Vec<Utterance>,
     /// The index of the first of them.
     pub first_utterance: usize,
-    /// What it asks.
+    /// Its questions.
     #[serde(flatten)]
     pub lesson: Lesson,
-    /// When all that is known is over, story time, seconds.
+    /// End of everything known, story time, seconds.
     pub end_secs: f64,
-    /// What it ends, where it was no fragment but `<interrupt/>`.
+    /// Result of `<interrupt/>`, if the text was that instead of a fragment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cut: Option<InterruptionOutcome>,
 }
 
-/// What fragments say and do has ended.
+/// Result of an interruption of fragments.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct InterruptionOutcome {
-    /// When, story time, seconds.
+    /// Time of the interruption, story time, seconds.
     pub at_secs: f64,
-    /// When all that is known now is over, story time, seconds.
+    /// End of everything now known, story time, seconds.
     pub end_secs: f64,
 }
 

@@ -14,15 +14,15 @@ struct ClauseSplit<'t> {
     rest: &'t str,
 }
 
-/// A fragment, and what is felt at its end.
+/// A fragment, and the emotion at its end.
 #[derive(Serialize)]
 struct NarratedFragment {
     fragment: String,
     feels: String,
 }
 
-/// The script that tells a text in a language (BCP 47), up to so many characters, phrase by phrase
-/// or not; undefined where it has no word.
+/// Returns the script that narrates a text in a language (BCP 47), up to a number of characters,
+/// phrase by phrase or not; undefined if it has no word.
 #[wasm_bindgen]
 #[must_use]
 pub fn narrate(text: &str, language: &str, phrased: bool, most: usize) -> Option<String> {
@@ -34,8 +34,8 @@ pub fn narrate(text: &str, language: &str, phrased: bool, most: usize) -> Option
     narration::narrate(text, &options)
 }
 
-/// `{fragment, feels}`: the fragment that goes on telling after a text that has left the feeling
-/// `felt`, and the one that this leaves; undefined where it has no word.
+/// Returns `{fragment, feels}`: the fragment that continues the narration after a text that ended
+/// with the emotion `felt`, and its own final emotion; undefined if it has no word.
 #[wasm_bindgen(js_name = continueNarration)]
 pub fn continue_narration(text: &str, language: &str, felt: &str) -> Result<JsValue, JsError> {
     match narration::continue_narration(text, language, felt) {
@@ -46,8 +46,8 @@ pub fn continue_narration(text: &str, language: &str, felt: &str) -> Result<JsVa
     }
 }
 
-/// `{clauses, rest}`: the clauses of a text that comes piece by piece, and what may go on; with
-/// `whole` nothing more comes.
+/// Returns `{clauses, rest}`: the clauses of a text that arrives in pieces, and the remainder that
+/// may continue; with `whole` the text is complete.
 #[wasm_bindgen(js_name = splitClauses)]
 pub fn split_clauses(text: &str, language: &str, whole: bool) -> Result<JsValue, JsError> {
     let narration::ClauseSplit { clauses, rest } = narration::split_clauses(text, language, whole);

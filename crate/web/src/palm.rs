@@ -22,8 +22,8 @@ pub fn hand_directions(left: bool, x: f64, y: f64, z: f64, angle_deg: f64) -> Ve
     })
 }
 
-/// The normal (EML's axes, unit) and the angle (-180 to 180 degrees; 4 numbers together) of
-/// directions as `handDirections` gives them. Empty for invalid input.
+/// Returns the normal (EML's axes, unit) and the angle (-180 to 180 degrees; 4 numbers together) of
+/// directions as returned by `handDirections`. Empty for invalid input.
 #[wasm_bindgen(js_name = palmOf)]
 pub fn palm_of(left: bool, directions: &[f64]) -> Vec<f64> {
     let &[nx, ny, nz, fx, fy, fz] = directions else {

@@ -2,13 +2,13 @@
 
 use wasm_bindgen::prelude::*;
 
-/// Keeps messages of panics from the start of the instance.
+/// Stores messages of panics from the start of the instance.
 #[wasm_bindgen(start)]
 pub fn start() {
     raconteur_player::base::panic::keep_messages();
 }
 
-/// Message and source location of the panic that ended this instance; none where it was
+/// Returns the message and source location of the panic that ended this instance; `None` for
 /// another trap.
 #[wasm_bindgen(js_name = panicMessage)]
 pub fn panic_message() -> Option<String> {

@@ -28,7 +28,7 @@ compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MAX_PIXELS: f64 = 8192.0;
 
-/// Less idle life than this asks for less motion of the camera as well.
+/// Amount of idle motion below which the camera motion is reduced as well.
 const LITTLE_MOTION: f64 = 0.5;
 
 /// The outcome of a tick; `TickStatus` in `web/element/base/engine.ts`.
@@ -48,19 +48,19 @@ pub struct Player {
     pub(crate) picture: Option<CanvasTarget>,
     /// Width over height.
     pub(crate) aspect: f64,
-    /// The lamps that the page chooses in place of those of the story's set.
+    /// Lamps chosen by the page instead of those of the story's set.
     pub(crate) lighting: Option<Lighting>,
-    /// The view that a page chooses in place of the shot.
+    /// View chosen by the page instead of the shot.
     pub(crate) view: Option<View>,
-    /// The share of the picture's height that captions take.
+    /// Share of the image height that captions take.
     pub(crate) captions: f64,
     /// The dominant hand, where the page chooses it.
     handedness: Option<Side>,
     language: Option<LanguageTag>,
     sized: bool,
-    /// The figure as it came, once it has got another face.
+    /// Original figure, once its face has been replaced.
     pub(crate) reshaper: Option<Reshaper>,
-    /// Who lends hair.
+    /// Hair donors.
     pub(crate) donors: Lenders,
     /// Hair and beard that the figure has.
     pub(crate) hair: [Hair; 2],
@@ -72,7 +72,7 @@ pub struct Player {
     reason = "optional bytes arrive as owned only"
 )]
 impl Player {
-    /// Opens a device for `canvas`; without one, a storyteller who is only heard.
+    /// Opens a device for `canvas`; without one, the storyteller is audible only.
     pub async fn create(canvas: Option<HtmlCanvasElement>) -> Result<Player, JsError> {
         let backend = if cfg!(feature = "webgpu") {
             Backend::WebGpu
@@ -125,8 +125,8 @@ impl Player {
         plain(&story)
     }
 
-    /// The dominant hand, `left` or `right`, in texts that are read from now on; by any other
-    /// name, as the story says or else as the figure is.
+    /// Sets the dominant hand, `left` or `right`, in texts that are read from now on; any other
+    /// name uses the story's, else the figure's.
     #[wasm_bindgen(js_name = setHandedness)]
     pub fn set_handedness(&mut self, hand: &str) {
         self.handedness = match hand {
@@ -136,15 +136,15 @@ impl Player {
         };
     }
 
-    /// The language that lips speak in texts that are read from now on where neither text nor
-    /// bundle tells of one: that of the page, a tag of BCP 47. English by any other name.
+    /// Sets the default language of lip animation, for texts read from now on without a language in
+    /// text or bundle: that of the page, a BCP 47 tag. English for any other name.
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = LanguageTag::new(tag);
     }
 
-    /// Reads another story for the figure that is on stage, which keeps its pictures: the device
-    /// is sent nothing. The arguments and the answer are those of `load`. Nothing before a `load`.
+    /// Reads another story for the figure on stage, which keeps its images: nothing is uploaded.
+    /// Arguments and result are those of `load`. Returns nothing before a `load`.
     #[wasm_bindgen(js_name = replaceStory)]
     pub fn replace_story(
         &mut self,
@@ -155,7 +155,7 @@ impl Player {
         self.read_again(eml, bundle.as_deref(), motion, FramingMargin::default())
     }
 
-    /// How many pictures the figure has, for the page to decode.
+    /// Returns the number of the figure's images, for the page to decode.
     #[wasm_bindgen(js_name = imageCount)]
     pub fn image_count(&self) -> usize {
         self.performer
@@ -163,19 +163,19 @@ impl Player {
             .map_or(0, |p| p.figure().images.len())
     }
 
-    /// The type of a picture: `image/png` or `image/jpeg`.
+    /// Returns the type of an image: `image/png` or `image/jpeg`.
     #[wasm_bindgen(js_name = imageType)]
     pub fn image_type(&self, index: usize) -> Option<String> {
         self.image(index).map(|i| i.mime_type.clone())
     }
 
-    /// The bytes of a picture's file.
+    /// Returns the bytes of an image file.
     #[wasm_bindgen(js_name = imageBytes)]
     pub fn image_bytes(&self, index: usize) -> Option<Vec<u8>> {
         self.image(index).map(|i| i.bytes.clone())
     }
 
-    /// Shows a decoded picture of the figure: RGBA bytes in rows from the top, straight alpha.
+    /// Sets a decoded image of the figure: RGBA bytes in rows from the top, straight alpha.
     #[wasm_bindgen(js_name = setImage)]
     pub fn set_image(
         &mut self,
@@ -191,7 +191,7 @@ impl Player {
         Ok(())
     }
 
-    /// Shows a moment; a `TickStatus`.
+    /// Shows the frame of a time; returns a `TickStatus`.
     pub fn tick(&mut self, time_secs: f64) -> Result<u32, JsError> {
         let Some(performer) = &mut self.performer else {
             return Ok(TickStatus::Skipped as u32);
@@ -201,16 +201,16 @@ impl Player {
         self.draw(|performer, aspect| performer.frame(time_secs, aspect))
     }
 
-    /// Shows the figure as it waits for the story to be played, for so many seconds already; a
-    /// `TickStatus`. The next `tick` goes on from there, unless a `seek` comes first.
+    /// Shows the figure that has waited a number of seconds for playback; returns a `TickStatus`.
+    /// The next `tick` continues from there, unless a `seek` comes first.
     #[wasm_bindgen(js_name = evaluateIdle)]
     pub fn evaluate_idle(&mut self, waited_secs: f64) -> Result<u32, JsError> {
         let _activity = ActivityGuard::new(Activity::Pose);
         self.draw(|performer, aspect| performer.evaluate_idle(waited_secs, aspect))
     }
 
-    /// Draws the figure as it waits for an answer where the story rests at `time_secs`, so many
-    /// seconds already, and looks at a bone of EML's, or at the viewer by any other name.
+    /// Shows the figure that has waited a number of seconds for an answer at `time_secs`, looking
+    /// at an EML bone, or at the viewer for any other name.
     #[wasm_bindgen(js_name = evaluateWaiting)]
     pub fn evaluate_waiting(
         &mut self,
@@ -225,7 +225,7 @@ impl Player {
         })
     }
 
-    /// As `seek`, but what the figure does as it waits fades into what follows.
+    /// Seeks like `seek`, but fades from the waiting behaviour into the story.
     #[wasm_bindgen(js_name = seekWithFade)]
     pub fn seek_with_fade(&mut self, time_secs: f64) {
         if let Some(performer) = &mut self.performer {
@@ -233,8 +233,8 @@ impl Player {
         }
     }
 
-    /// Draws at `lowest`, `low`, `medium` or `high` quality; by any other name, as well as frames
-    /// come quickly.
+    /// Renders at `lowest`, `low`, `medium` or `high` quality; any other name adapts the quality to
+    /// frame times.
     #[wasm_bindgen(js_name = setQuality)]
     pub fn set_quality(&mut self, name: &str) {
         let fixed = Quality::NAMES.iter().find(|(_, n)| *n == name);
@@ -243,7 +243,7 @@ impl Player {
         }
     }
 
-    /// Whether the story rests: a picture that stands still is drawn with every pixel.
+    /// Sets whether the story is paused: a static image is rendered at full size.
     #[wasm_bindgen(js_name = setResting)]
     pub fn set_resting(&mut self, resting: bool) {
         if let Some(picture) = &mut self.picture {
@@ -251,7 +251,7 @@ impl Player {
         }
     }
 
-    /// Takes the time between two shown frames, milliseconds; the quality follows it.
+    /// Takes the time between two displayed frames, milliseconds; the quality follows it.
     #[wasm_bindgen(js_name = reportFrame)]
     pub fn report_frame(&mut self, ms: f64) {
         if let Some(picture) = &mut self.picture {
@@ -259,15 +259,15 @@ impl Player {
         }
     }
 
-    /// Moves without passing the cues between; those at `time_secs` itself are still to come.
+    /// Seeks without delivering the cues between; those at `time_secs` itself are still to come.
     pub fn seek(&mut self, time_secs: f64) {
         if let Some(performer) = &mut self.performer {
             performer.seek(time_secs);
         }
     }
 
-    /// Performs a fragment of EML, `now_secs` being the story time from which plain times
-    /// count; a `Performance`, or nothing before a `load`. `mind` identifies the sender.
+    /// Performs a fragment of EML, with plain times counted from the story time `now_secs`; returns
+    /// a `Performance`, or nothing before a `load`. `mind` identifies the sender.
     pub fn perform(
         &mut self,
         mind: u32,
@@ -292,8 +292,8 @@ impl Player {
         })
     }
 
-    /// Ends what fragments say and do at a story time; an `InterruptionOutcome`, or nothing where there was
-    /// nothing to end.
+    /// Ends the actions of fragments at a story time; returns an `InterruptionOutcome`, or nothing
+    /// if there was nothing to end.
     pub fn interrupt(&mut self, now_secs: f64) -> Result<JsValue, JsError> {
         let _activity = ActivityGuard::new(Activity::Fragment);
         let Some(performer) = &mut self.performer else {
@@ -308,15 +308,15 @@ impl Player {
         })
     }
 
-    /// Takes the speech of fragments that will come: the text of a bundle that begins with what is
-    /// known. Whether it does.
+    /// Takes the speech of coming fragments: the text of a bundle that begins with the known one.
+    /// Returns false if it does not.
     #[wasm_bindgen(js_name = updateBundle)]
     pub fn update_bundle(&mut self, bundle: &[u8]) -> bool {
         let performer = self.performer.as_mut();
         performer.is_some_and(|performer| performer.update_bundle(bundle))
     }
 
-    /// Whether the clock may pass the end of the story, because a mind may send more.
+    /// Sets whether the clock may pass the end of the story, because a mind may send more.
     #[wasm_bindgen(js_name = setOpenEnded)]
     pub fn set_open_ended(&mut self, open_ended: bool) {
         if let Some(performer) = &mut self.performer {
@@ -355,7 +355,8 @@ impl Player {
         plain(&music.map(MusicPiece::from).collect::<Vec<_>>())
     }
 
-    /// How the environment expresses what is felt at a story time; an `EnvironmentExpression`.
+    /// Returns the environment's expression of emotions at a story time; an
+    /// `EnvironmentExpression`.
     #[wasm_bindgen(js_name = environmentExpression)]
     pub fn environment_expression(&self, time_secs: f64) -> Result<JsValue, JsError> {
         let expressed = self
@@ -395,7 +396,7 @@ impl Player {
         Ok(status as u32)
     }
 
-    /// Has the figure on stage read a text, with no less room in the picture than `room`.
+    /// Makes the figure on stage read a text, with at least `room` as framing margin.
     pub(crate) fn read_again(
         &mut self,
         eml: &str,
@@ -422,8 +423,8 @@ impl Player {
 }
 
 impl Player {
-    /// How a story is performed, with this amount of idle life and no less room in the
-    /// picture than `room`.
+    /// Returns the options of a performance, with this amount of idle motion and at least `room` as
+    /// framing margin.
     pub(crate) fn options(&self, motion: f64, room: FramingMargin) -> Options {
         Options {
             motion_amount: if motion.is_nan() {
@@ -440,13 +441,13 @@ impl Player {
         }
     }
 
-    /// The adapter of the canvas, and measures of its last picture.
+    /// Returns the adapter of the canvas, and statistics of its last image.
     pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
         self.picture.as_ref().map(CanvasTarget::info)
     }
 }
 
-/// An object of plain JavaScript values, as `JSON.parse` would give.
+/// Converts a value to plain JavaScript values, like `JSON.parse`.
 pub(crate) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
     Ok(value.serialize(&Serializer::json_compatible())?)
 }

@@ -12,8 +12,8 @@ use crate::activity::note;
 use crate::lesson::Lesson;
 use crate::message::Story;
 
-/// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
-/// and wasm agree to the last bit. Animations come by name with their texts.
+/// Returns digests of a story's poses at some times, in hexadecimal: equal digests mean that native
+/// and wasm agree to the last bit. Animations are given by name with their texts.
 #[wasm_bindgen(js_name = poseDigests)]
 #[allow(
     clippy::needless_pass_by_value,

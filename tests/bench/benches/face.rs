@@ -8,7 +8,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use raconteur_body::face::{FaceControls, Muscle, Network, NodeState};
 use raconteur_body::read::read_figure;
 
-/// A face that speaks and smiles: the same every hundred steps.
+/// Returns controls of a face that speaks and smiles: periodic with a hundred steps.
 fn asked(i: u32) -> FaceControls {
     let mut controls = FaceControls::default();
     let along = f64::from(i % 100) / 100.0;

@@ -18,7 +18,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 const TARGETS: i64 = 1024;
-/// When a target counts as met.
+/// Distance at which a target counts as reached.
 const METRES: f64 = 1e-4;
 const RADIANS: f64 = 1e-3;
 
@@ -64,7 +64,8 @@ fn chain(upper_m: f64, fore_m: f64) -> k::SerialChain<f64> {
     k::SerialChain::from_end(&nodes[6])
 }
 
-/// Damped least squares on the library's Jacobian; whether the target was met.
+/// Solves by damped least squares on the library's Jacobian; returns true if the target was
+/// reached.
 fn damped(chain: &k::SerialChain<f64>, target: &na::Isometry3<f64>) -> bool {
     for _ in 0..60 {
         let end = chain.end_transform();
@@ -159,7 +160,7 @@ fn closed_form(
     });
 }
 
-/// Two solvers of a kept library, which approach the target step by step.
+/// Benchmarks two solvers of a maintained library, which approach the target iteratively.
 fn numerical(
     c: &mut Criterion,
     skeleton: &Skeleton,

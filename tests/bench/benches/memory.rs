@@ -48,8 +48,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// What `work` leaves behind, with the bytes it keeps, the bytes it needed at most and
-/// the allocations it made.
+/// Returns the result of `work`, with its retained bytes, peak bytes and number of allocations.
 fn measured<T>(work: impl FnOnce() -> T) -> (T, [usize; 3]) {
     let (held, calls) = (HELD.load(Relaxed), CALLS.load(Relaxed));
     PEAK.store(held, Relaxed);

@@ -81,8 +81,8 @@ fn full(source: &str) -> usize {
         .len()
 }
 
-/// The shortest run of each kind of work: what it costs without what disturbs it. The
-/// kinds take turns, so that a busy machine disturbs all of them alike.
+/// Returns the shortest run of each kind of work, which excludes disturbances. The kinds take
+/// turns, so that a busy machine affects all of them equally.
 fn shortest<const N: usize>(source: &str, runs: usize, work: [Work; N]) -> [f64; N] {
     let mut best = [Duration::MAX; N];
     for _ in 0..runs {

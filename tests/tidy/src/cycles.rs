@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::modules::{Module, Modules, Names, crates, home};
 
-/// Which module leans on which.
+/// Returns the dependencies between modules.
 fn edges(modules: &Modules) -> BTreeMap<Names, BTreeSet<Names>> {
     let of = |at: &Names, module: &Module| {
         let homes = module.used.iter().filter_map(|p| home(modules, p, 8));
@@ -20,8 +20,8 @@ fn edges(modules: &Modules) -> BTreeMap<Names, BTreeSet<Names>> {
         .collect()
 }
 
-/// The groups of modules, or of other things with names, that lean on each other in a circle (Tarjan's algorithm would be
-/// faster; there are some hundred files).
+/// Returns the groups of modules, or of other named items, with circular dependencies (Tarjan's
+/// algorithm would be faster; there are a few hundred files).
 pub(crate) fn circles(edges: &BTreeMap<Names, BTreeSet<Names>>) -> Vec<Vec<Names>> {
     let reach = |from: &Names| {
         let (mut seen, mut open) = (BTreeSet::new(), vec![from.clone()]);

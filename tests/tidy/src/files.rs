@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Lines after which a file holds a second idea; generated tables are exempt and say so
-/// on their first line.
+/// Maximum number of lines of a file, beyond which it contains a second idea; generated tables are
+/// exempt and say so on their first line.
 const MAX_LINES: usize = 500;
 
 /// Folders that are made, not written.

@@ -18,8 +18,8 @@ use crate::modules::{Modules, Names, crates, home};
 /// Folder, folder that it uses, and the uses that make the edge.
 type Edges = BTreeMap<Names, BTreeMap<Names, BTreeSet<String>>>;
 
-/// The two folders of the same parent between which a use of one module by another lies; `None`
-/// where one holds the other or a loose file is concerned.
+/// Returns the two sibling folders between which a use of one module by another occurs; `None` if
+/// one contains the other or a loose file is involved.
 fn between(modules: &Modules, from: &Names, to: &Names) -> Option<(Names, Names)> {
     let shared = from.iter().zip(to).take_while(|(a, b)| a == b).count();
     let (from, to) = (from.get(..=shared)?, to.get(..=shared)?);

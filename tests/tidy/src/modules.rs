@@ -15,7 +15,7 @@ pub(crate) type Names = Vec<String>;
 #[derive(Default)]
 pub(crate) struct Module {
     pub(crate) file: PathBuf,
-    /// Names that it hands on, with the paths they come from.
+    /// Re-exported names, with their original paths.
     pub(crate) handed_on: BTreeMap<String, Names>,
     /// Paths that its code names.
     pub(crate) used: BTreeSet<Names>,
@@ -32,17 +32,17 @@ fn is_test(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// What a file names, apart from its tests.
+/// Names used by a file, apart from its tests.
 struct Reader<'a> {
     /// The module that is being read; inner modules are deeper than their file's.
     at: Names,
     module: &'a mut Module,
-    /// Modules with files of their own, and the paths that `#[path]` gives to some.
+    /// Modules with their own files, and the `#[path]` of some.
     declared: Vec<(String, Option<String>)>,
 }
 
 impl Reader<'_> {
-    /// A path as it counts from the crate's root; `None` for another crate's.
+    /// Returns a path relative to the crate's root; `None` for another crate's.
     fn absolute(&self, names: &[String]) -> Option<Names> {
         let mut at = match names.first()?.as_str() {
             "crate" => Vec::new(),
@@ -156,7 +156,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 }
 
-/// Reads what a module's text says, and which children with files it declares.
+/// Parses a module's text, and the children with files that it declares.
 pub(crate) fn parse(
     file: &Path,
     text: &str,
@@ -211,7 +211,7 @@ fn read(file: &Path, at: &Names, is_root: bool, into: &mut Modules) {
     }
 }
 
-/// The module whose file holds what a path names.
+/// Returns the module whose file defines a path.
 pub(crate) fn home(modules: &Modules, path: &[String], hops: usize) -> Option<Names> {
     let length = (0..=path.len())
         .rev()

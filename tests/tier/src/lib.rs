@@ -6,7 +6,7 @@ use std::env;
 /// The figures of `assets/figures`.
 pub const FIGURES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];
 
-/// Whether everything runs: `TEST_LONG` is set.
+/// Returns true if all tests run: `TEST_LONG` is set.
 #[must_use]
 pub fn is_long() -> bool {
     env::var_os("TEST_LONG").is_some()
@@ -18,8 +18,8 @@ pub fn sized<T>(gate: T, long: T) -> T {
     if is_long() { long } else { gate }
 }
 
-/// The share `turn` (from 0) of `things` among `turns`, every `turns`-th of them, so that the
-/// shares together are the whole; all of them where everything runs.
+/// Returns the share `turn` (from 0) of `things` among `turns`, every `turns`-th of them, so that
+/// the shares together are complete; all of them if all tests run.
 #[must_use]
 pub fn share<T: Clone>(things: &[T], turn: usize, turns: usize) -> Vec<T> {
     if is_long() {

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 use tungstenite::Message;
 
-use self::server::{LONG, Server, Tcp, closing, command, receive, is, root, websocket};
+use self::server::{LONG, Server, Tcp, closing, command, is, receive, root, websocket};
 
 const LINE: &str = "<voice-text time='0' timeId='v'><div>Hello <emph><tm name='w'/>world!</emph>\
                     </div></voice-text>";

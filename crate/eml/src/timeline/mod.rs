@@ -21,6 +21,17 @@ pub struct Resolved {
 }
 
 /// Times of all clauses of a document, in seconds from the start of the script.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_eml::{EstimatedDurations, Timeline, parse};
+///
+/// let parsed = parse("<eml><body><voice-text time='1'>Hello world!</voice-text></body></eml>");
+/// assert_eq!(parsed.diagnostics, [], "the script is valid");
+/// let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations::default());
+/// assert_eq!(resolved.timeline.clauses[0].start_secs, 1.0);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timeline {
     /// Length of the script.

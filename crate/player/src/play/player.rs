@@ -72,6 +72,28 @@ pub struct Manipulator {
 
 /// Evaluates any time of a story, and of live additions. Frames depend only on the time, so seeking
 /// costs no more than playing.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_player::body::read::read_figure;
+/// use raconteur_player::{Options, Player, StoryInput};
+/// use std::sync::Arc;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let figure = read_figure("nuno", &std::fs::read("../../assets/figures/nuno.glb")?)?;
+/// let mut player = Player::load(StoryInput {
+///     eml: "<eml><body><voice-text time='0'>Hello!</voice-text></body></eml>",
+///     bundle: None,
+///     figure: Arc::new(figure),
+///     options: Options::default(),
+/// })
+/// .player;
+/// let frame = player.frame(0.5, 16.0 / 9.0);
+/// assert!(frame.camera.eye_in_world.z > 0.0, "the camera stands before the figure");
+/// # Ok(())
+/// # }
+/// ```
 pub struct Player {
     cast: Cast,
     options: Options,

@@ -101,17 +101,17 @@ impl ShotDirector {
         self.geometry.interrupt(at_secs);
     }
 
-    /// Shows the whole figure from this side; by none, the shot again.
+    /// Shows the whole figure from a direction; `None` returns to the shot.
     pub(crate) fn set_view(&mut self, view: Option<View>) {
         self.view = view;
     }
 
-    /// Keeps hands and feet above this share of the picture's height at its lower edge.
+    /// Keeps hands and feet above this share of the image height at its lower edge.
     pub(crate) fn set_captions(&mut self, share: f64) {
         self.captions = share;
     }
 
-    /// Whether what is about the figure moves by itself.
+    /// Returns true if the surroundings of the figure are animated.
     pub(crate) fn moves(&self) -> bool {
         self.moves
     }
@@ -121,18 +121,18 @@ impl ShotDirector {
         &self.shots
     }
 
-    /// What of the figure is drawn at a time.
+    /// Returns the visible parts of the figure at a time.
     pub(crate) fn visibility(&self, time_secs: f64) -> Visibility {
         self.geometry.sample(time_secs)
     }
 
-    /// How the stage is lit at a time.
+    /// Returns the illumination of the stage at a time.
     pub(crate) fn illumination(&self, time_secs: f64) -> Illumination {
         self.lamps.sample(time_secs)
     }
 
-    /// The camera at a time, for a picture of `aspect` (width over height); `room` gives the
-    /// room that hands need then by what is shown at rest and by the fastest zoom.
+    /// Returns the camera at a time, for an image of `aspect` (width over height); `room` gives the
+    /// margin for hands at that time from the span at rest and the fastest zoom.
     pub(crate) fn camera(
         &self,
         time_secs: f64,

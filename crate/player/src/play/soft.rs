@@ -4,7 +4,8 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 
 use super::segments::{SegmentGrid, Segments, Simulation, WarmUpPolicy};
 
-/// 0.8 s and 0.2 s: what came before moves no node by a thousandth of a millimetre any more.
+/// Segments of 0.8 s with 0.2 s warm-up, after which earlier motion moves no node by more than a
+/// thousandth of a millimetre.
 const CUT: SegmentGrid = SegmentGrid {
     segment: 96,
     warm_up: 24,
@@ -52,12 +53,12 @@ impl SoftFace {
         self.segments.state()
     }
 
-    /// Forgets what was simulated: the controls have changed.
+    /// Clears the simulation, because the controls have changed.
     pub(crate) fn forget(&mut self) {
         self.segments.forget();
     }
 
-    /// Brings the nodes to a time. `nodes` has room for all; allocates nothing.
+    /// Advances the nodes to a time. `nodes` has room for all; allocates nothing.
     pub(crate) fn advance_to(
         &mut self,
         tissue: &Tissue,

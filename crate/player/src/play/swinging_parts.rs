@@ -7,14 +7,14 @@ use raconteur_body::{Skeleton, Springs};
 
 use super::segments::{SegmentGrid, Segments, Simulation, WarmUpPolicy};
 
-/// 1.6 s and 0.8 s: of how a chain swung before a hundredth is left, and the way into the next
-/// segment takes that in.
+/// Segments of 1.6 s with 0.8 s warm-up, after which a hundredth of a chain's earlier swing is
+/// left, which the blend into the next segment absorbs.
 const CUT: SegmentGrid = SegmentGrid {
     segment: 96,
     warm_up: 48,
     pace: WarmUpPolicy::Together,
 };
-/// The last steps of a segment, over which the next one's run takes over.
+/// Final steps of a segment in which it blends into the next one.
 const BLEND: i64 = 24;
 
 /// Solves the joints at a time, seconds, with every chain at rest.
@@ -52,7 +52,7 @@ impl Simulation<SpringState> for DrivenChains<'_, '_> {
     }
 }
 
-/// What swings on one figure, at any time.
+/// Swinging parts of one figure, at any time.
 pub(crate) struct SwingingParts {
     segments: Segments<SpringState>,
     /// Room to solve joints in.
@@ -60,7 +60,7 @@ pub(crate) struct SwingingParts {
 }
 
 impl SwingingParts {
-    /// None where nothing swings.
+    /// Creates the simulation; `None` if there are no spring chains.
     pub(crate) fn new(springs: &Springs, joints: usize) -> Option<Self> {
         (!springs.is_empty()).then(|| Self {
             segments: Segments::new(CUT, springs.swing()),
@@ -68,12 +68,12 @@ impl SwingingParts {
         })
     }
 
-    /// Forgets what was simulated: the figure moves otherwise.
+    /// Clears the simulation, because the figure's motion has changed.
     pub(crate) fn forget(&mut self) {
         self.segments.forget();
     }
 
-    /// Turns the chains of joints that are solved for a time; `posture` tells of other times.
+    /// Rotates the chains of joints solved for a time; `posture` gives those of other times.
     pub(crate) fn advance_to(
         &mut self,
         (skeleton, springs): (&Skeleton, &Springs),

@@ -11,11 +11,11 @@ use super::{Check, Folds, MAX_FOLD_DEPTH_MM, RATE_HZ, frames};
 use crate::lower::cues::CueKind;
 use crate::play::player::Player;
 
-/// How much faster than they were spoken words are looked at as well.
+/// Factor of the additional test with faster speech.
 const FAST: f64 = 1.5;
-/// Share of a plosive in which its lips are closed; what follows is its release.
+/// Share of a plosive with closed lips; its release follows.
 const CLOSED: f64 = 0.75;
-/// Silence takes this long to close the mouth, and leaves it this long to open, seconds.
+/// Time in which silence closes the mouth, and in which the mouth opens after it, seconds.
 const SILENCE_CLOSES_SECS: f64 = 0.2;
 const SILENCE_OPENS_SECS: f64 = 0.15;
 /// Radius of the globe that lids slide over, millimetres.
@@ -25,7 +25,7 @@ const FULL: f64 = 0.999;
 /// Contraction of any muscle from which the lips are not checked in silence: an expression.
 const STILL: f64 = 0.35;
 
-/// A time in which something must hold.
+/// A time interval in which a condition must hold.
 struct CheckedSpan {
     from_secs: f64,
     to_secs: f64,
@@ -40,7 +40,7 @@ enum Closure {
     Silence,
 }
 
-/// Moments of everything that is said, by time.
+/// Returns the checked intervals of all speech, by time.
 fn moments(player: &Player) -> Vec<CheckedSpan> {
     let mut all = Vec::new();
     for cue in player.cues() {
@@ -108,7 +108,7 @@ impl FaceSweep {
         }
     }
 
-    /// Looks at a moment; times rise.
+    /// Measures a time; times ascend.
     pub(super) fn measure(
         &mut self,
         (tissue, network): (&Tissue, &Network),
@@ -151,7 +151,7 @@ impl FaceSweep {
             .measure(f64::from(network.most_stretched_edge()), "face", t);
     }
 
-    /// Looks for dents in the skin of the figure that the sweep began with, as it is drawn.
+    /// Searches for dents in the skin of the figure that the sweep began with, as rendered.
     pub(super) fn look_for_folds(&mut self, figure: &Figure, nodes: &[NodeState], t: f64) {
         if let Some(folds) = &mut self.folds {
             let depth_mm = 1e3 * f64::from(folds.deepest(figure, nodes).depth_m);
@@ -159,7 +159,7 @@ impl FaceSweep {
         }
     }
 
-    /// Looks at the lids that are controlled to close.
+    /// Checks the lids that are controlled to close.
     pub(super) fn look_at_lids(
         &mut self,
         controls: &FaceControls,
@@ -189,7 +189,7 @@ impl FaceSweep {
     }
 }
 
-/// The same story, spoken faster than its skin is: what must close, closes then too.
+/// Checks the same story with faster speech than its skin: closures must still close.
 pub(super) fn fast(player: &Player, secs: &RangeInclusive<f64>) -> Vec<Check> {
     let Some((tissue, _)) = player.face() else {
         return Vec::new();

@@ -10,23 +10,24 @@ use raconteur_body::face::tissue::FibreCurve;
 use raconteur_body::face::{Muscle, NodeState, Tissue};
 use raconteur_body::{Figure, Mesh};
 
-/// Ways to the sides of a place, millimetres on the reference head. The widest finds waves up to
-/// 12 mm, folds up to 6 mm wide, with more than half of their depth.
+/// Distances to the sides of a point, millimetres on the reference head. The widest detects waves
+/// up to 12 mm and folds up to 6 mm wide, with more than half of their depth.
 const WAYS_MM: [f64; 3] = [2.0, 3.0, 4.0];
-/// The deepest that such a fold may be, millimetres on the reference head.
+/// Maximum depth of such a fold, millimetres on the reference head.
 pub const MAX_FOLD_DEPTH_MM: f64 = 0.4;
-/// Frames a second that a sweep looks at.
+/// Sampling rate of a sweep, frames per second.
 pub(super) const RATE_HZ: f64 = 12.0;
 const DIRECTIONS: usize = 8;
-/// Triangles farther from a place than this are not looked at, millimetres: twice the widest way and an edge.
+/// Radius of the searched triangles around a point, millimetres: twice the widest distance and an
+/// edge.
 const AROUND_MM: f64 = 12.0;
 
-/// A place of the surface: three vertices and their shares.
+/// A point of the surface: three vertices and their weights.
 type Place = [(u32, f32); 3];
-/// Places at a way and at twice of it, to both sides.
+/// Points at one distance and at twice that distance, on both sides.
 type Across = [Place; 4];
 
-/// Where a face is measured.
+/// Measuring points of a face.
 #[derive(Clone, Debug)]
 pub struct Folds {
     /// Index of the mesh.
@@ -47,12 +48,13 @@ struct MeasuredFace {
 pub struct Fold {
     /// Depth, metres.
     pub depth_m: f32,
-    /// Where, bind pose, metres.
+    /// Position, bind pose, metres.
     pub place: [f32; 3],
 }
 
 impl Folds {
-    /// Those of a figure's face; `None` without tissue or mesh that follows it.
+    /// Returns the measuring points of a figure's face; `None` without tissue or a mesh bound to
+    /// it.
     #[must_use]
     pub fn new(figure: &Figure) -> Option<Self> {
         let tissue = figure.tissue.as_ref()?;
@@ -78,13 +80,13 @@ impl Folds {
         })
     }
 
-    /// How many vertices are measured.
+    /// Returns the number of measured vertices.
     #[must_use]
     pub fn count(&self) -> usize {
         self.vertices.len()
     }
 
-    /// The deepest fold of the figure that [`Self::new`] was given, its tissue so.
+    /// Returns the deepest fold of the figure passed to [`Self::new`], for a state of its tissue.
     pub fn deepest(&mut self, figure: &Figure, nodes: &[NodeState]) -> Fold {
         let mesh = &figure.meshes[self.mesh];
         let Some(binding) = &mesh.binding else {
@@ -119,9 +121,9 @@ impl Folds {
     }
 }
 
-/// Where skin is to stay smooth: cheeks, temples, forehead, chin and neck. Lips, lids, nose and
-/// the folds that have names are left out: between the brows, crow's feet, the nasolabial fold
-/// and the creases about the corners of the mouth.
+/// Region in which skin must stay smooth: cheeks, temples, forehead, chin and neck. Lips, lids,
+/// nose and natural folds are excluded: between the brows, crow's feet, the nasolabial fold and the
+/// creases at the corners of the mouth.
 struct SmoothRegion {
     scale: f64,
     eyes: Vec<DVec3>,
@@ -173,7 +175,7 @@ impl SmoothRegion {
         })
     }
 
-    /// Whether skin at this place is to stay smooth.
+    /// Returns true if skin at this position must stay smooth.
     fn has(&self, place: [f32; 3]) -> bool {
         let p = DVec3::from_array(place.map(f64::from));
         let mm = self.scale;
@@ -217,7 +219,7 @@ impl SmoothRegion {
     }
 }
 
-/// A mesh whose triangles are found by place.
+/// A mesh with a spatial index of its triangles.
 struct Surface<'a> {
     mesh: &'a Mesh,
     /// The triangles of each vertex.
@@ -262,7 +264,8 @@ impl<'a> Surface<'a> {
         all.into_iter().map(|i| self.triangle(i)).collect()
     }
 
-    /// What lies on both sides of a vertex, in all directions in which the surface goes on.
+    /// Returns the points on both sides of a vertex, in all directions in which the surface
+    /// continues.
     fn around(&self, v: u32, scale: f64) -> Vec<Across> {
         let middle = self.position(v);
         let normal = DVec3::from_array(self.mesh.normals[v as usize].map(f64::from));
@@ -297,7 +300,7 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// The place in a triangle of a plane; `None` outside, or where it is seen from behind.
+/// Returns the barycentric position in a triangle of a plane; `None` outside, or seen from behind.
 fn barycentric(triangle: [u32; 3], [a, b, c]: &[[f64; 2]; 3], p: [f64; 2]) -> Option<Place> {
     let cross = |a: &[f64; 2], b: &[f64; 2], c: &[f64; 2]| {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -8,15 +8,15 @@ use super::Check;
 use crate::Player;
 use crate::lower::shots::MIN_SECS;
 
-/// Looks a second.
+/// Sampling rate, hertz.
 pub(super) const RATE_HZ: f64 = 15.0;
-/// Pictures that stories are seen in, width over height.
+/// Aspects of typical displays, width over height.
 const ASPECTS: [f64; 3] = [16.0 / 9.0, 1.0, 9.0 / 16.0];
 /// Crown and chin from the joint of the skull, shares of stature: with hair, and with a beard.
 const CROWN: f64 = 0.10;
 const CHIN: f64 = 0.065;
 
-/// Where a place lies in a picture: −1 to 1 from left to right and from below to above.
+/// Projects a point into an image: −1 to 1 from left to right and from bottom to top.
 fn project(camera: &Camera, aspect: f64, place: DVec3) -> [f64; 2] {
     let towards = camera.target_in_world - camera.eye_in_world;
     let forward = towards.normalize_or(DVec3::NEG_Z);
@@ -35,7 +35,7 @@ fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
         .all(|x| x.abs() <= 1.0)
 }
 
-/// Places of a frame that a picture should hold, world, metres.
+/// Points of a frame that the image should contain, world, metres.
 pub(super) struct FramedPoints {
     skull: DVec3,
     /// Wrist, middle fingertip and thumb of the left and of the right hand.
@@ -53,18 +53,19 @@ impl FramedPoints {
     }
 }
 
-/// What is seen in pictures of one shape.
+/// Visibility statistics for images of one aspect.
 #[derive(Clone, Copy, Default)]
 struct VisibleShare {
-    /// Looks at a hand in a stroke, and those of them where it is out of the picture.
+    /// Number of samples of a hand in a stroke, and of those with the hand outside the image.
     strokes: u32,
     out: u32,
     last: Option<Camera>,
 }
 
-/// Share of the strokes' time, written close shots aside, in which wrist and fingertips are out of the
-/// picture, how far crown and chin come to its edge, the fastest zoom, that of shots that emotions ask
-/// for apart, and what such a shot lacks to the shortest, over a story.
+/// Framing statistics of a story: share of the strokes' time, without scripted close shots, in
+/// which wrist and fingertips are outside the image, distance of crown and chin from its edge, the
+/// fastest zoom, separately for shots of emotions, and the amount by which such a shot falls short
+/// of the minimum duration.
 pub(super) struct Framing {
     seen: [VisibleShare; ASPECTS.len()],
     face: Check,
@@ -88,7 +89,7 @@ impl Framing {
         }
     }
 
-    /// Looks at the frame that the player shows, `RATE_HZ` times a second.
+    /// Measures the player's current frame, `RATE_HZ` times per second.
     pub(super) fn measure(&mut self, player: &Player, places: &FramedPoints, t: f64) {
         let stature_m = player.figure().skeleton.stature_m();
         for (seen, aspect) in self.seen.iter_mut().zip(ASPECTS) {

@@ -8,11 +8,11 @@ use raconteur_body::surface::lies_under;
 
 use super::Check;
 
-/// Looks a second.
+/// Sampling rate, hertz.
 pub(super) const RATE_HZ: f64 = 4.0;
-/// One vertex of hair in so many is looked at.
+/// Thinning: one hair vertex in this many is checked.
 const THINNED: usize = 3;
-/// Roots are in the skin: what is nearer to its root than this share of its strip is not looked at.
+/// Share of a strip next to its root that is not checked, since roots are in the skin.
 const ROOTED: f32 = 0.3;
 /// Surface farther than this from all hair is not looked at, and cells of the surface, metres.
 const NEAR_M: f64 = 0.12;
@@ -20,8 +20,8 @@ const CELL_M: f64 = 0.02;
 /// Hair this deep is through, metres: cards are flat between their rows, and so is the surface.
 const THROUGH_M: f64 = 0.005;
 
-/// Share of hair that may be through, percent: chains pass round what they meet, but where a raised
-/// shoulder lifts long hair, cards between two chains go under its surface, out of sight.
+/// Maximum share of penetrating hair, percent: chains avoid their colliders, but where a raised
+/// shoulder lifts long hair, cards between two chains go under its surface, invisibly.
 const MAX_THROUGH: f64 = 8.0;
 
 /// A vertex: its mesh in the figure and its number there.
@@ -37,7 +37,7 @@ fn about([x, y, z]: Cell) -> impl Iterator<Item = Cell> {
     (0..27).map(move |i| [x + i / 9 - 1, y + i / 3 % 3 - 1, z + i % 3 - 1])
 }
 
-/// Hair and what it may not go through.
+/// Hair and the surfaces that it must not penetrate.
 pub(super) struct HairSweep<'a> {
     figure: &'a Figure,
     hair: Vec<Vertex>,
@@ -46,7 +46,7 @@ pub(super) struct HairSweep<'a> {
 }
 
 impl<'a> HairSweep<'a> {
-    /// None where no hair swings.
+    /// Creates the check; `None` if there is no swinging hair.
     pub(super) fn new(figure: &'a Figure) -> Option<Self> {
         if figure.springs.is_empty() {
             return None;
@@ -114,12 +114,12 @@ impl<'a> HairSweep<'a> {
     }
 }
 
-/// A vertex as the file has it: place and normal.
+/// Returns a vertex of the file: position and normal.
 fn bound(mesh: &Mesh, i: usize) -> [DVec3; 2] {
     [mesh.positions[i], mesh.normals[i]].map(|v| DVec3::from_array(v.map(f64::from)))
 }
 
-/// The numbers of places by their cells.
+/// Returns the indices of points by their cells.
 fn sorted(
     places: impl Iterator<Item = DVec3>,
     cell: impl Fn(DVec3) -> Cell,

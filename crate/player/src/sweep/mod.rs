@@ -28,13 +28,13 @@ use framing::{FramedPoints, Framing};
 use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
 
-/// Frames a second that a sweep looks at.
+/// Sampling rate of a sweep, frames per second.
 pub const RATE_HZ: f64 = 120.0;
 
-/// How near to its place a hand counts as there, metres. Designed: the trunk below it
-/// breathes, and a centimetre and a half is no other place.
+/// Distance from its target at which a hand counts as arrived, metres. Designed: the trunk below it
+/// breathes, and one and a half centimetres are no different place.
 const THERE_M: f64 = 0.015;
-/// How far the planner lets a place be beyond the reach, and what nobody sees, metres.
+/// Distance beyond the reach that the planner allows, and an invisible remainder, metres.
 const STRETCHED_M: f64 = 0.05;
 const UNSEEN_M: f64 = 0.003;
 /// A stroke is looked for this long, seconds.
@@ -43,22 +43,22 @@ const LOOKED_FOR_SECS: f64 = 0.4;
 /// The worst value of one measure over a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What was measured, for example `joint-speed`.
+    /// Measured quantity, for example `joint-speed`.
     pub name: &'static str,
     /// The worst that was found.
     pub worst: f64,
-    /// What it may be at most.
+    /// Maximum allowed value.
     pub limit: f64,
     /// Unit of both, for example `rad/s`.
     pub unit: &'static str,
-    /// Where: a bone or a phone by its name; empty when nothing was found.
+    /// Location of the worst value: the name of a bone or a phone; empty if nothing was found.
     pub location: &'static str,
-    /// When, story time, seconds.
+    /// Time of the worst value, story time, seconds.
     pub at_secs: f64,
 }
 
 impl Check {
-    /// Whether the worst is within the limit. NaN is not.
+    /// Returns true if the worst value is within the limit. NaN is not.
     #[must_use]
     pub fn is_ok(&self) -> bool {
         self.worst <= self.limit
@@ -86,8 +86,7 @@ impl Check {
     }
 }
 
-/// What [`sweep`] finds of the picture alone: whether it holds hands and face, how fast it zooms and how
-/// soon it changes.
+/// Runs the framing part of [`sweep`]: visibility of hands and face, zoom speed and shot durations.
 #[must_use]
 pub fn check_framing(player: &mut Player) -> Vec<Check> {
     let mut framing = Framing::new(player);
@@ -107,7 +106,7 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
     sweep_between(player, 0.0..=end)
 }
 
-/// Sweeps over a stretch of a story, story time, seconds.
+/// Sweeps an interval of a story, story time, seconds.
 #[must_use]
 pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Check> {
     let mut sweep = Sweep::new(player.figure());
@@ -151,7 +150,7 @@ pub fn sweep_between(player: &mut Player, secs: RangeInclusive<f64>) -> Vec<Chec
     checks
 }
 
-/// The numbers of the frames within a stretch, at so many a second.
+/// Returns the numbers of the frames within an interval, at a given rate.
 fn frames(secs: &RangeInclusive<f64>, rate_hz: f64) -> RangeInclusive<u64> {
     (secs.start() * rate_hz).ceil() as u64..=(secs.end() * rate_hz).floor() as u64
 }
@@ -238,7 +237,7 @@ impl Sweep {
         self.joints(world_from_joint, t);
     }
 
-    /// How far elbows and wrists are bent beyond what people can.
+    /// Measures the bending of elbows and wrists beyond the human range.
     fn joints(&mut self, world_from_joint: &[DAffine3], t: f64) {
         for side in Side::BOTH {
             let [elbow, wrist] = ["elbow", "wrist"].map(|part| Bone::on(side, part));
@@ -345,7 +344,7 @@ fn turn(from: DQuat, to: DQuat) -> DVec3 {
     }
 }
 
-/// How long after its time a stroke begins: the hand is at its first place.
+/// Measures the delay of strokes: the hand is at its first place.
 fn late_strokes(player: &mut Player, secs: &RangeInclusive<f64>) -> Check {
     let mut check = Check::new("late-stroke", 20.0, "ms");
     for side in Side::BOTH {

@@ -28,7 +28,7 @@ struct Link {
 #[derive(Clone, Copy, Debug)]
 enum End {
     Bone(Bone),
-    /// A place in the frame of `from`, metres.
+    /// A position in the frame of `from`, metres.
     Tip(DVec3),
 }
 
@@ -66,7 +66,7 @@ impl Hand {
         Self { links }
     }
 
-    /// Where its capsules are.
+    /// Returns its capsules in the present pose.
     pub(super) fn capsules<'a>(
         &'a self,
         world_from_joint: &'a [DAffine3],
@@ -120,7 +120,7 @@ fn thickness_m(figure: &Figure, bone: Bone, end: DVec3) -> Option<f64> {
     radii.get(radii.len() / 2).copied()
 }
 
-/// A segment of the body that goes with one bone.
+/// A segment of the body that moves with one bone.
 #[derive(Clone, Debug)]
 struct BodySegment {
     bone: Bone,
@@ -160,7 +160,7 @@ impl BodySegment {
         Some(segment)
     }
 
-    /// Slice, sector and distance from the axis of a place in the zero pose.
+    /// Returns slice, sector and distance from the axis of a point in the zero pose.
     fn place(&self, p: DVec3) -> Option<(usize, usize, f64)> {
         let slice = (p.y - self.bottom_m) / SLICE_M;
         if !(slice >= 0.0 && slice < self.slices.len() as f64) {
@@ -172,7 +172,7 @@ impl BodySegment {
         Some((slice as usize, sector, ops::hypot(x, z)))
     }
 
-    /// How deep a sphere is inside; negative or nothing outside; metres.
+    /// Returns the penetration depth of a sphere; negative or `None` outside; metres.
     fn depth_m(&self, world_from_joint: &[DAffine3], at: DVec3, radius_m: f64) -> Option<f64> {
         let moved = world_from_joint[self.bone.index()];
         let p = self
@@ -193,7 +193,7 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// Measures a figure; nothing can be in the way of one without meshes.
+    /// Measures a figure; one without meshes has no obstacles.
     pub(super) fn new(figure: &Figure) -> Self {
         let segments = |bones: &[Bone]| {
             bones
@@ -207,7 +207,7 @@ impl Body {
         }
     }
 
-    /// How deep a capsule is in the trunk and in the head, metres; 0 outside.
+    /// Returns the penetration depth of a capsule in the trunk and in the head, metres; 0 outside.
     pub(super) fn depths_m(&self, world_from_joint: &[DAffine3], capsule: &Capsule) -> [f64; 2] {
         [&self.trunk, &self.head].map(|segments| {
             let places = [0.0, 0.5, 1.0].map(|s| capsule.ends[0].lerp(capsule.ends[1], s));

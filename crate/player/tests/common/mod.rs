@@ -28,7 +28,7 @@ pub(crate) fn text(path: &str) -> String {
     String::from_utf8(asset(path)).expect("UTF-8")
 }
 
-/// A figure's place among them: the share that is its own where each does a part.
+/// Returns a figure's index among them: its own share of a distributed check.
 pub(crate) fn turn(figure: &str) -> usize {
     let place = FIGURES.iter().position(|f| *f == figure);
     place.expect("a shipped figure")
@@ -40,7 +40,8 @@ pub(crate) fn read(figure: &str) -> Arc<Figure> {
     Arc::new(read_figure(figure, &bytes).expect("a figure"))
 }
 
-/// A figure of the library without the tissue of its face, for what its face has no part in.
+/// Returns a library figure without the tissue of its face, for checks that do not involve the
+/// face.
 pub(crate) fn without_tissue(figure: &str) -> Arc<Figure> {
     let mut figure = Arc::unwrap_or_clone(read(figure));
     figure.tissue = None;
@@ -104,7 +105,7 @@ pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded
     loaded
 }
 
-/// Brings the animations that a player wants from the library; the codes of diagnostics.
+/// Provides the animations that a player needs from the library; returns the codes of diagnostics.
 pub(crate) fn equip(player: &mut Player) -> Vec<&'static str> {
     let wanted = player.needed_animations();
     let texts: Vec<Option<String>> = wanted

@@ -7,7 +7,7 @@ use wgpu::{
 
 use crate::target::DEPTH_FORMAT;
 
-/// What differs between pipelines; the rest of the descriptor is the same for all.
+/// Variable parts of a pipeline descriptor; the rest is the same for all.
 pub(super) struct PipelineDescription<'a> {
     pub(super) label: &'a str,
     pub(super) module: &'a ShaderModule,
@@ -77,11 +77,11 @@ impl PipelineDescription<'_> {
     }
 }
 
-/// What is drawn behind everything tests depth and leaves it.
+/// Depth state of backgrounds: tested but not written.
 pub(super) const BEHIND: Option<(CompareFunction, bool)> =
     Some((CompareFunction::LessEqual, false));
 
-/// One triangle over the whole picture.
+/// Returns a description with one triangle over the whole image.
 pub(super) fn full_screen<'a>(
     module: &'a ShaderModule,
     layout: &'a wgpu::PipelineLayout,

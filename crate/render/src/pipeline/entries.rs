@@ -8,7 +8,8 @@ pub(super) fn figure_entry(bound: bool) -> &'static str {
     if bound { "vs_bound" } else { "vs_figure" }
 }
 
-/// Hairs of brows and lashes are widened where they are drawn as such.
+/// Returns the shader entry of a material. Hairs of brows and lashes are widened if rendered as
+/// such.
 pub(super) fn material_entry(key: PipelineKey) -> &'static str {
     match (key.kind, key.bound) {
         (MaterialKind::Lash, true) => "vs_bound_lash",

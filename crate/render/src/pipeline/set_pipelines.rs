@@ -7,16 +7,16 @@ use super::{
     BEHIND, PipelineDescription, Pipelines, SharedResources, full_screen, pipeline_layout,
 };
 
-/// What draws one place.
+/// Pipelines of one set.
 pub(crate) struct SetPipelines {
     entry: &'static str,
     /// Behind the figure.
     pub(crate) behind: RenderPipeline,
-    /// As a still, where that is done.
+    /// Pipeline for a still, if used.
     pub(crate) still: Option<RenderPipeline>,
 }
 
-/// The fragment shader of a place. Each is a program of its own, so that none pays for another's
+/// Returns the fragment shader of a set. Each is a separate program, so none pays for another's
 /// branches where a rasteriser runs both sides.
 fn theatre_entry(kind: StageSet) -> &'static str {
     match kind {
@@ -29,7 +29,7 @@ fn theatre_entry(kind: StageSet) -> &'static str {
 }
 
 impl Pipelines {
-    /// Compiles what draws a place, if it was not drawn yet, and makes it the stage.
+    /// Compiles the pipelines of a set, if missing, and selects it.
     pub(crate) fn prepare_theatre(
         &mut self,
         device: &Device,
@@ -42,7 +42,7 @@ impl Pipelines {
         self.theatre = known.unwrap_or_default();
     }
 
-    /// Compiles the first that a place lacks; whether something was missing.
+    /// Compiles the first missing pipeline of a set; returns true if there was one.
     pub(super) fn make_theatre(
         &mut self,
         device: &Device,
@@ -85,7 +85,7 @@ impl Pipelines {
         true
     }
 
-    /// What draws the stage.
+    /// Returns the pipelines of the current set.
     pub(crate) fn theatre(&self) -> Option<&SetPipelines> {
         self.theatres.get(self.theatre)
     }

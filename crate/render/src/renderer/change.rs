@@ -11,7 +11,7 @@ use crate::pipeline::SharedResources;
 use crate::tier::Tier;
 
 impl Renderer {
-    /// Draws as `options` say from the next picture on; the figure and its pictures stay.
+    /// Sets the options from the next image on; the figure and its images are kept.
     pub fn set_options(&mut self, options: RenderOptions) {
         self.coming = None;
         if self.tier.options.quality != options.quality {
@@ -22,14 +22,14 @@ impl Renderer {
         self.update_tier();
     }
 
-    /// As [`Self::set_options`], as soon as all is there: with each picture one program is compiled,
-    /// and those that come meanwhile are drawn as before.
+    /// Sets the options like [`Self::set_options`] once all pipelines exist: one program is
+    /// compiled per image, and images until then use the previous options.
     pub fn set_options_soon(&mut self, options: RenderOptions) {
         let is_other = self.tier.options.quality != options.quality;
         self.coming = is_other.then(|| self.make_tier(options));
     }
 
-    /// Whether another quality is on its way.
+    /// Returns true during a change of quality.
     #[must_use]
     pub fn is_changing(&self) -> bool {
         self.coming.is_some()
@@ -46,7 +46,7 @@ impl Renderer {
         )
     }
 
-    /// Compiles one program of the quality that is on its way, and takes it when it has all.
+    /// Compiles one program of the pending quality, and switches to it when complete.
     pub(super) fn resume(&mut self, set: StageSet) {
         let Some(mut tier) = self.coming.take() else {
             return;
@@ -65,7 +65,7 @@ impl Renderer {
         self.update_tier();
     }
 
-    /// Compiles all that the present quality needs for a place and the figure.
+    /// Compiles all pipelines of the current quality for a set and the figure.
     pub(super) fn compile(&mut self, set: StageSet) {
         let figure = self.figure.as_ref();
         while compile_one((&self.device, &self.shared), figure, &mut self.tier, set) {}
@@ -80,7 +80,8 @@ impl Renderer {
     }
 }
 
-/// Compiles the first program that a quality lacks for a place and a figure; whether one was missing.
+/// Compiles the first missing program of a quality for a set and a figure; returns true if there
+/// was one.
 fn compile_one(
     (device, shared): (&Device, &SharedResources),
     figure: Option<&GpuFigure>,

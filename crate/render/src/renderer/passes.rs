@@ -10,8 +10,8 @@ use crate::counts::Counts;
 use crate::figure::{AlphaMode, PipelineKey};
 use crate::pipeline::is_bare;
 
-/// Share of the depth buffer, from the front, that overlays take. The near
-/// plane is 0.1 m away, so a figure at half a metre begins at four fifths of the depth.
+/// Share of the depth buffer, from the front, reserved for overlays. The near plane is 0.1 m away,
+/// so a figure at half a metre begins at four fifths of the depth.
 const OVERLAY_DEPTH: f32 = 0.05;
 
 impl Renderer {
@@ -51,7 +51,7 @@ impl Renderer {
         }
     }
 
-    /// Draws the stage as a still, if the picture is the first that needs it.
+    /// Renders the stage as a still, if the image is the first that needs it.
     pub(super) fn draw_backdrop(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
         let theatre = self.tier.pipelines.theatre();
         let still = theatre.and_then(|t| t.still.as_ref());
@@ -81,7 +81,7 @@ impl Renderer {
         counts.add(1);
     }
 
-    /// Fills what solid surfaces leave with the stage.
+    /// Fills the area not covered by solid surfaces with the stage.
     fn fill_with_stage(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
         let pipelines = &self.tier.pipelines;
         match (&self.backdrop, &pipelines.laid) {

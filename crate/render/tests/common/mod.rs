@@ -8,7 +8,7 @@ use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Material, MaterialKind, Mesh, Morph, Pose, Skeleton};
 use raconteur_stage::{Frame, FramingMargin, Shot};
 
-/// Where the balls of the eyes stand, in front of the skeleton's own.
+/// Positions of the eyeballs, in front of the skeleton's own.
 const EYES: [DVec3; 2] = [
     DVec3::new(0.032, 1.80, 0.085),
     DVec3::new(-0.032, 1.80, 0.085),
@@ -113,7 +113,7 @@ const SHIRT: [u8; 4] = [60, 80, 120, 255];
 const TROUSERS: [u8; 4] = [40, 40, 60, 255];
 const SHOE: [u8; 4] = [50, 30, 20, 255];
 
-/// Head, trunk and what lies in and on the face; the head first.
+/// Returns head, trunk and the parts in and on the face; the head first.
 fn head_and_trunk() -> Vec<Mesh> {
     use MaterialKind::{Cloth, Lash, Mouth, Plain, Skin, Teeth};
     let (teeth, mouth, lash) = ([235, 225, 205, 200], [150, 50, 50, 160], [20, 14, 10, 255]);

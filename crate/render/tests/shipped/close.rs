@@ -24,14 +24,14 @@ const VIEWS: [(At, f64, f64); 6] = [
     (At::Nails, 1.2, 0.2),
 ];
 const SIDE: usize = 192;
-/// The most that skin may be brighter than chalk, of 255: 45 is drawn, and 96 to 109 were before.
+/// Maximum brightness excess of skin over chalk, of 255: 45 is measured, formerly 96 to 109.
 const GLOW: i32 = 65;
-/// The most pixels of grain in the pictures of a figure: 17 to 37 are drawn, and 120 to 218 were
-/// before.
+/// Maximum number of grain pixels in the images of a figure: 17 to 37 are measured, formerly 120 to
+/// 218.
 const GRAIN: usize = 45;
 
-/// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255: what
-/// lights up alone.
+/// Returns isolated bright pixels: brighter than all pixels two away from them, by a quarter and 30
+/// of 255.
 fn sparks(rgba: &[u8]) -> Vec<(usize, usize)> {
     let luma = |x: usize, y: usize| {
         let p = &rgba[4 * (y * SIDE + x)..];
@@ -79,7 +79,8 @@ fn no_pixel_of_the_skin_lights_up_alone() {
     assert!(all.is_empty(), "{all:#?}");
 }
 
-/// A figure's skin alone, and the same as chalk: it shows where light falls and lets none through.
+/// Returns a figure's skin only, and the same as chalk: chalk shows the incident light and
+/// transmits none.
 fn skin_and_chalk(name: &str) -> [Figure; 2] {
     let mut skin = figure(name);
     skin.meshes
@@ -95,7 +96,7 @@ fn skin_and_chalk(name: &str) -> [Figure; 2] {
     [skin, chalk]
 }
 
-/// One lamp, or none where it has no strength.
+/// Returns lighting with one lamp, or none if it has no strength.
 fn lamp(towards: DVec3, irradiance: [f32; 3], exposure: f32) -> Lighting {
     let dark = DirectedLight {
         towards_light_in_world: DVec3::Y,
@@ -115,7 +116,7 @@ fn lamp(towards: DVec3, irradiance: [f32; 3], exposure: f32) -> Lighting {
     }
 }
 
-/// The red of a picture.
+/// Returns the red channel of an image.
 fn red(device: &mut Headless, figure: &Figure, light: Lighting, view: (At, f64, f64)) -> Vec<i32> {
     let (at, yaw, pitch) = view;
     let frame = frame(figure, light, at, yaw, pitch);
@@ -124,8 +125,8 @@ fn red(device: &mut Headless, figure: &Figure, light: Lighting, view: (At, f64, 
     picture.chunks_exact(4).map(|p| i32::from(p[0])).collect()
 }
 
-/// By how much skin is brighter than chalk in the light of a lamp, the highest but nineteen: what
-/// has travelled under the skin or through the flesh.
+/// Checks the brightness excess of skin over chalk in the light of a lamp, the highest but
+/// nineteen: light scattered under the skin or transmitted through the flesh.
 #[test]
 fn no_light_comes_through_below_the_jaw() {
     const VIEWS: [(At, f64, f64); 4] = [
@@ -166,7 +167,7 @@ fn no_light_comes_through_below_the_jaw() {
     }
 }
 
-/// By how much a pixel is brighter or darker than all that surround it.
+/// Returns the brightness difference of a pixel from all its neighbours.
 fn grain(picture: &[i32], x: usize, y: usize) -> i32 {
     let at = |dx: usize, dy: usize| picture[(y + dy - 1) * SIDE + x + dx - 1];
     let around = (0..9).filter(|i| *i != 4).map(|i| at(i % 3, i / 3));

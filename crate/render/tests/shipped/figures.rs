@@ -51,7 +51,7 @@ fn pixels(image: &Image) -> (u32, u32, Vec<u8>) {
     (info.width, info.height, rgba)
 }
 
-/// Gives a figure with its pictures to a device.
+/// Uploads a figure with its images to a device.
 pub(crate) fn send(device: &mut Headless, figure: &Figure) {
     device.set_figure(figure).expect("a sound figure");
     for (index, image) in figure.images.iter().enumerate() {
@@ -77,7 +77,7 @@ pub(crate) enum At {
     Nails,
 }
 
-/// Standing with the arms down and the mouth open.
+/// Returns a standing pose with the arms down and the mouth open.
 fn standing() -> Pose {
     let mut pose = Pose::zero();
     pose.set(Bone::Chin, DQuat::from_rotation_z(OPEN_RAD));
@@ -90,7 +90,7 @@ fn standing() -> Pose {
     pose
 }
 
-/// How far the mouth is open, radians, as in mid-word: what a jaw shades is seen best below it.
+/// Opening of the mouth, radians, as in mid-word: the shadow of the jaw is best visible below it.
 const OPEN_RAD: f64 = 0.12;
 
 /// A face at rest but for its open mouth.
@@ -100,7 +100,7 @@ fn speaking() -> FaceControls {
     controls
 }
 
-/// Nodes of a face that is held so.
+/// Returns the nodes of a face with given controls.
 pub(crate) fn nodes(figure: &Figure, controls: &FaceControls) -> Vec<NodeState> {
     let Some(tissue) = &figure.tissue else {
         return Vec::new();
@@ -112,8 +112,8 @@ pub(crate) fn nodes(figure: &Figure, controls: &FaceControls) -> Vec<NodeState> 
     nodes
 }
 
-/// A frame of a figure that stands, from `yaw` and `pitch` (radians: to its left, from above)
-/// about the subject.
+/// Returns a frame of a standing figure, seen from `yaw` and `pitch` (radians: to its left, from
+/// above) about the subject.
 pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f64) -> Frame {
     let joints = figure.skeleton.joints();
     let mut frame = Frame::with_capacity(joints.len(), figure.morph_names.len());

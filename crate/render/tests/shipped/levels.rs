@@ -19,15 +19,15 @@ const LEVELS: [Quality; 3] = [Quality::High, Quality::Low, Quality::Lowest];
 /// Triangles of a whole figure at each level: 105,034 to 110,444, 44,300 to 48,500 and 22,000 to
 /// 26,500 are shipped.
 const MAX_TRIANGLES: [usize; 3] = [108_500, 48_500, 26_500];
-/// Of what open lids show, shut ones may show this part along their line: 0.007 is the most drawn,
-/// at the finest level.
+/// Inverse of the maximum visible share along the lid line of closed lids, relative to open ones:
+/// 0.007 is the most measured, at the finest level.
 const LIDS: usize = 100;
-/// And shut lips, which are a pixel of 0.4 mm apart: 0.066 is drawn at the finest level, 0.081 at
-/// the coarsest.
+/// Inverse of the same for closed lips, which are a pixel of 0.4 mm apart: 0.066 is measured at the
+/// finest level, 0.081 at the coarsest.
 const LIPS: usize = 10;
 /// Poses by chance in which levels are compared in the long tier.
 const POSES: u64 = 6;
-/// Share of a figure's pixels that may differ between levels: 0.024 is the worst drawn.
+/// Maximum share of a figure's pixels that may differ between levels: 0.024 is the worst measured.
 const MAX_OTHER: f64 = 0.03;
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<[u8; 4]> {
@@ -35,7 +35,7 @@ fn draw(device: &mut Headless, frame: &Frame) -> Vec<[u8; 4]> {
     picture.as_chunks().0.to_vec()
 }
 
-/// Edges with a triangle on one side alone, by the places of their ends.
+/// Returns the edges with a triangle on one side only, by the positions of their ends.
 fn borders(mesh: &Mesh, level: usize) -> BTreeSet<[u32; 2]> {
     let mut places = HashMap::new();
     let mut place = |v: u32| {
@@ -82,7 +82,7 @@ fn levels_shrink_and_open_no_seam() {
     }
 }
 
-/// Gives what lies behind lids and lips a colour that nothing else has.
+/// Gives the surfaces behind lids and lips a unique colour.
 fn mark_what_is_behind(figure: &mut Figure) {
     for mesh in &mut figure.meshes {
         let (kind, material) = (mesh.material.kind, &mut mesh.material);

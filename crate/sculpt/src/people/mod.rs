@@ -20,6 +20,17 @@ use super::skin::SkinParams;
 use super::torso::BodyParams;
 
 /// Complete parameters of a figure.
+///
+/// # Examples
+///
+/// ```
+/// use raconteur_sculpt::people::preset;
+///
+/// let sofia = preset("sofia").expect("a figure of the library");
+/// assert!(preset("no figure").is_none());
+/// // `raconteur_sculpt::build` makes the meshes, which takes some seconds.
+/// let _ = sofia.hands();
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FigureParams {
     /// Name, for example `sofia`.

@@ -73,7 +73,7 @@ impl Lock {
     }
 }
 
-/// Whether a path still names this file.
+/// Returns true if a path still names this file.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt as _;
@@ -82,7 +82,7 @@ fn is_at(file: &File, path: &Path) -> bool {
     both.is_some_and(|(a, b)| same(&a, &b))
 }
 
-/// Whether a path still names this file: elsewhere an open file cannot be removed.
+/// Returns true if a path still names this file: on this system an open file cannot be removed.
 #[cfg(not(unix))]
 fn is_at(_file: &File, _path: &Path) -> bool {
     true

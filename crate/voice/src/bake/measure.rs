@@ -58,7 +58,7 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
     ),
 ];
 
-/// Which settings are measured.
+/// Choice of measured settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Settings {
     /// Every value of every attribute, and every dimension of emotion up and down.
@@ -220,7 +220,7 @@ impl MeasurementSetup<'_> {
         Ok(rows)
     }
 
-    /// Each dimension alone, half way up and down (F&H table 4.5).
+    /// Measures each dimension alone, half way up and down (F&H table 4.5).
     fn emotions(&self) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         let last = self.words() - 1;
@@ -253,7 +253,7 @@ impl MeasurementSetup<'_> {
         Ok(rows)
     }
 
-    /// Pauses come and go by whole ones.
+    /// Measures the number of pauses, which changes in whole steps.
     fn number_of_pauses(&self, setting: &str, asked: &Prosody, heard: &Difference) -> Option<Row> {
         let before = heard.pauses.0 as f64;
         let usual = before.max(self.words() as f64 / emotion::WORDS_A_PAUSE);
@@ -266,7 +266,7 @@ impl MeasurementSetup<'_> {
     }
 }
 
-/// What a property is to be multiplied by, and what it was.
+/// Returns the requested and the measured factor of each property.
 fn factors(asked: &Prosody, heard: &Difference, melody: &Melody) -> [(&'static str, f64, f64); 8] {
     [
         ("pitch", asked.pitch, frequency(melody.semitones)),
@@ -292,7 +292,7 @@ fn factors(asked: &Prosody, heard: &Difference, melody: &Melody) -> [(&'static s
     ]
 }
 
-/// By how many semitones a property is to change, and by how many it did.
+/// Returns the requested and the measured change of each property in semitones.
 fn sums(asked: &Prosody, place: EmotionPoint, melody: &Melody) -> [(&'static str, f64, f64); 5] {
     let semitones = |factor: f64| 12.0 * libm::log2(factor);
     let tilt = match asked.accent_shape {
@@ -330,11 +330,11 @@ fn sums(asked: &Prosody, place: EmotionPoint, melody: &Melody) -> [(&'static str
     ]
 }
 
-/// An attribute of SABLE and what it does to the sound.
+/// SABLE attribute with its acoustic effect.
 struct Attribute {
     tag: &'static str,
     name: &'static str,
-    /// What of the sound changes, and how that is heard.
+    /// Affected property, and its measurement.
     property: &'static str,
     heard: fn(&Difference) -> f64,
     /// Values with their factors.
@@ -408,8 +408,8 @@ const ATTRIBUTES: [Attribute; 5] = [
     },
 ];
 
-/// How long it is still after a word, in the sound: from where it has become 30 dB softer than
-/// the speech to where it is louder again.
+/// Returns the duration of silence after a word in the audio: from 30 dB below the speech until the
+/// level rises again.
 fn silence(track: &Speech, word: usize) -> f64 {
     let u = &track.utterance;
     let speech = u

@@ -49,43 +49,43 @@ pub use store::{Sound as SoundFile, Store};
 use crate::files::disk::SystemDisk;
 use crate::files::inside;
 
-/// Raise it when the sound or the times of the same text change, so that every story is
-/// baked afresh.
+/// Bake revision. Increase it when the audio or the times of the same text change, so that every
+/// story is baked again.
 const REVISION: u32 = 5;
 
-/// How to bake.
+/// Options of [`bake`].
 pub struct BakeOptions {
-    /// Who speaks.
+    /// Voices.
     pub cast: Cast,
     /// Pace of everything; 1 is the voice's own.
     pub pace: f64,
-    /// What the author says of words.
+    /// The author's pronunciation lexicon.
     pub lexicon: Lexicon,
-    /// Its text, which decides whether a sound is up to date.
+    /// Text of the lexicon, which determines if a sound is up to date.
     pub lexicon_text: String,
-    /// How many utterances are made at a time.
+    /// Number of utterances baked in parallel.
     pub jobs: usize,
-    /// Only tell whether the bundle is up to date.
+    /// Only checks if the bundle is up to date.
     pub check: bool,
 }
 
 /// The pace of a storyteller, 150 to 170 words a minute, where voices have some 180.
 pub const STORY_PACE: f64 = 0.88;
 
-/// What [`bake`] did.
+/// Result of [`bake`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BakeReport {
-    /// Utterances in the bundle; two that say the same count once.
+    /// Number of utterances in the bundle; identical ones count once.
     pub utterances: usize,
-    /// What was spoken anew, or with `check` would have to be; the others were up to date.
+    /// Newly spoken utterances, or with `check` those that are out of date.
     pub synthesised: Vec<String>,
-    /// Files that were to be said and are not there; what needs them is left out.
+    /// Missing files with spoken content; utterances that need them are omitted.
     pub absent: Vec<PathBuf>,
-    /// What was heard in them.
+    /// Measurements of their audio.
     pub sound: SpokenAudio,
-    /// What of recordings among them is to be told, each with what was said.
+    /// Remarks about their recordings, each with the spoken text.
     pub remarks: Vec<(String, Remark)>,
-    /// Sound files of earlier bakes that nothing uses any more and that were removed.
+    /// Number of removed audio files of earlier bakes that are no longer used.
     pub removed: usize,
     /// All utterances together, seconds.
     pub duration_secs: f64,
@@ -95,8 +95,7 @@ pub struct BakeReport {
     pub mp3_bytes: u64,
     /// Bytes of the bundle's text.
     pub text_bytes: u64,
-    /// What is missing on this machine, when the texts were compared and not what engines make
-    /// of them.
+    /// Missing programs, if only the texts were compared and not the engines' output.
     pub compared_without: Option<MissingPrograms>,
 }
 
@@ -117,12 +116,12 @@ impl BakeReport {
     }
 }
 
-/// What was heard in utterances that were spoken anew.
+/// Measurements of newly spoken utterances.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpokenAudio {
-    /// Against what they tell.
+    /// Measured audio compared with the labels.
     pub heard: MeasuredSpeech,
-    /// The softest and the loudest of them, LUFS; none of silence.
+    /// Lowest and highest loudness, LUFS; `None` for silence.
     pub lufs: Option<(f64, f64)>,
 }
 
@@ -144,9 +143,9 @@ struct BakedUtterance {
     remarks: Vec<Remark>,
 }
 
-/// Makes or refreshes the bundle of the story in `folder` so that it holds all that is `said`.
-/// `library` finds files of the asset library; `progress` hears how many utterances are done,
-/// of how many, and what was said last.
+/// Creates or updates the bundle of the story in `folder` so that it contains everything in `said`.
+/// `library` finds files of the asset library; `progress` receives the number of finished
+/// utterances, the total, and the last spoken text.
 ///
 /// Nothing is changed, and no program is needed, where all is up to date. Otherwise the folder
 /// is locked, and the old bundle stays whole until the new one is.
@@ -217,8 +216,8 @@ pub fn bake(
     )
 }
 
-/// What is missing, where only the texts can be compared: engines that the story names, or
-/// the default one when none was chosen.
+/// Returns the missing programs if only the texts can be compared: engines named by the story, or
+/// the default one if none was chosen.
 fn without(cast: &Cast) -> Option<MissingPrograms> {
     let mut missing = cast.missing();
     if let Some(usual) = &cast.instead_of {
@@ -227,8 +226,8 @@ fn without(cast: &Cast) -> Option<MissingPrograms> {
     (!missing.is_empty()).then_some(missing)
 }
 
-/// Whether an utterance was made of the same story, and by the engine and voice that were chosen,
-/// as far as is known without starting them.
+/// Returns true if an utterance was made from the same story, by the chosen engine and voice, as
+/// far as is known without starting them.
 fn is_of_this_story(store: &Store<'_>, wanted: &PlannedUtterance<'_>, cast: &Cast) -> bool {
     let spoken = |chosen: &Role| {
         store.voice(wanted.key).is_some_and(|voice| {
@@ -240,7 +239,7 @@ fn is_of_this_story(store: &Store<'_>, wanted: &PlannedUtterance<'_>, cast: &Cas
         && (wanted.said.voice.is_some() || cast.chosen.as_ref().is_none_or(spoken))
 }
 
-/// Makes the bundle anew in a folder that is locked.
+/// Rebuilds the bundle in a locked folder.
 fn renew(
     wanted: &[PlannedUtterance<'_>],
     mut store: Store<'_>,
@@ -276,7 +275,7 @@ fn renew(
     Ok(report)
 }
 
-/// The bundle of the new utterances, and of kept ones where nothing was made.
+/// Returns the bundle of the new utterances, with the stored ones where nothing was made.
 fn bundle_of(
     wanted: &[PlannedUtterance<'_>],
     store: &Store<'_>,
@@ -342,7 +341,7 @@ fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Makes stale utterances, several at a time; `None` for those up to date.
+/// Makes stale utterances in parallel; returns `None` for those up to date.
 fn make(
     wanted: &[PlannedUtterance<'_>],
     stale: &[bool],
@@ -386,7 +385,7 @@ fn make(
     Ok(out)
 }
 
-/// Speaks one utterance and writes its sound.
+/// Speaks one utterance and writes its audio.
 fn utterance(
     wanted: &PlannedUtterance<'_>,
     options: &BakeOptions,

@@ -15,13 +15,13 @@ use crate::content::Content;
 use crate::text::TOKEN_CHARS;
 use crate::{Source, SpeechRequest};
 
-/// Most words that are said at a time, some twenty minutes: sound is held in memory.
+/// Maximum number of words per bake, about twenty minutes: the audio is held in memory.
 const MAX_WORDS: usize = 3000;
 
 /// A longer word is spelled by some engines: each of its letters counts as a word, characters.
 const LONG_WORD: usize = TOKEN_CHARS;
 
-/// How many words a content is, for [`MAX_WORDS`].
+/// Returns the number of words in a content, for [`MAX_WORDS`].
 fn words_of(content: &Content) -> usize {
     let weights = content.words().into_iter().map(|word| {
         let length = word.chars().count();
@@ -30,7 +30,7 @@ fn words_of(content: &Content) -> usize {
     weights.sum()
 }
 
-/// What is said, utterance by utterance.
+/// Incremental bake, utterance by utterance.
 pub struct PageBake {
     requests: Vec<SpeechRequest>,
     next: usize,
@@ -39,13 +39,13 @@ pub struct PageBake {
     bundle: Bundle,
     /// Names of new sounds, as the bundle calls them, and the bytes of the WAV.
     sounds: Vec<(String, Vec<u8>)>,
-    /// Why something could not be said, in sentences.
+    /// Messages about utterances that could not be spoken.
     problems: Vec<String>,
 }
 
 impl PageBake {
-    /// Is to say what a story says and what `known`, the bundle that it has, does not hold. Files
-    /// are left out.
+    /// Creates a bake of the parts of a story that `known`, its existing bundle, does not contain.
+    /// Files are omitted.
     pub fn new(requests: Vec<SpeechRequest>, known: Option<Bundle>) -> Self {
         let bundle = known.unwrap_or_default();
         Self {
@@ -59,8 +59,8 @@ impl PageBake {
         }
     }
 
-    /// Says the next utterance; false when there is no more. What an engine refuses is told in the
-    /// problems. One that an engine is [`Pending`] for stays the next.
+    /// Speaks the next utterance; returns false if there are no more. Engine errors are added to
+    /// the problems. An utterance whose engine is [`Pending`] stays the next.
     ///
     /// # Errors
     /// When no bundle can be made of what was said.
@@ -104,29 +104,30 @@ impl PageBake {
         Ok(false)
     }
 
-    /// The text of the bundle, `speech.json`, of what was known and was said so far.
+    /// Returns the text of the bundle, `speech.json`, with the known and the newly spoken
+    /// utterances.
     pub fn bundle(&self) -> String {
         bundle_text::write(&self.bundle)
     }
 
-    /// The sounds that were made since this was asked last.
+    /// Returns the sounds made since the last call.
     pub fn take_sounds(&mut self) -> Vec<(String, Vec<u8>)> {
         std::mem::take(&mut self.sounds)
     }
 
-    /// The problems since this was asked last.
+    /// Returns the problems since the last call.
     pub fn take_problems(&mut self) -> Vec<String> {
         std::mem::take(&mut self.problems)
     }
 }
 
-/// One utterance, planned and spoken.
+/// Planned and spoken utterance.
 struct PendingUtterance {
     bundle: Bundle,
     /// The name and the bytes of its WAV.
     file: String,
     wave: Vec<u8>,
-    /// What was said otherwise than the author wants.
+    /// Warnings about deviations from the author's request.
     warnings: Vec<String>,
 }
 
@@ -194,11 +195,11 @@ mod tests {
     use crate::text::Lexicon;
 
     thread_local! {
-        /// Whether "Later" can be said.
+        /// True if "Later" can be spoken.
         static READY: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
     }
 
-    /// Says "cat" for every word, and fails on "bad".
+    /// Test engine that says "cat" for every word, and fails on "bad".
     struct Cat;
 
     impl Host for Cat {
@@ -241,7 +242,7 @@ mod tests {
 
     type Sounds = Vec<(String, Vec<u8>)>;
 
-    /// All that a script says: the bundle, the sounds and the problems.
+    /// Speaks a script: returns the bundle, the sounds and the problems.
     fn say(eml: &str, known: Option<Bundle>) -> (Bundle, Sounds, Vec<String>) {
         let options = options();
         let mut saying = PageBake::new(speech_requests(&raconteur_eml::parse(eml).document), known);

@@ -21,7 +21,7 @@ use crate::files::disk;
 const SECOND: f64 = 420.0;
 /// Height of the spectrum.
 const HEIGHT: f64 = 360.0;
-/// Left of the spectrum stand its frequencies.
+/// Width of the frequency axis left of the spectrum.
 const LEFT: f64 = 56.0;
 /// Above it the words, below it the phones and the seconds.
 const TOP: f64 = 58.0;
@@ -29,7 +29,7 @@ const BELOW: f64 = 64.0;
 /// The scale of the pitch at the right, hertz.
 const PITCH: (f64, f64) = (50.0, 400.0);
 
-/// Speaks a text of SABLE and draws it.
+/// Speaks a SABLE text and plots it.
 ///
 /// # Errors
 /// When it cannot be spoken or written.
@@ -125,7 +125,7 @@ fn svg(track: &Speech, title: &str) -> Result<String> {
     Ok(out)
 }
 
-/// The pitch as a line over the spectrum, on a musical scale of its own.
+/// Plots the pitch as a line over the spectrum, on its own musical scale.
 fn pitch(out: &mut String, track: &Speech, x: &dyn Fn(f64) -> f64) {
     let y = |hz: f64| {
         let share = libm::log(hz / PITCH.0) / libm::log(PITCH.1 / PITCH.0);

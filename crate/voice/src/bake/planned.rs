@@ -15,15 +15,15 @@ use super::speak::{self, Casting, RenderInput};
 use super::{BakeOptions, REVISION, sounds};
 use crate::files::{input, inside, media};
 
-/// An utterance that is wanted.
+/// Utterance to bake.
 pub(super) struct PlannedUtterance<'a> {
     /// The key of the utterance.
     pub(super) key: u64,
-    /// Stands for everything that goes into its sound.
+    /// Hash of everything that affects its audio.
     pub(super) digest: u64,
-    /// Stands for the story's share in that.
+    /// Hash of the part that comes from the story.
     pub(super) source: u64,
-    /// Its place among what the story says, from 0.
+    /// Index among the spoken utterances of the story, from 0.
     pub(super) place: usize,
     pub(super) content: Content,
     pub(super) said: &'a SpeechRequest,
@@ -32,8 +32,7 @@ pub(super) struct PlannedUtterance<'a> {
     pub(super) sounds: Vec<PathBuf>,
 }
 
-/// All that the story says and that is to be spoken, each once, and the files that were to be
-/// said and are not there.
+/// Returns all utterances to be spoken, each once, and the missing files with spoken content.
 ///
 /// # Errors
 /// When a file cannot be read, or a text cannot be planned.
@@ -67,8 +66,8 @@ pub(super) fn all<'a>(
     Ok((wanted, absent))
 }
 
-/// The content, or the path of the file beside the story that should hold it: its
-/// absence does not keep the rest from being reported, as it may be brought later.
+/// Returns the content, or the path of the missing file next to the story: the other diagnostics
+/// are still reported, because the file may be added later.
 fn content(
     said: &SpeechRequest,
     folder: &Path,
@@ -163,7 +162,7 @@ fn sable_document(name: &str, text: &str) -> Result<Content> {
     document(name, sable::read(text))
 }
 
-/// What was read of a document; its problems are reported.
+/// Unwraps the parsed document and reports its problems.
 fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
     let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
     for problem in problems {

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context as _, Result, anyhow, bail};
 
-/// No step takes this long for a page of text; a program that does hangs.
+/// Time limit of a step, for a page of text; beyond it the program counts as hung.
 const LIMIT: Duration = Duration::from_secs(300);
 
 /// Encodes Ogg Opus.
@@ -23,20 +23,20 @@ pub const FFMPEG: Program = Program {
     package: "ffmpeg",
 };
 
-/// What is missing on this machine, and what brings it: all of it at once, so that one line
-/// installs it.
+/// Programs missing on this machine and the packages that provide them, collected so that one
+/// command installs all of them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MissingPrograms {
     /// Programs, libraries and voices.
     names: BTreeSet<&'static str>,
     /// Debian's packages.
     packages: BTreeSet<&'static str>,
-    /// What no package brings: why a server cannot be queried.
+    /// Problems that no package solves, for example why a server cannot be queried.
     others: BTreeSet<String>,
 }
 
 impl MissingPrograms {
-    /// One thing and the packages that bring it, parted by spaces.
+    /// Creates the entry of one program and the packages that provide it, separated by spaces.
     pub fn one(name: &'static str, packages: &'static str) -> Self {
         Self {
             names: [name].into(),
@@ -45,7 +45,7 @@ impl MissingPrograms {
         }
     }
 
-    /// Something that no package of Debian brings; `what` tells what to do.
+    /// Creates an entry that no Debian package provides; `what` describes the fix.
     pub fn without_package(what: String) -> Self {
         Self {
             others: [what].into(),
@@ -53,20 +53,20 @@ impl MissingPrograms {
         }
     }
 
-    /// What an error tells to be missing, or that it happened.
+    /// Extracts the missing programs from an error, or records the error itself.
     pub fn from_error(error: &anyhow::Error) -> Self {
         let known = error.downcast_ref().cloned();
         known.unwrap_or_else(|| Self::without_package(format!("{error:#}")))
     }
 
-    /// Adds what else is missing.
+    /// Adds other missing programs.
     pub fn add(&mut self, other: &Self) {
         self.names.extend(&other.names);
         self.packages.extend(&other.packages);
         self.others.extend(other.others.iter().cloned());
     }
 
-    /// Whether nothing is missing.
+    /// Returns true if nothing is missing.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
@@ -116,16 +116,16 @@ impl fmt::Display for MissingPrograms {
 
 impl std::error::Error for MissingPrograms {}
 
-/// A program and the Debian package that brings it.
+/// Program and the Debian package that provides it.
 pub struct Program {
     /// The program, found on the path.
     pub name: &'static str,
-    /// What to install when it is missing.
+    /// Package to install if it is missing.
     pub package: &'static str,
 }
 
 impl Program {
-    /// Whether it is on the path.
+    /// Returns true if it is on the path.
     pub fn is_there(&self) -> bool {
         let path = std::env::var_os("PATH").unwrap_or_default();
         std::env::split_paths(&path).any(|folder| {
@@ -144,7 +144,7 @@ impl Program {
         command
     }
 
-    /// Runs a command to its end and returns what it wrote to standard output.
+    /// Runs a command to completion and returns its standard output.
     ///
     /// # Errors
     /// When the program is missing, fails or does not end.

@@ -13,7 +13,7 @@ use crate::files::media::Sound;
 /// The longest recording, seconds.
 const MAX_SECS: f64 = 600.0;
 
-/// Where a recording of a story lies.
+/// Returns the path of a recording of a story.
 ///
 /// # Errors
 /// When there is none, the path leaves the story's folder, or it is no sound.
@@ -27,7 +27,7 @@ pub(super) fn find(folder: &Path, src: &str) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Decodes a recording to one channel of so many samples a second.
+/// Decodes a recording to one channel at a sample rate.
 ///
 /// # Errors
 /// As [`decode`].

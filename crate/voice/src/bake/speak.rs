@@ -25,11 +25,11 @@ use super::cast::{Cast, Role};
 /// as leaves room for speech at twice the loudness.
 const LOUDNESS: f64 = 0.065;
 
-/// How a voice of a grown-up becomes another's: factors on the resonances of the mouth, on
-/// the pitch of a man's and of a woman's voice, and on the pace. Resonances follow the length
-/// of the vocal tract, which is 17 cm in men, 14.5 in women and some 12 in children of seven
-/// (Fant 1960; Fitch and Giedd 1999, doi:10.1121/1.427148); pitch as measured for ages by
-/// Lee, Potamianos and Narayanan 1999, doi:10.1121/1.426686. Old age is *designed*.
+/// Conversion of an adult voice to other ages: factors for the vocal tract resonances, for the
+/// pitch of a man's and of a woman's voice, and for the speech rate. Resonances follow the length
+/// of the vocal tract, which is 17 cm in men, 14.5 in women and about 12 in children of seven (Fant
+/// 1960; Fitch and Giedd 1999, doi:10.1121/1.427148); pitch as measured for ages by Lee, Potamianos
+/// and Narayanan 1999, doi:10.1121/1.426686. Old age is *designed*.
 const AGES: [(Age, f64, f64, f64, f64); 5] = [
     (Age::Child, 1.18, 1.9, 1.35, 0.95),
     (Age::Teen, 1.08, 1.3, 1.1, 1.0),
@@ -46,17 +46,17 @@ pub(super) struct RenderInput<'a> {
     pub role: &'a Role,
     /// In which emotion.
     pub emotion: Option<&'a (String, EmotionPoint)>,
-    /// How tense the story is, 0 to 1, where its author says it.
+    /// Tension of the story, 0 to 1, if set by its author.
     pub tension: Option<f64>,
     /// Pace of everything; 1 is the voice's own.
     pub pace: f64,
 }
 
-/// A plan and who speaks each of its sentences.
+/// Plan with the speaker of each sentence.
 pub(super) struct Casting {
     pub plan: Plan,
     pub roles: Vec<Role>,
-    /// What is said otherwise than the author wants, or not at all, and what to do.
+    /// Warnings about deviations from the author's request or unspoken text, with a fix.
     pub warnings: Vec<String>,
 }
 
@@ -119,7 +119,7 @@ fn foreign_script(sentence: &Sentence, language: &str) -> Option<Script> {
     Script::from_word(&token.text).filter(|script| !script.is_read_in(language))
 }
 
-/// Speaks a planned utterance. `recordings` gives those of the plan at a rate.
+/// Speaks a planned utterance. `recordings` returns those of the plan at a sample rate.
 ///
 /// # Errors
 /// When an engine fails.
@@ -202,8 +202,8 @@ pub(super) fn speak(
     ))
 }
 
-/// Gives the phones of a guest, who may speak another language, the symbols of the bundle's
-/// voice, as far as that has any for them.
+/// Converts the phones of a guest, who may speak another language, to the symbols of the bundle's
+/// voice, where it has equivalents.
 fn guest(spoken: &mut Spoken, phone_set: &str) {
     if spoken.phone_set == phone_set {
         return;
@@ -216,7 +216,7 @@ fn guest(spoken: &mut Spoken, phone_set: &str) {
     phone_set.clone_into(&mut spoken.phone_set);
 }
 
-/// The factor on pauses that the text does not set: slow speech pauses longer.
+/// Returns the factor for pauses not set by the text: slow speech has longer pauses.
 fn pauses(styled: &[(&Style, EmotionPoint)], own: &VoiceBaseline) -> f64 {
     let one = |(style, place): &(&Style, EmotionPoint)| {
         let prosody = Prosody::from_point(*place);
@@ -225,9 +225,9 @@ fn pauses(styled: &[(&Style, EmotionPoint)], own: &VoiceBaseline) -> f64 {
     styled.iter().map(one).sum::<f64>() / styled.len().max(1) as f64
 }
 
-/// Emphasised words are accented where they are stressed, and reduced ones are not. An engine
-/// that tells no accents at all has them where words are stressed; one that tells no stress
-/// either, on the highest syllable of each word of more than three phones.
+/// Adds accents: emphasised words are accented at their stress, reduced ones are not. If an engine
+/// reports no accents, stressed syllables are accented; if it reports no stress either, the highest
+/// syllable of each word of more than three phones.
 fn accents(spoken: &mut Spoken, planned: &Planned, track: &PitchTrack) {
     if spoken.syllables.iter().all(|s| s.stress == 0) {
         stress_highest(spoken, track);
@@ -280,8 +280,8 @@ fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
     if most > 32_000.0 { 48_000.0 } else { 32_000.0 }
 }
 
-/// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
-/// an engine makes of it is up to the engine, and is not reported.
+/// Speaks runs of sentences of one voice together. Emphasis is applied to the audio; the engine's
+/// own treatment of it is not reported.
 fn by_role(sentences: &[Planned], roles: &[Role], pace: f64, cast: &Cast) -> Result<Vec<Spoken>> {
     let mut out = Vec::with_capacity(sentences.len());
     let mut from = 0;
@@ -339,7 +339,7 @@ fn level(spoken: &mut [Spoken], roles: &[Role]) {
     }
 }
 
-/// What a speaker's age makes of a voice.
+/// Voice modified for a speaker's age.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SpeakerVoice {
     /// On the resonances of the mouth.
@@ -407,7 +407,7 @@ impl SpeakerVoice {
     }
 }
 
-/// An utterance that was recorded: nothing of its sound is changed but its loudness.
+/// Returns a recorded utterance: only the loudness of its audio is changed.
 pub(super) fn recorded(
     plan: &Plan,
     mut spoken: Spoken,

@@ -14,14 +14,14 @@ use super::{bundle_text, encode};
 use crate::files::disk::{self, Disk};
 use crate::files::{input, inside, media};
 
-/// Whether the sound of an utterance is there.
+/// State of an utterance's audio.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sound {
-    /// Each file holds what the bundle tells of it.
+    /// Each file matches the bundle.
     Whole,
-    /// The files are there, and the bundle does not tell what they hold.
+    /// The files exist, but the bundle does not describe their contents.
     Untold,
-    /// A file is missing, or holds something else.
+    /// A file is missing, or has other contents.
     Wrong,
 }
 
@@ -46,7 +46,8 @@ pub struct Store<'d> {
 /// Most bytes of `speech.json`.
 const MAX_TEXT: u64 = 256 << 20;
 
-/// Most bytes of all sounds of a bundle that are compared with what it tells: a month of speech.
+/// Maximum total size of a bundle's audio that is compared with its description, bytes: a month of
+/// speech.
 const MAX_SOUND: u64 = 16 << 30;
 
 fn hexadecimal(digest: &[u8]) -> String {
@@ -65,11 +66,11 @@ fn digest(bytes: &[u8]) -> FileDigest {
     }
 }
 
-/// The sounds of a folder, each read once however often a bundle names it. A bundle comes from
-/// strangers: what it tells of a file is compared, never believed.
+/// Audio files of a folder, each read once even if a bundle names it repeatedly. A bundle comes
+/// from strangers: its description of a file is verified, never trusted.
 struct Sounds<'f> {
     folder: &'f Path,
-    /// What files hold, by their paths without links.
+    /// Contents of files, by their paths with links resolved.
     read: BTreeMap<PathBuf, Option<FileDigest>>,
     /// Bytes that may still be read.
     left: u64,
@@ -84,7 +85,7 @@ impl<'f> Sounds<'f> {
         }
     }
 
-    /// What exists at the path of a sound.
+    /// Returns the state of the file at the path of a sound.
     fn inspect(&mut self, audio: &AudioFile) -> Sound {
         let found = inside::find(self.folder, &audio.file).ok().flatten();
         match (found, &audio.holds) {
@@ -97,8 +98,7 @@ impl<'f> Sounds<'f> {
         }
     }
 
-    /// What a file holds; nothing where that cannot be what is told: a file of another size is not
-    /// read.
+    /// Returns the digest of a file; `None` if it cannot match: a file of another size is not read.
     fn digest_of(&mut self, path: PathBuf, told_bytes: u64) -> Option<FileDigest> {
         if let Some(known) = self.read.get(&path) {
             return known.clone();
@@ -114,7 +114,7 @@ impl<'f> Sounds<'f> {
     }
 }
 
-/// What a file of so many bytes holds, read piece by piece.
+/// Returns the digest of a file of this size, read in chunks.
 fn digest_of_file(path: &Path, bytes: u64) -> Result<FileDigest> {
     let mut digest = sha2::Sha256::new();
     let read = io::copy(&mut input::open(path, bytes)?, &mut digest)?;
@@ -125,8 +125,8 @@ fn digest_of_file(path: &Path, bytes: u64) -> Result<FileDigest> {
 }
 
 impl<'d> Store<'d> {
-    /// Reads the present bundle. A bundle that cannot be read, or of another version, holds
-    /// nothing: everything is baked again.
+    /// Reads the current bundle. An unreadable bundle, or one of another version, counts as empty:
+    /// everything is baked again.
     pub fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
         let path = inside::find(&folder, SPEECH).ok().flatten();
         let text = path.and_then(|path| input::bytes(&path, MAX_TEXT).ok());
@@ -161,12 +161,12 @@ impl<'d> Store<'d> {
         kept.map(|k| &k.utterance)
     }
 
-    /// Whether an utterance is there, made of just this.
+    /// Returns true if an utterance exists with exactly this input.
     pub fn has(&self, key: u64, digest: u64) -> bool {
         self.complete(key).is_some_and(|u| u.content == digest)
     }
 
-    /// Whether an utterance is there, made of the same story by whatever engine.
+    /// Returns true if an utterance exists from the same story, by any engine.
     pub fn has_source(&self, key: u64, source: u64) -> bool {
         self.complete(key).is_some_and(|u| u.source == Some(source))
     }
@@ -176,7 +176,7 @@ impl<'d> Store<'d> {
         self.complete(key).cloned()
     }
 
-    /// Who spoke an utterance of the earlier bake.
+    /// Returns the voice of an utterance of the earlier bake.
     pub fn voice(&self, key: u64) -> Option<&Voice> {
         self.voices.get(self.complete(key)?.voice)
     }
@@ -186,14 +186,14 @@ impl<'d> Store<'d> {
         self.old.get(&key).map(|k| k.sound)
     }
 
-    /// How many utterances of the earlier bake are none of these.
+    /// Returns the number of utterances of the earlier bake not among these.
     pub fn count_others(&self, keys: impl Iterator<Item = u64>) -> usize {
         let keys: BTreeSet<u64> = keys.collect();
         self.old.keys().filter(|key| !keys.contains(key)).count()
     }
 
-    /// Keeps sounds of an utterance made of just this whose files the bundle did not tell of,
-    /// under the names that tell it, if all are what the utterance says.
+    /// Adopts the sounds of an utterance with exactly this input whose files the bundle did not
+    /// describe, under names that do, if all match the utterance.
     ///
     /// # Errors
     /// When they cannot be read or written.
@@ -225,7 +225,7 @@ impl<'d> Store<'d> {
         Ok(())
     }
 
-    /// Puts a sound into the folder, under a name that tells what it holds.
+    /// Writes a sound to the folder, under a name derived from its contents.
     ///
     /// # Errors
     /// When it cannot be written.
@@ -243,7 +243,7 @@ impl<'d> Store<'d> {
         Ok(audio)
     }
 
-    /// Whether the bundle is there already, word for word, and nothing else of a bake.
+    /// Returns true if the folder contains exactly this bundle and no other output of a bake.
     ///
     /// # Errors
     /// When the folder cannot be read.
@@ -252,8 +252,8 @@ impl<'d> Store<'d> {
         Ok(self.text == text.as_bytes() && self.unused(bundle)?.is_empty())
     }
 
-    /// Writes the bundle's text, unless it is there already, so that bakes do not disturb
-    /// build tools. All its sounds are in the folder.
+    /// Writes the bundle's text, unless it is unchanged, so that bakes do not trigger build tools.
+    /// All its sounds must be in the folder.
     ///
     /// # Errors
     /// When it cannot be written.
@@ -265,7 +265,7 @@ impl<'d> Store<'d> {
         disk::replace_on(self.disk, &self.folder.join(SPEECH), text.as_bytes())
     }
 
-    /// Removes everything that a bake made; the text first, so that it never names missing sounds.
+    /// Removes all output of a bake; the text first, so that it never names missing sounds.
     ///
     /// # Errors
     /// When something cannot be removed.
@@ -279,9 +279,8 @@ impl<'d> Store<'d> {
         self.remove_unused(&Bundle::default())
     }
 
-    /// Removes sound files that a bake made and that the bundle no longer names, and what bakes
-    /// that were stopped have left. Only names that a bake gives are touched. Returns how many
-    /// sounds there were.
+    /// Removes audio files of a bake that the bundle no longer names, and leftovers of interrupted
+    /// bakes. Only names generated by a bake are affected. Returns the number of removed sounds.
     ///
     /// # Errors
     /// When something cannot be removed.
@@ -296,7 +295,7 @@ impl<'d> Store<'d> {
         Ok(unused.iter().filter(|name| is_sound(name)).count())
     }
 
-    /// Names of files that a bake made and this bundle does not name.
+    /// Returns the names of files generated by a bake that this bundle does not name.
     fn unused(&self, bundle: &Bundle) -> Result<Vec<String>> {
         let used: BTreeSet<&str> = bundle
             .utterances

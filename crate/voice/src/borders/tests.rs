@@ -5,8 +5,8 @@ use crate::signal::testing::{self, Segment as Sound};
 
 const RATE_HZ: f64 = 24_000.0;
 
-/// A sound and what an engine tells of it: symbols with the ends that it is made with, each told so
-/// much off.
+/// Returns audio and an engine's labels for it: symbols with their true ends, each label with the
+/// given error.
 fn told(parts: &[(&str, f64)], off_secs: &[f64]) -> (Spoken, Vec<f64>) {
     let sounds: Vec<Sound> = parts
         .iter()

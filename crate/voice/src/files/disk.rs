@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use anyhow::{Context as _, Result, bail};
 
-/// What changes files.
+/// File system operations that modify files.
 pub trait Disk: Sync {
     /// Makes a file that was not there, with these bytes, and waits until they are stored.
     ///
@@ -21,7 +21,7 @@ pub trait Disk: Sync {
     /// As the system's; a part of the file may be there then.
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
-    /// Puts a file in the place of another.
+    /// Replaces a file by another.
     ///
     /// # Errors
     /// As the system's; nothing has changed then.
@@ -77,7 +77,7 @@ pub fn is_part(name: &str) -> bool {
     name.starts_with('.') && (ends(name) || name.rsplit_once('.').is_some_and(|(n, _)| ends(n)))
 }
 
-/// An unused name beside `place`, with the same ending, by which some programs choose
+/// Returns an unused name next to `place`, with the same extension, by which some programs choose
 /// the format.
 fn part_of(place: &Path) -> PathBuf {
     static COUNT: AtomicU64 = AtomicU64::new(0);
@@ -106,7 +106,7 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Writes a file on a disk; a link at that place is replaced, not followed.
+/// Writes a file on a disk; a link at that path is replaced, not followed.
 ///
 /// # Errors
 /// As the system's. The old file is whole then, unless only the last step failed: that the new
@@ -123,8 +123,8 @@ pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
         .with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Writes a file that a user has named. A link is followed, the file's permissions stay, and
-/// a device, such as `/dev/stdout`, is written to directly.
+/// Writes a file named by the user. A link is followed, the file's permissions are preserved, and a
+/// device, such as `/dev/stdout`, is written directly.
 ///
 /// # Errors
 /// When it cannot be written; the old file is whole then.
@@ -139,8 +139,8 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
     part.commit()
 }
 
-/// A file that is being made, by this program or by another that is given its path. It is
-/// removed unless it is committed.
+/// File being written, by this program or by another that receives its path. It is removed unless
+/// committed.
 pub struct PendingFile {
     part: PathBuf,
     place: PathBuf,
@@ -171,7 +171,7 @@ impl PendingFile {
         })
     }
 
-    /// For output that is written in place: many files after a pattern, for one.
+    /// Creates an output that is written in place, for example many files after a pattern.
     pub fn direct(path: &Path) -> Self {
         Self {
             part: path.to_owned(),
@@ -179,17 +179,17 @@ impl PendingFile {
         }
     }
 
-    /// Where it is made.
+    /// Returns the path for writing.
     pub fn path(&self) -> &Path {
         &self.part
     }
 
-    /// Whether it is written at its place, as that is no file.
+    /// Returns true if it is written in place, because the target is not a regular file.
     fn is_direct(&self) -> bool {
         self.part == self.place
     }
 
-    /// Puts it in its place.
+    /// Moves the file to its final path.
     ///
     /// # Errors
     /// When that fails; the old file is whole then.

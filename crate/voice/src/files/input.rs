@@ -10,7 +10,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail, ensure};
 use raconteur_base::encoding;
 
-/// The longest text that is read where nothing else is said, bytes.
+/// Default maximum length of a text file, bytes.
 pub const MAX_TEXT_BYTES: u64 = 16 << 20;
 
 /// The bytes of a file.

@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
 
-/// The path of a file in a folder, without links, or `None` when there is none.
+/// Returns the path of a file in a folder, with links resolved, or `None` if it does not exist.
 ///
 /// # Errors
 /// When `path` is an address or leaves the folder, by itself or by a link, or when it is no
@@ -54,7 +54,8 @@ pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
     Ok(Some(found))
 }
 
-/// Whether a folder in another, if it is there, is in it without a link that leads out.
+/// Checks that a nested folder, if it exists, is inside the outer one, without a link that leads
+/// out.
 ///
 /// # Errors
 /// When it is not.

@@ -9,7 +9,7 @@ use std::process::Command;
 
 use anyhow::{Context as _, Result, bail, ensure};
 
-/// Most bytes of a sound that a story brings.
+/// Maximum size of a story's audio file, bytes.
 pub const MAX_BYTES: u64 = 512 << 20;
 
 /// Begins of files that name other files or addresses: playlists and descriptions of streams.
@@ -24,8 +24,7 @@ const PLAYLISTS: [&str; 8] = [
     "<MPD",
 ];
 
-/// ffmpeg's name of the format of a file that begins so; `None` for none of the sounds
-/// that are read.
+/// Returns ffmpeg's name of the format of a file with this start; `None` for unsupported formats.
 fn format_of(begin: &[u8]) -> Option<&'static str> {
     let at = |offset: usize, mark: &[u8]| {
         begin
@@ -56,7 +55,7 @@ pub struct Sound {
 }
 
 impl Sound {
-    /// Looks at a file whose place was found to be one that may be read.
+    /// Opens a file whose path was already checked.
     ///
     /// # Errors
     /// When it cannot be read, is too long, or is no sound of a known format.
@@ -96,8 +95,8 @@ impl Sound {
         )
     }
 
-    /// Adds it to the inputs of ffmpeg: of one format, from a file, and never from anywhere
-    /// else. Options for this input come before.
+    /// Adds the file to the inputs of ffmpeg: with a fixed format, from a file only. Options for
+    /// this input must precede it.
     pub fn input(&self, command: &mut Command) {
         let mut path = std::ffi::OsString::from("file:");
         path.push(&self.path);

@@ -11,7 +11,7 @@ pub mod media;
 
 static LOG: OnceLock<fn(&Path)> = OnceLock::new();
 
-/// Hears of every file that is opened to be read, from now on; only the first who asks does.
+/// Registers a callback for every file opened for reading; only the first registration counts.
 pub fn on_open(log: fn(&Path)) {
     LOG.get_or_init(|| log);
 }

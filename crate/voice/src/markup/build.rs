@@ -4,21 +4,21 @@ use super::xml::{Pieces, Tag, Token};
 use super::{MAX_DEPTH, Problem, levels};
 use crate::content::{Content, Division, Markup, Segment, Setting, is_space};
 
-/// How many markups, pauses and other points a document may have.
+/// Maximum number of markups, pauses and other points in a document.
 const MAX_SEGMENTS: usize = 50_000;
 
-/// What an element means.
+/// Meaning of an element.
 #[derive(Default)]
 pub(crate) struct Meaning {
-    /// What happens where it begins.
+    /// Points at its start.
     pub(crate) points: Vec<Segment>,
-    /// What holds for its content, from outside to inside.
+    /// Markup of its content, from outside to inside.
     pub(crate) markups: Vec<Markup>,
-    /// What separates its content from its surroundings.
+    /// Division between its content and its surroundings.
     pub(crate) division: Option<Division>,
-    /// Its content is not spoken.
+    /// True if its content is not spoken.
     pub(crate) silent: bool,
-    /// Its content is a word, even where no white space parts it from the next such one.
+    /// True if its content is a word, even without white space before the next such one.
     pub(crate) is_token: bool,
 }
 
@@ -48,7 +48,7 @@ struct Frame {
     is_token: bool,
 }
 
-/// Reads a document; `meaning` says what each tag means.
+/// Parses a document; `meaning` returns the meaning of each tag.
 pub(crate) fn read(
     source: &str,
     any_case: bool,
@@ -144,18 +144,18 @@ pub(crate) fn divide(segments: &mut Vec<Segment>, division: Division) {
     }
 }
 
-/// Whether a segment is nothing but white space.
+/// Returns true if a segment is only white space.
 pub(crate) fn is_blank(segment: &Segment) -> bool {
     matches!(segment, Segment::Text(text) if text.chars().all(is_space))
 }
 
-/// Tells that an element lacks something, and so means nothing.
+/// Reports that an element lacks a required part and is therefore ignored.
 pub(crate) fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
     pieces.report(tag.at, format!("{} needs {what}", tag.name));
     Meaning::default()
 }
 
-/// What an attribute means; an unreadable one is reported.
+/// Parses an attribute value; an unreadable one is reported.
 pub(crate) fn word<T>(
     tag: &Tag,
     pieces: &mut Pieces<'_>,
@@ -195,7 +195,7 @@ pub(crate) fn exact_text(setting: Setting) -> String {
     }
 }
 
-/// A pause's length in whole milliseconds, with whether it was too long.
+/// Converts a pause to whole milliseconds, and returns true if it was too long.
 pub(crate) fn pause_msec(msec: f64) -> (u32, bool) {
     let longest = f64::from(levels::MAX_MSEC);
     (msec.clamp(0.0, longest).round() as u32, msec > longest)
@@ -206,7 +206,7 @@ pub(crate) fn filled(value: Option<&str>) -> Option<String> {
     value.filter(|v| !v.is_empty()).map(str::to_owned)
 }
 
-/// The emotion that an element of ours asks for.
+/// Returns the emotion of a Raconteur element.
 pub(crate) fn emotion(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     let name = tag.get("name").unwrap_or_default();
     let place = raconteur_speech::emotion::place(name);

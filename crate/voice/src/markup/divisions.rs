@@ -12,8 +12,8 @@ pub(crate) enum DivisionTag {
     Empty(Division),
 }
 
-/// The tags that stand in place of each segment; most have none. Elements never reach into
-/// or out of a markup. Read again, they part the same words in the same way.
+/// Returns the tags before each segment; most have none. Elements never cross the borders of
+/// markup. Parsed again, they divide the same words in the same way.
 pub(crate) fn tags(segments: &[Segment]) -> Vec<Vec<DivisionTag>> {
     let mut tags = vec![Vec::new(); segments.len()];
     // For each open markup the divisions in it: place and what they part.

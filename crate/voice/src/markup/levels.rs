@@ -32,7 +32,7 @@ pub const EMPHASES: [(&str, f64); 4] = [
     ("strong", 2.0),
 ];
 
-/// What words and numbers are about.
+/// Property set by words and numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
     /// The base or the middle line of the pitch; numbers are hertz.
@@ -100,8 +100,8 @@ impl Property {
         Some(Setting::Factor(*factor))
     }
 
-    /// A change in percent of the surrounding level; `None` where nothing, or less, would be
-    /// left of it. Loudness may go to nothing.
+    /// Returns a change in percent of the surrounding level; `None` if the result is zero or below.
+    /// Loudness may be zero.
     #[must_use]
     pub fn percent(self, percent: f64) -> Option<Setting> {
         self.change(percent / 100.0)
@@ -112,7 +112,7 @@ impl Property {
         self.positive(1.0 + share).map(Setting::Factor)
     }
 
-    /// A number in the property's unit; `None` where it cannot be one.
+    /// Returns a number in the property's unit; `None` if it is invalid.
     #[must_use]
     pub fn number(self, number: f64) -> Option<Setting> {
         self.positive(number).map(Setting::Value)
@@ -123,8 +123,8 @@ impl Property {
         (x.is_finite() && enough).then_some(x)
     }
 
-    /// What an attribute says: a word, a change in percent with or without its sign, or a
-    /// number without one.
+    /// Parses an attribute: a word, a change in percent with or without a sign, or an unsigned
+    /// number.
     #[must_use]
     pub fn read(self, text: &str) -> Option<Setting> {
         let text = text.trim();
@@ -137,7 +137,7 @@ impl Property {
         }
     }
 
-    /// A setting as [`Property::read`] reads it, as near as it goes; `None` for what changes
+    /// Formats a setting for [`Property::read`], as accurately as possible; `None` if it changes
     /// nothing.
     #[must_use]
     pub fn write(self, setting: Setting) -> Option<String> {
@@ -179,7 +179,7 @@ pub(crate) fn shifted(text: &str, exponent: i32) -> Option<f64> {
     number.is_finite().then_some(number)
 }
 
-/// A number times a power of ten as a decimal, exactly what [`shifted`] takes back to it.
+/// Formats a number times a power of ten as a decimal; exact inverse of [`shifted`].
 pub(crate) fn shifted_text(number: f64, exponent: i32) -> String {
     let short = format!("{number:e}");
     let (mantissa, power) = short.split_once('e').unwrap_or((&short, "0"));
@@ -218,8 +218,8 @@ pub fn emphasis(text: &str) -> Option<f64> {
         .or_else(|| number(text).map(|level| level.clamp(0.0, 2.0)))
 }
 
-/// The length of a pause in milliseconds: a word in any case or a number as
-/// [`pause_of_level`] takes it.
+/// Parses the length of a pause in milliseconds: a word in any case or a number as in
+/// [`pause_of_level`].
 #[must_use]
 pub fn pause(text: &str) -> Option<f64> {
     let text = text.trim();
@@ -230,8 +230,8 @@ pub fn pause(text: &str) -> Option<f64> {
         .or_else(|| number(text).map(pause_of_level))
 }
 
-/// The length of a pause in milliseconds whose level is a number from 0 (none) to 3 (large);
-/// what lies outside is taken as the nearest of them.
+/// Returns the length of a pause in milliseconds for a level from 0 (none) to 3 (large), clamped to
+/// that range.
 #[must_use]
 pub fn pause_of_level(level: f64) -> f64 {
     let level = level.clamp(0.0, 3.0);

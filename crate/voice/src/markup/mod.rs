@@ -16,14 +16,14 @@ mod round_trip;
 /// The longest document, bytes.
 pub const MAX_DOCUMENT_BYTES: usize = 4 << 20;
 
-/// How many markups may be inside each other.
+/// Maximum nesting depth of markup.
 pub const MAX_DEPTH: usize = 100;
 
-/// The namespace of what SABLE and SSML cannot say: an attribute of its own for an exact
-/// value, an element for an emotion or an engine.
+/// Namespace for features that SABLE and SSML lack: attributes for exact values, elements for an
+/// emotion or an engine.
 pub const NAMESPACE: &str = "urn:raconteur:ssml:1";
 
-/// Something in a document that could not be taken as it stands.
+/// Problem in a document.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{line}:{column}: {message}")]
 pub struct Problem {
@@ -31,6 +31,6 @@ pub struct Problem {
     pub line: usize,
     /// In characters, from 1.
     pub column: usize,
-    /// What is wrong and what became of it.
+    /// Description of the problem and its handling.
     pub message: String,
 }

@@ -8,10 +8,10 @@ use super::xml::legal;
 /// Lines of verse are shorter, characters. Prose is broken near 72 or not at all.
 const VERSE: usize = 60;
 
-/// Reads a plain text. Blank lines part paragraphs. A line end inside a paragraph of short
-/// lines is a small pause as before a comma, unless the line ends with punctuation of a
-/// sentence, or of a part of one, already. Any line ends are read, and a byte order mark.
-/// Characters that no document could hold become U+FFFD.
+/// Reads plain text. Blank lines separate paragraphs. A line end inside a paragraph of short lines
+/// is a small pause as before a comma, unless the line already ends with punctuation of a sentence
+/// or clause. All line ends and a byte order mark are accepted. Characters not allowed in documents
+/// become U+FFFD.
 #[must_use]
 pub fn read(text: &str) -> Content {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -39,7 +39,7 @@ pub fn read(text: &str) -> Content {
     Content { segments }
 }
 
-/// What stands between a line and the next one of its paragraph.
+/// Returns the separator between a line and the next one of its paragraph.
 fn between(line: &str, is_verse: bool) -> Segment {
     let closing = [
         '"', '\'', ')', ']', '\u{201d}', '\u{201c}', '\u{2019}', '\u{bb}', '\u{ab}',

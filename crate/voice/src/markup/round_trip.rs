@@ -178,8 +178,8 @@ impl CaseGenerator {
     }
 }
 
-/// The spoken items, each with its style. Divisions one behind the other are one, which
-/// parts paragraphs where one of them does.
+/// Returns the spoken items, each with its style. Consecutive divisions count as one, which
+/// separates paragraphs if any of them does.
 fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
     let resolved = resolve(content, "festival");
     let mut heard: Vec<(Item, Option<Style>, Option<usize>)> = Vec::new();

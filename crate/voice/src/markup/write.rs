@@ -35,7 +35,7 @@ impl Element {
         self
     }
 
-    /// The same with an attribute, if it says something.
+    /// Adds an attribute if it has a value.
     pub(crate) fn with_some(self, name: &'static str, value: Option<&str>) -> Self {
         match value {
             Some(value) if !value.is_empty() => self.with(name, value),
@@ -43,8 +43,7 @@ impl Element {
         }
     }
 
-    /// The same with a setting: as `text` and, where that is read as something else than the
-    /// setting, exactly in `ours`.
+    /// Adds a setting: as `text` and, if that is parsed differently, exactly in `ours`.
     pub(crate) fn with_setting(
         self,
         (name, ours): (&'static str, &'static str),
@@ -65,9 +64,9 @@ impl Element {
     }
 }
 
-/// How a language writes what a content has.
+/// Writer of a markup language.
 pub(crate) trait MarkupWriter {
-    /// The element of a markup; `None` where nothing needs to be written.
+    /// Returns the element of a markup; `None` if nothing needs to be written.
     fn markup(&mut self, markup: &Markup) -> Option<Element>;
     /// The element of a pause, a recording or a mark.
     fn point(&mut self, segment: &Segment) -> Option<Element>;
@@ -147,7 +146,7 @@ fn end(out: &mut String, name: Option<&str>) {
     }
 }
 
-/// Adds a text with what XML would take for something else as references.
+/// Appends a text with XML special characters escaped.
 pub(crate) fn escape(out: &mut String, text: &str, is_value: bool) {
     let legal = legal(text);
     let text = partial_escape(&legal);
@@ -193,7 +192,7 @@ pub(crate) fn emotion(markup: &Markup) -> Option<Element> {
     )
 }
 
-/// A setting of the loudness without infinities: no gain goes beyond the loudest.
+/// Returns a loudness setting without infinities: gains are limited to the maximum.
 pub(crate) fn loudness(setting: Setting) -> Setting {
     match setting {
         Setting::Value(gain) if gain > MAX_FACTOR => Setting::Value(MAX_FACTOR),
@@ -202,7 +201,7 @@ pub(crate) fn loudness(setting: Setting) -> Setting {
     }
 }
 
-/// The amplitude of a recording; `None` counts as silence.
+/// Returns the amplitude of a recording; `None` counts as silence.
 pub(crate) fn gain(level: f64) -> f64 {
     if level.is_finite() {
         level.max(0.0)

@@ -7,18 +7,18 @@ use quick_xml::events::{BytesStart, Event};
 
 use super::{MAX_DOCUMENT_BYTES, NAMESPACE, Problem};
 
-/// How many elements may be nested. The output for the deepest markup, with
-/// its sentences and paragraphs, stays below.
+/// Maximum nesting depth of elements. The output for the deepest markup, with its sentences and
+/// paragraphs, stays below.
 const MAX_ELEMENT_DEPTH: usize = 400;
-/// How many elements a document may have.
+/// Maximum number of elements in a document.
 const MAX_ELEMENTS: usize = 200_000;
-/// How many attributes an element may have.
+/// Maximum number of attributes of an element.
 const MAX_ATTRIBUTES: usize = 32;
-/// How many prefixes may be declared at one place.
+/// Maximum number of prefixes declared at one position.
 const MAX_PREFIXES: usize = 64;
-/// The longest value of an attribute, bytes: each word's style may keep some.
+/// Maximum length of an attribute value, bytes: each word's style may store some.
 const MAX_VALUE_LENGTH: usize = 1000;
-/// How many problems are reported.
+/// Maximum number of reported problems.
 const MAX_PROBLEMS: usize = 100;
 
 const SSML: &str = "http://www.w3.org/2001/10/synthesis";
@@ -51,19 +51,19 @@ pub(crate) struct Attribute {
     pub(crate) value: String,
 }
 
-/// Where a name belongs.
+/// Namespace of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Space {
-    /// To the document's own language, or to none.
+    /// The document's own language, or none.
     Own,
     /// To [`NAMESPACE`].
     Ours,
-    /// To something else.
+    /// Another namespace.
     Other,
 }
 
 impl Tag {
-    /// The value of an attribute of the document's language, whatever its case.
+    /// Returns the value of an attribute of the document's language, case-insensitively.
     pub(crate) fn get(&self, name: &str) -> Option<&str> {
         self.find(Space::Own, name)
     }
@@ -85,7 +85,7 @@ pub(crate) struct Pieces<'a> {
     reader: Reader<&'a [u8]>,
     /// Names of the open elements as they are written.
     open: Vec<String>,
-    /// Whether `</emph>` ends `<EMPH>`.
+    /// True if `</emph>` closes `<EMPH>`.
     any_case: bool,
     /// Prefixes in scope with the depth of their element.
     prefixes: Vec<(String, Space, usize)>,
@@ -117,7 +117,7 @@ impl<'a> Pieces<'a> {
         Ok(pieces)
     }
 
-    /// The next piece; `None` at the end.
+    /// Returns the next token; `None` at the end.
     pub(crate) fn next(&mut self) -> Result<Option<Token>, Problem> {
         loop {
             let at = self.position();
@@ -160,7 +160,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Reports a problem at a byte, and goes on.
+    /// Reports a problem at a byte offset, and continues.
     pub(crate) fn report(&mut self, at: usize, message: impl Into<String>) {
         if self.problems.len() < MAX_PROBLEMS {
             let problem = self.problem(at, message);
@@ -168,7 +168,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// What is wrong at a byte.
+    /// Creates a problem at a byte offset.
     pub(crate) fn problem(&self, at: usize, message: impl Into<String>) -> Problem {
         let before = self.source.as_bytes().get(..at).unwrap_or_default();
         let begin = before
@@ -265,7 +265,7 @@ impl<'a> Pieces<'a> {
         })
     }
 
-    /// Where a name belongs, and the name without its prefix.
+    /// Returns the namespace of a name, and the name without its prefix.
     fn place<'n>(&self, name: &'n str) -> (Space, &'n str) {
         match name.split_once(':') {
             None | Some(("xml", _)) => (Space::Own, name),
@@ -300,8 +300,8 @@ impl<'a> Pieces<'a> {
         })
     }
 
-    /// A document type may be named, with nothing declared in it; Festival's own examples
-    /// have an empty pair of brackets.
+    /// Accepts a document type name without declarations; Festival's own examples have an empty
+    /// pair of brackets.
     fn doctype(&self, text: &str, at: usize) -> Result<(), Problem> {
         let outside_quotes = text.split(['"', '\'']).step_by(2);
         let declares = outside_quotes
@@ -315,7 +315,7 @@ impl<'a> Pieces<'a> {
     }
 }
 
-/// A text with U+FFFD for each character that XML cannot hold.
+/// Replaces each character that XML cannot contain by U+FFFD.
 pub(crate) fn legal(text: &str) -> String {
     text.chars()
         .map(|c| match c {

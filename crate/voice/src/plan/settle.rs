@@ -5,7 +5,7 @@ use raconteur_base::text::script::Script;
 use raconteur_base::text::signs;
 
 impl Planner<'_> {
-    /// Gives the signs since the last word to it, or to the `next`, which is then the last.
+    /// Assigns the signs since the last word to it, or to the `next`, which is then the last.
     pub(super) fn settle_signs(&mut self, next: Option<(&str, usize, Option<usize>)>) {
         let signs = core::mem::take(&mut self.signs);
         // After a pause they belong to what follows.
@@ -49,7 +49,7 @@ impl Planner<'_> {
             .push([after, &[text.to_owned()]].concat().join(" "));
     }
 
-    /// Signs after a word are read with it. `next` is what the word after them is together with.
+    /// Queues signs after a word, to be read with it. `next` is the group of the word after them.
     fn wait_sign(&mut self, word: usize, sign: &str, next: Option<usize>) {
         let Some(last) = self.waiting.last_mut() else {
             return;

@@ -7,14 +7,14 @@ use super::is_rate;
 /// A sharp rise of high-frequency energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Burst {
-    /// When it begins, in seconds.
+    /// Start time, in seconds.
     pub secs: f64,
     /// Level above 2 kHz in the 4 ms after over that in the 12 ms before, in decibels.
     pub rise_db: f64,
 }
 
-/// Least rise of what counts as clear, in decibels (chosen: vowels after a glide or a
-/// nasal rise by less within 4 ms).
+/// Minimum rise of a clear burst, in decibels (chosen: vowels after a glide or a nasal rise by less
+/// within 4 ms).
 pub const CLEAR_RISE_DB: f64 = 9.0;
 
 /// Level above 2 kHz is that above this frequency, or above a quarter of a low rate.
@@ -26,12 +26,12 @@ const STEP_SECS: f64 = 0.0005;
 /// Least distance of two bursts, in seconds.
 const APART_SECS: f64 = 0.03;
 
-/// Level below that of the loudest moments that counts as nothing, in decibels: a rise
-/// out of digital silence into noise of the last bit is no burst.
+/// Level relative to the loudest parts that counts as silence, in decibels: a rise from digital
+/// silence to last-bit noise is not a burst.
 const FLOOR_DB: f64 = -50.0;
 
-/// How long around a burst duration is to be kept, in seconds before and after its
-/// start: the burst's own 10 to 15 ms and some of what follows.
+/// Time around a burst in which durations are preserved, in seconds before and after its start: the
+/// burst's own 10 to 15 ms and some of the following sound.
 const KEPT_SECS: (f64, f64) = (0.004, 0.02);
 
 /// All clear bursts of a sound in order. Abrupt fricatives and vowels after silence are
@@ -41,8 +41,8 @@ pub fn all(samples: &[f64], rate_hz: f64) -> Vec<Burst> {
     find_all(samples, rate_hz, CLEAR_RISE_DB)
 }
 
-/// The clearest burst from one time to another, in seconds; none if none is clear. To
-/// check a plosive's label, give its start and end with the error allowed added.
+/// Returns the clearest burst between two times, in seconds; `None` if none is clear. To check a
+/// plosive's label, pass its start and end extended by the tolerance.
 #[must_use]
 pub fn find(samples: &[f64], rate_hz: f64, start_secs: f64, end_secs: f64) -> Option<Burst> {
     if !is_rate(rate_hz) || start_secs.is_nan() || end_secs.is_nan() {
@@ -62,8 +62,8 @@ pub fn find(samples: &[f64], rate_hz: f64, start_secs: f64, end_secs: f64) -> Op
         .max_by(|a, b| a.rise_db.total_cmp(&b.rise_db))
 }
 
-/// Spans (start, end) in seconds that a change of duration should leave alone so that no
-/// burst is doubled or smeared: [`super::Change::rigid`].
+/// Returns the spans (start, end) in seconds in which a change of duration must not double or smear
+/// bursts: [`super::Change::rigid`].
 #[must_use]
 pub fn rigid_spans(bursts: &[Burst]) -> Vec<(f64, f64)> {
     let (before, after) = KEPT_SECS;

@@ -2,10 +2,10 @@
 
 use super::is_rate;
 
-/// The worst place of a sound.
+/// Worst click of a sound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Click {
-    /// When, in seconds.
+    /// Time, in seconds.
     pub(super) secs: f64,
     /// The second difference there over its root mean square nearby. Speech has values
     /// up to about 10 at strong glottal pulses and bursts: compare with the sound
@@ -13,17 +13,17 @@ pub(super) struct Click {
     pub(super) ratio: f64,
 }
 
-/// Reach of "nearby" to either side, in seconds, and what is left out around the place
-/// itself: a click must not be measured by itself.
+/// Reach of the neighbourhood on either side, in seconds; the next constant is the excluded part
+/// around the position itself, so that a click is not compared with itself.
 const REACH_SECS: f64 = 0.015;
 const OWN_SECS: f64 = 0.001;
 
-/// Share of the whole sound's root mean square that is added to the local one: digital
-/// silence beside the quietest noise is no click.
+/// Share of the whole sound's RMS that is added to the local one: digital silence next to the
+/// quietest noise is not a click.
 const FLOOR: f64 = 0.1;
 
-/// The largest second difference relative to the level of second differences around
-/// it; none for silence or an unusable rate.
+/// Returns the largest second difference relative to the level of second differences around it;
+/// `None` for silence or an unusable rate.
 #[must_use]
 pub(super) fn click_measure(samples: &[f64], rate_hz: f64) -> Option<Click> {
     if samples.len() < 3 || !is_rate(rate_hz) {

@@ -13,21 +13,20 @@ use raconteur_base::ops;
 
 use super::{PitchTrack, is_rate, scatter};
 
-/// A moment by which sound is cut into grains.
+/// Epoch at which audio is cut into grains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Epoch {
     /// Its time in seconds.
     pub secs: f64,
-    /// Whether it marks a glottal period; otherwise it only divides unvoiced sound.
+    /// True if it marks a glottal period; otherwise it only divides unvoiced audio.
     pub voiced: bool,
 }
 
 /// Mean distance of marks in unvoiced sound, in seconds.
 pub const UNVOICED_STEP_SECS: f64 = 0.005;
 
-/// Marks over the whole sound in order: per voiced stretch of the track one per
-/// period, elsewhere one about every 5 ms, irregular so that noise cut there gets no
-/// pitch.
+/// Returns epochs over the whole sound in order: one per period in voiced stretches of the track,
+/// elsewhere one about every 5 ms, irregular so that noise cut there gets no pitch.
 #[must_use]
 pub fn find(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<Epoch> {
     let mut marks = Vec::new();
@@ -58,7 +57,7 @@ pub fn find(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<Epoch> {
     marks
 }
 
-/// Irregular places strictly between two, about `step` apart.
+/// Returns irregular positions strictly between two, about `step` apart.
 pub(super) fn between(from: f64, to: f64, step: f64) -> Vec<f64> {
     let count = ((to - from) / step).round().max(1.0);
     let each = (to - from) / count;
@@ -67,7 +66,7 @@ pub(super) fn between(from: f64, to: f64, step: f64) -> Vec<f64> {
         .collect()
 }
 
-/// The marks of each voiced stretch as places in samples, at least three of them each.
+/// Returns the epochs of each voiced stretch as sample positions, at least three each.
 pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<Vec<f64>> {
     let step = track.step_secs * rate_hz;
     if samples.is_empty() || !is_rate(rate_hz) || step.is_nan() || step <= 0.0 {
@@ -107,8 +106,8 @@ pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<V
     found
 }
 
-/// The sound without what changes within less than about a millisecond and without its
-/// mean over 20 ms: weighted by a raised cosine 1.2 ms wide.
+/// Returns the sound without changes faster than about a millisecond and without its mean over 20
+/// ms: weighted by a raised cosine 1.2 ms wide.
 fn smoothed(samples: &[f64], rate_hz: f64) -> Vec<f64> {
     let half = (0.0006 * rate_hz).round().max(1.0) as usize;
     let kernel: Vec<f64> = (0..=2 * half)
@@ -137,7 +136,7 @@ fn smoothed(samples: &[f64], rate_hz: f64) -> Vec<f64> {
 
 /// A peak that may be a mark.
 struct Peak {
-    /// Its place between the samples.
+    /// Sub-sample position.
     at: f64,
     /// The track's period there, in samples.
     period: f64,
@@ -152,7 +151,7 @@ struct Peak {
 const HEIGHT_COST: f64 = 0.6;
 const STEP_COST: f64 = 8.0;
 const SHAPE_COST: f64 = 1.0;
-/// Cost of beginning anew after a gap that no step spans.
+/// Cost of restarting after a gap that no step spans.
 const GAP_COST: f64 = 4.0;
 
 /// The marks between two samples: the cheapest path through the peaks there.
@@ -211,7 +210,7 @@ fn peaks(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrac
     peaks
 }
 
-/// Finds the cheapest way to each peak from those before it (dynamic programming).
+/// Finds the cheapest path to each peak from the preceding ones (dynamic programming).
 fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
     let mut oldest = 0;
     for k in 0..peaks.len() {
@@ -258,14 +257,13 @@ fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
     }
 }
 
-/// Most periods that a stretch grows by at either end, and how alike each must be to
-/// the one before.
+/// Maximum number of periods added at either end of a stretch; the next constant is the required
+/// similarity of each to the preceding one.
 const MAX_GROWN: usize = 4;
 const GROWN_LIKENESS: f64 = 0.7;
 
-/// Appends periods that the track's windows were too wide to see: an end left without
-/// marks would keep its pitch when all else changes. `side` is 1 for marks that rise,
-/// −1 for marks that fall.
+/// Appends periods that the track's windows were too wide to detect: an end without epochs would
+/// keep its pitch when all else changes. `side` is 1 for ascending epochs, −1 for descending ones.
 fn grow(smooth: &[f64], marks: &mut Vec<f64>, side: f64) {
     for _ in 0..MAX_GROWN {
         let &[.., before, last] = &marks[..] else {
@@ -292,8 +290,8 @@ fn grow(smooth: &[f64], marks: &mut Vec<f64>, side: f64) {
     }
 }
 
-/// How alike a period around one place is to that around another, −1..1: the
-/// correlation of some fifty points of each.
+/// Returns the similarity of the periods around two positions, −1..1: the correlation of about
+/// fifty points of each.
 fn likeness(smooth: &[f64], one: f64, other: f64, period: f64) -> f64 {
     let stride = ((period / 48.0) as usize).max(1);
     let half = (0.5 * period) as isize;

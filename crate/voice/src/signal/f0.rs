@@ -14,12 +14,12 @@ use raconteur_base::ops;
 use self::analyser::{Analyser, Candidate};
 use super::is_rate;
 
-/// What the analysis is to assume.
+/// Options of the pitch analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PitchOptions {
-    /// Lowest frequency sought, in hertz; three periods of it make a window. Default 60.
+    /// Minimum frequency, in hertz; a window is three periods of it. Default 60.
     pub min_hz: f64,
-    /// Highest frequency sought, in hertz. Default 500.
+    /// Maximum frequency, in hertz. Default 500.
     pub max_hz: f64,
     /// Time between frames, in seconds, at least 0.001. Default 0.01.
     pub step_secs: f64,
@@ -58,15 +58,15 @@ pub struct PitchTrack {
     pub step_secs: f64,
     /// Per frame the frequency in hertz, 0 where the sound is unvoiced.
     pub hz: Vec<f64>,
-    /// Per frame the share of the sound that repeats, 0..1: that of the frequency given,
-    /// or for an unvoiced frame that of its best candidate.
+    /// Periodicity of each frame, 0..1: that of the given frequency, or for an unvoiced frame that
+    /// of its best candidate.
     pub strength: Vec<f64>,
 }
 
 impl PitchTrack {
-    /// Frequency at a time, in hertz: between voiced frames along a straight line in
-    /// log frequency, beside an unvoiced frame that of the nearer frame, 0 where that
-    /// is unvoiced or beyond the track.
+    /// Returns the frequency at a time, in hertz: interpolated in log frequency between voiced
+    /// frames, next to an unvoiced frame that of the nearer frame, 0 if that is unvoiced or beyond
+    /// the track.
     #[must_use]
     pub fn hz_at(&self, secs: f64) -> f64 {
         let place = secs / self.step_secs;
@@ -108,7 +108,7 @@ impl PitchTrack {
             .unwrap_or(0.0)
     }
 
-    /// The voiced stretches as frames: first and one past the last.
+    /// Returns the voiced stretches as frames: first and one past the last.
     #[must_use]
     pub fn voiced_runs(&self) -> Vec<(usize, usize)> {
         let mut runs = Vec::new();
@@ -126,8 +126,8 @@ impl PitchTrack {
         runs
     }
 
-    /// Share of the frames within a span that are voiced, 0..1; a span that holds no
-    /// frame is judged by the frame nearest its middle.
+    /// Returns the share of voiced frames within a span, 0..1; a span without a frame uses the
+    /// frame nearest its middle.
     #[must_use]
     pub fn voiced_share(&self, start_secs: f64, end_secs: f64) -> f64 {
         let first = (start_secs / self.step_secs).ceil().max(0.0) as usize;
@@ -145,9 +145,9 @@ impl PitchTrack {
     }
 }
 
-/// Frequency along a sound. Times before the first and after the last sample count as
-/// silence. Sound without a sample, of an unusable rate, or options without a range give
-/// a track without frames.
+/// Computes the frequency along a sound. Times before the first and after the last sample count as
+/// silence. An empty sound, an unusable rate, or options without a range give a track without
+/// frames.
 #[must_use]
 pub fn track(samples: &[f64], rate_hz: f64, options: &PitchOptions) -> PitchTrack {
     let step_secs = options.step_secs.clamp(0.001, 1.0);

@@ -7,7 +7,7 @@ use raconteur_base::ops;
 
 use super::is_rate;
 
-/// What silence is given as, in decibels: below the noise of 24 bits.
+/// Level of silence, in decibels: below the noise of 24 bits.
 pub const SILENCE_DB: f64 = -150.0;
 
 /// Ten times the decimal logarithm of a ratio of powers, at least [`SILENCE_DB`].
@@ -20,7 +20,7 @@ pub fn decibels(power: f64) -> f64 {
     }
 }
 
-/// Root of the mean square; 0 of nothing.
+/// Returns the root mean square; 0 for an empty slice.
 #[must_use]
 pub fn rms(samples: &[f64]) -> f64 {
     (samples.iter().map(|x| x * x).sum::<f64>() / samples.len().max(1) as f64).sqrt()
@@ -66,10 +66,10 @@ impl Intensity {
     }
 }
 
-/// Level along a sound, every `step_secs` (kept within 0.001..1), each the power under a
-/// raised cosine `window_secs` long (kept within 0.001..1). To see no ripple of the
-/// voice's periods take 3.2 over the lowest frequency, as Praat does; 0.032 is that of
-/// 100 Hz. Beyond the sound's ends the window is of what is there.
+/// Returns the level along a sound, every `step_secs` (clamped to 0.001..1), each the power under a
+/// raised cosine `window_secs` long (clamped to 0.001..1). To avoid ripple from the voice's
+/// periods, use 3.2 divided by the lowest frequency, like Praat; 0.032 is for 100 Hz. At the
+/// sound's ends the window covers only existing samples.
 #[must_use]
 pub fn intensity(samples: &[f64], rate_hz: f64, step_secs: f64, window_secs: f64) -> Intensity {
     let sane = |secs: f64| {

@@ -12,9 +12,9 @@ use super::is_rate;
 const BLOCK_SECS: f64 = 0.4;
 const STEP_SECS: f64 = 0.1;
 
-/// Integrated loudness of channels of one length in LUFS: K-weighted, gated at −70 LUFS and
-/// at 10 LU below what passes that. None where nothing passes: silence, or sound of an
-/// unusable rate. Sound shorter than a block is judged as one block.
+/// Returns the integrated loudness of channels of equal length in LUFS: K-weighted, gated at −70
+/// LUFS and at 10 LU below the result of that gate. `None` if nothing passes: silence, or an
+/// unusable rate. Sound shorter than a block counts as one block.
 #[must_use]
 pub fn integrated_lufs(channels: &[&[f64]], rate_hz: f64) -> Option<f64> {
     let length = channels.iter().map(|c| c.len()).max().unwrap_or(0);
@@ -57,9 +57,9 @@ fn lufs(power: f64) -> f64 {
     decibels(power) - 0.691
 }
 
-/// The first stage. The standard gives coefficients for 48 kHz only (table 1); these
-/// are the analogue filter whose bilinear transform they are, so that any rate can be
-/// weighted: corner, gain and quality solved from the table, which a test compares.
+/// Returns the first filter stage. The standard gives coefficients for 48 kHz only (table 1); these
+/// are the analogue filter that they derive from by bilinear transform, so any rate is supported:
+/// corner, gain and quality were solved from the table, which a test compares.
 fn shelf(rate_hz: f64) -> Biquad {
     const CORNER_HZ: f64 = 1_681.974_450_955_533;
     const GAIN_DB: f64 = 3.999_843_853_973_347;

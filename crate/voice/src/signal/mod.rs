@@ -37,14 +37,13 @@ pub const MIN_RATE_HZ: f64 = 4000.0;
 /// The highest sampling rate that is worked on, in hertz.
 pub const MAX_RATE_HZ: f64 = 192_000.0;
 
-/// Whether sound of this rate is worked on.
+/// Returns true if the sample rate is supported.
 fn is_rate(rate_hz: f64) -> bool {
     (MIN_RATE_HZ..=MAX_RATE_HZ).contains(&rate_hz)
 }
 
-/// A number in −1..1 that depends on the counter alone: what must vary and still be the
-/// same each time. The mixing is that of splitmix64 (Steele, Lea and Flood 2014,
-/// doi:10.1145/2660193.2660195).
+/// Returns a number in −1..1 that depends only on the counter: reproducible variation. Uses the
+/// mixing function of splitmix64 (Steele, Lea and Flood 2014, doi:10.1145/2660193.2660195).
 fn scatter(counter: u64) -> f64 {
     let mut z = counter.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

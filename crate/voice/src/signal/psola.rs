@@ -24,36 +24,36 @@ mod tests;
 
 use taps::Taps;
 
-/// The changes. Times are those of the given sound, in seconds.
+/// Changes to apply. Times are those of the input sound, in seconds.
 pub struct Change<'a> {
-    /// Factor of local duration at a time; kept within 0.2..5.
+    /// Local duration factor at a time; clamped to 0.2..5.
     pub duration: &'a dyn Fn(f64) -> f64,
-    /// Frequency wanted in hertz, of a time and the frequency there now; kept within a
-    /// quarter and four times that. Called in voiced sound only.
+    /// Target frequency in hertz, from a time and the current frequency; clamped to a quarter and
+    /// four times that. Called only in voiced sound.
     pub pitch: &'a dyn Fn(f64, f64) -> f64,
-    /// Factor of amplitude at a time; kept within 0..100 (40 dB). Jumps become ramps of
+    /// Amplitude factor at a time; clamped to 0..100 (40 dB). Jumps become ramps of
     /// [`GAIN_RAMP_SECS`].
     pub gain: &'a dyn Fn(f64) -> f64,
-    /// Spans (start, end) in seconds that keep their duration, such as bursts; their
-    /// share of a stretch goes to what is beside them.
+    /// Spans (start, end) in seconds that keep their duration, such as bursts; their share of a
+    /// stretch goes to their surroundings.
     pub rigid: &'a [(f64, f64)],
 }
 
-/// How long a jump of gain takes, in seconds: less is heard as a click.
+/// Ramp duration of a gain jump, in seconds: a shorter one is audible as a click.
 pub const GAIN_RAMP_SECS: f64 = 0.01;
 
 /// Sound after a change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changed {
-    /// The samples, of the rate given. They may exceed −1..1 where the sound did, or
-    /// where gain or lowered pitch made peaks higher: scale them by the caller's rule.
+    /// Samples, at the input rate. They may exceed −1..1 if the input did, or if gain or lowered
+    /// pitch raised the peaks: the caller must scale them.
     pub samples: Vec<f64>,
-    /// Times of the sound given against times of this.
+    /// Map from the times of the input sound to those of the output.
     pub times: TimeMap,
 }
 
-/// The changed sound. Sound of an unusable rate is given back unchanged, and so
-/// is, to the bit, sound without changes.
+/// Returns the changed sound. A sound of an unusable rate is returned unchanged; without changes
+/// the output is bit-identical.
 ///
 /// `track` must be that of the sound ([`super::f0::track`]).
 #[must_use]
@@ -109,10 +109,10 @@ pub fn change(samples: &[f64], rate_hz: f64, track: &PitchTrack, change: &Change
     changed
 }
 
-/// A voiced stretch: its marks in samples and what each period becomes.
+/// Voiced stretch: its epochs in samples and the result of each period.
 struct Run {
     marks: Vec<f64>,
-    /// Wanted frequency over the present one, at each mark.
+    /// Ratio of target to current frequency, at each epoch.
     ratios: Vec<f64>,
 }
 
@@ -145,7 +145,7 @@ impl Run {
         self.marks[low + 1] - self.marks[low]
     }
 
-    /// The mark nearest to a place.
+    /// Returns the epoch nearest to a position.
     fn nearest(&self, at: f64) -> usize {
         let above = self.marks.partition_point(|m| *m < at);
         match above.checked_sub(1) {
@@ -156,10 +156,10 @@ impl Run {
     }
 }
 
-/// A piece of the sound and where it goes, in samples.
+/// Grain of the sound and its target position, in samples.
 #[derive(Clone, Copy)]
 struct Grain {
-    /// Its middle in the sound given.
+    /// Centre in the input sound.
     source: f64,
     /// Its middle in the new sound.
     place: f64,
@@ -177,26 +177,26 @@ impl Grain {
     }
 }
 
-/// How far unvoiced sound may be ahead of its place and behind it before it is spliced,
-/// in seconds, where it is stretched: hardly ahead, since the splice would go back and
-/// what had begun too early, a burst most of all, would be heard twice.
+/// Maximum lead and lag of unvoiced sound before it is spliced, in seconds, while it is stretched:
+/// hardly any lead, because the splice would go back and repeat sound that had started too early,
+/// especially a burst.
 const STRETCHED_SECS: (f64, f64) = (0.003, 0.0205);
 /// The same where it is shortened: splices only leave out.
 const SHORTENED_SECS: (f64, f64) = (0.011, 0.0125);
 
-/// How much louder (as power) than where sound has come to may be what a splice would
-/// repeat: the end of a vowel or a burst, heard again in the quiet after it, is a click.
+/// Maximum level (as power) of sound repeated by a splice, relative to the current level: the end
+/// of a vowel or a burst, repeated in the following silence, is a click.
 const LOUDER: f64 = 3.0;
 
-/// Power relative to the sound's mean below which nothing is loud.
+/// Power relative to the sound's mean below which nothing counts as loud.
 const QUIET: f64 = 0.0003;
 
-/// Farthest where a splice would double or lose a guarded span or repeat something loud.
+/// Maximum shift if a splice would double or lose a guarded span or repeat loud sound.
 const FORCED_SECS: f64 = 0.04;
 
-/// Shortest leap of a splice, in seconds: noise over itself a little later sounds, and
-/// measures, like a tone of that period. Leaps of 2 to 15 ms gave stretched fricatives
-/// pitches of 62 to 490 Hz; this one's period is longer than that of any voice sought.
+/// Minimum jump of a splice, in seconds: noise overlapped with itself shortly later sounds, and
+/// measures, like a tone of that period. Jumps of 2 to 15 ms gave stretched fricatives pitches of
+/// 62 to 490 Hz; the period of this one is longer than that of any voice in the analysis range.
 const LEAP_SECS: f64 = 0.0175;
 
 struct Maker<'a> {
@@ -205,7 +205,7 @@ struct Maker<'a> {
     times: &'a TimeMap,
     /// Spans that no splice may double or lose, in samples.
     guarded: Vec<(f64, f64)>,
-    /// Sum of squares over two unvoiced steps that is too little to be heard repeated.
+    /// Sum of squares over two unvoiced steps below which repetition is inaudible.
     quiet: f64,
     out: Vec<f64>,
 }
@@ -275,7 +275,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Grains of unvoiced sound from the last one up to a place.
+    /// Adds grains of unvoiced sound from the last one up to a position.
     fn lay_unvoiced(&self, grains: &mut Vec<Grain>, to: f64) {
         let Some(mut last) = grains.last().copied() else {
             return;
@@ -298,8 +298,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// The shift of the guarded span that begins one to four steps after a place: sound
-    /// spliced to it there goes into the span at its right time and unbroken.
+    /// Returns the shift of the guarded span that begins one to four steps after a position: sound
+    /// spliced with it there enters the span at its right time and unbroken.
     fn guarded_ahead(&self, place: f64) -> Option<f64> {
         let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
         self.guarded.iter().find_map(|r| {
@@ -357,7 +357,7 @@ impl<'a> Maker<'a> {
             .map_or(wanted, |best| place - best.0 as f64)
     }
 
-    /// The greatest power within half a step of places from one to another.
+    /// Returns the maximum power within half a step of a range of positions.
     fn loudest(&self, from: isize, to: isize, half: isize) -> f64 {
         (from..=to)
             .step_by(half.max(1) as usize)
@@ -369,7 +369,7 @@ impl<'a> Maker<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// Correlation of the sound around two places, −1..1.
+    /// Returns the correlation of the sound around two positions, −1..1.
     fn likeness(&self, one: isize, other: isize, half: isize) -> f64 {
         let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
         for d in -half..=half {

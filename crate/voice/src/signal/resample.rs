@@ -9,7 +9,7 @@ use raconteur_base::ops;
 
 /// Zero crossings of the kernel on each side: the longer, the steeper its edge.
 const CROSSINGS: f64 = 24.0;
-/// Where it cuts, as a share of the lower of the two Nyquist frequencies.
+/// Cut-off frequency, as a share of the lower of the two Nyquist frequencies.
 const CUT: f64 = 0.94;
 /// The shape of the Kaiser window: 80 dB of attenuation beyond the edge.
 const KAISER_BETA: f64 = 7.86;
@@ -25,8 +25,8 @@ fn bessel(x: f64) -> f64 {
     sum
 }
 
-/// The same sound at another sampling rate, by a windowed sinc (Smith and Gossett 1984,
-/// doi:10.1109/ICASSP.1984.1172555). Rates that are none give nothing.
+/// Resamples the sound, by a windowed sinc (Smith and Gossett 1984,
+/// doi:10.1109/ICASSP.1984.1172555). Invalid rates give an empty result.
 #[must_use]
 pub fn resample(samples: &[f64], from_hz: f64, to_hz: f64) -> Vec<f64> {
     // How finely the kernel is known between its samples; in between it is a line.

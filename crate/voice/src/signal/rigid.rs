@@ -2,21 +2,20 @@
 
 use super::TimeMap;
 
-/// Time over which a factor is taken as constant, in seconds.
+/// Time over which a factor counts as constant, in seconds.
 pub(super) const CELL_SECS: f64 = 0.001;
 
-/// How far from a rigid span its stretch is first put, in seconds (chosen: about a
-/// phone to either side).
+/// Distance from a rigid span over which its stretch is distributed first, in seconds (chosen:
+/// about a phone to either side).
 const REACH_SECS: f64 = 0.1;
 
 /// Bounds of a local factor of duration.
 pub(super) const FACTORS: (f64, f64) = (0.2, 5.0);
 
-/// The map of times for a sound of `length_secs`: local factors from `factor`, called in
-/// the middle of each cell and kept within [`FACTORS`] (one that is no number counts as
-/// 1), but 1 within the rigid spans (start and end in seconds), whose stretch is put on
-/// the cells nearby in proportion to their length, further out as far as those cannot
-/// take it.
+/// Returns the time map for a sound of `length_secs`: local factors from `factor`, called in the
+/// middle of each cell and clamped to [`FACTORS`] (NaN counts as 1), but 1 within the rigid spans
+/// (start and end in seconds), whose stretch is distributed over nearby cells in proportion to
+/// their length, and farther out if those cannot take it.
 pub(super) fn time_map(
     length_secs: f64,
     factor: &dyn Fn(f64) -> f64,
@@ -65,8 +64,8 @@ pub(super) fn time_map(
     TimeMap::from_stretches(factors.iter().enumerate().map(|(i, &f)| (lengths(i), f)))
 }
 
-/// Puts seconds onto the soft cells of a range in proportion to their length as it is;
-/// gives how many seconds found room.
+/// Distributes seconds over the soft cells of a range in proportion to their current length;
+/// returns the number of seconds placed.
 fn spread(
     factors: &mut [f64],
     stiff: &[bool],

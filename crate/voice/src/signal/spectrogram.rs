@@ -5,7 +5,7 @@ use realfft::RealFftPlanner;
 
 use super::is_rate;
 
-/// How to look.
+/// Spectrogram options.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrogramOptions {
     /// Length of the window in seconds, within 0.001..0.1. Default 0.006, which shows
@@ -38,7 +38,7 @@ impl Default for SpectrogramOptions {
 pub struct Spectrogram {
     /// Columns; column `x` is centred at `x * step_secs`.
     pub width: usize,
-    /// Rows; row 0 is the highest frequency, as in a picture.
+    /// Rows; row 0 is the highest frequency, as in an image.
     pub height: usize,
     /// Time between columns in seconds.
     pub step_secs: f64,
@@ -49,8 +49,8 @@ pub struct Spectrogram {
 /// Most columns made: longer sound gets longer steps.
 const MAX_COLUMNS: usize = 1 << 16;
 
-/// Frequency from which high frequencies are raised, by 6 dB per octave: the slope of a
-/// voice's source, so that upper formants are seen.
+/// Frequency from which high frequencies are raised, by 6 dB per octave: the slope of a voice's
+/// source, so that upper formants are visible.
 const EMPHASIS_HZ: f64 = 50.0;
 
 /// The spectrogram of a sound by a Gaussian window; without columns for no sound, an
@@ -122,7 +122,7 @@ pub fn spectrogram(samples: &[f64], rate_hz: f64, options: &SpectrogramOptions) 
     }
 }
 
-/// A Gaussian of the given effective length, twice that long and 0 at its ends; its
+/// Returns a Gaussian of the given effective length, twice that long and 0 at its ends; its
 /// bandwidth at −3 dB is 1.3 over the length.
 fn gaussian(length_secs: f64, rate_hz: f64) -> Vec<f64> {
     let half = (length_secs * rate_hz).round().max(1.0) as usize;

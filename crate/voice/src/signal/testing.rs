@@ -6,7 +6,7 @@ use raconteur_base::ops;
 
 use super::{PitchTrack, scatter};
 
-/// One stretch of a made utterance.
+/// Segment of a synthetic utterance.
 pub(crate) struct Segment {
     secs: f64,
     kind: Kind,
@@ -35,7 +35,7 @@ impl Segment {
         }
     }
 
-    /// A vowel whose frequency goes evenly from one value to another, in hertz.
+    /// Returns a vowel whose frequency changes linearly from one value to another, in hertz.
     pub(crate) fn vowel(secs: f64, from_hz: f64, to_hz: f64) -> Self {
         Self {
             secs,
@@ -43,7 +43,7 @@ impl Segment {
         }
     }
 
-    /// A plosive's release: noise that starts at once and dies away within its 20 ms.
+    /// Returns a plosive's release: noise that starts abruptly and decays within its 20 ms.
     pub(crate) fn burst() -> Self {
         Self {
             secs: 0.02,
@@ -52,10 +52,10 @@ impl Segment {
     }
 }
 
-/// A vowel of peak 0.5 whose frequency at a time is given: harmonics below 0.45 of the
-/// rate through four formants (500, 1500, 2500, 3500 Hz, bandwidths 60 to 200 Hz) and
-/// a source that falls by 6 dB per octave. As sums of cosines it has exactly the
-/// requested frequency, which a pulse train of whole samples has not.
+/// Returns a vowel of peak 0.5 with the given frequency at each time: harmonics below 0.45 of the
+/// rate through four formants (500, 1500, 2500, 3500 Hz, bandwidths 60 to 200 Hz) and a source that
+/// falls by 6 dB per octave. As a sum of cosines it has exactly the requested frequency, unlike a
+/// pulse train of whole samples.
 pub(super) fn vowel(rate_hz: f64, secs: f64, hz: impl Fn(f64) -> f64) -> Vec<f64> {
     let count = (rate_hz * secs).round() as usize;
     let mut phase = 0.0;
@@ -90,8 +90,8 @@ pub(super) fn vowel(rate_hz: f64, secs: f64, hz: impl Fn(f64) -> f64) -> Vec<f64
     sound.iter().map(|x| 0.5 * x / peak).collect()
 }
 
-/// Parts one after another with ramps of 5 ms at both ends of each (a burst starts at
-/// once), and the frequency truly in it every millisecond.
+/// Concatenates segments with ramps of 5 ms at both ends of each (a burst starts abruptly), and
+/// returns the true frequency every millisecond.
 pub(crate) fn utterance(rate_hz: f64, parts: &[Segment]) -> (Vec<f64>, PitchTrack) {
     let mut sound = Vec::new();
     let mut hz = Vec::new();

@@ -1,7 +1,7 @@
 //! Where a moment of changed sound was before, and the other way round.
 
-/// Times of a sound before a change against times after it: piecewise linear, rising,
-/// (0, 0) its start. Beyond the ends it goes on with slope 1.
+/// Map from the times of a sound before a change to those after it: piecewise linear, increasing,
+/// starting at (0, 0). Beyond the ends it continues with slope 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeMap {
     /// Knees as (seconds before, seconds after), both rising strictly.
@@ -9,7 +9,7 @@ pub struct TimeMap {
 }
 
 impl TimeMap {
-    /// The map that changes nothing.
+    /// Returns the identity map.
     #[must_use]
     pub fn identity() -> Self {
         Self {
@@ -17,9 +17,8 @@ impl TimeMap {
         }
     }
 
-    /// A map of stretches in order: duration before in seconds, and the factor by which
-    /// it grows. Stretches whose length or factor is not positive and finite are left
-    /// out.
+    /// Returns a map of stretches in order: duration before in seconds, and its growth factor.
+    /// Stretches whose length or factor is not positive and finite are skipped.
     #[must_use]
     pub fn from_stretches(stretches: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let mut knees = vec![(0.0, 0.0)];
@@ -70,7 +69,7 @@ impl TimeMap {
     }
 }
 
-/// Linear between the knees beside `at`, slope 1 outside.
+/// Interpolates linearly between the knots next to `at`, with slope 1 outside.
 fn through(
     knees: &[(f64, f64)],
     at: f64,

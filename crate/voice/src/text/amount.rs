@@ -142,7 +142,7 @@ impl Reader<'_> {
         Some(Reading::one(spoken).owning_stop(!own_stop || self.sentence_ends(at)))
     }
 
-    /// Whether a sentence can end after the word at `at`.
+    /// Returns true if a sentence can end after the word at `at`.
     fn sentence_ends(&self, at: usize) -> bool {
         let dotted = self
             .words
@@ -151,8 +151,8 @@ impl Reader<'_> {
         !dotted || self.words.get(at + 1).is_none_or(Word::is_capital)
     }
 
-    /// Whether the word at `at` continues or is a telephone number: after a country code,
-    /// after an area code in brackets, or in a grouping that only these have.
+    /// Returns true if the word at `at` continues or is a telephone number: after a country code,
+    /// after an area code in brackets, or in a grouping that only telephone numbers have.
     fn in_phone(&self, at: usize) -> bool {
         let group = |at: usize| {
             self.words
@@ -229,7 +229,7 @@ impl Reader<'_> {
         Some(Reading::one(spelling::phone(core, self.language) + comma))
     }
 
-    /// A fraction below one, alone or after a whole number.
+    /// Reads a fraction below one, alone or after a whole number.
     pub(super) fn fraction(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let grammar = self.language.grammar();
         let core = word.core.as_str();
@@ -271,7 +271,7 @@ impl Reader<'_> {
         Some(Reading::one(self.fraction_after_whole(at, &fraction)))
     }
 
-    /// "and three quarters" where a whole number stands before.
+    /// Returns "and three quarters" after a whole number.
     fn fraction_after_whole(&self, at: usize, fraction: &str) -> String {
         let whole =
             at > 0 && self.words[at - 1].end.is_empty() && all_digits(&self.words[at - 1].core);
@@ -450,8 +450,8 @@ impl Reader<'_> {
         Some(Reading { spoken, ends: true })
     }
 
-    /// How many of the next words continue a number grouped by spaces: "20 000". English
-    /// groups by commas; only zeros are clear there.
+    /// Returns the number of following words that continue a number grouped by spaces: "20 000".
+    /// English groups by commas; only zeros are unambiguous there.
     fn groups_after(&self, at: usize, word: &Word<'_>) -> usize {
         let head = word
             .core

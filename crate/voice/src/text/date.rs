@@ -14,11 +14,11 @@ pub(super) struct Date {
     pub(super) month: Option<u32>,
     /// As written: two digits stay two.
     pub(super) year: Option<u64>,
-    /// The day was written before the month; English says so.
+    /// True if the day was written before the month; English speech follows that order.
     pub(super) day_first: bool,
 }
 
-/// The order in which a language writes three numbers when nothing else tells.
+/// Returns the default order of three date numbers in a language.
 pub(super) fn usual_order(language: Language, month_first: bool) -> Order {
     match language {
         Language::English if month_first => Order::Mdy,
@@ -26,9 +26,9 @@ pub(super) fn usual_order(language: Language, month_first: bool) -> Order {
     }
 }
 
-/// Reads `text` as a date. A given order is tried first; content that cannot be so (a
-/// month of 25) is tried in the others. Without an order only an unambiguous date is
-/// taken: three numbers, or a year with a month.
+/// Parses `text` as a date. A given order is tried first; content that does not fit it (a month of
+/// 25) is tried in the others. Without an order only an unambiguous date is accepted: three
+/// numbers, or a year with a month.
 pub(super) fn parse(
     text: &str,
     order: Option<Order>,

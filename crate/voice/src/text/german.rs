@@ -118,7 +118,7 @@ fn below_thousand(n: u64) -> String {
     }
 }
 
-/// What stands before the last `n % 100` of a number below a million.
+/// Returns the words before the last `n % 100` of a number below a million.
 fn down_to_hundreds(n: u64) -> String {
     let mut word = String::new();
     if n >= 1000 {

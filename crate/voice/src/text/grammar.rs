@@ -3,7 +3,7 @@
 use super::date::Date;
 use super::time::Clock;
 
-/// How a number stands to the noun after it.
+/// Relation of a number to the following noun.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
     /// Counted or read out, with no noun: "eins".
@@ -14,14 +14,14 @@ pub(super) enum Form {
     Feminine,
 }
 
-/// What differs between languages by rule; what differs by word only is in tables.
+/// Language differences defined by rules; differences in words only are in tables.
 ///
 /// Everything returned is a phrase: words with single spaces between them, perhaps a
 /// comma after one.
 pub(super) trait Grammar: Sync {
     /// A whole number below 10^18.
     fn cardinal(&self, n: u64, form: Form) -> String;
-    /// The ordinal with the ending that the language takes here (see `ending`).
+    /// Returns the ordinal with the ending required by the language (see `ending`).
     fn ordinal(&self, n: u64, ending: &str) -> String;
     /// The ending of an ordinal before `next`, after `previous` and `before` that.
     fn ending(&self, before: &str, previous: &str, next: &str) -> &'static str;
@@ -41,7 +41,7 @@ pub(super) trait Grammar: Sync {
     fn form_before(&self, noun: &str) -> Form;
 }
 
-/// What has a grammar.
+/// Provider of a grammar.
 pub(super) trait Grammars {
     /// The grammar of the language.
     fn grammar(self) -> &'static dyn Grammar;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// What a word is to be said as.
+/// Replacement or pronunciation of a word.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Entry {
     /// Other words.
@@ -11,7 +11,7 @@ pub(super) enum Entry {
     Ipa(String),
 }
 
-/// How words are said that engines get wrong.
+/// Pronunciations of words that engines get wrong.
 ///
 /// A text, one entry a line: `word = other words` or `word = /IPA/`. A `#` at a line's
 /// start or after a space begins a comment. A line `[de]` limits what follows to German,
@@ -23,7 +23,7 @@ pub struct Lexicon {
     entries: BTreeMap<(String, String), Entry>,
 }
 
-/// Why a lexicon could not be read.
+/// Error returned when a lexicon cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("lexicon, line {line}, column {column}: {problem}")]
 pub struct LexiconError {
@@ -31,21 +31,21 @@ pub struct LexiconError {
     pub line: usize,
     /// In characters, counted from 1.
     pub column: usize,
-    /// What is wrong there.
+    /// Description of the problem.
     pub problem: LexiconProblem,
 }
 
-/// What may be wrong in a lexicon.
+/// Problem in a lexicon.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LexiconProblem {
     /// An entry has no equals sign.
     #[error("expected `word = respelling` or `word = /IPA/`")]
     NoEquals,
-    /// Nothing stands before the equals sign, or more than one word.
+    /// No word, or more than one, before the equals sign.
     #[error("expected one word before `=`")]
     NoWord,
-    /// Nothing that can be said stands after the equals sign.
+    /// Nothing that can be spoken after the equals sign.
     #[error("expected a respelling or /IPA/ after `=`")]
     NothingSaid,
     /// The second slash of an IPA entry is missing.
@@ -151,14 +151,14 @@ impl Lexicon {
         Ok(lexicon)
     }
 
-    /// Whether it has no entry, as the default one.
+    /// Returns true if it has no entry, like the default one.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// The entry of `word`, exactly so or else in small letters; one for the language's
-    /// primary subtag goes before one for every language.
+    /// Returns the entry of `word`, in its exact form or else in lower case; one for the language's
+    /// primary subtag takes precedence over one for every language.
     pub(super) fn get(&self, word: &str, language: &str) -> Option<&Entry> {
         if self.is_empty() {
             return None;

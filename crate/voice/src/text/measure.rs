@@ -7,9 +7,9 @@ use super::language::Language;
 pub(super) struct Unit {
     sign: &'static str,
     names: [[&'static str; 2]; 3],
-    /// Which of German and Portuguese have it feminine.
+    /// True for feminine gender, in German and Portuguese.
     feminine: [bool; 2],
-    /// May stand as a word of its own after a number; others are other words too.
+    /// True if it may be a separate word after a number; others are other words too.
     apart: bool,
 }
 
@@ -434,8 +434,8 @@ const UNITS: &[Unit] = &[
     ),
 ];
 
-/// The unit that `text` is the sign of, as a word after a number. `measured` tells that the
-/// text is marked as a measure, so that even "in" is one.
+/// Returns the unit whose sign is `text`, as a word after a number. `measured` is true if the text
+/// is marked as a measure, so that even "in" counts.
 pub(super) fn apart(text: &str, measured: bool) -> Option<&'static Unit> {
     UNITS
         .iter()

@@ -37,7 +37,7 @@ use word::Word;
 
 /// The most characters of one token; longer ones are cut.
 pub const TOKEN_CHARS: usize = 40;
-/// The most tokens that one written word gives.
+/// Maximum number of tokens from one written word.
 pub const WORD_TOKENS: usize = 300;
 
 /// The order of a date's parts: day, month and year.
@@ -57,7 +57,7 @@ pub enum Order {
     Md,
 }
 
-/// How marked text is to be said: the modes of SABLE's SAYAS element (GEVH D.4.12).
+/// Text type of marked text: the modes of SABLE's SAYAS element (GEVH D.4.12).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SayAs {
     /// Letters, digits and signs by their names.
@@ -70,8 +70,8 @@ pub enum SayAs {
     Phone,
     /// An address of the net.
     Net {
-        /// An e-mail address, in which every part is said even where it has no dot; else a
-        /// URL.
+        /// True for an e-mail address, in which every part is spoken even without a dot; false for
+        /// a URL.
         email: bool,
     },
     /// A postal address: codes digit by digit, house numbers whole, streets written out.
@@ -92,19 +92,19 @@ pub enum SayAs {
     Name,
 }
 
-/// A word that is spoken.
+/// Spoken word.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Token {
     /// Letters, apostrophes and hyphens only, at most [`TOKEN_CHARS`]; capitals as written.
     /// In a language that is not read here, the word as it was written.
     pub text: String,
-    /// What of `,.;:!?` stands after it; mostly nothing.
+    /// Characters of `,.;:!?` after it; usually empty.
     pub punctuation: String,
-    /// How it sounds in the International Phonetic Alphabet, where the lexicon says so.
+    /// Pronunciation in the International Phonetic Alphabet, from the lexicon.
     pub ipa: Option<String>,
 }
 
-/// The tokens that each of the `written` words is spoken as.
+/// Returns the spoken tokens of each of the `written` words.
 ///
 /// `written` are the words of a sentence or a few, parted at white space, with their
 /// punctuation. `language` is a BCP 47 tag, whose primary subtag decides; of English, dates
@@ -173,8 +173,8 @@ pub fn speakable(
     spoken
 }
 
-/// Puts the punctuation of the word at `at` after its last token, or after the `latest`
-/// before it. `dot` tells that a full stop is punctuation.
+/// Attaches the punctuation of the word at `at` to its last token, or to the `latest` before it.
+/// `dot` is true if a full stop is punctuation.
 fn punctuate(
     word: &Word<'_>,
     spoken: &mut [Vec<Token>],
@@ -210,8 +210,8 @@ fn punctuate(
     }
 }
 
-/// What the lexicon says of a word: with all its signs, without those around it, or with
-/// the full stop of an abbreviation.
+/// Looks up a word in the lexicon: with all its signs, without those around it, or with the full
+/// stop of an abbreviation.
 fn from_lexicon(
     word: &Word<'_>,
     language: &str,

@@ -85,8 +85,8 @@ const CURRENCIES: &[Currency] = &[
         feminine: false,
     },
 ];
-/// Words of magnitude that stand between an amount and its currency, with their value's
-/// reading one and more where they are abbreviated.
+/// Words of magnitude between an amount and its currency, with the readings for one and for more if
+/// abbreviated.
 const MAGNITUDES: [&[(&str, [&str; 2])]; 3] = [
     &[
         ("thousand", ["thousand"; 2]),
@@ -120,8 +120,8 @@ pub(super) fn currency(text: &str) -> Option<&'static Currency> {
         .find(|currency| currency.signs.contains(&text))
 }
 
-/// Parts `text` in a currency and the rest, the sign standing before or after; a minus may
-/// stand before the sign.
+/// Splits `text` into a currency and the rest, with the sign before or after; a minus may precede
+/// the sign.
 pub(super) fn split_currency(text: &str) -> Option<(&'static Currency, String)> {
     let (minus, body) = match text.strip_prefix(super::number::is_minus) {
         Some(body) => ("-", body),
@@ -152,7 +152,7 @@ pub(super) fn suffixed(text: &str, language: Language) -> Option<(&str, &'static
     (language == Language::English).then_some((amount, magnitude))
 }
 
-/// How a magnitude is read after `number`.
+/// Returns the reading of a magnitude after `number`.
 pub(super) fn magnitude(word: &str, number: &Number, language: Language) -> Option<&'static str> {
     let row = MAGNITUDES[language as usize]
         .iter()

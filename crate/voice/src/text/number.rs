@@ -6,7 +6,7 @@ use super::language::Language;
 /// A number written with digits.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Number {
-    /// A minus stands before it.
+    /// True if a minus precedes it.
     pub(super) negative: bool,
     /// ASCII digits before the decimal sign, without grouping; may be empty (".5").
     pub(super) whole: String,
@@ -19,7 +19,7 @@ pub(super) struct Number {
 /// More digits than this are read one by one (10^18 has no name in the tables).
 const NAMED_DIGITS: usize = 18;
 
-/// A minus sign or the hyphen that stands for it.
+/// Returns true for a minus sign or a hyphen in its place.
 pub(super) fn is_minus(c: char) -> bool {
     matches!(c, '-' | '\u{2212}')
 }
@@ -97,7 +97,7 @@ impl Number {
         self.whole.parse().ok()
     }
 
-    /// Whether a noun after it stands in the singular: exactly one.
+    /// Returns true if a following noun is singular: exactly one.
     pub(super) fn is_one(&self) -> bool {
         self.decimals.is_none() && self.whole.trim_start_matches('0') == "1"
     }

@@ -31,7 +31,7 @@ fn english_suffix(n: u64) -> &'static str {
 }
 
 impl Reader<'_> {
-    /// A number written as an ordinal, a day beside a month, or a decade.
+    /// Reads a number written as an ordinal, a day next to a month, or a decade.
     pub(super) fn ordinal(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let (n, rest) = digits_and_rest(&word.core)?;
         // "19th-century", "1980er-Jahre": the ordinal alone, then the rest.

@@ -151,7 +151,7 @@ fn below_thousand(n: u64, form: Form) -> String {
     parts.join(" e ")
 }
 
-/// An ordinal's words in the masculine; none for zero.
+/// Returns an ordinal's words in the masculine; empty for zero.
 fn ordinal_words(n: u64) -> Vec<&'static str> {
     let powers = [
         (1_000_000_000_000, "bilionésimo"),

@@ -6,7 +6,7 @@ use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};
 use raconteur_base::text::capitals::{self, CapitalContext};
 
-/// What words are read as: one phrase for each word that is taken, which may be empty.
+/// Reading of words: one phrase for each word consumed, which may be empty.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Reading {
     pub(super) spoken: Vec<String>,
@@ -28,14 +28,14 @@ impl Reading {
         }
     }
 
-    /// The same with its full stop taken for the word's own.
+    /// Marks its full stop as part of the word.
     pub(super) fn owning_stop(mut self, ends: bool) -> Self {
         self.ends = ends;
         self
     }
 }
 
-/// What something is counted by [English, German, Portuguese].
+/// Phrase for "per item" in [English, German, Portuguese].
 const EACH: [&str; 3] = [
     "second minute hour day night week month year person head child kilometre kilo litre",
     "sekunde minute stunde tag nacht woche monat jahr person kopf kind kilometer kilo liter",
@@ -50,7 +50,7 @@ fn counted(word: &str) -> Option<u64> {
     roman::value(stem).filter(|_| stem.len() > 1)
 }
 
-/// Whether a Roman numeral before a word is an ordinal, in English.
+/// Returns true if a Roman numeral before a word is an ordinal, in English.
 fn is_counted(next: &str) -> bool {
     [
         "century",
@@ -79,8 +79,8 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// A reader of `words`; `tag` is the whole language tag, whose region tells the order
-    /// of English dates.
+    /// Creates a reader of `words`; `tag` is the whole language tag, whose region determines the
+    /// order of English dates.
     pub(super) fn new(
         words: &'a [Word<'a>],
         language: Language,
@@ -97,7 +97,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The word before, where nothing parts the two.
+    /// Returns the preceding word, if nothing separates the two.
     pub(super) fn previous(&self, at: usize) -> &str {
         match at.checked_sub(1).and_then(|before| self.words.get(before)) {
             Some(word) if !word.closes && matches!(word.end.as_str(), "" | ".") => &word.core,
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The word after, where nothing parts the two.
+    /// Returns the following word, if nothing separates the two.
     pub(super) fn next(&self, at: usize) -> &str {
         match (self.words.get(at), self.words.get(at + 1)) {
             (Some(word), Some(next)) if word.end.is_empty() && !word.closes && !next.opens => {
@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
         Reading::one(self.runs(core, false))
     }
 
-    /// How many of something in a time or for each of some: "litres/day" after a number.
+    /// Reads a rate per time or per unit: "litres/day" after a number.
     fn rate(&self, at: usize, core: &str) -> Option<Reading> {
         let (counted, each) = core.split_once('/')?;
         let is_rate = self.previous(at).starts_with(|c: char| c.is_ascii_digit())
@@ -269,9 +269,9 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    /// Letters as a word, or by their names where they are an acronym; `around` tells of the
-    /// words beside it. Capitals that are a word are handed on in small letters: some engines
-    /// spell the others by rules of their own.
+    /// Returns letters as a word, or their names for an acronym; `around` describes the
+    /// neighbouring words. Capitals that form a word are converted to lower case: some engines
+    /// spell others by their own rules.
     pub(super) fn letters(&self, word: &str, around: CapitalContext) -> String {
         const HYPHENS: [char; 3] = ['-', '\u{2010}', '\u{2011}'];
         let parts: Vec<&str> = word.split(HYPHENS).collect();
@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
         word.to_owned()
     }
 
-    /// A sign that is a word of its own.
+    /// Reads a sign that is a separate word.
     fn lone_sign(&self, at: usize, core: &str) -> Option<Reading> {
         let next = self.next(at);
         if let Some(currency) = money::currency(core) {
@@ -350,7 +350,7 @@ impl<'a> Reader<'a> {
         Some(Reading::one(said))
     }
 
-    /// Whether the word at `at` is the half of a day of the hour before it.
+    /// Returns the half of the day if the word at `at` is that of the preceding hour.
     pub(super) fn half_after(&self, at: usize) -> Option<time::Half> {
         time::half(self.next(at))
     }

@@ -108,7 +108,7 @@ impl Reader<'_> {
         }
     }
 
-    /// How a sign is said between two characters; nothing when it is silent.
+    /// Returns the spoken form of a sign between two characters; `None` if it is silent.
     fn sign_between(&self, c: char, before: char, next: char, math: bool) -> Option<&'static str> {
         let language = self.language;
         let digits = before.is_ascii_digit() && next.is_ascii_digit();
@@ -155,7 +155,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether `c` parts words, as a dash or nothing does.
+/// Returns true if `c` separates words, such as a dash.
 fn is_break(c: char) -> bool {
     matches!(
         c,
@@ -163,8 +163,8 @@ fn is_break(c: char) -> bool {
     )
 }
 
-/// How far a number reaches from the start of `text`: over grouping and decimal signs where
-/// the whole is then a number, else over its digits.
+/// Returns the length of a number at the start of `text`: including grouping and decimal signs if
+/// the whole is then a number, otherwise only its digits.
 fn number_run(text: &str, language: Language) -> usize {
     let digits = run(text, |c| c.is_ascii_digit());
     let signed = run(text, |c| c.is_ascii_digit() || matches!(c, '.' | ','));

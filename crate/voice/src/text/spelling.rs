@@ -162,7 +162,7 @@ const MARKS: &[(char, [&str; 3])] = &[
     ('\u{30c}', ["caron", "Hatschek", "caron"]),
     ('\u{327}', ["cedilla", "Cedille", "cedilha"]),
 ];
-/// Top-level domains by which a name with dots is taken for an address.
+/// Top-level domains by which a name with dots is recognised as an address.
 const DOMAINS: &[&str] = &[
     "com", "org", "net", "edu", "gov", "info", "io", "de", "pt", "uk", "eu", "at", "ch", "br",
     "fr", "es", "us",
@@ -176,7 +176,7 @@ pub(super) fn sign(c: char, language: Language) -> Option<&'static str> {
         .map(|(_, names)| language.pick(*names))
 }
 
-/// One character by its name; nothing for what has none (space, emoji).
+/// Returns the name of a character; `None` if it has none (space, emoji).
 pub(super) fn character(c: char, language: Language) -> Option<String> {
     if let Some(digit) = c.to_digit(10) {
         return Some(language.grammar().cardinal(u64::from(digit), Form::Alone));
@@ -222,8 +222,7 @@ pub(super) fn literal(text: &str, language: Language) -> String {
     names.join(" ")
 }
 
-/// A telephone number: digits one by one, in the groups that are written; a long group is
-/// parted in threes.
+/// Reads a telephone number: single digits, in the written groups; a long group is split in threes.
 pub(super) fn phone(text: &str, language: Language) -> String {
     let mut groups: Vec<String> = Vec::new();
     for run in text
@@ -248,7 +247,7 @@ pub(super) fn phone(text: &str, language: Language) -> String {
     }
 }
 
-/// Whether `text` looks like an e-mail address or a URL.
+/// Returns true if `text` looks like an e-mail address or a URL.
 pub(super) fn is_net(text: &str) -> bool {
     if text.contains("://") || text.starts_with("www.") {
         return true;
@@ -269,7 +268,7 @@ pub(super) fn is_net(text: &str) -> bool {
     }
 }
 
-/// An e-mail address or URL, without the scheme, which is not spoken.
+/// Reads an e-mail address or URL, without the scheme, which is not spoken.
 pub(super) fn net(text: &str, language: Language) -> String {
     let text = text.split_once("://").map_or(text, |(_, rest)| rest);
     let text = text

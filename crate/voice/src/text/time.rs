@@ -36,8 +36,8 @@ fn part(text: &str, widths: std::ops::RangeInclusive<usize>, most: u64) -> Optio
     text.parse().ok().filter(|&n| n <= most)
 }
 
-/// Reads `text` as a time whose parts stand at `sign`; an hour alone only with its half of
-/// the day. `sign` is `:`; other signs where the context allows them.
+/// Parses `text` as a time with parts separated by `sign`; an hour alone only with its half of the
+/// day. `sign` is `:`; other signs where the context allows them.
 pub(super) fn parse(text: &str, sign: char) -> Option<Clock> {
     let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '.');
     let suffix = text.get(digits.len()..).unwrap_or_default();

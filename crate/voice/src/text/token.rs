@@ -4,7 +4,7 @@ use super::word::{is_joiner, is_letter};
 use super::{TOKEN_CHARS, Token, WORD_TOKENS};
 
 impl Token {
-    /// A token without punctuation; nothing when `text` has no letter.
+    /// Creates a token without punctuation; `None` if `text` has no letter.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let kept: String = text
             .chars()
@@ -47,8 +47,8 @@ pub(super) fn tokens(phrase: &str) -> Vec<Token> {
     tokens
 }
 
-/// A word as it is, for languages that are not read here: without the punctuation around
-/// it, cut when it is too long, whatever characters it has.
+/// Returns a word unchanged, for unsupported languages: without the punctuation around it, split if
+/// it is too long, with any characters.
 pub(super) fn untouched(core: &str) -> Vec<Token> {
     let kept: Vec<char> = core
         .chars()

@@ -4,8 +4,8 @@ use raconteur_voice::content::Content;
 use raconteur_voice::plan::plan;
 use raconteur_voice::text::Lexicon;
 
-/// A text as a lexicon: it is refused at a place that is there, or what it says of words can be
-/// spoken. The text itself is what is spoken, so that its words are met.
+/// Checks a text as a lexicon: it is rejected at an existing position, or its pronunciations can be
+/// spoken. The text itself is spoken, so that its words occur.
 pub(crate) fn lexicon(text: &str) {
     let lexicon = match Lexicon::parse(text) {
         Ok(lexicon) => lexicon,

@@ -24,7 +24,7 @@ pub(crate) const FORMATS: [(&str, Format); 15] = [
     ("word_times", Format::WordTimes),
 ];
 
-/// What a folder holds besides its listed content, in the order of names.
+/// Returns the files of a folder except its `.told` listings, sorted by name.
 pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap();
     let mut paths: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();

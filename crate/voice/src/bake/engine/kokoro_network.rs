@@ -44,15 +44,15 @@ const ESPEAK: Program = Program {
 /// Numbers of a style.
 const STYLE: usize = 256;
 
-/// The folder where Kokoro may lie.
+/// Folder that may contain Kokoro.
 static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 
-/// Looks for Kokoro in this folder; the first that is named counts.
+/// Registers a folder to search for Kokoro; the first one registered is used.
 pub fn add_folder(folder: PathBuf) {
     FOLDER.get_or_init(|| folder);
 }
 
-/// Letters of a word; some words have other ones for a part of speech, and at the end of a phrase
+/// Letters of a word, with variants for some words by part of speech, and at the end of a phrase
 /// (`None`).
 #[derive(Deserialize)]
 #[serde(untagged)]
@@ -63,7 +63,7 @@ enum Entry {
 
 type Dictionary = HashMap<String, Option<Entry>>;
 
-/// What is read when something is spoken.
+/// Data loaded for synthesis.
 struct Speaker {
     tokens: HashMap<char, i64>,
     dictionaries: Vec<Dictionary>,
@@ -75,13 +75,13 @@ struct Speaker {
 pub(super) struct Installed {
     speaker: OnceLock<Speaker>,
     opening: Mutex<()>,
-    /// Of each voice a style for so many tokens.
+    /// Styles of each voice, by number of tokens.
     styles: Mutex<HashMap<String, Arc<[f32]>>>,
     /// Those that are not at work.
     sessions: Mutex<Vec<Session>>,
 }
 
-/// Where it lies, whole.
+/// Returns the folder of a complete installation.
 fn folder() -> Result<&'static Path> {
     let folder = FOLDER.get().filter(|folder| {
         let parts = [VOICES, MODEL, RUNTIME];
@@ -101,7 +101,7 @@ fn json<T: DeserializeOwned>(name: &str) -> Result<T> {
     serde_json::from_slice(&bytes).with_context(|| format!("reading {}", path.display()))
 }
 
-/// Its errors hold what threads do not share.
+/// Converts an error that is not `Sync`.
 fn sync_error(error: impl core::fmt::Display) -> anyhow::Error {
     anyhow!("ONNX Runtime: {error}")
 }

@@ -10,7 +10,7 @@ use raconteur_speech::bundle::SILENCE;
 /// Phones shorter than this are no phones, seconds. *Designed*: no glottal pulse fits.
 const MIN_SECS: f64 = 0.0005;
 
-/// One phone as an engine tells of it.
+/// Phone as reported by an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Phone {
     /// As the engine calls it; empty is silence.
@@ -19,18 +19,18 @@ pub(super) struct Phone {
     pub(super) end_secs: f64,
     /// Index of its token.
     pub(super) token: Option<usize>,
-    /// Which syllable of [`Labels::syllables`] it is in.
+    /// Index of its syllable in [`Labels::syllables`].
     pub(super) syllable: Option<usize>,
 }
 
-/// A sentence as an engine tells of it.
+/// Sentence as reported by an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Labels {
     /// In order.
     pub(super) phones: Vec<Phone>,
     /// Stress (0 none, 1 primary, 2 secondary) and pitch accent, in order.
     pub(super) syllables: Vec<(u8, String)>,
-    /// As [`Spoken::breaks`].
+    /// Phrase breaks, as in [`Spoken::breaks`].
     pub(super) breaks: Vec<(usize, String)>,
 }
 
@@ -42,7 +42,7 @@ pub(super) fn is_silence(symbol: &str) -> bool {
     )
 }
 
-/// Silence instead of a sentence in which there is nothing to say.
+/// Returns silence for a sentence with nothing to speak.
 pub(super) fn nothing(rate_hz: f64, phone_set: &str) -> Spoken {
     let secs = 0.1;
     Spoken {
@@ -58,9 +58,8 @@ pub(super) fn nothing(rate_hz: f64, phone_set: &str) -> Spoken {
     }
 }
 
-/// Puts sound and phones together. Boundaries move `lag_secs` later, to where they are
-/// heard. A sound that goes on after the last phone ends in silence; phones after the end
-/// of the sound are cut off.
+/// Combines audio and phones. Boundaries move `lag_secs` later, to their audible position. Audio
+/// after the last phone ends in silence; phones after the end of the audio are cut off.
 ///
 /// # Errors
 /// When times are not finite or run backwards, when there is no sound, or when phones go on
@@ -137,8 +136,7 @@ pub(super) fn finish(
     Ok(spoken)
 }
 
-/// The last segment ends with the sound: a rest of silence is added where something is
-/// heard before it.
+/// Extends the last segment to the end of the audio: silence is appended after an audible one.
 fn close(spoken: &mut Spoken, sound_secs: f64) {
     let end_secs = spoken.segments.last().map_or(0.0, |s| s.end_secs);
     match spoken.segments.last_mut() {
@@ -161,8 +159,8 @@ fn silence(spoken: &mut Spoken, end_secs: f64) {
     }
 }
 
-/// The token of every phone: a phone of which the engine does not tell belongs to the one
-/// before it, at the start to the first.
+/// Returns the token of every phone: a phone without a token belongs to that of the preceding
+/// phone, at the start to the first.
 fn owners(phones: &[Phone]) -> Vec<usize> {
     let mut token = phones.iter().find_map(|p| p.token).unwrap_or(0);
     phones

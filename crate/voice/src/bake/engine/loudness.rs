@@ -20,11 +20,11 @@ use spread::{Pause, Words};
 /// Time between levels, and the window of each, seconds.
 const STEP_SECS: f64 = 0.01;
 const WINDOW_SECS: f64 = 0.032;
-/// A recording below this has nothing in it, decibels.
+/// Level below which a recording counts as empty, decibels.
 const NOTHING_DB: f64 = -60.0;
-/// How far under the loudest speech still is speech, decibels.
+/// Range below the loudest speech that still counts as speech, decibels.
 const RANGE_DB: f64 = 30.0;
-/// How far over the noise of the room speech is, decibels.
+/// Level of speech above the room noise, decibels.
 const OVER_NOISE_DB: f64 = 8.0;
 /// Quiet shorter than this is within speech (the closure of a p), seconds.
 const MIN_QUIET_SECS: f64 = 0.12;
@@ -32,17 +32,17 @@ const MIN_QUIET_SECS: f64 = 0.12;
 const MIN_SOUND_SECS: f64 = 0.05;
 /// Least fall and rise between two syllables, decibels.
 const DIP_DB: f64 = 3.0;
-/// How far under a syllable's peak its vowel reaches, decibels.
+/// Level below a syllable's peak to which its vowel extends, decibels.
 const VOWEL_DB: f64 = 4.0;
 /// Quiet that ends a phrase, seconds.
 const PHRASE_SECS: f64 = 0.15;
-/// An accent is at most so far under the loudest, decibels.
+/// Maximum level of an accent below the loudest, decibels.
 const ACCENT_DB: f64 = 6.0;
-/// A word begins where a phone does, if that is as near, seconds.
+/// Distance within which the start of a word snaps to that of a phone, seconds.
 const NEAR_SECS: f64 = 0.05;
 /// Between vowels.
 const NARROW: &str = "ax";
-/// Vowels by how far under the loudest they are at most, decibels.
+/// Vowels by their maximum level below the loudest, decibels.
 const VOWELS: [(f64, &str); 3] = [(4.0, "aa"), (9.0, "ah"), (f64::INFINITY, NARROW)];
 
 /// A syllable: frames from its begin to its end, and its peak.
@@ -53,7 +53,7 @@ struct Peak {
     db: f64,
 }
 
-/// Sound with times by its loudness; `tokens` are what is said in it.
+/// Aligns audio by its loudness; `tokens` are the words spoken in it.
 ///
 /// # Errors
 /// When nothing is heard.
@@ -114,7 +114,7 @@ fn phone(symbol: &str, end_secs: f64, syllable: Option<usize>) -> Phone {
     }
 }
 
-/// Where something is heard: frames from begin to end.
+/// Returns the audible stretches, as frames from start to end.
 fn stretches(level: &Intensity, least_db: f64) -> Vec<(usize, usize)> {
     let mut out: Vec<(usize, usize)> = Vec::new();
     for (i, _) in level
@@ -132,7 +132,7 @@ fn stretches(level: &Intensity, least_db: f64) -> Vec<(usize, usize)> {
     out
 }
 
-/// The syllables of a stretch: each begins in the dip before its peak.
+/// Returns the syllables of a stretch: each starts in the dip before its peak.
 fn peaks(level: &Intensity, begin: usize, end: usize) -> Vec<Peak> {
     let mut out = Vec::new();
     let mut open = Peak {
@@ -181,8 +181,8 @@ fn syllable(level: &Intensity, peak: Peak, loud: f64, labels: &mut Labels) {
     }
 }
 
-/// Gives the tokens their shares of what is heard, by their letters, and ends phrases where it is
-/// quiet for long.
+/// Divides the audible stretches among the tokens by their letters, and ends phrases at long
+/// silences.
 fn share(labels: &mut Labels, tokens: &[SpokenUnit<'_>]) {
     let phones = core::mem::take(&mut labels.phones);
     // Where phones end if all quiet is left out.
@@ -231,8 +231,9 @@ fn share(labels: &mut Labels, tokens: &[SpokenUnit<'_>]) {
     labels.breaks.dedup_by_key(|b| b.0);
 }
 
-/// Where all tokens but the last end in what is heard: at the pause that is theirs; else by their
-/// letters, but at a pause rather than to be torn by it, and with a phone where one ends near.
+/// Returns the ends of all tokens but the last in audible time: at their own pause; otherwise by
+/// their letters, moved to a pause that would split the token, and to the end of a phone if one is
+/// near.
 fn token_ends(tokens: &[SpokenUnit<'_>], heard: &[f64], pauses: &[Pause]) -> Vec<f64> {
     let words = Words::from_units(tokens);
     let total = heard.last().copied().unwrap_or(0.0);
@@ -261,7 +262,7 @@ fn token_ends(tokens: &[SpokenUnit<'_>], heard: &[f64], pauses: &[Pause]) -> Vec
     ends
 }
 
-/// The nearest of `times`, which are in order, that is at most so far before or after.
+/// Returns the nearest of the sorted `times` within the given distances before or after.
 fn nearest(times: &[f64], at: f64, before: f64, after: f64) -> Option<f64> {
     let next = times.partition_point(|t| *t < at);
     let last = next.checked_sub(1).and_then(|i| times.get(i));

@@ -85,7 +85,7 @@ impl Engine for Mary {
     }
 }
 
-/// Is this `host:port`, and nothing that could be more than that in a request?
+/// Returns true if this is `host:port` and nothing that could be more than that in a request.
 fn is_address(address: &str) -> bool {
     address.rsplit_once(':').is_some_and(|(host, port)| {
         !host.is_empty()
@@ -96,7 +96,7 @@ fn is_address(address: &str) -> bool {
     })
 }
 
-/// Reads a line such as `cmu-slt-hsmm en_US female hmm`.
+/// Parses a line such as `cmu-slt-hsmm en_US female hmm`.
 fn voice(line: &str) -> Option<VoiceInfo> {
     let mut fields = line.split_whitespace();
     let (name, locale, gender) = (fields.next()?, fields.next()?, fields.next()?);
@@ -119,7 +119,7 @@ fn voice(line: &str) -> Option<VoiceInfo> {
     })
 }
 
-/// RawMaryXML of a sentence; `None` where there is nothing to say.
+/// Returns the RawMaryXML of a sentence; `None` if there is nothing to speak.
 fn document(sentence: &Sentence, language: &str) -> Result<Option<String>> {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<maryxml version=\"0.5\" xmlns=\"http://mary.dfki.de/2002/MaryXML\" xml:lang=\"{}\"><p><s>",
@@ -162,7 +162,7 @@ fn document(sentence: &Sentence, language: &str) -> Result<Option<String>> {
     Ok(said.then_some(out))
 }
 
-/// A text in XML, without what XML cannot hold.
+/// Escapes a text for XML, without characters that XML cannot contain.
 fn escaped(text: &str) -> String {
     let held: String = text
         .chars()

@@ -8,9 +8,9 @@ const MAX_PAIRS: usize = 16_000_000;
 /// Cost of a phone that only one sequence has; twice that is more than two that differ.
 const GAP: u32 = 3;
 
-/// Which of `known` each of `heard` is, by the cheapest alignment (Needleman and Wunsch
-/// 1970, doi:10.1016/0022-2836(70)90057-4). `cost` of a pair is 0 where both are the same
-/// and at most 5; pairs cost no more than leaving both out.
+/// Matches each of `heard` with one of `known`, by the cheapest alignment (Needleman and Wunsch
+/// 1970, doi:10.1016/0022-2836(70)90057-4). `cost` of a pair is 0 if both are equal and at most 5;
+/// a pair costs no more than omitting both.
 ///
 /// # Errors
 /// When both are so long that it would take more than some 16 MB.

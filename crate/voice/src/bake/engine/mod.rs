@@ -62,24 +62,24 @@ pub struct VoiceInfo {
     pub name: String,
     /// BCP 47 tag.
     pub language: String,
-    /// Where the engine tells.
+    /// Sex, if the engine specifies it.
     pub gender: Option<Gender>,
     /// One of [`raconteur_speech::phones::PHONE_SETS`].
     pub phone_set: String,
-    /// Samples a second; 0 where it is only known once the voice has spoken.
+    /// Sample rate in hertz; 0 if it is unknown before the first synthesis.
     pub rate_hz: f64,
-    /// How it is made, in a few words.
+    /// Short description of the synthesis method.
     pub what: String,
 }
 
-/// What of a recording is not as its maker meant it.
+/// Remark about a recording that differs from the intended one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// What kind, for machines: `phones-unknown` and so on; see `docs/voices.md`.
+    /// Code for programs: `phones-unknown` and so on; see `docs/voices.md`.
     pub code: &'static str,
-    /// Which recording, and what of it.
+    /// Recording and the problem with it.
     pub message: String,
-    /// What to do about it.
+    /// Suggested fix.
     pub hint: &'static str,
 }
 
@@ -88,11 +88,11 @@ pub struct Remark {
 pub struct Recorded {
     /// Its sound and times.
     pub spoken: Spoken,
-    /// What of it was repaired or guessed.
+    /// Repairs and guesses.
     pub remarks: Vec<Remark>,
 }
 
-/// Speaks.
+/// Speech synthesis engine.
 pub trait Engine: Sync {
     /// Its name and version, for example `festival 2.5.0`.
     ///
@@ -100,30 +100,31 @@ pub trait Engine: Sync {
     /// When it is not installed; the message says what to install.
     fn version(&self) -> Result<String>;
 
-    /// What it can speak with.
+    /// Returns the available voices.
     ///
     /// # Errors
     /// As [`Engine::version`].
     fn voices(&self) -> Result<Vec<VoiceInfo>>;
 
-    /// Speaks the sentences of one utterance: one [`Spoken`] for each. The same sentences
-    /// become the same sound, whatever other voices speak at the same time.
+    /// Speaks the sentences of one utterance: one [`Spoken`] for each. The same sentences give the
+    /// same audio, whatever other voices are active concurrently.
     ///
     /// # Errors
     /// When the engine or the voice is not installed, or when what comes back makes no sense.
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
 
-    /// Whether it speaks at the pace of a sentence by itself; else the baker changes its sound.
+    /// Returns true if the engine applies the speech rate of a sentence itself; otherwise the baker
+    /// changes the audio.
     fn keeps_pace(&self) -> bool {
         false
     }
 
-    /// How much of what an emotion does to a voice is done to its sound, 0 to 1.
+    /// Returns the share of an emotion's vocal effect applied to the audio, 0 to 1.
     fn feeling(&self) -> f64 {
         1.0
     }
 
-    /// A voice of this name, whether or not [`Engine::voices`] lists it.
+    /// Returns the voice of this name, including one that [`Engine::voices`] does not list.
     ///
     /// # Errors
     /// As [`Engine::version`].
@@ -131,9 +132,9 @@ pub trait Engine: Sync {
         Ok(self.voices()?.into_iter().find(|v| v.name == name))
     }
 
-    /// The recording of a whole utterance, for engines that do not speak: of its key or of
-    /// its place in the story, from 0. What comes back counts the tokens of all sentences in
-    /// order. `None` when there is no recording.
+    /// Returns the recording of a whole utterance, for engines that do not speak, by its key or its
+    /// position in the story, from 0. The result counts the tokens of all sentences in order.
+    /// `None` if there is no recording.
     ///
     /// # Errors
     /// When there is a recording that cannot be read, or that is of other words.
@@ -142,8 +143,8 @@ pub trait Engine: Sync {
         Ok(None)
     }
 
-    /// What [`Engine::recorded`] of an utterance depends on besides the utterance, in a few
-    /// letters; empty for engines that speak.
+    /// Returns a short text that identifies everything else on which [`Engine::recorded`] depends;
+    /// empty for engines that speak.
     ///
     /// # Errors
     /// When a recording cannot be read.
@@ -153,15 +154,15 @@ pub trait Engine: Sync {
     }
 }
 
-/// An engine cannot speak yet and has begun to get ready: ask again.
+/// Error of an engine that is still loading: try again later.
 #[derive(Clone, Copy, Debug, thiserror::Error)]
 #[error("the voice is not ready yet")]
 pub struct Pending;
 
-/// What some engines need to know.
+/// Options used by some engines.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct EngineOptions {
-    /// Address of a MARY server, `host:port`; empty where there is none.
+    /// Address of a MARY server, `host:port`; empty if there is none.
     pub server: String,
     /// Folder of recordings.
     pub recordings: Option<PathBuf>,
@@ -176,7 +177,7 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
     Ok((wave.samples, wave.rate_hz))
 }
 
-/// An engine that runs on this machine: its name, and its voices or what it lacks.
+/// Engine on this machine: its name, and its voices or the missing programs.
 type Local = (&'static str, Result<Vec<VoiceInfo>, MissingPrograms>);
 
 /// The engines that run on this machine, in the order in which they are preferred. They are queried
@@ -195,7 +196,7 @@ pub fn local() -> &'static [Local] {
     })
 }
 
-/// What to do about a voice that no engine has.
+/// Returns a hint for a voice that no engine has.
 pub fn voice_hint(name: &str) -> String {
     if let Some((engine, _)) = name.split_once(':')
         && !ENGINES.contains(&engine)
@@ -218,9 +219,9 @@ pub fn hint_among(name: &str, known: &[&str]) -> String {
     }
 }
 
-/// The engine that has a voice of this name, and the name that the engine knows it by.
-/// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
-/// asked, in the order of [`ENGINES`]; `None` when none has it.
+/// Returns the engine with a voice of this name, and the engine's name for the voice.
+/// `ENGINE:VOICE` names both. Otherwise the engines installed on this machine are queried, in the
+/// order of [`ENGINES`]; `None` if none has the voice.
 pub fn find_voice(name: &str) -> Option<(String, String)> {
     if let Some((engine, voice)) = name.split_once(':') {
         let engine = ENGINES.into_iter().find(|e| *e == engine)?;

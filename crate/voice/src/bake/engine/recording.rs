@@ -12,12 +12,12 @@ use super::loudness::{self, SpokenUnit};
 use super::{Engine, Recorded, Remark, VoiceInfo, aligned, wave};
 use crate::files::{input, inside};
 
-/// What an alignment's name ends in, the most telling first.
+/// File name endings of alignments, most informative first.
 const ENDINGS: [&str; 10] = [
     "TextGrid", "utt", "xml", "lab", "pho", "eaf", "json", "tsv", "vtt", "srt",
 ];
 
-/// The phone set of recordings whose alignment does not tell.
+/// Phone set of recordings whose alignment does not specify one.
 const PHONE_SET: &str = "radio";
 
 /// A folder of recordings.
@@ -30,8 +30,8 @@ impl Recordings {
         Self { folder }
     }
 
-    /// The sound of an utterance: `KEY.wav` of sixteen hexadecimal digits, or its place
-    /// from 1 with or without a leading zero (`07.wav`, `7.wav`).
+    /// Returns the audio file of an utterance: `KEY.wav` with sixteen hexadecimal digits, or its
+    /// position from 1 with or without a leading zero (`07.wav`, `7.wav`).
     fn sound(&self, key: u64, place: usize) -> Result<Option<PathBuf>> {
         let number = place.saturating_add(1);
         let names = [
@@ -125,7 +125,7 @@ impl Engine for Recordings {
     }
 }
 
-/// What is to be told of a sound alone.
+/// Returns the remark about a sound without an alignment.
 fn by_loudness(sound: &Path) -> Remark {
     let name = sound.file_name().unwrap_or_default().to_string_lossy();
     Remark {
@@ -137,7 +137,7 @@ fn by_loudness(sound: &Path) -> Remark {
     }
 }
 
-/// What of an alignment, a file of this name, is to be told.
+/// Returns the remarks about an alignment file of this name.
 fn remarks(name: &str, alignment: &Alignment) -> Vec<Remark> {
     let mut remarks = Vec::new();
     let unknown = aligned::unknown_phones(alignment, PHONE_SET);
@@ -165,14 +165,14 @@ fn remarks(name: &str, alignment: &Alignment) -> Vec<Remark> {
     remarks
 }
 
-/// FNV-1a of 64 bits (draft-eastlake-fnv): tells whether a file has changed.
+/// Returns the 64-bit FNV-1a hash (draft-eastlake-fnv), used to detect changes of a file.
 fn digest(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| {
         (hash ^ u64::from(*b)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// The alignment beside a sound, if there is one: its name and content.
+/// Returns the name and content of the alignment next to a sound, if there is one.
 fn alignment_of(sound: &Path) -> Result<Option<(String, Vec<u8>)>> {
     for ending in ENDINGS {
         let name = sound.with_extension(ending);

@@ -21,7 +21,7 @@ pub const ENGINES: [&str; 6] = [
 /// Those that are programs or libraries of this machine, in the order in which they are preferred.
 pub(super) const LOCAL_ENGINES: [&str; 4] = ["kokoro", "festival", "flite", "espeak-ng"];
 
-/// What runs the engines that run in more than one place.
+/// Environment for the engines that support several.
 pub trait Machine {
     /// Runs kokoro.
     fn kokoro(&self) -> impl kokoro::Host + 'static;
@@ -31,7 +31,7 @@ pub trait Machine {
     fn espeak(&self) -> impl espeak::Host + 'static;
 }
 
-/// The engine of a name as a machine runs it; none for one that does not run in more than one place.
+/// Returns the named engine in an environment; `None` if it does not support several.
 pub fn hosted(name: &str, machine: &impl Machine) -> Option<Box<dyn Engine>> {
     Some(match name {
         "kokoro" => Box::new(kokoro::Kokoro(machine.kokoro())),

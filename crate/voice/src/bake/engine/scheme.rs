@@ -34,8 +34,8 @@ pub(super) fn literal(text: &str) -> String {
     out
 }
 
-/// A token's text in plain letters, as Festival's English reads it; empty where nothing of
-/// it can be said.
+/// Converts a token's text to plain letters for Festival's English; empty if nothing of it can be
+/// spoken.
 pub(super) fn plain(text: &str) -> String {
     let kept: String = deunicode::deunicode(text)
         .chars()
@@ -54,11 +54,10 @@ pub(super) fn wave_name(index: usize) -> String {
     format!("{index}.wav")
 }
 
-/// Sets up speaking. Tokens are given ready-made, with their number, so the engine's own
-/// tokeniser never sees the text. A token with a pause gets a phrase break after it.
-/// Stressed syllables of emphasised words get an accent, those of reduced ones lose theirs:
-/// voices with pitch targets look for the accent in the intonation's tree, HTS voices look
-/// at the flag.
+/// Prelude that sets up speech. Tokens are passed ready-made, with their number, so the engine's
+/// own tokeniser never sees the text. A token with a pause gets a phrase break after it. Stressed
+/// syllables of emphasised words get an accent, those of reduced ones lose theirs: voices with
+/// pitch targets read the accent from the intonation tree, HTS voices from the flag.
 const PRELUDE: &str = r#"
 (define (raconteur_breaks utt)
   (mapcar
@@ -124,7 +123,7 @@ const PRELUDE: &str = r#"
     (utt.save.wave utt file 'riff)))
 "#;
 
-/// Asks for every voice that is installed, and for its description.
+/// Lists every installed voice with its description.
 pub(super) const VOICES: &str = r#"
 (mapcar
   (lambda (v)
@@ -136,7 +135,7 @@ pub(super) const VOICES: &str = r#"
   (voice.list))
 "#;
 
-/// The whole script: loads the voice, speaks every sentence, writes its sound to
+/// Returns the whole script: it loads the voice, speaks every sentence, writes its audio to
 /// [`wave_name`], and its segments and phrases to standard output.
 ///
 /// # Errors
@@ -169,7 +168,7 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
     Ok(out)
 }
 
-/// A number in syllables, one a digit. What cannot be pronounced, flite would spell.
+/// Spells a number in syllables, one per digit. flite would spell out anything unpronounceable.
 pub(super) fn spelled(number: usize) -> String {
     const DIGITS: [&str; 10] = ["ba", "be", "bi", "bo", "bu", "da", "de", "di", "do", "du"];
     number
@@ -219,8 +218,8 @@ fn token_form(token: &Token, index: usize, name: &str, ends: Option<SentenceKind
 mod tests {
     use super::*;
 
-    /// A reader as strict as a script needs it: the strings of a text and the number of its
-    /// forms, or `None` when quotes or brackets do not match.
+    /// Parses a script strictly: returns the strings and the number of forms, or `None` if quotes
+    /// or brackets do not match.
     fn read(script: &str) -> Option<(Vec<String>, usize)> {
         let (mut strings, mut depth, mut forms) = (Vec::new(), 0_i32, 0);
         let mut chars = script.chars();

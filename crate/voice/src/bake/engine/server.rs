@@ -10,7 +10,7 @@ use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use raconteur_speech::bundle::SentenceKind;
 
-/// Where the server is asked.
+/// Environment that queries the server.
 pub trait Host: Send + Sync {
     /// The voices that the page's owner names, a list of [`Voice`] in JSON.
     ///
@@ -18,7 +18,7 @@ pub trait Host: Send + Sync {
     /// When the page does not tell.
     fn voices(&self) -> Result<String>;
 
-    /// What the server answers to a [`Request`] in JSON.
+    /// Returns the server's answer to a [`Request`] in JSON.
     ///
     /// # Errors
     /// [`super::Pending`] until it answers; when it does not.
@@ -35,8 +35,7 @@ pub struct Voice {
     pub language: String,
     /// `female` or `male`, where it is one.
     pub gender: Option<String>,
-    /// What its phones are of, where the times do not tell: one of
-    /// [`raconteur_speech::phones::PHONE_SETS`].
+    /// Phone set, if the times do not specify it: one of [`raconteur_speech::phones::PHONE_SETS`].
     pub phone_set: Option<String>,
 }
 
@@ -49,16 +48,16 @@ pub struct Request<'a> {
     pub language: &'a str,
     /// All words with their punctuation.
     pub text: String,
-    /// The words alone, in order; numbers and abbreviations are written out.
+    /// Words only, in order; numbers and abbreviations are written out.
     pub words: Vec<&'a str>,
 }
 
-/// What a server said.
+/// Answer of a server.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answer {
     /// A WAV.
     pub sound: Vec<u8>,
-    /// When words and phones are, in any format that [`detect`] knows.
+    /// Times of words and phones, in any format that [`detect`] recognises.
     pub times: String,
 }
 

@@ -40,9 +40,9 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     input::bytes(path, MAX_BYTES).context("the sound")
 }
 
-/// Reads a WAV of 8 to 32 bits, or of floating-point numbers of 32 or 64, of any rate, in whatever
-/// order its parts stand and whether or not it tells its length; channels become their mean. NaN
-/// is silence, and samples are clamped to 1.
+/// Decodes a WAV with 8 to 32 bits, or 32- or 64-bit floating-point samples, of any rate, with
+/// chunks in any order and with or without a length; channels are averaged. NaN is silence, and
+/// samples are clamped to 1.
 ///
 /// # Errors
 /// When it is no WAV, is compressed, is cut off, or has no channels or an impossible rate.
@@ -132,7 +132,7 @@ mod tests {
         }
     }
 
-    /// A WAV of these chunks, each with the length that it tells and what it holds.
+    /// Returns a WAV of these chunks, each with its declared length and contents.
     fn chunks(of: &[(&[u8; 4], u32, &[u8])]) -> Vec<u8> {
         let mut out = b"RIFF\xff\xff\xff\xffWAVE".to_vec();
         for (name, length, bytes) in of {

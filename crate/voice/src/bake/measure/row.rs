@@ -2,11 +2,11 @@
 
 use crate::compare::{amplitude, frequency};
 
-/// How far from the request a setting may end, as a share of it.
+/// Tolerance of a setting, as a share of the request.
 pub const TOLERANCE: f64 = 0.15;
 
-/// The same for the slope of the melody within accented syllables, which few frames of each tell: where it is made
-/// half as steep, seven voices end between 3 and 23 % off.
+/// Tolerance for the pitch slope within accented syllables, which is measured on few frames each:
+/// at half the slope, seven voices end between 3 and 23 % off.
 pub const SLOPE_TOLERANCE: f64 = 0.25;
 
 /// Fewer semitones or decibels than these are not noticed in speech: differences of
@@ -17,10 +17,10 @@ const UNNOTICED: f64 = 0.5;
 /// The property that [`SLOPE_TOLERANCE`] is of.
 pub(super) const ACCENT_SLOPE: &str = "accent slope";
 
-/// What figures count.
+/// Unit of the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unit {
-    /// A factor on what the voice does by itself.
+    /// Factor relative to the voice's default.
     Factor,
     /// Semitones more than that.
     Semitones,
@@ -35,11 +35,11 @@ pub(super) enum Unit {
 pub struct Row {
     /// The markup, or the dimension of emotion.
     pub setting: String,
-    /// What of the sound.
+    /// Property of the audio.
     pub property: &'static str,
     /// The request.
     pub asked: f64,
-    /// What was heard.
+    /// Measured value.
     pub heard: f64,
     unit: Unit,
 }
@@ -76,14 +76,14 @@ impl Row {
         (ratio - 1.0).abs()
     }
 
-    /// How much of the requested change is missing, or too much: a stricter measure,
-    /// since some requests are small changes.
+    /// Returns the relative error of the requested change: a stricter measure, because some
+    /// requests are small changes.
     pub fn missing(&self) -> f64 {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
         ((self.heard - self.asked) / (self.asked - neutral)).abs()
     }
 
-    /// Whether it is near enough, in the right direction.
+    /// Returns true if the value is within tolerance, in the right direction.
     pub fn is_met(&self) -> bool {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
         let same_way = (self.heard - neutral) * (self.asked - neutral) > 0.0;

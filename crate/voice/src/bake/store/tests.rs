@@ -20,7 +20,7 @@ fn bundle(utterances: Vec<Utterance>) -> Bundle {
 /// Sounds of a bundle: key, content and the bytes of its two encodings.
 type Sounds = Vec<(u64, u64, [Vec<u8>; 2])>;
 
-/// What a bake does to the folder.
+/// Performs the folder operations of a bake.
 fn publish(store: &Store<'_>, sounds: &Sounds) -> Result<()> {
     let mut utterances = Vec::new();
     for (key, content, encodings) in sounds {
@@ -36,7 +36,7 @@ fn publish(store: &Store<'_>, sounds: &Sounds) -> Result<()> {
     Ok(())
 }
 
-/// Whether the bundle in a folder is just this, and every sound the right one.
+/// Returns true if the folder contains exactly this bundle, with the correct sounds.
 fn is_whole(folder: &Path, sounds: &Sounds) -> bool {
     let store = Store::open(folder.to_owned(), &Real);
     let keys = sounds.iter().map(|(key, ..)| *key);
@@ -50,7 +50,7 @@ fn is_whole(folder: &Path, sounds: &Sounds) -> bool {
     store.count_others(keys) == 0 && sounds.iter().all(right)
 }
 
-/// Numbers that look random.
+/// Returns a pseudo-random number generator.
 fn numbers(seed: u64) -> impl FnMut(u64) -> u64 {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     move |below| {

@@ -7,16 +7,16 @@ use std::sync::Mutex;
 
 use super::{Disk, SystemDisk};
 
-/// What happens after the failure.
+/// Behaviour after the failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterFailure {
-    /// The program was killed: nothing changes any more.
+    /// The program was killed: no further changes.
     Killed,
     /// Only that step failed.
     GoesOn,
 }
 
-/// Works, and does not wait until anything is stored: tests take thousands of steps.
+/// Disk that works but does not sync: tests take thousands of steps.
 pub struct Unsynced;
 
 impl Disk for Unsynced {
@@ -59,7 +59,7 @@ impl Faulty {
         Self::new(k, usize::MAX, then)
     }
 
-    /// Has room for so many bytes.
+    /// Creates a disk with this capacity in bytes.
     pub fn with_room(bytes: usize) -> Self {
         Self::new(usize::MAX, bytes, AfterFailure::GoesOn)
     }

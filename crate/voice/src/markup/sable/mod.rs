@@ -31,7 +31,7 @@ pub(in crate::markup) const ORDERS: [(&str, Order); 6] = [
     ("md", Order::Md),
 ];
 
-/// MODE of SAYAS with what it is without a MODETYPE.
+/// MODE values of SAYAS with the meaning without a MODETYPE.
 const MODES: [(&str, SayAs); 13] = [
     ("literal", SayAs::Literal),
     ("date", SayAs::Date(None)),
@@ -48,7 +48,7 @@ const MODES: [(&str, SayAs); 13] = [
     ("name", SayAs::Name),
 ];
 
-/// What a word stands for, in any case.
+/// Looks up a word, in any case.
 pub(in crate::markup) fn of_word<T: Copy>(table: &[(&str, T)], word: &str) -> Option<T> {
     let found = table
         .iter()

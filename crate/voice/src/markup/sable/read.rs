@@ -8,10 +8,9 @@ use crate::markup::levels::{self, MODERATE_EMPHASIS, Property};
 use crate::markup::xml::{Pieces, Space, Tag};
 use crate::text::SayAs;
 
-/// Reads a document of SABLE 0.2 or 1.0, or a part of one without its root. Names and words
-/// may have any case; a document type may be named. Elements and attributes that are not
-/// known, and values that cannot be read, are reported and otherwise ignored; their content is
-/// kept.
+/// Reads a document of SABLE 0.2 or 1.0, or a part of one without its root. Names and words may
+/// have any case; a document type may be named. Unknown elements and attributes, and unreadable
+/// values, are reported and otherwise ignored; their content is kept.
 ///
 /// # Errors
 ///
@@ -41,7 +40,8 @@ fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     Meaning::default()
 }
 
-/// Attributes of an element of SABLE 0.2 besides `MARK`, by its name in upper case; `None` for another name.
+/// Returns the attributes of an element of SABLE 0.2 except `MARK`, by its upper-case name; `None`
+/// for an unknown one.
 fn attributes_of(upper: &str) -> Option<&'static [&'static str]> {
     Some(match upper {
         // An experiment in the DTD only.

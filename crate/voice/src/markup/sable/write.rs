@@ -6,10 +6,10 @@ use crate::markup::levels::{EMPHASES, Property, boundary_sign};
 use crate::markup::write::{Element, MarkupWriter, body, declaration, emotion, gain, loudness};
 use crate::text::SayAs;
 
-/// Writes a document of SABLE 1.0. [`super::read()`] makes of it a content whose words have the
-/// same styles. What SABLE cannot say (emotions, changes that percents cannot say exactly)
-/// is in [`crate::markup::NAMESPACE`]. Characters that XML cannot hold become U+FFFD; empty
-/// texts of attributes count as none.
+/// Writes a document of SABLE 1.0. [`super::read()`] restores content whose words have the same
+/// styles. Features that SABLE lacks (emotions, changes that percentages cannot express exactly)
+/// use [`crate::markup::NAMESPACE`]. Characters that XML cannot contain become U+FFFD; empty
+/// attribute texts count as none.
 #[must_use]
 pub fn write(content: &Content) -> String {
     let body = body(content, &mut Sable);

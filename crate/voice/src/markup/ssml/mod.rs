@@ -11,7 +11,7 @@ pub use write::write;
 use crate::content::{Age, Gender};
 use crate::text::SayAs;
 
-/// Years that stand for an age when it is written, and below which it is read.
+/// Age in years written for an age group, and the upper bound for reading it.
 const AGES: [(Age, f64, f64); 5] = [
     (Age::Child, 8.0, 13.0),
     (Age::Teen, 15.0, 20.0),
@@ -20,15 +20,15 @@ const AGES: [(Age, f64, f64); 5] = [
     (Age::Older, 70.0, f64::INFINITY),
 ];
 
-/// SSML's words for sexes; `neutral` is none.
+/// SSML genders; `neutral` is none.
 const GENDERS: [(&str, Option<Gender>); 3] = [
     ("male", Some(Gender::Male)),
     ("female", Some(Gender::Female)),
     ("neutral", None),
 ];
 
-/// Values of `interpret-as`. SSML leaves them open; those of the W3C's note of 2005 come
-/// first where it has one, then what engines know. The first of a kind is written.
+/// Values of `interpret-as`. SSML leaves them open; those of the W3C's note of 2005 come first
+/// where it has one, then those known by engines. The first of a kind is written.
 const KINDS: [(&str, SayAs); 23] = [
     ("characters", SayAs::Literal),
     ("spell-out", SayAs::Literal),

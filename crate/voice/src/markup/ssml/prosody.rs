@@ -43,7 +43,7 @@ const RATES: [(&str, f64); 5] = [
     ("x-fast", 1.5),
 ];
 
-/// Settings, one inside the other, and what should be reported about them.
+/// Nested settings, and a problem to report.
 pub(super) type Settings = (Vec<Setting>, Option<&'static str>);
 
 fn level(words: &[(&str, f64)], text: &str) -> Option<Vec<Setting>> {
@@ -87,7 +87,7 @@ pub(super) fn height(text: &str) -> Option<Settings> {
     }
 }
 
-/// A height as [`height`] reads it, as near as it goes.
+/// Formats a pitch for [`height`], as accurately as possible.
 pub(super) fn height_text(setting: Setting) -> String {
     match setting {
         Setting::Default => "default".to_owned(),
@@ -169,7 +169,7 @@ pub(super) fn decibels_text(gain: f64) -> String {
     format!("{sign}{}dB", db.clamp(-200.0, 200.0) + 0.0)
 }
 
-/// A loudness as [`loudness`] reads it, as near as it goes.
+/// Formats a loudness for [`loudness`], as accurately as possible.
 pub(super) fn loudness_text(setting: Setting) -> String {
     match setting {
         Setting::Default => "default".to_owned(),

@@ -10,8 +10,8 @@ use crate::markup::sable::{ORDERS, of_word};
 use crate::markup::xml::{Pieces, Space, Tag};
 use crate::text::SayAs;
 
-/// SSML's strengths of pauses as SABLE's levels: weak is small, medium medium, and x-strong
-/// large; the others lie between.
+/// SSML pause strengths as SABLE levels: weak is small, medium medium, and x-strong large; the
+/// others lie between.
 const STRENGTHS: [(&str, f64); 6] = [
     ("none", 0.0),
     ("x-weak", 0.5),
@@ -24,10 +24,9 @@ const STRENGTHS: [(&str, f64); 6] = [
 /// SSML's words for emphasis.
 const EMPHASES: [&str; 4] = ["strong", "moderate", "none", "reduced"];
 
-/// Reads a document of SSML 1.1, or a part of one without its root. A document type may be
-/// named. What is not known, and what cannot be said by a [`Content`], is told and otherwise
-/// ignored; its text is kept. Recordings are believed to be there: their alternative text is left
-/// out.
+/// Reads a document of SSML 1.1, or a part of one without its root. A document type may be named.
+/// Unknown features, and those that a [`Content`] cannot express, are reported and otherwise
+/// ignored; their text is kept. Recordings are assumed to exist: their alternative text is omitted.
 ///
 /// # Errors
 ///
@@ -37,8 +36,8 @@ pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
     read_beside(text, &|_| true)
 }
 
-/// The same, where `is_there` tells whether there is a recording of an address or path: where
-/// there is none its alternative text is spoken (SSML 1.1, section 3.3.1), which is told.
+/// Reads a document like [`read`]; `is_there` returns true if a recording exists at an address or
+/// path. Otherwise its alternative text is spoken (SSML 1.1, section 3.3.1), with a report.
 ///
 /// # Errors
 ///

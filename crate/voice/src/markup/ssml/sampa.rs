@@ -1,7 +1,7 @@
 //! X-SAMPA as the International Phonetic Alphabet (J. C. Wells, *Computer-coding the IPA*,
 //! 1995).
 
-/// Longer signs come before those that they begin with.
+/// Signs; longer ones precede their prefixes.
 const SIGNS: &[(&str, &str)] = &[
     ("r\\`", "ɻ"),
     ("s\\", "ɕ"),
@@ -122,8 +122,8 @@ const SIGNS: &[(&str, &str)] = &[
     (" ", " "),
 ];
 
-/// The same pronunciation in the International Phonetic Alphabet; `None` where it holds a
-/// sign that X-SAMPA does not have.
+/// Converts a pronunciation to the International Phonetic Alphabet; `None` if it contains a sign
+/// that X-SAMPA does not have.
 pub(super) fn to_ipa(sampa: &str) -> Option<String> {
     let mut rest = sampa;
     let mut ipa = String::new();

@@ -14,11 +14,10 @@ use crate::markup::write::{
 use crate::style::Style;
 use crate::text::SayAs;
 
-/// Writes a document of SSML 1.1. `language` is the BCP 47 tag of all text that names no other
-/// language. [`super::read()`] makes of it a content whose words have the same styles: where
-/// SSML cannot say a thing, or only nearly, attributes and elements in
-/// [`crate::markup::NAMESPACE`] say it exactly beside what comes nearest. Characters that XML
-/// cannot hold become U+FFFD; empty texts of attributes count as none.
+/// Writes a document of SSML 1.1. `language` is the default BCP 47 tag. [`super::read()`] restores
+/// content whose words have the same styles: if SSML lacks an exact equivalent, attributes and
+/// elements in [`crate::markup::NAMESPACE`] give the exact value next to the closest one.
+/// Characters that XML cannot contain become U+FFFD; empty attribute texts count as none.
 #[must_use]
 pub fn write(content: &Content, language: &str) -> String {
     let mut ssml = Ssml {
@@ -97,7 +96,7 @@ impl MarkupWriter for Ssml {
     }
 }
 
-/// Whether a setting changes anything.
+/// Returns true if a setting changes anything.
 fn is_setting(setting: &Setting) -> bool {
     match setting {
         Setting::Default => true,

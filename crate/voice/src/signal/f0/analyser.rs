@@ -17,14 +17,15 @@ pub(super) struct Candidate {
     pub(super) octaves: f64,
     /// Height of the autocorrelation's peak, 0..1; 0 for the aperiodic one.
     pub(super) periodic: f64,
-    /// What the path adds up: height less octave cost, or the aperiodic strength.
+    /// Score added by the path: height less octave cost, or the aperiodic strength.
     pub(super) strength: f64,
 }
 
-/// Most candidates kept per frame, the aperiodic one included (the programme's 15).
+/// Maximum number of candidates per frame, including the aperiodic one (15 in the original
+/// program).
 const MAX_CANDIDATES: usize = 15;
 
-/// Samples on either side that the interpolation between lags looks at.
+/// Number of samples on either side used by the interpolation between lags.
 const SINC_DEPTH: usize = 20;
 
 pub(super) struct Analyser {
@@ -80,8 +81,8 @@ impl Analyser {
         made
     }
 
-    /// Replaces `lags` by the autocorrelation of `time`, which is used up; 1 at lag 0.
-    /// Gives whether there was anything to correlate.
+    /// Replaces `lags` by the autocorrelation of `time`, which is overwritten; 1 at lag 0. Returns
+    /// true if there was a signal.
     fn autocorrelate(&mut self) -> bool {
         let (forward, inverse) = (&self.forward, &self.inverse);
         let done = forward
@@ -233,8 +234,8 @@ impl Analyser {
     }
 }
 
-/// Where a parabola through three equally spaced values has its top, in spacings from
-/// the middle; none where it has none.
+/// Returns the vertex of a parabola through three equally spaced values, in spacings from the
+/// middle; `None` if there is none.
 fn vertex(left: f64, middle: f64, right: f64) -> Option<f64> {
     let bend = left - 2.0 * middle + right;
     (bend < 0.0).then(|| 0.5 * (left - right) / bend)

@@ -5,17 +5,17 @@ use super::super::rigid::CELL_SECS;
 use super::{Changed, GAIN_RAMP_SECS};
 use raconteur_base::ops;
 
-/// Time between levels that are compared, and the window of each: several periods of
-/// the lowest voice, so that the pulses themselves are not evened out.
+/// Interval of level comparisons, and the window of each: several periods of the lowest voice, so
+/// that single pulses are not flattened.
 const STEP_SECS: f64 = 0.01;
 const WINDOW_SECS: f64 = 0.06;
 
-/// Most that a level is corrected by, in decibels: harmonics that move over a formant
-/// cost or give a few.
+/// Maximum level correction, in decibels: harmonics that move over a formant change the level by a
+/// few.
 const MAX_DB: f64 = 6.0;
 
-/// Gives the changed sound, within its spans (start and end in seconds of the new
-/// sound), the level that the sound had at the same places.
+/// Gives the changed sound, within its spans (start and end in seconds of the new sound), the level
+/// of the original at the same positions.
 pub(super) fn keep_level(
     changed: &mut Changed,
     samples: &[f64],

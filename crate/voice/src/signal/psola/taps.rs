@@ -6,8 +6,8 @@ use raconteur_base::ops;
 
 /// Reads sound between its samples.
 pub(super) struct Taps {
-    /// Weights of the samples from `-REACH + 1` to `REACH` around; none if the place is
-    /// on a sample.
+    /// Weights of the samples from `-REACH + 1` to `REACH` around; `None` if the position is on a
+    /// sample.
     weights: Option<[f64; 2 * Taps::REACH]>,
 }
 

@@ -43,8 +43,8 @@ fn power(samples: &[f64]) -> f64 {
     samples.iter().map(|x| x * x).sum::<f64>() / samples.len().max(1) as f64
 }
 
-/// Frequency after over frequency before where both are voiced: the median, because
-/// a window that is half beyond the end of a voiced stretch sees neither.
+/// Returns the ratio of frequencies after and before where both are voiced: the median, because a
+/// window half beyond the end of a voiced stretch measures neither.
 fn measured_ratio(before: &PitchTrack, made: &Changed) -> f64 {
     let options = PitchOptions {
         min_hz: 40.0,

@@ -30,7 +30,7 @@ const WEAK: [(&str, &str); 14] = [
 /// SABLE emphasis from which a function word has its strong form.
 const STRESSED: f64 = 1.0;
 
-/// The letters of each token; empty where there is nothing to say.
+/// Returns the letters of each token; empty if there is nothing to speak.
 pub(super) fn written(sentence: &Sentence, host: &dyn Host) -> Result<Vec<String>> {
     let tokens = &sentence.tokens;
     let mut out = Vec::with_capacity(tokens.len());
@@ -45,8 +45,8 @@ pub(super) fn written(sentence: &Sentence, host: &dyn Host) -> Result<Vec<String
     Ok(out)
 }
 
-/// The letters of each token as espeak-ng reads it in a language of its own. A sentence is read as
-/// one text, in which words run into each other, unless that leaves another number of words.
+/// Returns the letters of each token from espeak-ng, in one of its languages. A sentence is read as
+/// one text, with linking between words, unless that changes the number of words.
 pub(super) fn of_espeak(
     sentence: &Sentence,
     language: &str,
@@ -85,8 +85,8 @@ pub(super) fn of_espeak(
         .collect()
 }
 
-/// The IPA in the network's letters: diphthongs and affricates are one, as its makers' reader of
-/// espeak-ng has them; what is no letter of it is left out.
+/// Converts IPA to the network's letters: diphthongs and affricates are single letters, as in the
+/// developers' espeak-ng frontend; unknown symbols are dropped.
 fn in_letters(ipa: &str) -> String {
     const ONE: [(&str, &str); 7] = [
         ("aɪ", "I"),

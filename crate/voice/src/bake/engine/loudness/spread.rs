@@ -4,19 +4,19 @@
 //! least stretching of what lies between, and the fewest pauses without punctuation and commas
 //! without a pause. The weights are *designed*.
 
-/// What is said as one word.
+/// Unit spoken as one word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct SpokenUnit<'a> {
     /// Its letters.
     pub(in super::super) text: &'a str,
-    /// Whether punctuation follows it.
+    /// True if punctuation follows it.
     pub(in super::super) ends: bool,
 }
 
-/// A pause in what is heard.
+/// Pause between audible stretches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pause {
-    /// Seconds of what is heard before it.
+    /// Audible time before the pause, seconds.
     pub(super) at_secs: f64,
     /// Seconds of quiet.
     pub(super) length_secs: f64,
@@ -24,12 +24,12 @@ pub(super) struct Pause {
 
 /// Shortest pause that is the end of a word, seconds.
 const MIN_SECS: f64 = 0.15;
-/// What a pause without punctuation costs, and punctuation without a pause.
+/// Cost of a pause without punctuation, and of punctuation without a pause.
 const BARE: f64 = 0.3;
 const PASSED: f64 = 0.1;
-/// What is added to the expected length of a stretch, seconds, so that short ones may vary.
+/// Time added to the expected length of a stretch, seconds, so that short ones may vary.
 const SLACK_SECS: f64 = 0.2;
-/// So many words before and after the expected one are tried for each pause.
+/// Number of words before and after the expected one that are tried for each pause.
 const REACH: usize = 24;
 
 /// Words and where each of them would end if all letters took the same time.
@@ -63,7 +63,7 @@ impl Words {
         self.letters[to] - self.letters[from]
     }
 
-    /// What it costs that the words after `from` up to `to` last so long.
+    /// Returns the cost of a duration for the words after `from` up to `to`.
     fn cost(&self, from: usize, to: usize, secs: f64, secs_a_letter: f64) -> f64 {
         let expected = self.between(from, to) * secs_a_letter;
         let passed = self.punctuated[to] - self.punctuated[from];
@@ -88,8 +88,8 @@ impl Words {
         times
     }
 
-    /// Ends of words that are known: the number of words before, and seconds of what is heard,
-    /// from none to all.
+    /// Returns the known ends of words: the number of words before, and the audible time in
+    /// seconds, from start to end.
     pub(super) fn anchors(&self, pauses: &[Pause], total_secs: f64) -> Vec<(usize, f64)> {
         let mut times = vec![0.0];
         times.extend(self.longest_pauses(pauses, total_secs));

@@ -7,14 +7,15 @@
 
 use anyhow::{Context as _, Result, ensure};
 
-/// Lengths from here on say that the length was not known: no sound that is read is so long.
-/// Programs leave 0xFFFFFFFF, 0x7FFFFFFF and numbers a header's length below.
+/// Length from which the length counts as unknown: no accepted file is so long. Programs write
+/// 0xFFFFFFFF, 0x7FFFFFFF and numbers a header's length below.
 const UNKNOWN: u64 = super::MAX_BYTES;
-/// Format tags: samples as integers, as floating-point numbers, and told further on.
+/// Format tag of integer samples; the next constants are those of floating-point samples and of the
+/// extensible format.
 const PCM: u16 = 1;
 const FLOAT: u16 = 3;
 const EXTENSIBLE: u16 = 0xfffe;
-/// What follows the tag in the identifier of a format (KSDATAFORMAT_SUBTYPE).
+/// Bytes after the tag in a format identifier (KSDATAFORMAT_SUBTYPE).
 const GUID: [u8; 14] = [0, 0, 0, 0, 0x10, 0, 0x80, 0, 0, 0xaa, 0, 0x38, 0x9b, 0x71];
 
 /// The description of samples (`fmt `).
@@ -63,7 +64,7 @@ impl Form {
         Ok(form)
     }
 
-    /// Whether samples are floating-point numbers of 64 bits.
+    /// Returns true if samples are 64-bit floating-point numbers.
     fn is_double(&self) -> bool {
         self.tag == FLOAT && self.frame_bytes / self.channels == 8
     }
@@ -109,13 +110,13 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
     Ok(out)
 }
 
-/// The samples and whether their end was told.
+/// Samples, with or without a known end.
 enum Data<'a> {
     Told(&'a [u8]),
     ToTheEnd(&'a [u8]),
 }
 
-/// The description and the samples, wherever they stand; the first of each counts.
+/// Returns the format description and the samples, in any order; the first of each counts.
 fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
     let (mut form, mut data) = (None, None);
     // RF64 tells the length in a chunk of its own.
@@ -156,7 +157,8 @@ fn chunks(bytes: &[u8]) -> Result<(Option<&[u8]>, Option<Data<'_>>)> {
     Ok((form, data))
 }
 
-/// Whether a chunk may begin here: a name of letters and a length that the file has, or nothing.
+/// Returns true if a chunk may start here: an alphabetic name and a length within the file, or the
+/// end.
 fn is_chunk(rest: &[u8]) -> bool {
     let named = |name: &[u8]| name.iter().all(|c| matches!(c, b' '..=b'~'));
     rest.is_empty()
@@ -165,7 +167,7 @@ fn is_chunk(rest: &[u8]) -> bool {
                 .is_some_and(|n| n as usize <= rest.len() - 8 || u64::from(n) >= UNKNOWN)
 }
 
-/// The extensible form, which alone the decoder reads with every width.
+/// Returns a header in the extensible form, the only one that the decoder reads with every width.
 fn header(form: &Form) -> Vec<u8> {
     let second = form.rate_hz.wrapping_mul(u32::from(form.frame_bytes));
     let mut out = Vec::with_capacity(40);
