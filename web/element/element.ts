@@ -241,10 +241,9 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Returns accepted and
-   * refused clauses; rejects only if there is no stage. Without a story, an empty stage of unlimited duration opens:
-   * the figure waits for lines, and speaks them while the player plays. A speaking fragment waits until nobody else
-   * speaks, or with `interrupt` ends the speech and actions of earlier fragments.
+   * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Returns accepted and refused clauses; rejects only if there is
+   * no stage. Without a story, an empty stage of unlimited duration opens: the figure waits for lines, and speaks them while the player plays. A speaking
+   * fragment waits until nobody else speaks, or with `interrupt` ends the speech and actions of earlier fragments.
    */
   async perform(fragment: string, { interrupt = false }: { readonly interrupt?: boolean } = {}): Promise<readonly Answer[]> {
     const show = await this.#stories.stage();
@@ -253,9 +252,9 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Gives the figure on stage a face of a face model, as made by `Faces` of `faces.js`, or with `undefined` its own
-   * again; playback continues. The face belongs to the figure: another figure has its own. Resolves when the face is
-   * shown; rejects if there is no stage, or if the figure's head is not the model's.
+   * Gives the figure on stage a face of a face model, as made by `Faces` of `faces.js`, or with `undefined` its own again; playback continues. The face
+   * belongs to the figure: another figure has its own. Resolves when the face is shown; rejects if there is no stage, or if the figure's head is not the
+   * model's.
    */
   async setFace(face: FigureFace | undefined): Promise<void> {
     const { show, advance } = this.#context;
@@ -264,10 +263,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     advance();
   }
 
-  /**
-   * Returns the position on the skin at a point of the viewport, once the figure has been given a face; undefined
-   * outside the head.
-   */
+  /** Returns the position on the skin at a point of the viewport, once the figure has been given a face; undefined outside the head. */
   pickFace(clientX: number, clientY: number): FaceSpot | undefined {
     const { left, top, width, height } = this.getBoundingClientRect();
     return this.#context.show?.picture.pickFace((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
@@ -285,8 +281,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Returns the figure with the face set by `setFace`, as a figure file for `figure` and `useFigure`; voice and body
-   * are those of the figure on stage. Rejects while the figure has its own face.
+   * Returns the figure with the face set by `setFace`, as a figure file for `figure` and `useFigure`; voice and body are those of the figure on stage. Rejects
+   * while the figure has its own face.
    */
   async figureFile(name: string): Promise<Blob> {
     const file = await this.#context.show?.picture.faceFile(name);
@@ -294,10 +290,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     return new Blob([file as Uint8Array<ArrayBuffer>], { type: 'model/gltf-binary' });
   }
 
-  /**
-   * Returns a copy of the image on stage at its rendered size; with a `view`, from there, as in `look`. Undefined if
-   * there is none.
-   */
+  /** Returns a copy of the image on stage at its rendered size; with a `view`, from there, as in `look`. Undefined if there is none. */
   snapshot(view?: View): HTMLCanvasElement | undefined {
     if (view !== undefined) this.#view(view);
     this.#frames.advance();
@@ -305,8 +298,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Ends the speech and actions of fragments, including waiting ones and texts of `tell`; the story continues. The
-   * voice fades out, hands and face ease back. A new performance may start immediately.
+   * Ends the speech and actions of fragments, including waiting ones and texts of `tell`; the story continues. The voice fades out, hands and face ease back.
+   * A new performance may start immediately.
    */
   interrupt(): void {
     const { show } = this.#context;
@@ -314,19 +307,18 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Speaks plain words that arrive piece by piece, for example from a language model: clause by clause, each as soon as
-   * it is complete, with gestures and emotions derived from punctuation and function words. Speaks nothing while the
-   * player is paused.
+   * Speaks plain words that arrive piece by piece, for example from a language model: clause by clause, each as soon as it is complete, with gestures and
+   * emotions derived from punctuation and function words. Speaks nothing while the player is paused.
    */
   tell(words: Words): NarrationHandle {
     return telling(this.#context, this.#stories.stage(), words, () => this.interrupt());
   }
 
   /**
-   * Replaces the text on stage; figure, view, time and playback state stay. Also works without `src`. Problems of the
-   * text are in the result and in `diagnostics`, and the rest plays; rejects only if there is no stage. Live fragments
-   * end. `motion` is the amount of idle motion, 0 to 1, of this and later texts; by default the user's preference. The
-   * framing leaves space for every position that a hand may reach, for editors; `roomy: false` frames it as a story.
+   * Replaces the text on stage; figure, view, time and playback state stay. Also works without `src`. Problems of the text are in the result and in
+   * `diagnostics`, and the rest plays; rejects only if there is no stage. Live fragments end. `motion` is the amount of idle motion, 0 to 1, of this and later
+   * texts; by default the user's preference. The framing leaves space for every position that a hand may reach, for editors; `roomy: false` frames it as a
+   * story.
    */
   rehearse(eml: string, { motion, roomy = true }: { readonly motion?: number; readonly roomy?: boolean } = {}): Promise<readonly Diagnostic[]> {
     return this.#stories.rehearse(eml, motion, roomy);
@@ -349,9 +341,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Answers the current question, as specified by `QuestionKind`: by the names of options, or by text. Returns
-   * undefined if there is no question, or if that is no answer. The story continues once the question is answered for
-   * good.
+   * Answers the current question, as specified by `QuestionKind`: by the names of options, or by text. Returns undefined if there is no question, or if that
+   * is no answer. The story continues once the question is answered for good.
    */
   answer(...given: readonly string[]): Answered | undefined {
     return this.#questioner.answer(given);
@@ -362,10 +353,7 @@ export class RaconteurPlayer extends PlayerAttributes {
     return this.#questioner.lesson.score;
   }
 
-  /**
-   * Spans, in seconds, that not every learner reaches: those that depend on answers or conditions, and those that this
-   * learner skipped.
-   */
+  /** Spans, in seconds, that not every learner reaches: those that depend on answers or conditions, and those that this learner skipped. */
   get optional(): readonly Span[] {
     return this.#questioner.lesson.optional;
   }
@@ -376,8 +364,8 @@ export class RaconteurPlayer extends PlayerAttributes {
   }
 
   /**
-   * Restores data returned by `state`, once the story is loaded. Data that does not fit the story is left out. Without
-   * a position (`NaN`) the learner stays, and the data is added to what they have done here.
+   * Restores data returned by `state`, once the story is loaded. Data that does not fit the story is left out. Without a position (`NaN`) the learner stays,
+   * and the data is added to what they have done here.
    */
   restore({ placeSecs, ...lesson }: PlayerState): void {
     const stays = !Number.isFinite(placeSecs);
@@ -398,18 +386,12 @@ export class RaconteurPlayer extends PlayerAttributes {
     this.#context.show?.picture.look(view);
   }
 
-  /**
-   * Returns the data for drawing over the last frame shown; `readPose` of `pose.ts` decodes it. Undefined without a
-   * story.
-   */
+  /** Returns the data for drawing over the last frame shown; `readPose` of `pose.ts` decodes it. Undefined without a story. */
   pose(): PoseNumbers | undefined {
     return this.#context.show?.picture.pose();
   }
 
-  /**
-   * Returns the data for plotting the face's speech movements from one time to another; `course.ts` decodes it.
-   * Undefined without a story.
-   */
+  /** Returns the data for plotting the face's speech movements from one time to another; `course.ts` decodes it. Undefined without a story. */
   course(from: number, to: number, count: number): FaceCourse | undefined {
     return this.#context.show?.picture.course(from, to, count);
   }

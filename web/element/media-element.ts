@@ -55,9 +55,8 @@ export abstract class MediaElement extends PromptElement {
   // --- what is played ---
 
   /**
-   * Address of the story's EML file, absolute; its speech bundle is in `voice/` next to it. Without it, `''`, the story
-   * is the element's content: plain text, or EML in a `<script type="application/eml+xml">`. With it, the content is
-   * for readers without scripts.
+   * Address of the story's EML file, absolute; its speech bundle is in `voice/` next to it. Without it, `''`, the story is the element's content: plain text,
+   * or EML in a `<script type="application/eml+xml">`. With it, the content is for readers without scripts.
    */
   get src(): string {
     const address = this.getAttribute('src');
@@ -74,10 +73,7 @@ export abstract class MediaElement extends PromptElement {
     return this.parts.stories.address;
   }
 
-  /**
-   * Whether requests for the story's files to other origins include credentials such as cookies: `null` and `anonymous`
-   * send none.
-   */
+  /** Whether requests for the story's files to other origins include credentials such as cookies: `null` and `anonymous` send none. */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null {
     return crossOriginOf(this.getAttribute('crossorigin'));
   }
@@ -86,10 +82,7 @@ export abstract class MediaElement extends PromptElement {
     this.#set('crossorigin', value);
   }
 
-  /**
-   * `none`: nothing is fetched before playback is requested. `metadata`, the default, and `auto`: as specified by
-   * `loading`.
-   */
+  /** `none`: nothing is fetched before playback is requested. `metadata`, the default, and `auto`: as specified by `loading`. */
   get preload(): 'none' | 'metadata' | 'auto' {
     return preloadOf(this.getAttribute('preload'));
   }
@@ -98,10 +91,7 @@ export abstract class MediaElement extends PromptElement {
     this.setAttribute('preload', value);
   }
 
-  /**
-   * Returns how likely the player can play a story of a MIME type: `probably`, `maybe` or `''`. Throws `TypeError`
-   * without an argument.
-   */
+  /** Returns how likely the player can play a story of a MIME type: `probably`, `maybe` or `''`. Throws `TypeError` without an argument. */
   canPlayType(type: string): CanPlayTypeResult {
     if ((type as string | undefined) === undefined) throw new TypeError('A MIME type is needed.');
     return canPlay(String(type));
@@ -112,10 +102,7 @@ export abstract class MediaElement extends PromptElement {
     return this.parts.stories.error ?? null;
   }
 
-  /**
-   * `NETWORK_NO_SOURCE` if the story is unavailable or source selection is pending, `NETWORK_LOADING` while it is
-   * fetched.
-   */
+  /** `NETWORK_NO_SOURCE` if the story is unavailable or source selection is pending, `NETWORK_LOADING` while it is fetched. */
   get networkState(): number {
     if (this.error !== null) return this.NETWORK_NO_SOURCE;
     const { network } = this.parts.stories;
@@ -123,9 +110,7 @@ export abstract class MediaElement extends PromptElement {
     return { empty: this.NETWORK_EMPTY, idle: this.NETWORK_IDLE, loading: this.NETWORK_LOADING }[network];
   }
 
-  /**
-   * `HAVE_NOTHING` before a story is loaded, `HAVE_CURRENT_DATA` while its audio is missing, else `HAVE_ENOUGH_DATA`.
-   */
+  /** `HAVE_NOTHING` before a story is loaded, `HAVE_CURRENT_DATA` while its audio is missing, else `HAVE_ENOUGH_DATA`. */
   get readyState(): number {
     const { show } = this.parts.context;
     if (show === undefined) return this.HAVE_NOTHING;
@@ -133,8 +118,8 @@ export abstract class MediaElement extends PromptElement {
   }
 
   /**
-   * Discards the story and loads it again, also after an error. If there is a `src`, it replaces a text passed to
-   * `rehearse`. A player that comes near the viewport loads automatically.
+   * Discards the story and loads it again, also after an error. If there is a `src`, it replaces a text passed to `rehearse`. A player that comes near the
+   * viewport loads automatically.
    */
   async load(): Promise<void> {
     this.#look();
@@ -155,10 +140,7 @@ export abstract class MediaElement extends PromptElement {
 
   // --- time ---
 
-  /**
-   * Audible story time in seconds; setting it seeks. Before a story is loaded, its start time. Throws `TypeError` for
-   * NaN.
-   */
+  /** Audible story time in seconds; setting it seeks. Before a story is loaded, its start time. Throws `TypeError` for NaN. */
   get currentTime(): number {
     return this.parts.context.show?.transport.position ?? this.#startSecs;
   }
@@ -186,9 +168,7 @@ export abstract class MediaElement extends PromptElement {
     return isPending(this, 'timeupdate') && isPending(this, 'seeked');
   }
 
-  /**
-   * Length of the story and of additions to it, in seconds; NaN until it is loaded, infinite while a mind is connected.
-   */
+  /** Length of the story and of additions to it, in seconds; NaN until it is loaded, infinite while a mind is connected. */
   get duration(): number {
     const transport = this.parts.context.show?.transport;
     if (transport === undefined) return NaN;
@@ -247,9 +227,9 @@ export abstract class MediaElement extends PromptElement {
   }
 
   /**
-   * Starts or resumes playback; resolves when the story plays. Rejects with `AbortError` if `pause()` or another story
-   * comes first, with `NotAllowedError` if the browser requires a user gesture first, with `NotSupportedError` if the
-   * story cannot be played, and with `InvalidStateError` while a question awaits an answer.
+   * Starts or resumes playback; resolves when the story plays. Rejects with `AbortError` if `pause()` or another story comes first, with `NotAllowedError` if
+   * the browser requires a user gesture first, with `NotSupportedError` if the story cannot be played, and with `InvalidStateError` while a question awaits an
+   * answer.
    */
   play(): Promise<void> {
     this.#look();
@@ -266,10 +246,7 @@ export abstract class MediaElement extends PromptElement {
     this.parts.playback.pause();
   }
 
-  /**
-   * Playback speed, 0.25 to 4, or 0, which stops time. Throws `NotSupportedError` outside this range, and `TypeError`
-   * for NaN.
-   */
+  /** Playback speed, 0.25 to 4, or 0, which stops time. Throws `NotSupportedError` outside this range, and `TypeError` for NaN. */
   get playbackRate(): number {
     return this.#rate;
   }
@@ -345,8 +322,8 @@ export abstract class MediaElement extends PromptElement {
   }
 
   /**
-   * Selects another audio output device. Rejects with `NotFoundError` if the device does not exist, and with
-   * `NotSupportedError` if the browser offers no choice.
+   * Selects another audio output device. Rejects with `NotFoundError` if the device does not exist, and with `NotSupportedError` if the browser offers no
+   * choice.
    */
   async setSinkId(device: string): Promise<void> {
     await openDevice(String(device));
@@ -416,10 +393,7 @@ export abstract class MediaElement extends PromptElement {
     this.toggleAttribute('disablepictureinpicture', Boolean(value));
   }
 
-  /**
-   * Shows the image in a picture-in-picture window. Rejects like a `<video>`: `InvalidStateError` if there is no image
-   * or picture-in-picture is disabled.
-   */
+  /** Shows the image in a picture-in-picture window. Rejects like a `<video>`: `InvalidStateError` if there is no image or picture-in-picture is disabled. */
   async requestPictureInPicture(): Promise<PictureInPictureWindow> {
     const opened = await this.#outputs.openWindow(this.renderRoot as ShadowRoot, this.disablePictureInPicture, (event) => this.dispatchEvent(event));
     this.parts.context.keepTime();

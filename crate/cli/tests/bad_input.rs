@@ -290,7 +290,7 @@ fn devices_and_pipes_are_not_read() {
     }
 }
 
-/// However long the lines and however many the mistakes: the output is bounded.
+/// The output is bounded for any length of lines and number of mistakes.
 #[test]
 fn what_is_told_of_a_hostile_story_is_short() {
     let n = 100_000;

@@ -28,7 +28,7 @@ fn features_go_together_as_they_do_in_people() {
     assert!(of("opening of the eyes") > 0.05);
 }
 
-/// Where one slider is to move one thing, the other features stay closer to their values.
+/// A change of one slider leaves the other features close to their values.
 #[test]
 fn features_change_apart() {
     let editor = common::editor();

@@ -34,7 +34,7 @@ pub(crate) struct Avatar {
     pub(crate) dialect: Dialect,
     /// Numbers in the file for a metre; the armature's scale undoes `armature` of it.
     pub(crate) units_per_metre: f64,
-    /// Whether the armature is scaled so that the file is in metres nevertheless.
+    /// True if the scale of the armature makes the file metric.
     pub(crate) armature_scaled: bool,
     /// Turn of the whole about the vertical, radians.
     pub(crate) yaw_rad: f64,

@@ -275,8 +275,7 @@ fn coloured_hair_has_a_scalp() {
     }
 }
 
-/// Where the donor's hair leaves a head bare, the figure's own hair is painted over, and nothing
-/// shades it.
+/// The figure's own hair is painted over, unshaded, where the donor's hair leaves skin bare.
 #[test]
 fn a_bald_crown_is_skin() {
     let reshaper = sofia();
