@@ -56,7 +56,7 @@ impl RestStance {
         let across = (shoulders[0] - shoulders[1]).try_normalize();
         let (Some(up), Some(across)) = (up, across) else {
             return Err(ImportError::NotHumanoid(
-                "the head lies in the hips, or both shoulders at one place".to_owned(),
+                "the head is inside the hips, or both shoulders coincide".to_owned(),
             ));
         };
         if across.dot(up).abs() > 0.7 || (middle - hips).dot(up) <= 0.0 {
@@ -73,7 +73,7 @@ impl RestStance {
             let down = (0.5 * (legs[0] + legs[1]) - hips).normalize_or_zero();
             if down.dot(up) > -0.35 {
                 return Err(ImportError::NotHumanoid(
-                    "the legs do not stand below the trunk as a human's do; is it an animal?"
+                    "the legs are not below the trunk as in a human; is it an animal?"
                         .to_owned(),
                 ));
             }
@@ -83,12 +83,12 @@ impl RestStance {
             DQuat::IDENTITY
         } else if !has_legs {
             return Err(ImportError::NotHumanoid(
-                "the trunk lies, and no legs tell which way is up; is it an animal?".to_owned(),
+                "the trunk is horizontal, and no legs show which way is up; is it an animal?".to_owned(),
             ));
         } else {
             notes.add(
                 "turned-upright",
-                "the figure lies in its file and was set upright",
+                "the figure is lying down in its file and was set upright",
                 "",
             );
             DQuat::from_rotation_arc(up, DVec3::Y)
@@ -99,7 +99,7 @@ impl RestStance {
             yaw = facing(upright * -across);
             notes.add(
                 "sides-swapped",
-                "what is named left lies on the right; the sides were exchanged",
+                "names of the left side are on the right; the sides were exchanged",
                 "",
             );
         }

@@ -86,7 +86,7 @@ pub fn face_file(
     painted: Option<Vec<u8>>,
 ) -> Result<Vec<u8>, JsError> {
     let organs = NewOrgans::from_numbers(organs)
-        .ok_or_else(|| JsError::new("what lies in the head takes nine finite numbers"))?;
+        .ok_or_else(|| JsError::new("the organs of the head need nine finite numbers"))?;
     let look = if look.is_undefined() {
         Look::default()
     } else {

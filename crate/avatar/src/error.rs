@@ -13,7 +13,7 @@ pub enum ImportError {
     #[error(transparent)]
     Read(#[from] ReadError),
     /// Unsupported compression.
-    #[error("compressed with {extension}, which is not read; {hint}")]
+    #[error("compressed with {extension}, which is not supported; {hint}")]
     Compressed {
         /// The extension's name.
         extension: &'static str,
@@ -21,7 +21,7 @@ pub enum ImportError {
         hint: &'static str,
     },
     /// A part is in another file.
-    #[error("the {what} lies in another file, {uri}; export everything into one .glb")]
+    #[error("the {what} is in another file, {uri}; export everything into one .glb")]
     ExternalFile {
         /// Description of the part.
         what: &'static str,

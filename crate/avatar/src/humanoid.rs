@@ -263,7 +263,7 @@ impl Humanoid {
         if lacks(&["wrist"]) {
             notes.add(
                 "hands-missing",
-                "there are no bones for the hands; their place is guessed",
+                "there are no bones for the hands; their position is estimated",
                 "",
             );
         }

@@ -18,7 +18,7 @@ pub(super) struct Surface {
     pub(super) uv_transform: [[f64; 3]; 2],
 }
 
-const LEFT_OUT: &str = "a picture is neither PNG nor JPEG and was left out";
+const LEFT_OUT: &str = "an image is neither PNG nor JPEG and was ignored";
 const USUAL: &str = "export pictures as PNG or JPEG";
 
 const UNMOVED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -206,7 +206,7 @@ pub(super) fn surface(
         normal_map = None;
         notes.add(
             "normals-left-out",
-            "a normal map lies on other coordinates than its colours and was left out",
+            "a normal map uses other texture coordinates than its colours and was ignored",
             "",
         );
     }

@@ -37,7 +37,7 @@ static FOLDER: OnceLock<PathBuf> = OnceLock::new();
 pub(crate) fn prepend_folder(folder: PathBuf) -> Result<()> {
     ensure!(
         folder.is_dir(),
-        "--assets takes a folder, and {} is none",
+        "--assets needs a folder, and {} is not one",
         folder.display()
     );
     FOLDER.get_or_init(|| folder);

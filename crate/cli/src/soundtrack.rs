@@ -63,7 +63,7 @@ impl Soundtrack {
                     start_secs: u.timed.start_secs - from_secs,
                 }),
                 Err(error) => {
-                    terminal::report(format_args!("what is said is not heard: {error:#}"))
+                    terminal::report(format_args!("speech is missing: {error:#}"))
                 }
             }
         }
@@ -79,7 +79,7 @@ impl Soundtrack {
             }
             if let Err(error) = track.add_music(&cue, script, from_secs, end_secs) {
                 terminal::report(format_args!(
-                    "the music {} is not heard: {error:#}",
+                    "the music {} is missing: {error:#}",
                     cue.file
                 ));
             }

@@ -104,7 +104,7 @@ impl StoryFiles {
         let folder = self.folder();
         let chosen = if Path::new(&name).extension().is_some() {
             inside::find(folder, &name)
-                .and_then(|path| path.context("there is no such file beside the story"))
+                .and_then(|path| path.context("there is no such file next to the story"))
                 .and_then(|path| find_figure(&path.to_string_lossy()))
         } else {
             find_figure(&name)
@@ -133,7 +133,7 @@ impl StoryFiles {
         let lacking = document.pictures().filter_map(|(path, span)| {
             let why = match inside::find(self.folder(), path) {
                 Ok(Some(_)) => return None,
-                Ok(None) => "there is no such file beside the story".to_owned(),
+                Ok(None) => "there is no such file next to the story".to_owned(),
                 Err(error) => format!("{error:#}"),
             };
             let message = format!("the picture {} cannot be shown: {why}", quoted(path));

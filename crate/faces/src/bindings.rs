@@ -80,14 +80,14 @@ fn three(numbers: &[f64]) -> Result<[f64; 3], JsError> {
     let all: Result<[f64; 3], _> = numbers.try_into();
     all.ok()
         .filter(|all| all.iter().all(|x| x.is_finite()))
-        .ok_or_else(|| JsError::new("three finite numbers are wanted"))
+        .ok_or_else(|| JsError::new("expected three finite numbers"))
 }
 
 fn finite(number: f64) -> Result<f64, JsError> {
     if number.is_finite() {
         Ok(number)
     } else {
-        Err(JsError::new("a number that is finite is wanted"))
+        Err(JsError::new("expected a finite number"))
     }
 }
 
@@ -416,7 +416,7 @@ impl Faces {
         let lengths = [&average.shape, &average.organs, &average.texture].map(Vec::len);
         let is_whole = bytes.len() == 8 * lengths.iter().sum::<usize>();
         if !(is_whole && numbers.iter().all(|x| x.is_finite())) {
-            return Err(JsError::new("these bytes are no face of this pack"));
+            return Err(JsError::new("these bytes are not a face of this pack"));
         }
         let (shape, rest) = numbers.split_at(lengths[0]);
         let (organs, texture) = rest.split_at(lengths[1]);

@@ -17,12 +17,12 @@ pub(crate) fn read<'a>(text: &'a str, rows: &[Row<'_>]) -> Result<Vec<Antagonist
     lines(text, &["one", "other", "sides"], |line| {
         let cells: Vec<&str> = line.split('\t').collect();
         let &[one, other, sides] = &cells[..] else {
-            return Err("three columns are wanted".to_owned());
+            return Err("expected three columns".to_owned());
         };
         let set = |names: &'a str| -> Result<Vec<&'a str>, String> {
             let names: Vec<&str> = names.split(' ').collect();
             match names.iter().find(|n| rows.iter().all(|r| r.name != **n)) {
-                Some(unknown) => Err(format!("{unknown} is no muscle")),
+                Some(unknown) => Err(format!("{unknown} is not a muscle")),
                 None => Ok(names),
             }
         };

@@ -88,7 +88,7 @@ fn row(line: &str) -> Result<Row<'_>, String> {
     let is_name =
         |s: &str| s.starts_with(char::is_alphabetic) && s.chars().all(char::is_alphanumeric);
     if !(is_name(name) && is_name(code)) {
-        return Err(format!("{name} and {code} are no names"));
+        return Err(format!("{name} and {code} are not names"));
     }
     let is_pair = match sides {
         "pair" => true,
@@ -140,12 +140,12 @@ fn targets(cell: &str) -> Result<Vec<(&str, u8)>, String> {
 
 fn number(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|x: &f32| x.is_finite());
-    number.ok_or_else(|| format!("{text} is no number"))
+    number.ok_or_else(|| format!("{text} is not a number"))
 }
 
 fn percent(text: &str) -> Result<u8, String> {
     let percent = text.parse().ok().filter(|x: &u8| *x <= 100);
-    percent.ok_or_else(|| format!("{text} is no percentage"))
+    percent.ok_or_else(|| format!("{text} is not a percentage"))
 }
 
 fn share(text: &str) -> Result<(&str, &str), String> {

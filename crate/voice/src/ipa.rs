@@ -471,7 +471,7 @@ fn pieces(ipa: &str) -> Result<Vec<IpaSymbol>> {
             }
             c => {
                 let Some((row, length)) = find(rest) else {
-                    bail!("the pronunciation {ipa:?} has {c:?}, which is no phone here");
+                    bail!("the pronunciation {ipa:?} contains {c:?}, which is not a known phone");
                 };
                 out.push(IpaSymbol::Phone(row));
                 rest = &rest[length..];

@@ -62,7 +62,7 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
         let read = if track.is_object() {
             reader.track(name, track)
         } else {
-            Err("what stands there is no object".to_owned())
+            Err("expected an object".to_owned())
         };
         read.map_err(|why| format!("in the track {name}, {why}"))?;
     }

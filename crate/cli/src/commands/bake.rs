@@ -161,7 +161,7 @@ impl Bake {
         let language = performer.and_then(|p| p.language.as_deref());
         if let Some(name) = language.filter(|_| voice.is_none()) {
             let tag = language::tag(name).with_context(|| {
-                format!("the story asks for the language {name}, which is no tag of BCP 47")
+                format!("the story requests the language {name}, which is not a BCP 47 tag")
             })?;
             cast.speak_in(tag)?;
         }
@@ -272,7 +272,7 @@ pub(super) fn list(
         }
     }
     if rows.is_empty() && !missing.is_empty() {
-        writeln!(terminal::err(), "there is no voice here: {missing}")?;
+        writeln!(terminal::err(), "no voice is available: {missing}")?;
     }
     let mut out = terminal::out();
     if format == Format::Json {

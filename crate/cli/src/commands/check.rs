@@ -84,7 +84,7 @@ fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
             Diagnostic::error(
                 "voice::wrong-sound",
                 said.span,
-                "the sound of this is missing, or is not the one that the bundle tells of",
+                "the audio of this is missing or differs from the bundle's",
             )
             .hint("bake the story again: raconteur bake")
         })

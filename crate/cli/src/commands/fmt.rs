@@ -35,7 +35,7 @@ impl Fmt {
                 Ok(formatted) => formatted,
                 Err(losses) => {
                     report::print(&name, &files.text, &losses)?;
-                    writeln!(out, "{name}: left as it is; mend what is reported first")?;
+                    writeln!(out, "{name}: unchanged; fix the reported problems first")?;
                     worst = Outcome::Errors;
                     continue;
                 }

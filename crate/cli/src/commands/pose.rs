@@ -63,7 +63,7 @@ impl Pose {
     pub(crate) fn run(&self) -> Result<Outcome> {
         let mut out = terminal::out();
         if let Some(bad) = self.at.iter().find(|t| !t.is_finite() || **t < 0.0) {
-            bail!("--at takes times of 0 s or later, not {bad}");
+            bail!("--at needs times of 0 s or later, not {bad}");
         }
         let files = StoryFiles::read(&self.file)?;
         let mut loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;

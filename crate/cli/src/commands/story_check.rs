@@ -120,7 +120,7 @@ pub(crate) fn summary(all: &[&FaceReport]) -> Result<()> {
     let fine = all.iter().filter(|f| f.wrong.is_empty()).count();
     writeln!(
         out,
-        "{fine} of {} people tell it without a fault",
+        "{fine} of {} people perform it without a fault",
         all.len()
     )?;
     let names = all.first().map(|f| f.worst.keys()).into_iter().flatten();

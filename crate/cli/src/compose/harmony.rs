@@ -42,7 +42,7 @@ fn class(name: &str) -> Result<(f64, &str)> {
         Some('G') => 7.0,
         Some('A') => 9.0,
         Some('B') => 11.0,
-        _ => bail!("{name:?} is no note"),
+        _ => bail!("{name:?} is not a note"),
     };
     let after = rest.as_str();
     Ok(match after.as_bytes().first() {
@@ -78,7 +78,7 @@ pub(crate) fn chord(name: &str) -> Result<Chord> {
     let (_, tones) = KINDS
         .iter()
         .find(|(name, _)| *name == kind)
-        .with_context(|| format!("{name:?} is no chord"))?;
+        .with_context(|| format!("{name:?} is not a chord"))?;
     let bass = match below {
         Some(note) => class(note)?.0,
         None => root,

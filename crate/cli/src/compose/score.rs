@@ -328,7 +328,7 @@ impl Cell<'_> {
             "b" => vec![chord.bass(self.low)],
             _ => match name.parse::<u32>() {
                 Ok(degree @ 1..=24) => vec![chord.degree(degree, self.low)],
-                _ => bail!("{name:?} is no note"),
+                _ => bail!("{name:?} is not a note"),
             },
         })
     }

@@ -25,7 +25,7 @@ const FULL: &str = r#"{"kind":"failed","code":"serve::full","message":"all place
 /// Ping that requests a line from a silent mind; an empty one suffices.
 const PING: &str = "{\"kind\":\"ping\"}\n";
 /// The message to a mind that did not answer.
-const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"nothing came for too long; an empty line answers a ping"}
+const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"no data arrived for too long; an empty line answers a ping"}
 "#;
 
 /// Serves one connection until it ends.

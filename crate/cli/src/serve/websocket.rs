@@ -92,7 +92,7 @@ impl From<Error> for End {
             Error::Capacity(_) => Self::with(CloseCode::Size, "the message is too long"),
             Error::Utf8(_) => Self::with(CloseCode::Invalid, "the text is not UTF-8"),
             Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) => Self::Left,
-            Error::Protocol(_) => Self::with(CloseCode::Protocol, "this is no WebSocket"),
+            Error::Protocol(_) => Self::with(CloseCode::Protocol, "this is not a WebSocket"),
             _ => Self::Left,
         }
     }

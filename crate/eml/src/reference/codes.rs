@@ -16,7 +16,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "eml::bad-boolean",
-        "A boolean is none of true, false, 1 and 0.",
+        "A boolean is not true, false, 1 or 0.",
     ),
     (
         "eml::bad-choice",

@@ -140,7 +140,7 @@ fn read<T: DeserializeOwned>(bytes: &[u8], format: &[u8; 8]) -> Result<T, FaceEr
         return Err(bad(match (is_ours, is_version) {
             (true, true) => "it is another part of a pack",
             (true, false) => "it is of another version",
-            _ => "it is no pack of faces",
+            _ => "it is not a face pack",
         }));
     };
     postcard::from_bytes(rest).map_err(|e| bad(&e.to_string()))

@@ -55,7 +55,7 @@ pub enum RatingError {
         line: usize,
     },
     /// The face is no index.
-    #[error("line {line}: {found:?} is no index of a face")]
+    #[error("line {line}: {found:?} is not the index of a face")]
     BadFace {
         /// The line, counted from 1.
         line: usize,
@@ -73,7 +73,7 @@ pub enum RatingError {
         examples: usize,
     },
     /// The value is not on the scale.
-    #[error("line {line}: {found:?} is no number from -3 to 3")]
+    #[error("line {line}: {found:?} is not a number from -3 to 3")]
     BadValue {
         /// The line, counted from 1.
         line: usize,

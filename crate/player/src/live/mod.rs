@@ -256,7 +256,7 @@ impl LivePerformance {
             return if diagnostics.any(|d| d.severity == Severity::Error) {
                 Ok(())
             } else {
-                let message = "there is no clause in this fragment";
+                let message = "this fragment has no clauses";
                 Err(refusal("live::empty", message))
             };
         }
@@ -282,7 +282,7 @@ impl LivePerformance {
     /// Rejects fragments that exceed the rate limit.
     fn check_rate(&mut self, mind: u32, now_secs: f64) -> Result<(), Diagnostic> {
         if !self.spend(mind, now_secs) {
-            let message = "too many fragments at once; this one was not read";
+            let message = "too many simultaneous fragments; this one was not read";
             return Err(refusal("live::busy", message).hint("send fewer a second"));
         }
         Ok(())
@@ -384,7 +384,7 @@ impl LivePerformance {
                 return Ok(());
             }
             let Some(oldest) = self.fragments.iter().position(|f| over(f, 0.0)) else {
-                let message = "there is no room for more clauses before some have finished";
+                let message = "no more clauses fit before some have finished";
                 return Err(refusal("live::full", message));
             };
             self.forget(oldest);

@@ -398,7 +398,7 @@ fn loop_without_period(
 ) -> Option<Diagnostic> {
     let has_period = args.is_some_and(|args| args.period_secs() > 0.0);
     (is_looping && !has_period).then(|| {
-        let message = "a loop needs a period; the function ends by itself";
+        let message = "a loop needs a period; the function ends after one run";
         Diagnostic::warning("player::no-period", span, message)
             .hint("add the argument `timePeriod`, in seconds, above 0")
     })
@@ -435,7 +435,7 @@ fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Opti
         return warning("player::bad-argument", message).map(|w| w.hint(hint));
     }
     let ArgValue::Number(number) = arg.value else {
-        let message = format!("{name} is no number for the function `{function}`");
+        let message = format!("{name} is not a number of the function `{function}`");
         return warning("player::bad-argument", message);
     };
     let least = if arg.name == "timePeriod" {

@@ -163,7 +163,7 @@ pub(crate) fn late(
     }
     let warning = |(span, delay): (Span, f64)| {
         let message = format!(
-            "the hand comes {} ms late here",
+            "the hand arrives {} ms late here",
             (delay * 1e3).round() as u64
         );
         Diagnostic::warning("player::late", span, message)

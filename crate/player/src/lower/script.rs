@@ -183,7 +183,7 @@ impl Script {
             .into_iter()
             .map(|(id, late_secs)| {
                 let message = format!(
-                    "this stroke comes {late_secs:.2} s late, because the hand has to get there first"
+                    "this stroke is {late_secs:.2} s late, because the hand needs time to arrive"
                 );
                 Diagnostic::warning("player::late", tag(id), message)
                     .hint("give it more time before, or r:lead='snap' of eml, or 'delay'")
@@ -200,7 +200,7 @@ impl Script {
             );
             told.push(
                 Diagnostic::warning("player::delayed", tag(first.clause), message).hint(
-                    "write r:lead='late' or 'snap' in eml for times as they are written, 'delay' if it is to be so, or begin with the gesture later",
+                    "write r:lead='late' or 'snap' in eml to keep the written times, 'delay' to accept the delay, or start the gesture later",
                 ),
             );
         }
@@ -320,7 +320,7 @@ fn missing_speech(
                 Diagnostic::warning(
                     "player::no-bundle",
                     span,
-                    "this story has no speech bundle; it plays with captions and guessed times, silently where there is no other voice",
+                    "this story has no speech bundle; it plays with captions and estimated times, silently if no other voice is available",
                 )
                 .hint("make one with: raconteur bake")
             })
@@ -337,7 +337,7 @@ fn missing_speech(
                 "player::not-baked",
                 span,
                 format!(
-                    "the speech bundle does not hold what {} says; the story goes on without it",
+                    "the speech bundle does not contain the speech of {}; the story continues without it",
                     say.content
                 ),
             )
@@ -345,7 +345,7 @@ fn missing_speech(
             _ => Diagnostic::warning(
                 "player::not-baked",
                 span,
-                "the speech bundle does not hold this text; it plays with captions, silently where there is no other voice",
+                "the speech bundle does not contain this text; it plays with captions, silently if no other voice is available",
             )
             .hint("bake the story again: raconteur bake"),
         })

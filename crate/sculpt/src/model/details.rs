@@ -68,7 +68,7 @@ impl Model {
         of_heads(&text(&path)?).map_err(|e| ModelError::Format {
             path,
             line: e.line(),
-            fault: "groups of targets with categories are wanted",
+            fault: "expected groups of targets with categories",
         })
     }
 }

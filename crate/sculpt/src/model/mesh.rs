@@ -35,7 +35,7 @@ pub(super) fn read(path: &Path, text: &str) -> Result<Mesh, ModelError> {
         let mut words = line.split_ascii_whitespace();
         match words.next() {
             Some("v") => {
-                let p = numbers::<3>(words).ok_or_else(|| fault("three numbers are wanted"))?;
+                let p = numbers::<3>(words).ok_or_else(|| fault("expected three numbers"))?;
                 vertices.push(DVec3::from_array(p) * UNIT_MM);
             }
             Some("g") => group = words.next().unwrap_or_default(),
@@ -47,7 +47,7 @@ pub(super) fn read(path: &Path, text: &str) -> Result<Mesh, ModelError> {
                 };
                 let all: Option<Vec<u32>> = words.map(corner).collect();
                 let quad = all.and_then(|all| <[u32; 4]>::try_from(all).ok());
-                faces.push(quad.ok_or_else(|| fault("a quad is wanted"))?);
+                faces.push(quad.ok_or_else(|| fault("expected a quad"))?);
             }
             _ => {}
         }

@@ -174,7 +174,7 @@ impl Model {
             rows.push(row.ok_or_else(|| ModelError::Format {
                 path: path.clone(),
                 line: i + 1,
-                fault: "a vertex and three numbers are wanted",
+                fault: "a vertex and expected three numbers",
             })?);
         }
         let target: Target = rows.into();

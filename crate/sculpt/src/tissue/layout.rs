@@ -99,7 +99,7 @@ pub(super) fn read(text: &str, anatomy: &Anatomy) -> Result<Vec<Sheet>, String> 
 fn row(line: &str, anatomy: &Anatomy) -> Result<Sheet, String> {
     let cells: Vec<&str> = line.split('\t').collect();
     let &[name, course, reach, pull, grown, skin, places] = &cells[..] else {
-        return Err("seven columns are wanted".to_owned());
+        return Err("expected seven columns".to_owned());
     };
     let fibre: Vec<Place> = places
         .split(' ')
@@ -117,7 +117,7 @@ fn row(line: &str, anatomy: &Anatomy) -> Result<Sheet, String> {
             .into_iter()
             .map(|side| Some((side, of_side(side)?)))
             .collect::<Option<_>>()
-            .ok_or_else(|| format!("{name} is no muscle"))?,
+            .ok_or_else(|| format!("{name} is not a muscle"))?,
     };
     Ok(Sheet {
         muscles,
@@ -136,7 +136,7 @@ fn row(line: &str, anatomy: &Anatomy) -> Result<Sheet, String> {
             "face" => Moves::Face,
             "aside" => Moves::Aside,
             "ear" => Moves::Ear,
-            other => return Err(format!("{other} is no skin that muscles move")),
+            other => return Err(format!("{other} is not a skin region moved by muscles")),
         },
     })
 }

@@ -196,7 +196,7 @@ impl super::FileDigest {
         };
         let is_digit = |b: u8| matches!(b, b'0'..=b'9' | b'a'..=b'f');
         if sha256.len() != 64 || !sha256.bytes().all(is_digit) {
-            return Err("a sound's `sha256` is no SHA-256 in small letters".to_owned());
+            return Err("an audio file's `sha256` is not a SHA-256 in lower case".to_owned());
         }
         Ok(Some(Self { bytes, sha256 }))
     }

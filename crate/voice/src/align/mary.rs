@@ -211,7 +211,7 @@ impl Reader<'_> {
         let list = element.attribute("f0")?.unwrap_or_default();
         for pair in list.split(['(', ')']).filter(|p| !p.trim().is_empty()) {
             let Some((percent, hz)) = pair.split_once(',') else {
-                let message = format!("{:?} is no pair of percent and hertz", clip(pair));
+                let message = format!("{:?} is not a pair of percent and hertz", clip(pair));
                 return Err(TextError::new(at, message));
             };
             self.draft.count(at)?;
@@ -228,7 +228,7 @@ impl Reader<'_> {
             Some(written) => match written.trim().parse::<u8>() {
                 Ok(index) if index <= 6 => Some(index),
                 _ => {
-                    let message = format!("{:?} is no break index", clip(written));
+                    let message = format!("{:?} is not a break index", clip(written));
                     return Err(TextError::new(at, message));
                 }
             },

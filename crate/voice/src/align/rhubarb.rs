@@ -39,7 +39,7 @@ struct Cue {
 fn shape(at: usize, shape: &str) -> Result<&str, TextError> {
     let shape = shape.trim();
     if rhubarb_viseme(shape).is_none() {
-        let message = format!("{:?} is no mouth shape (A to H, X)", clip(shape));
+        let message = format!("{:?} is not a mouth shape (A to H, X)", clip(shape));
         return Err(TextError::new(at, message));
     }
     Ok(shape)
@@ -87,7 +87,7 @@ pub(super) fn json(text: &str, draft: &mut Draft) -> Result<(), TextError> {
         let cue: Cue = serde_json::from_str(cue.get()).map_err(|_| {
             TextError::new(
                 at,
-                "a cue is no object with \"start\", \"end\" and \"value\"",
+                "a cue is not an object with \"start\", \"end\" and \"value\"",
             )
         })?;
         let time = |time: Option<f64>, name: &str| {

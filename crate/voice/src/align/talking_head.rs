@@ -33,7 +33,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), TextError> {
             let (name, start, end, at) = visemes.interval(i)?;
             let shape = oculus(&name).ok_or_else(|| {
                 let known = OCULUS.join(", ");
-                let message = format!("{:?} is no viseme; there are {known}", clip(&name));
+                let message = format!("{:?} is not a viseme; known: {known}", clip(&name));
                 TextError::new(at, message)
             })?;
             draft.segment(start, end, shape, at)?;

@@ -74,7 +74,7 @@ impl<'a> Tokens<'a> {
     fn size(&mut self, what: &str) -> Result<u64, TextError> {
         let (at, size) = self.number(what)?;
         if !(0.0..=1e9).contains(&size) || size % 1.0 != 0.0 {
-            return Err(TextError::new(at, format!("{size} is no number of {what}")));
+            return Err(TextError::new(at, format!("{size} is not a number of {what}")));
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -133,7 +133,7 @@ fn tier(tokens: &mut Tokens<'_>, draft: &mut Draft) -> Result<Tier, TextError> {
         "IntervalTier" => false,
         "TextTier" => true,
         _ => {
-            let message = format!("{:?} is no class of tiers", clip(&class));
+            let message = format!("{:?} is not a tier class", clip(&class));
             return Err(TextError::new(class_at, message));
         }
     };

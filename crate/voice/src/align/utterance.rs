@@ -120,7 +120,7 @@ fn index(at: usize, field: &str) -> Result<usize, TextError> {
     let bad = || {
         TextError::new(
             at,
-            format!("{:?} is no number of an item or node", clip(field)),
+            format!("{:?} is not the number of an item or node", clip(field)),
         )
     };
     field.parse().map_err(|_| bad())

@@ -90,7 +90,7 @@ struct Cue {
 impl Cue {
     fn begin(at: usize, line: &str, arrow: usize, mark: char) -> Result<Self, TextError> {
         let read = |offset: usize, written: &str| {
-            let bad = || TextError::new(at + offset, format!("{:?} is no time", clip(written)));
+            let bad = || TextError::new(at + offset, format!("{:?} is not a time", clip(written)));
             time(written, mark).ok_or_else(bad)
         };
         let start = read(0, line[..arrow].trim())?;

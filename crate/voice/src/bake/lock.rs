@@ -32,7 +32,7 @@ impl Lock {
             fs::create_dir_all(folder).with_context(told)?;
             // A link could name anybody's file, which would be emptied below.
             if fs::symlink_metadata(&path).is_ok_and(|about| !about.is_file()) {
-                bail!("{} is no plain file; remove it", path.display());
+                bail!("{} is not a plain file; remove it", path.display());
             }
             let mut options = File::options();
             options.read(true).write(true).create(true).truncate(false);

@@ -139,7 +139,7 @@ impl MeasurementSetup<'_> {
     fn against(&self, changed: &Speech, first: usize, last: usize) -> Result<Difference> {
         let set = &self.role.voice.phone_set;
         compare(&self.plain, changed, set, first, last)
-            .context("the engine speaks other phones when it is asked to speak otherwise")
+            .context("the engine speaks other phones with other settings")
     }
 
     /// Attributes around everything.

@@ -77,7 +77,7 @@ impl PageBake {
             let words = words_of(content);
             if self.words + words > MAX_WORDS {
                 self.problems.push(format!(
-                    "more than {MAX_WORDS} words are not said while somebody waits; bake the story"
+                    "more than {MAX_WORDS} words are not spoken on demand; bake the story"
                 ));
                 self.next = self.requests.len();
                 return Ok(false);

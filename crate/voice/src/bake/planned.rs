@@ -81,7 +81,7 @@ fn content(
             sable,
             library: from_library,
         } => {
-            let told = || format!("cannot read what is to be said, {path}");
+            let told = || format!("cannot read the spoken text {path}");
             // The library, and for files beside the story that folder as well.
             let file = match inside::find(folder, path).with_context(told)? {
                 Some(file) => file,

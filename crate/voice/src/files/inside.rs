@@ -17,7 +17,7 @@ pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
     let inner = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
     ensure!(
         !path.contains(':') && !path.contains('\\'),
-        "{path:?} is not beside the story; put it there and name its path"
+        "{path:?} is not next to the story; put it there and use its path"
     );
     if path.is_empty() || !relative.components().all(inner) {
         bail!("the path {path:?} leaves the story's folder");
@@ -33,7 +33,7 @@ pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
             Ok(found) => {
                 ensure!(
                     found.starts_with(&root),
-                    "{} is a link that leads out of the folder {}; put the file itself there",
+                    "{} is a link to a target outside the folder {}; put the file itself there",
                     folder.join(path).display(),
                     here.display()
                 );
@@ -48,7 +48,7 @@ pub fn find(folder: &Path, path: &str) -> Result<Option<PathBuf>> {
     let about = fs::metadata(&found).with_context(told)?;
     ensure!(
         about.is_file(),
-        "{} is no plain file",
+        "{} is not a plain file",
         folder.join(path).display()
     );
     Ok(Some(found))
@@ -68,7 +68,7 @@ pub fn check_folder(folder: &Path, inner: &Path) -> Result<()> {
     if let (Ok(root), Ok(found)) = (here.canonicalize(), inner.canonicalize()) {
         ensure!(
             found.starts_with(&root) && found.is_dir(),
-            "{} is no folder of the story but leads out of it",
+            "{} is a link to a target outside the story",
             inner.display()
         );
     }

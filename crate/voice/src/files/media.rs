@@ -65,7 +65,7 @@ impl Sound {
         super::opened(&path);
         let file = File::open(&path).with_context(told)?;
         let about = file.metadata().with_context(told)?;
-        ensure!(about.is_file(), "{} is no plain file", path.display());
+        ensure!(about.is_file(), "{} is not a plain file", path.display());
         ensure!(
             about.len() <= MAX_BYTES,
             "the sound {} has {} bytes; at most {MAX_BYTES} are read",
@@ -90,7 +90,7 @@ impl Sound {
             );
         }
         bail!(
-            "{} is no sound of a known format; there are WAV, AIFF, FLAC, Ogg, MP3, AAC, MP4 and Matroska",
+            "{} is not an audio file of a known format: WAV, AIFF, FLAC, Ogg, MP3, AAC, MP4 or Matroska",
             path.display()
         )
     }

@@ -213,7 +213,7 @@ pub(crate) fn emotion(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     let mut axis = |attribute: &str, of_word: f64| match tag.get(attribute) {
         None => of_word,
         Some(text) => levels::number(text.trim()).unwrap_or_else(|| {
-            pieces.report(tag.at, format!("{attribute}=\"{text}\" is no number"));
+            pieces.report(tag.at, format!("{attribute}=\"{text}\" is not a number"));
             of_word
         }),
     };

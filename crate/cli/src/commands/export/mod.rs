@@ -295,7 +295,7 @@ fn player_folder(named: Option<&Path>) -> Result<PathBuf> {
     let folder = match named {
         Some(named) => named.to_owned(),
         None => crate::assets::built_page()
-            .context("no built page beside the library: run `npm run build`, or name its folder with --player")?,
+            .context("no built page next to the library: run `npm run build`, or pass its folder with --player")?,
     };
     ensure!(
         folder.join(parts::LIST).is_file(),

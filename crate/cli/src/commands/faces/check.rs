@@ -68,7 +68,7 @@ impl Check {
         let model = editor.model();
         ensure!(
             !model.people.is_empty(),
-            "the pack does not tell who its faces are"
+            "the pack does not describe its people"
         );
         let of = |seed: u64| -> Result<Vec<f64>> {
             let face = editor.random(seed);

@@ -68,11 +68,11 @@ fn three(text: &str) -> Result<[f64; 3]> {
         .split(',')
         .map(|x| x.trim().parse::<f64>())
         .collect::<Result<_, _>>()
-        .with_context(|| format!("three numbers are wanted, not {text}"))?;
+        .with_context(|| format!("expected three numbers, found {text}"))?;
     let all: Result<[f64; 3], _> = all.try_into();
     all.ok()
         .filter(|all| all.iter().all(|x| x.is_finite()))
-        .with_context(|| format!("three numbers are wanted, not {text}"))
+        .with_context(|| format!("expected three numbers, found {text}"))
 }
 
 fn number(text: &str) -> Result<f64> {
@@ -83,7 +83,7 @@ fn number(text: &str) -> Result<f64> {
     number
         .is_finite()
         .then_some(number)
-        .context("a number that is finite is wanted")
+        .context("expected a finite number")
 }
 
 impl Edits {

@@ -48,7 +48,7 @@ impl Learn {
         fair(&mut examples)?;
         ensure!(
             examples.len() > HELD_OUT,
-            "a face space takes more than {HELD_OUT} heads"
+            "a face space needs more than {HELD_OUT} heads"
         );
         let weights = look_weights(&examples);
         let shapes: Vec<Vec<f64>> = examples.iter().map(|e| e.skin.clone()).collect();

@@ -291,7 +291,7 @@ fn segments(editor: &Editor, base: &Face, from: &Face) -> Result<Vec<Named>> {
 
 fn ages(editor: &Editor, base: &Face) -> Result<Vec<Named>> {
     let people = &editor.model().people;
-    ensure!(!people.is_empty(), "the pack does not tell ages");
+    ensure!(!people.is_empty(), "the pack has no ages");
     let [years, sex] = ["age", "sex"].map(|name| editor.value(base, Part::Shape, name));
     let [years, sex] = [editor.years_of(years?), 0.5 + sex?];
     let one = |to: f64| {

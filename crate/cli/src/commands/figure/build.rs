@@ -36,7 +36,7 @@ impl Build {
         let params = match (&self.name, &self.params) {
             (Some(name), _) => params::preset(name)?,
             (None, Some(path)) => params::read(path, &self.model)?,
-            (None, None) => bail!("a name or --params is wanted"),
+            (None, None) => bail!("a name or --params is required"),
         };
         let bar = ProgressBar::new_spinner().with_message(format!("building {}", params.name));
         bar.enable_steady_tick(Duration::from_millis(120));

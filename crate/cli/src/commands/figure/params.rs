@@ -56,7 +56,7 @@ fn parse(text: &str, model: &Path) -> Result<FigureParams> {
     let base = match given.remove("base") {
         None => people::NAMES[0].to_owned(),
         Some(Value::String(name)) => name,
-        Some(other) => bail!("base: a name is wanted, not {other}"),
+        Some(other) => bail!("base: expected a name, found {other}"),
     };
     let base = preset(&base)?;
     let mut whole = serde_json::to_value(&base)?;
@@ -95,7 +95,7 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
                 }
                 let Some(field) = fields.get_mut(&key) else {
                     let known: Vec<&str> = fields.keys().map(String::as_str).collect();
-                    bail!("{place}{key} is no field; there are {}", known.join(", "));
+                    bail!("{place}{key} is not a field; known: {}", known.join(", "));
                 };
                 overlay(&format!("{place}{key}."), field, value)?;
             }
@@ -103,7 +103,7 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
         (Value::Array(items), Value::Array(given)) => {
             if items.len() != given.len() {
                 bail!(
-                    "{name}: {} values are wanted, not {}",
+                    "{name}: expected {} values, found {}",
                     items.len(),
                     given.len()
                 );
@@ -113,17 +113,17 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
             }
         }
         (Value::Number(_), given) if !given.is_number() => {
-            bail!("{name}: a number is wanted, not {given}")
+            bail!("{name}: expected a number, found {given}")
         }
         (Value::Bool(_), given) if !given.is_boolean() => {
-            bail!("{name}: true or false is wanted, not {given}")
+            bail!("{name}: expected true or false, found {given}")
         }
-        (Value::Array(_), given) => bail!("{name}: a list is wanted, not {given}"),
+        (Value::Array(_), given) => bail!("{name}: expected a list, found {given}"),
         (Value::String(_), given @ (Value::Number(_) | Value::Bool(_) | Value::Array(_))) => {
-            bail!("{name}: a word is wanted, not {given}")
+            bail!("{name}: expected a word, found {given}")
         }
         (Value::Object(_), given) if !given.is_object() && !given.is_string() => {
-            bail!("{name}: an object is wanted, not {given}")
+            bail!("{name}: expected an object, found {given}")
         }
         (_, given) => *there = given,
     }
@@ -140,7 +140,7 @@ fn check(params: &FigureParams) -> Result<()> {
         ("person.build", person.build, -1.0, 1.0),
     ] {
         if !(low..=high).contains(&value) {
-            bail!("{name}: {low} to {high} is wanted, not {value}");
+            bail!("{name}: expected {low} to {high}, found {value}");
         }
     }
     Ok(())

@@ -86,7 +86,7 @@ impl Rig {
                 NamedFile::Vertex(v) => v.checked_sub(1).and_then(|i| scan.points.get(i)).copied(),
             };
             let Some(at) = at.filter(|p| p.is_finite()) else {
-                bail!("{path}: {name} is no vertex of the mesh");
+                bail!("{path}: {name} is not a vertex of the mesh");
             };
             all.insert(name, at);
         }

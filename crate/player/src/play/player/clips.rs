@@ -39,7 +39,7 @@ impl Animations {
         if is_xml(text) {
             let (xml, json) = (with_ending(name, "xml"), with_ending(name, "json"));
             let message = format!(
-                "the animation `{name}` was found as `{xml}`, which is XML; it is left out, as JSON is read, from `{json}`"
+                "the animation `{name}` was found as `{xml}`, which is XML; it is ignored, because animations are JSON files such as `{json}`"
             );
             return Err(("player::bad-animation", message));
         }
@@ -126,7 +126,7 @@ impl Player {
                         Some(text) if is_xml(text) => {
                             let json = with_ending(name, "json");
                             warning = warning.hint(format!(
-                                "write it anew as `{json}` beside the story, and that whole name in the clause"
+                                "convert it to `{json}` next to the story, and use that full name in the clause"
                             ));
                         }
                         Some(_) => {}

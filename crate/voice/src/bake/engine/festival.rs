@@ -55,7 +55,7 @@ impl Engine for Festival {
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
         ensure!(
             scheme::is_symbol(voice),
-            "{voice:?} is no name of a Festival voice"
+            "{voice:?} is not the name of a Festival voice"
         );
         if sentences.is_empty() {
             return Ok(Vec::new());
@@ -132,7 +132,7 @@ fn ipa_set(voice: &str) -> Result<Set> {
     let name = said
         .lines()
         .find_map(|l| l.strip_prefix("phones "))
-        .context("Festival does not tell the voice's phones")?;
+        .context("Festival does not report the voice's phones")?;
     match phone_set(name)? {
         "mrpa" => Ok(Set::Mrpa),
         _ => Ok(Set::Radio),
@@ -177,7 +177,7 @@ fn speak(voice: &str, sentences: &[Sentence], set: Set) -> Result<Vec<Spoken>> {
                     .iter()
                     .all(|p| p.token.is_none_or(|t| t < last))
                     && labels.breaks.iter().all(|b| b.0 < last),
-                "Festival tells of more than {last} tokens"
+                "Festival reports more than {last} tokens"
             );
             let wave = wave::read(&folder.path().join(scheme::wave_name(i)))?;
             labels::finish(labels, wave, phone_set, lag_secs)
@@ -227,7 +227,7 @@ fn read(said: &str) -> Result<Vec<(&'static str, Labels)>> {
         }
     }
     if let Some(i) = sentences.iter().position(|(_, l)| l.phones.is_empty()) {
-        bail!("Festival found nothing to say in sentence {i}");
+        bail!("Festival found no speech in sentence {i}");
     }
     Ok(sentences)
 }

@@ -4,5 +4,5 @@ use anyhow::{Result, bail};
 
 /// An error.
 pub(super) fn post(address: &str, _path: &str, _form: &[(&str, &str)]) -> Result<Vec<u8>> {
-    bail!("the server {address} cannot be asked from here")
+    bail!("the server {address} cannot be queried from here")
 }

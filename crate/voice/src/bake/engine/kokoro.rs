@@ -278,7 +278,7 @@ impl Text {
 fn to_spoken(marks: &[Mark], tongue: SpokenLanguage, out: &Output) -> Result<Spoken> {
     ensure!(
         out.frames.len() == marks.len() + 2,
-        "the network told of {} letters and was given {}",
+        "the network returned {} letters for {}",
         out.frames.len(),
         marks.len()
     );

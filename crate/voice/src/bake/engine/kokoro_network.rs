@@ -161,7 +161,7 @@ impl Installed {
         let (numbers, rest) = bytes.as_chunks::<4>();
         ensure!(
             rest.is_empty() && !numbers.is_empty() && numbers.len().is_multiple_of(STYLE),
-            "{} is no voice",
+            "{} is not a voice",
             path.display()
         );
         let styles: Arc<[f32]> = numbers.iter().map(|n| f32::from_le_bytes(*n)).collect();

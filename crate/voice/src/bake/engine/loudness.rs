@@ -66,7 +66,7 @@ pub(super) fn align_by_loudness(wave: Wave, tokens: &[SpokenUnit<'_>]) -> Result
         sorted.get(at).copied().unwrap_or(f64::NEG_INFINITY)
     };
     let (noise, loud) = (percentile(0.1), percentile(0.95));
-    ensure!(loud > NOTHING_DB, "nothing is heard in it");
+    ensure!(loud > NOTHING_DB, "it is silent");
     let least = (loud - RANGE_DB).max((noise + OVER_NOISE_DB).min(loud - 10.0));
     let stretches: Vec<Vec<Peak>> = stretches(&level, least)
         .into_iter()

@@ -23,7 +23,7 @@ impl Mary {
     pub(super) fn new(address: &str) -> Result<Self> {
         ensure!(
             is_address(address),
-            "{address:?} is no address of a server; one is host:port"
+            "{address:?} is not a server address of the form host:port"
         );
         Ok(Self {
             address: address.to_owned(),
@@ -53,7 +53,7 @@ impl Mary {
             http::post(&self.address, "/process", &form)
         };
         let times = ask("REALISED_ACOUSTPARAMS")?;
-        let alignment = read(Format::MaryXml, &times).context("what MARY says of its phones")?;
+        let alignment = read(Format::MaryXml, &times).context("the phones reported by MARY")?;
         let wave = wave::decode(&ask("AUDIO")?).context("what MARY says")?;
         let tokens: Vec<&str> = sentence.tokens.iter().map(|t| t.text.as_str()).collect();
         aligned::combine(&alignment, wave, &tokens, "sampa")

@@ -11,7 +11,7 @@ mod aligned;
 pub mod espeak;
 #[cfg_attr(
     target_arch = "wasm32",
-    allow(dead_code, reason = "nothing speaks there")
+    allow(dead_code, reason = "no engine is available there")
 )]
 mod espeak_events;
 #[cfg_attr(target_arch = "wasm32", path = "espeak_nowhere.rs")]

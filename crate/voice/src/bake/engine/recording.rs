@@ -63,7 +63,7 @@ impl Engine for Recordings {
             return Ok(Vec::new());
         }
         bail!(
-            "there is no recording of it in {}; one is named after the utterance's key or its position: 01.wav",
+            "{} contains no recording of it; name it after the utterance's key or its position: 01.wav",
             self.folder.display()
         )
     }
@@ -131,9 +131,9 @@ fn by_loudness(sound: &Path) -> Remark {
     Remark {
         code: "lips-by-loudness",
         message: format!(
-            "{name} has no alignment beside it: its words are spread by their letters, and the lips follow the loudness only"
+            "{name} has no alignment file: its words are distributed by their letters, and the lips follow the loudness only"
         ),
-        hint: "put one of the same name beside it, say a TextGrid of the Montreal Forced Aligner",
+        hint: "add one of the same name next to it, for example a TextGrid of the Montreal Forced Aligner",
     }
 }
 

@@ -119,7 +119,7 @@ impl<H: Host> Server<H> {
         let times = answer.times.as_bytes();
         let format =
             detect("", times).context("the server tells times in no format that is known")?;
-        let alignment = read(format, times).context("what the server tells of its phones")?;
+        let alignment = read(format, times).context("the phones reported by the server")?;
         let wave = wave::decode(&answer.sound).context("what the server says")?;
         aligned::combine(&alignment, wave, &words, &voice.phone_set)
     }

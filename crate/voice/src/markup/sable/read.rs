@@ -35,7 +35,7 @@ pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
 fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     pieces.report(
         tag.at,
-        format!("the element {} is not known; its text is kept", tag.name),
+        format!("unknown element {}; its text is kept", tag.name),
     );
     Meaning::default()
 }
@@ -79,7 +79,7 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
     }
     match upper.as_str() {
         "SABLE" if !is_first => {
-            pieces.report(tag.at, "SABLE inside a document means nothing");
+            pieces.report(tag.at, "SABLE inside a document has no effect");
             Meaning::default()
         }
         "EMPH" => emphasis(tag, pieces).into(),

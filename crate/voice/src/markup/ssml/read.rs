@@ -57,7 +57,7 @@ pub fn read_beside(
 fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     pieces.report(
         tag.at,
-        format!("the element {} is not known; its text is kept", tag.name),
+        format!("unknown element {}; its text is kept", tag.name),
     );
     Meaning::default()
 }
@@ -321,7 +321,7 @@ fn audio(tag: &Tag, pieces: &mut Pieces<'_>, is_there: &dyn Fn(&str) -> bool) ->
     };
     if !tag.is_empty && !is_there(&src) {
         let message =
-            format!("there is no recording {src:?} beside the story; its text is said instead");
+            format!("there is no recording {src:?} next to the story; its text is spoken instead");
         pieces.report(tag.at, message);
         return Meaning::default();
     }

@@ -88,7 +88,7 @@ fn vertices(shape: &[usize]) -> Option<usize> {
 
 fn mean_vertices(mean: &Array) -> Result<usize> {
     let count = vertices(&mean.shape)
-        .with_context(|| format!("its shape is {:?}, and V × 3 or 3V is wanted", mean.shape))?;
+        .with_context(|| format!("its shape is {:?}; expected V × 3 or 3V", mean.shape))?;
     ensure!(
         (1..=MAX_VERTICES).contains(&count),
         "it has {count} vertices, and 1 to {MAX_VERTICES} are read"
@@ -98,7 +98,7 @@ fn mean_vertices(mean: &Array) -> Result<usize> {
 
 fn check_deviations(deviations: &Array) -> Result<()> {
     let shape = &deviations.shape;
-    ensure!(shape.len() == 1, "its shape is {shape:?}, and K is wanted");
+    ensure!(shape.len() == 1, "its shape is {shape:?}; expected K");
     let count = deviations.numbers.len();
     ensure!(
         (1..=MAX_MODES).contains(&count),
@@ -113,7 +113,7 @@ fn check_deviations(deviations: &Array) -> Result<()> {
 
 fn check_modes(modes: &Array, count: usize, deviations: usize) -> Result<()> {
     let shape = &modes.shape;
-    let wrong = || format!("its shape is {shape:?}, and K × V × 3 or K × 3V is wanted");
+    let wrong = || format!("its shape is {shape:?}; expected K × V × 3 or K × 3V");
     let (own, face) = shape.split_first().with_context(wrong)?;
     let found = vertices(face).with_context(wrong)?;
     ensure!(
@@ -134,7 +134,7 @@ fn array(path: &Path) -> Result<Array> {
 
 /// Reads an array.
 pub(super) fn parse(bytes: &[u8]) -> Result<Array> {
-    ensure!(bytes.starts_with(MAGIC), "it is no array of NumPy");
+    ensure!(bytes.starts_with(MAGIC), "it is not a NumPy array");
     ensure!(
         header(bytes).is_some_and(is_plain),
         "it is cut off, or its header is not that of a plain array"
@@ -143,7 +143,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Array> {
     let header = NpyHeader::from_reader(&mut rest).context("its header")?;
     ensure!(
         header.order() == Order::C,
-        "it is in Fortran order, and C order is wanted"
+        "it is in Fortran order; expected C order"
     );
     let size = match header.dtype() {
         DType::Plain(kind)
@@ -161,7 +161,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Array> {
     let wanted = header.len().saturating_mul(size);
     ensure!(
         rest.len() as u64 == wanted,
-        "it has {} bytes of numbers, and its shape takes {wanted}",
+        "it has {} bytes of numbers; its shape needs {wanted}",
         rest.len()
     );
     let sizes = header.shape().iter().map(|&size| usize::try_from(size));

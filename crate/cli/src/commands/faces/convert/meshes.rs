@@ -18,7 +18,7 @@ pub(super) fn read(folder: &Path) -> Result<SourceModel> {
     });
     ensure!(
         !paths.is_empty(),
-        "{}: it holds no model: neither {}, nor {}, nor other meshes (*.obj)",
+        "{}: it contains no model: neither {}, nor {}, nor other meshes (*.obj)",
         folder.display(),
         ict::NAMES[0],
         arrays::NAMES.join(", ")

@@ -229,7 +229,7 @@ fn broken_folders_of_meshes_are_told_by_name() {
 fn folders_without_a_model_are_told_by_name() {
     let empty = tempfile::tempdir().unwrap();
     let said = |path: &Path| format!("{:#}", read(path).unwrap_err());
-    assert!(said(empty.path()).contains("it holds no model"));
+    assert!(said(empty.path()).contains("it contains no model"));
     assert!(said(&empty.path().join("none")).contains("cannot read"));
     let one = folder(&meshes()[..1]);
     assert!(said(one.path()).contains("at least two examples"));

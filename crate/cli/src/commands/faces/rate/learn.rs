@@ -46,7 +46,7 @@ impl Learn {
         let ratings = self.read_ratings(model.examples.len())?;
         let terms = terms(&self.terms)?;
         if let Some(name) = terms.keys().find(|name| ratings.get(name).is_none()) {
-            bail!("--terms names {name}, which nobody rated");
+            bail!("--terms names {name}, which has no ratings");
         }
         writeln!(out, "attribute\traters\tfaces\tICC(2,1)\tICC(2,k)")?;
         let (mut learned, mut refused) = (Vec::new(), Vec::new());

@@ -64,7 +64,7 @@ impl Sheet {
         let form = self.output.join(FORM);
         ensure!(
             !form.exists(),
-            "a form is there already, and ratings in it would be lost: {}",
+            "a form exists already, and its ratings would be lost: {}",
             form.display()
         );
         replace(&form, Ratings::form(&indices, &names).as_bytes())?;

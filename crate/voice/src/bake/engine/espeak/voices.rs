@@ -53,7 +53,7 @@ pub(super) fn known<'a>(voice: &'a str, host: &dyn Host) -> Result<&'a str> {
     };
     ensure!(
         !base.is_empty() && plain(base) && plain(variant),
-        "{voice:?} is no name of an espeak-ng voice; one is a language, and perhaps a plus sign and a variant: en-us+f2"
+        "{voice:?} is not the name of an espeak-ng voice: a language with an optional plus sign and variant, such as en-us+f2"
     );
     if !variant.is_empty() {
         let variants: BTreeSet<String> = host.files(VARIANTS)?.into_iter().collect();

@@ -54,7 +54,7 @@ impl Form {
         let form = read().context("the chunk \"fmt \" is too short")?;
         ensure!(
             matches!(form.tag, PCM | FLOAT),
-            "its samples are of the format {:#06x}; integers and floating-point numbers are read (write it anew: ffmpeg -i IN.wav -c:a pcm_s16le OUT.wav)",
+            "its samples have the format {:#06x}; only integers and floating-point numbers are supported (convert it: ffmpeg -i IN.wav -c:a pcm_s16le OUT.wav)",
             form.tag
         );
         ensure!(
@@ -81,8 +81,8 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>> {
         "no WAV: it does not begin as one"
     );
     let (form, data) = chunks(bytes)?;
-    let mut form = Form::parse(form.context("no WAV: there is no chunk \"fmt \"")?)?;
-    let data = data.context("no WAV: there is no chunk \"data\"")?;
+    let mut form = Form::parse(form.context("not a WAV: there is no chunk \"fmt \"")?)?;
+    let data = data.context("not a WAV: there is no chunk \"data\"")?;
     let mut samples = match data {
         Data::Told(samples) => samples,
         // The last frame of a stream that was stopped may be a part.
